@@ -1,0 +1,20 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/city/footprint.h"
+
+namespace noonmark {
+
+/// A footprint as counter-clockwise triangles.
+struct Triangulation {
+    std::vector<glm::vec2> points;
+    std::vector<glm::uvec3> triangles;  ///< indices into points
+};
+
+/// Constrained Delaunay triangulation of the interior. `points` begins with the footprint's own points in order, outer ring
+/// first; where rings cross (a footprint that was not repaired) the crossings follow. O(n log n).
+Triangulation triangulated(const Footprint& footprint);
+
+}  // namespace noonmark

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <GeographicLib/LocalCartesian.hpp>
+#include <cmath>
+
+#include "core/geo/frame.h"
+
+namespace noonmark {
+
+namespace {
+GeographicLib::LocalCartesian cartesianAt(LonLat origin) {
+    return GeographicLib::LocalCartesian(origin.latDeg, origin.lonDeg, 0);
+}
+}  // namespace
+
+Frame::Frame(LonLat origin, double originElevationM) : origin_(origin), originElevationM_(originElevationM) {}
+
+glm::dvec2 Frame::localFromLonLat(LonLat place) const {
+    glm::dvec2 local{};
+    double up = 0;
+    cartesianAt(origin_).Forward(place.latDeg, place.lonDeg, 0, local.x, local.y, up);
+    return local;
+}
+
+LonLat Frame::lonLatFromLocal(glm::dvec2 local) const {
+    // The point of the ellipsoid under (x, y) lies below the tangent plane: find how far by repeated correction.
+    constexpr double earthRadiusM = 6371000;
+    const auto cartesian = cartesianAt(origin_);
+    double up = -(local.x * local.x + local.y * local.y) / (2 * earthRadiusM);
+    LonLat place{};
+    for (int i = 0; i < 8; ++i) {
+        double height = 0;
+        cartesian.Reverse(local.x, local.y, up, place.latDeg, place.lonDeg, height);
+        if (std::abs(height) < 1e-6) break;
+        up -= height;
+    }
+    return place;
+}
+
+std::string Frame::projString() const {
+    return fmt::format("+proj=ortho +lat_0={:.10f} +lon_0={:.10f} +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",
+                       origin_.latDeg, origin_.lonDeg);
+}
+
+}  // namespace noonmark

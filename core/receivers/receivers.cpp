@@ -1,0 +1,101 @@
+#include "core/receivers/receivers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/receivers/rasterize.h"
+
+namespace noonmark {
+
+namespace {
+
+Grid gridOver(const Box2& box, double cellM) {
+    Grid grid;
+    grid.cellM = cellM;
+    grid.westM = std::floor(double(box.low.x) / cellM) * cellM;
+    grid.southM = std::floor(double(box.low.y) / cellM) * cellM;
+    // At least one cell; a count that does not fit an int is caught by the caller through size().
+    grid.columns = int(std::clamp(std::ceil((double(box.high.x) - grid.westM) / cellM), 1.0, 1e9));
+    grid.rows = int(std::clamp(std::ceil((double(box.high.y) - grid.southM) / cellM), 1.0, 1e9));
+    return grid;
+}
+
+void mark(Receivers& receivers, const Footprint& footprint, CellKind from, CellKind to) {
+    forEachRun(footprint, receivers.grid, [&](int row, int first, int end) {
+        for (int column = first; column < end; ++column) {
+            CellKind& kind = receivers.kind[receivers.grid.index(column, row)];
+            if (kind == from) kind = to;
+        }
+    });
+}
+
+void markBuildings(Receivers& receivers, const City& city) {
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts)
+            if (!part.hangs) mark(receivers, part.footprint, CellKind::ground, CellKind::building);
+}
+
+void listGroundCells(Receivers& receivers) {
+    for (std::size_t i = 0; i < receivers.kind.size(); ++i)
+        if (receivers.kind[i] == CellKind::ground) receivers.cells.push_back(std::uint32_t(i));
+}
+
+void sampleGround(Receivers& receivers, const City& city) {
+    if (!city.terrain) return;
+    const Grid& grid = receivers.grid;
+    receivers.groundM.resize(grid.size());
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column)
+            receivers.groundM[grid.index(column, row)] = elevationAt(*city.terrain, grid.centre(column, row));
+}
+
+Result<Grid> checkedGrid(const Region& region, double cellM) {
+    if (!(cellM >= ReceiverSettings::minCellM && cellM <= ReceiverSettings::maxCellM))
+        return failure(fmt::format("A cell of {} m is out of range", cellM), "cell size", "Choose 0.25 to 10 m");
+    const Box2 box = bounds(region);
+    if (box.empty()) return failure("The region has no area", region.name, "Draw a polygon with an inside");
+    const Grid grid = gridOver(box, cellM);
+    if (grid.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+        return failure(fmt::format("The region has {:.1f} billion cells", double(grid.size()) * 1e-9), region.name,
+                       "Choose larger cells or a smaller region; up to 2.1 billion cells can be numbered");
+    return grid;
+}
+
+}  // namespace
+
+glm::vec3 Receivers::position(std::uint32_t cell) const {
+    const int column = int(cell % std::uint32_t(grid.columns));
+    const int row = int(cell / std::uint32_t(grid.columns));
+    return {glm::vec2(grid.centre(column, row)), flat() ? 0.0F : groundM[cell]};
+}
+
+Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings) {
+    const auto grid = checkedGrid(region, settings.cellM);
+    if (!grid) return tl::make_unexpected(grid.error());
+    Receivers receivers;
+    receivers.grid = *grid;
+    receivers.kind.assign(receivers.grid.size(), CellKind::outside);
+    for (const Footprint& polygon : region.polygons) mark(receivers, polygon, CellKind::outside, CellKind::ground);
+    markBuildings(receivers, city);
+    sampleGround(receivers, city);
+    listGroundCells(receivers);
+    return receivers;
+}
+
+Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow) {
+    Receivers tile;
+    tile.grid = receivers.grid;
+    tile.grid.southM = receivers.grid.southM + firstRow * receivers.grid.cellM;
+    tile.grid.rows = lastRow - firstRow;
+    const auto from = std::ptrdiff_t(receivers.grid.index(0, firstRow));
+    const auto to = std::ptrdiff_t(receivers.grid.index(0, lastRow));
+    tile.kind.assign(receivers.kind.begin() + from, receivers.kind.begin() + to);
+    if (!receivers.flat()) tile.groundM.assign(receivers.groundM.begin() + from, receivers.groundM.begin() + to);
+    listGroundCells(tile);
+    return tile;
+}
+
+}  // namespace noonmark

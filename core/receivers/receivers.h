@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/receivers/grid.h"
+#include "core/receivers/region.h"
+#include "core/result.h"
+
+namespace noonmark {
+
+enum class CellKind : std::uint8_t {
+    outside,   ///< its centre is not in the region
+    building,  ///< its centre is in the footprint of a part that stands on the ground
+    ground,    ///< a receiver
+};
+
+/// The cells of a regular grid that receive shadow, on the ground.
+struct Receivers {
+    Grid grid;
+    std::vector<CellKind> kind;        ///< grid order
+    std::vector<float> groundM;        ///< grid order, local z of the ground; empty: flat at z = 0
+    std::vector<std::uint32_t> cells;  ///< indices of the ground cells, ascending
+    [[nodiscard]] glm::vec3 position(std::uint32_t cell) const;
+    [[nodiscard]] bool flat() const { return groundM.empty(); }
+};
+
+struct ReceiverSettings {
+    static constexpr double minCellM = 0.25;
+    static constexpr double maxCellM = 10;
+    double cellM = 1;  ///< cell size, metres, 0.25 to 10
+};
+
+/// Cells of the region's bounding box, classified. West and south edges lie on multiples of the cell size, so that the
+/// same cells come back for an overlapping region. Memory 9 bytes a cell; refused above 2^31 cells.
+Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings);
+
+/// A copy of the cells of `receivers` in rows [firstRow, lastRow), for work in tiles.
+Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow);
+
+}  // namespace noonmark

@@ -1,0 +1,45 @@
+#include "core/receivers/region.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+constexpr int pointsPerSide = 8;  // parallels are curves in the local plane
+
+void addSide(Ring& ring, const Frame& frame, LonLat from, LonLat to) {
+    for (int i = 0; i < pointsPerSide; ++i) {
+        const double share = double(i) / pointsPerSide;
+        const LonLat place{std::lerp(from.lonDeg, to.lonDeg, share), std::lerp(from.latDeg, to.latDeg, share)};
+        ring.emplace_back(frame.localFromLonLat(place));
+    }
+}
+}  // namespace
+
+Result<Region> regionFromLonLatBox(const Frame& frame, double westDeg, double southDeg, double eastDeg, double northDeg) {
+    const std::string box = fmt::format("region {},{},{},{}", westDeg, southDeg, eastDeg, northDeg);
+    const bool inRange = std::abs(westDeg) <= 180 && std::abs(eastDeg) <= 180 && std::abs(southDeg) <= 90 && std::abs(northDeg) <= 90;
+    if (!inRange) return failure("A corner is not on the globe", box, "Give degrees: west,south,east,north");
+    if (!(westDeg < eastDeg) || !(southDeg < northDeg))
+        return failure("The box is empty", box, "Give west < east and south < north");
+    Ring ring;
+    addSide(ring, frame, {westDeg, southDeg}, {eastDeg, southDeg});
+    addSide(ring, frame, {eastDeg, southDeg}, {eastDeg, northDeg});
+    addSide(ring, frame, {eastDeg, northDeg}, {westDeg, northDeg});
+    addSide(ring, frame, {westDeg, northDeg}, {westDeg, southDeg});
+    return Region{"box", {Footprint{std::move(ring), {}}}};
+}
+
+Region regionFromLocalBox(const Box2& box) {
+    return {"box", {Footprint{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {}}}};
+}
+
+Box2 bounds(const Region& region) {
+    Box2 box;
+    for (const Footprint& polygon : region.polygons) box.add(bounds(polygon));
+    return box;
+}
+
+}  // namespace noonmark

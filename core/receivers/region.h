@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/city/footprint.h"
+#include "core/geo/frame.h"
+#include "core/result.h"
+
+namespace noonmark {
+
+/// Where the user wants to know: one or more polygons in local metres.
+struct Region {
+    std::string name;
+    std::vector<Footprint> polygons;
+};
+
+/// The lon/lat box west, south, east, north (degrees) as a polygon in local metres, its sides bent as the
+/// projection bends them. Error when west >= east, south >= north or a value is out of range.
+Result<Region> regionFromLonLatBox(const Frame& frame, double westDeg, double southDeg, double eastDeg,
+                                   double northDeg);
+
+Region regionFromLocalBox(const Box2& box);
+
+Box2 bounds(const Region& region);
+
+}  // namespace noonmark
