@@ -8,7 +8,7 @@ endif()
 
 add_library(noonmark_flags INTERFACE)
 target_compile_options(noonmark_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                       -Wno-sign-conversion -Wno-float-conversion -Wnon-virtual-dtor)
+                       -Wno-sign-conversion -Wno-float-conversion -Wnon-virtual-dtor -Wno-missing-field-initializers)
 if(NOONMARK_WERROR)
   target_compile_options(noonmark_flags INTERFACE -Werror)
 endif()
@@ -17,6 +17,7 @@ if(NOONMARK_SANITIZE)
                          -fno-sanitize-recover=all -Wno-maybe-uninitialized)
   target_link_options(noonmark_flags INTERFACE -fsanitize=${NOONMARK_SANITIZE})
 endif()
+target_compile_definitions(noonmark_flags INTERFACE GLM_FORCE_EXPLICIT_CTOR GLM_ENABLE_EXPERIMENTAL)
 target_include_directories(noonmark_flags INTERFACE ${CMAKE_SOURCE_DIR})
 # Floating point: results may not depend on how the compiler contracts a*b+c.
 target_compile_options(noonmark_flags INTERFACE -ffp-contract=off)

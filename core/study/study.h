@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/accumulate/accumulator.h"
+#include "core/io/read_city.h"
+#include "core/measures/statistics.h"
+#include "core/receivers/receivers.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// A file that a result rests on, so that a reader can tell that theirs is the same.
+struct InputFile {
+    std::filesystem::path path;
+    std::uintmax_t bytes = 0;
+    std::string sha256;  ///< lower-case hex
+};
+Result<InputFile> inputFile(const std::filesystem::path& path);
+
+/// What to compute over a city that is already there.
+struct StudySettings {
+    Region region;
+    ReceiverSettings receivers;
+    Period period;
+    std::string engine = "ray";
+    double pressureHPa = 1013.25;  ///< for refraction
+    double temperatureC = 15;
+    /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 = 3/4 of what is free.
+    std::uint64_t memoryLimit = 0;
+};
+
+/// One answered question: everything that a report, a file or the window shows of it.
+struct Study {
+    City city;
+    StudySettings settings;
+    Receivers receivers;
+    SunSteps sun;
+    ShadowField field;
+    ShadowStatistics statistics;
+    std::map<std::string, double> seconds;  ///< by stage: "read", "sun", "receivers", "accumulate"; and "total"
+    Warnings warnings;                      ///< of reading and of computing
+    std::vector<InputFile> inputs;
+    std::string attribution;
+};
+
+/// Receivers, sun and engine over `city`. Stops with cancelled() within 0.2 s.
+Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress, std::stop_token stop);
+
+/// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and what was skipped included.
+std::string studyJson(const Study& study);
+
+/// The city as the JSON of `noonmark-cli info --json`: buildings, parts, triangles, height_sources, tallest_m, warnings.
+std::string infoJson(const CityRead& read);
+
+}  // namespace noonmark
