@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/io/read_city.h"
+
+namespace noonmark {
+
+/// Metres from what people write in a height field: "86m", "3000 ft", "11'4\"", "120 cm", full-width digits, blanks. A bare number is in
+/// `bareUnit`. Nothing for what is not one height ("237;16", "concrete", "7-7", "1,2 m", "nan", "inf"): the caller warns.
+std::optional<double> metresFromText(std::string_view text, LengthUnit bareUnit = LengthUnit::metres);
+
+/// A number of storeys: "12", "3.5", full-width digits. Nothing for words, ranges, lists and negative numbers.
+std::optional<double> levelsFromText(std::string_view text);
+
+double metresPer(LengthUnit unit);
+
+}  // namespace noonmark
