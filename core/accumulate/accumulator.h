@@ -15,8 +15,9 @@
 
 namespace noonmark {
 
-/// An engine: city, receivers and sun in, minutes of shadow out. Const and stateless across calls: one accumulator may run on
-/// several threads. Uses all cores. Reports progress, and stops within 0.2 s of a stop request with cancelled().
+/// An engine: city, receivers and sun in, minutes of shadow out. Const and stateless across calls: one
+/// accumulator may run on several threads. Uses all cores. Reports progress, and stops within 0.2 s of a stop
+/// request with cancelled().
 class Accumulator {
 public:
     virtual ~Accumulator() = default;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "core/accumulate/accumulator.h"
+#include "core/accumulate/direction_graph.h"
+#include "core/accumulate/interval_engine.h"
+
+namespace noonmark {
+
+/// Long periods from short intervals (paper, section 6): every edge of the direction graph is shaded once by
+/// an interval engine; gross is the weighted sum, continuous is stitched along each day's path. Masks live
+/// from the first path that needs them to the last: `cost.skipped` says how many intervals shared an edge,
+/// and the stage text how many maps were alive at most.
+class GraphAccumulator final : public Accumulator {
+public:
+    GraphAccumulator(std::shared_ptr<const IntervalEngine> engine, DirectionGraphSettings settings);
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop) const override;
+
+private:
+    std::shared_ptr<const IntervalEngine> engine_;
+    DirectionGraphSettings settings_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace noonmark {
+
+/// Shadow of one receiver over up to 64 steps: bit k is set when step k is in shadow.
+using ShadowMask = std::uint64_t;
+inline constexpr int maxMaskSteps = 64;
+
+/// What stitching needs of a mask of `steps` bits (paper, section 6): all counts in steps, 0 to `steps`.
+struct MaskRuns {
+    std::uint8_t gross = 0;
+    std::uint8_t longest = 0;
+    std::uint8_t prefix = 0;  ///< run that begins at the first step
+    std::uint8_t suffix = 0;  ///< run that ends at the last step
+    bool operator==(const MaskRuns&) const = default;
+};
+
+/// The lowest `steps` bits set; `steps` 0 to 64.
+constexpr ShadowMask fullMask(int steps) { return steps == 0 ? 0 : ~ShadowMask{0} >> (maxMaskSteps - steps); }
+
+/// Length of the longest run of set bits. A run of r bits outlives r - 1 rounds of `mask &= mask << 1`.
+constexpr int longestRun(ShadowMask mask) {
+    int length = 0;
+    for (; mask != 0; ++length) mask &= mask << 1;
+    return length;
+}
+
+/// `mask` must have no bit set beyond `steps`.
+constexpr MaskRuns runsOf(ShadowMask mask, int steps) {
+    if (mask == 0) return {};
+    const int prefix = std::countr_one(mask);
+    const int suffix = std::countl_one(mask << (maxMaskSteps - steps));
+    const int longest = prefix == steps ? steps : longestRun(mask);
+    return {std::uint8_t(std::popcount(mask)), std::uint8_t(longest), std::uint8_t(prefix),
+            std::uint8_t(std::min(suffix, steps))};
+}
+
+}  // namespace noonmark
