@@ -4,13 +4,25 @@
 
 #include "core/city/city.h"
 #include "core/result.h"
+#include "core/warnings.h"
 
 namespace noonmark {
 
-/// A GeoPackage (EPSG:4326) with a polygon layer `buildings`: one feature a part, with `building_id` (of its building), `source_id`, `name`, `status`,
-/// `height` and `min_height` (metres above the ground), `ground_elevation`, `height_source`, `hangs`. readCity() gives the same city back
-/// (coordinates to 1 mm). Parts with meshes are written as their outline and said so in the returned warnings' place: an Error is for files only.
-/// Backend: write_city_gdal.cpp.
-Result<void> writeCityGeoPackage(const std::filesystem::path& file, const City& city);
+/// A GeoPackage (EPSG:4326) with a polygon layer `buildings`: one feature a part, in the city's order, with
+///   building_id       text, the same for all parts of a building and for no other
+///   source_id         text, of the part
+///   name, status      text, of the building
+///   height            metres from the ground to the part's top
+///   min_height        metres from the ground to the part's underside; 0 where it stands on the ground
+///   ground_elevation  metres, of the ground under the building, in the city's vertical datum
+///   height_source     "measured", "levels", "assumed" or "mesh"
+///   hangs             0 or 1
+/// readCity() gives the same prisms back, coordinates to 1 mm.
+///
+/// A layer of polygons cannot hold a mesh: a part with one is written as the prism of its footprint from
+/// bottomM to topM, keeps "mesh" as its height source, and is one `leftOut` warning of those returned.
+/// Terrain is not written. Written beside the target and renamed, so that a killed process leaves no half
+/// file. Error: the file cannot be written. Backend: write_city_gdal.cpp.
+Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city);
 
 }  // namespace noonmark

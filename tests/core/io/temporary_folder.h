@@ -1,23 +1,21 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace noonmark::tests {
 
-/// A folder of its own for a test that writes files; gone with the test.
+/// A folder of its own for a test that writes files, also when two programs run the same test; gone with the test.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() /
-                  (std::string("noonmark_") + test->test_suite_name() + "_" + test->name() + "_" +
-                   std::to_string(std::hash<const void*>{}(this)));
-        std::filesystem::create_directories(folder_);
+        std::string pattern = (std::filesystem::temp_directory_path() / "noonmark-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -32,6 +30,15 @@ public:
     [[nodiscard]] std::filesystem::path file(const std::string& name, std::string_view content) const {
         std::ofstream(path(name), std::ios::binary).write(content.data(), std::streamsize(content.size()));
         return path(name);
+    }
+
+    /// The names of what lies in it, sorted; hidden ones too.
+    [[nodiscard]] std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
     }
 
 private:
