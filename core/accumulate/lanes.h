@@ -26,6 +26,10 @@ public:
     [[nodiscard]] bool alongX() const { return alongX_; }
     [[nodiscard]] Stretch stretch(int lane) const;
 
+    /// For devices that work out cell() by themselves: minor = lane + firstLane + bend[major].
+    [[nodiscard]] int firstLane() const { return firstLane_; }
+    [[nodiscard]] const std::vector<int>& bend() const { return bend_; }
+
     /// Grid index of a lane's cell; only within its stretch.
     [[nodiscard]] std::size_t cell(int lane, int major) const {
         const int minor = lane + firstLane_ + bend_[std::size_t(major)];

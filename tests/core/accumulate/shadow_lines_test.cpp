@@ -1,0 +1,119 @@
+#include "core/accumulate/shadow_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "core/accumulate/lanes.h"
+#include "core/accumulate/shadow_lines_opencl.h"
+#include "core/units.h"
+
+namespace noonmark {
+namespace {
+
+glm::dvec3 sunAt(double azimuthDeg, double altitudeDeg) {
+    const double a = Degrees{azimuthDeg}.radians().value, e = Degrees{altitudeDeg}.radians().value;
+    return {std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};
+}
+
+const SunInterval morning{sunAt(110, 25), sunAt(124, 35), 60};
+
+ShadowSources noSources(const Grid& grid, int levels) {
+    return {levels, std::vector<float>(std::size_t(levels) * grid.size()),
+            std::vector<std::uint32_t>(std::size_t(levels) * grid.size())};
+}
+
+ShadowSources randomSources(const Grid& grid, int levels) {
+    std::mt19937 random(11);
+    ShadowSources sources = noSources(grid, levels);
+    for (std::size_t cell = 0; cell < grid.size(); ++cell)
+        for (int level = 0; level < levels && random() % 3 != 0; ++level)
+            sources.heightM[std::size_t(level) * grid.size() + cell] = float(random() % 2000) / 10.0F;
+    return sources;
+}
+
+TEST(Lanes, eachCellLiesOnOneLane) {
+    const Grid grid{-5, 3, 0.5, 37, 23};
+    for (int degrees = 0; degrees < 360; degrees += 7) {
+        const double angle = Degrees{double(degrees)}.radians().value;
+        const Lanes lanes(grid, {std::cos(angle), std::sin(angle)});
+        std::vector<int> seen(grid.size());
+        for (int lane = 0; lane < lanes.count(); ++lane) {
+            const auto [first, end] = lanes.stretch(lane);
+            for (int major = first; major < end; ++major) ++seen[lanes.cell(lane, major)];
+        }
+        EXPECT_EQ(std::ranges::count(seen, 1), std::ptrdiff_t(grid.size())) << degrees;
+    }
+}
+
+TEST(ShadowLines, aPointsShadowLiesWhereTheSunThrowsIt) {
+    const Grid grid{0, 0, 1, 200, 200};
+    ShadowSources sources = noSources(grid, 1);
+    const std::size_t start = grid.index(60, 120);
+    const float height = 80;
+    sources.heightM[start] = height;
+    std::vector<ShadowMask> masks(grid.size());
+    ASSERT_TRUE(makeShadowLineDrawer()->draw(grid, sources, motionForward(morning), masks, {}).has_value());
+    EXPECT_EQ(masks[start] & 1, 1U);
+    const glm::dvec3 sun = morning.first;
+    const glm::dvec2 top = grid.centre(60, 120) + glm::dvec2(sun) * (double(height) / sun.z);
+    for (int step = 0; step < morning.steps; ++step) {
+        const glm::dvec3 now = morning.at(step);
+        const glm::dvec2 shadow = top - glm::dvec2(now) * (double(height) / now.z);
+        // The nearest cell that holds this step is less than a cell and a half away.
+        double nearest = 1e9;
+        for (int row = 0; row < grid.rows; ++row)
+            for (int column = 0; column < grid.columns; ++column)
+                if ((masks[grid.index(column, row)] >> step & 1) != 0)
+                    nearest = std::min(nearest, glm::length(grid.centre(column, row) - shadow));
+        EXPECT_LT(nearest, 1.5) << step;
+    }
+}
+
+TEST(ShadowLines, aLineHasNoHoles) {
+    const Grid grid{0, 0, 1, 300, 40};
+    ShadowSources sources = noSources(grid, 1);
+    sources.heightM[grid.index(10, 20)] = 400;  // its shadow skips cells from one step to the next
+    const SunInterval noon{sunAt(165, 40), sunAt(195, 40), 60};
+    std::vector<ShadowMask> masks(grid.size());
+    ASSERT_TRUE(makeShadowLineDrawer()->draw(grid, sources, motionForward(noon), masks, {}).has_value());
+    const auto columnSet = [&](int column) {
+        for (int row = 0; row < grid.rows; ++row)
+            if (masks[grid.index(column, row)] != 0) return true;
+        return false;
+    };
+    for (int column = 10; column < 230; ++column) EXPECT_TRUE(columnSet(column)) << column;
+}
+
+TEST(ShadowLines, backwardIsForwardSeenFromTheOtherEnd) {
+    const ShadowMotion forward = motionForward(morning);
+    const ShadowMotion backward = motionBackward(morning);
+    EXPECT_NEAR(forward.fraction.front(), 0, 1e-12);
+    EXPECT_NEAR(forward.fraction.back(), 1, 1e-12);
+    EXPECT_NEAR(backward.fraction.front(), 1, 1e-12);
+    EXPECT_LT(glm::length(forward.shift + backward.shift), 1e-12);
+    EXPECT_TRUE(std::ranges::is_sorted(forward.fraction));
+}
+
+TEST(ShadowLines, openClDrawsWhatTheProcessorDraws) {
+    if (computeDevices().empty()) GTEST_SKIP() << "There is no OpenCL on this machine";
+    auto openCl = makeOpenClDrawer(0);
+    ASSERT_TRUE(openCl.has_value()) << openCl.error().text();
+    const Grid grid{0, 0, 1, 150, 90};
+    const ShadowSources sources = randomSources(grid, 3);
+    for (const ShadowMotion& motion : {motionForward(morning), motionBackward(morning)}) {
+        std::vector<ShadowMask> expected(grid.size()), masks(grid.size());
+        ASSERT_TRUE(makeShadowLineDrawer()->draw(grid, sources, motion, expected, {}).has_value());
+        const auto drawn = (*openCl)->draw(grid, sources, motion, masks, {});
+        ASSERT_TRUE(drawn.has_value()) << drawn.error().text();
+        EXPECT_EQ(masks, expected);
+    }
+}
+
+TEST(ShadowLines, refusesADeviceThatIsNotThere) { EXPECT_FALSE(makeOpenClDrawer(99).has_value()); }
+
+}  // namespace
+}  // namespace noonmark
