@@ -1,0 +1,34 @@
+#include "core/accumulate/blank_field.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace noonmark {
+
+namespace {
+
+void countSkipped(Cost& cost, const Receivers& receivers, const SunSteps& sun) {
+    const auto cellsThatAre = [&](CellKind kind) {
+        return std::uint64_t(std::count(receivers.kind.begin(), receivers.kind.end(), kind));
+    };
+    cost.skipped["cells under buildings"] = cellsThatAre(CellKind::building);
+    cost.skipped["cells outside the region"] = cellsThatAre(CellKind::outside);
+    cost.skipped["steps with the sun below the horizon"] = sun.belowHorizon;
+}
+
+}  // namespace
+
+ShadowField blankField(const Receivers& receivers, const SunSteps& sun) {
+    ShadowField field;
+    field.grid = receivers.grid;
+    field.grossMin.assign(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
+    for (const std::uint32_t cell : receivers.cells) field.grossMin[cell] = 0;
+    field.continuousMin = field.grossMin;
+    field.stepMinutes = sun.stepMinutes;
+    field.days = std::max(1, int(sun.dayCount()));
+    field.sunlitMinutesPerDay = sun.sunlitMinutes() / field.days;
+    countSkipped(field.cost, receivers, sun);
+    return field;
+}
+
+}  // namespace noonmark

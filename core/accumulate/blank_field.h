@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/accumulate/shadow_field.h"
+#include "core/receivers/receivers.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// What every engine starts from: the receivers' grid, 0 minutes at receivers and NaN elsewhere, the period's
+/// figures, and in Cost.skipped the cells and steps that no engine has to touch.
+ShadowField blankField(const Receivers& receivers, const SunSteps& sun);
+
+}  // namespace noonmark

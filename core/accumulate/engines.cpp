@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/accumulate/accumulator.h"
+#include "core/accumulate/ray_reference.h"
+
+namespace noonmark {
+
+namespace {
+
+struct Engine {
+    EngineInfo info;
+    std::unique_ptr<Accumulator> (*make)();
+};
+
+template <class T>
+std::unique_ptr<Accumulator> made() {
+    return std::make_unique<T>();
+}
+
+const std::vector<Engine>& all() {
+    static const std::vector<Engine> list{
+        {{"ray", "Ray reference",
+          "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
+         made<RayReference>},
+    };
+    return list;
+}
+
+}  // namespace
+
+const std::vector<EngineInfo>& engines() {
+    static const std::vector<EngineInfo> infos = [] {
+        std::vector<EngineInfo> list;
+        for (const Engine& engine : all()) list.push_back(engine.info);
+        return list;
+    }();
+    return infos;
+}
+
+Result<std::unique_ptr<Accumulator>> makeAccumulator(std::string_view key) {
+    std::vector<std::string_view> keys;
+    for (const Engine& engine : all()) {
+        if (engine.info.key == key) return engine.make();
+        keys.push_back(engine.info.key);
+    }
+    return failure(fmt::format("There is no engine '{}'", key), "engine",
+                   fmt::format("Choose one of: {}", fmt::join(keys, ", ")));
+}
+
+}  // namespace noonmark

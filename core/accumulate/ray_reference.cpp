@@ -1,0 +1,165 @@
+#include "core/accumulate/ray_reference.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <new>
+
+#include "core/accumulate/blank_field.h"
+#include "core/accumulate/flush_denormals.h"
+#include "core/accumulate/ray_scene.h"
+#include "core/accumulate/reach.h"
+#include "core/accumulate/receiver_tiles.h"
+#include "core/accumulate/run_counter.h"
+
+namespace noonmark {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// One receiver and what it has seen so far.
+struct Watcher {
+    std::uint32_t cell = 0;
+    glm::vec3 origin;
+    RunCounter runs;
+};
+
+/// Traces all receivers of a study, a tile at a time, on all threads of the arena it is called in.
+class Tracer {
+public:
+    Tracer(const RayScene& scene, const Receivers& receivers, const std::vector<SunPacket>& packets,
+           ShadowField& field, Progress& progress, const std::stop_token& stop)
+        : scene_(scene),
+          receivers_(receivers),
+          packets_(packets),
+          field_(field),
+          progress_(progress),
+          stop_(stop) {}
+
+    void run() {
+        const ReceiverTiles tiles(receivers_);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.count()), [&](const auto& range) {
+            const FlushDenormals flush;
+            std::vector<std::uint32_t> cells;
+            for (std::size_t tile = range.begin(); tile < range.end() && !stop_.stop_requested(); ++tile) {
+                tiles.cellsOf(tile, cells);
+                traceTile(cells);
+            }
+        });
+    }
+
+private:
+    static constexpr std::size_t packetsBetweenChecks = 1024;  // x 16 rays: about a millisecond
+
+    void traceTile(const std::vector<std::uint32_t>& cells) {
+        std::vector<Watcher> watchers;
+        watchers.reserve(cells.size());
+        for (const std::uint32_t cell : cells)
+            watchers.push_back({cell, rayOrigin(receivers_.position(cell)), {}});
+        trace(watchers);
+        if (stop_.stop_requested()) return;
+        for (const Watcher& watcher : watchers) write(watcher);
+        report(cells.size());
+    }
+
+    // The same sixteen suns for one receiver after the other: they cross the same boxes.
+    void trace(std::vector<Watcher>& watchers) const {
+        std::size_t untilCheck = packetsBetweenChecks;
+        for (const SunPacket& packet : packets_)
+            for (Watcher& watcher : watchers) {
+                const std::uint32_t shadow = scene_.occluded(watcher.origin, packet.directions);
+                watcher.runs.add(shadow, packet.starts, packet.directions.count);
+                if (--untilCheck != 0) continue;
+                if (stop_.stop_requested()) return;
+                untilCheck = packetsBetweenChecks;
+            }
+    }
+
+    void write(const Watcher& watcher) const {
+        field_.grossMin[watcher.cell] = float(watcher.runs.total() * field_.stepMinutes / field_.days);
+        field_.continuousMin[watcher.cell] = float(watcher.runs.longest() * field_.stepMinutes);
+    }
+
+    void report(std::size_t cells) {
+        if (cells == 0) return;
+        const std::size_t all = receivers_.cells.size();
+        const std::size_t now = done_.fetch_add(cells) + cells;
+        if (now * 200 / all != (now - cells) * 200 / all)
+            progress_.report(double(now) / double(all), "tracing rays");
+    }
+
+    const RayScene& scene_;
+    const Receivers& receivers_;
+    const std::vector<SunPacket>& packets_;
+    ShadowField& field_;
+    Progress& progress_;
+    const std::stop_token& stop_;
+    std::atomic<std::size_t> done_{0};
+};
+
+Result<RayScene> buildScene(const City& city, const Receivers& receivers, const SunSteps& sun, Cost& cost,
+                            const std::stop_token& stop) {
+    const auto start = Clock::now();
+    const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
+    cost.buildingsUsed = std::uint32_t(used.size());
+    cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
+    auto scene = RayScene::over(city, used, stop);
+    cost.seconds["build"] = secondsSince(start);
+    return scene;
+}
+
+Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                int threads, Progress& progress, const std::stop_token& stop) {
+    ShadowField field = blankField(receivers, sun);
+    field.engine = fmt::format("Ray reference, {}, robust, packets of {}", RayScene::backend(),
+                               DirectionPacket::capacity);
+    progress.report(0, "building the ray scene");
+    const auto scene = buildScene(city, receivers, sun, field.cost, stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    const auto start = Clock::now();
+    const std::vector<SunPacket> packets = sunPackets(sun);
+    const int cores = tbb::info::default_concurrency();
+    tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
+    arena.execute([&] { Tracer(*scene, receivers, packets, field, progress, stop).run(); });
+    if (stop.stop_requested()) return cancelled();
+    field.cost.seconds["trace"] = secondsSince(start);
+    field.cost.rays = std::uint64_t(receivers.cells.size()) * sun.steps.size();
+    progress.report(1, "tracing rays");
+    return field;
+}
+
+}  // namespace
+
+glm::vec3 rayOrigin(glm::vec3 receiver) {
+    // Beyond 8 km of the origin a float's grain passes half a millimetre, and the lift grows with it.
+    const float farthest = std::max(std::abs(receiver.x), std::abs(receiver.y));
+    receiver.z += RayReferenceSettings::liftM * std::max(1.0F, farthest / 8192.0F);
+    return receiver;
+}
+
+RayReference::RayReference(RayReferenceSettings settings) : settings_(settings) {}
+
+Result<ShadowField> RayReference::accumulate(const City& city, const Receivers& receivers,
+                                             const SunSteps& sun, Progress& progress,
+                                             std::stop_token stop) const {
+    try {
+        return accumulated(city, receivers, sun, settings_.threads, progress, stop);
+    } catch (const std::bad_alloc&) {
+        return failure("There is not enough memory for this study", "ray reference",
+                       "Choose a smaller region or larger cells");
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,185 @@
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "core/accumulate/ray_scene.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr unsigned terrainId = 0;
+constexpr unsigned buildingsId = 1;
+// A user's own Embree settings file must not change a reference.
+constexpr const char* deviceConfig = "ignore_config_files=1";
+
+void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& mesh) {
+    if (mesh.triangles.empty()) return;
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                             sizeof(glm::vec3), mesh.vertices.size());
+    void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                              sizeof(glm::uvec3), mesh.triangles.size());
+    if (vertices != nullptr && triangles != nullptr) {
+        std::ranges::copy(mesh.vertices, static_cast<glm::vec3*>(vertices));
+        std::ranges::copy(mesh.triangles, static_cast<glm::uvec3*>(triangles));
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene, geometry, id);
+    }
+    rtcReleaseGeometry(geometry);
+}
+
+bool mayGoOn(void* stop, double) { return !static_cast<const std::stop_token*>(stop)->stop_requested(); }
+
+std::vector<std::uint32_t> allOf(const City& city) {
+    std::vector<std::uint32_t> indices(city.buildings.size());
+    std::iota(indices.begin(), indices.end(), 0U);
+    return indices;
+}
+
+CityMesh meshOfSome(const City& city, std::span<const std::uint32_t> buildings) {
+    City some;
+    some.buildings.reserve(buildings.size());
+    for (const std::uint32_t index : buildings) some.buildings.push_back(city.buildings[index]);
+    CityMesh mesh = meshOf(some);
+    for (std::uint32_t& building : mesh.buildingOfTriangle) building = buildings[building];
+    return mesh;
+}
+
+RTCRay rayFrom(glm::vec3 origin, glm::vec3 direction) {
+    RTCRay ray{};
+    ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+    ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+    ray.tnear = RayScene::nearestM;
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0U;
+    return ray;
+}
+
+RTCRay16 raysFrom(glm::vec3 origin, const DirectionPacket& directions) {
+    RTCRay16 rays;
+    for (int lane = 0; lane < DirectionPacket::capacity; ++lane) {
+        rays.org_x[lane] = origin.x, rays.org_y[lane] = origin.y, rays.org_z[lane] = origin.z;
+        rays.dir_x[lane] = directions.x[std::size_t(lane)];
+        rays.dir_y[lane] = directions.y[std::size_t(lane)];
+        rays.dir_z[lane] = directions.z[std::size_t(lane)];
+        rays.tnear[lane] = RayScene::nearestM;
+        rays.tfar[lane] = std::numeric_limits<float>::infinity();
+        rays.time[lane] = 0;
+        rays.mask[lane] = ~0U;
+        rays.id[lane] = 0, rays.flags[lane] = 0;
+    }
+    return rays;
+}
+
+struct ValidLanes {
+    alignas(64) std::array<int, DirectionPacket::capacity> valid{};
+};
+
+constexpr auto validLanes = [] {
+    std::array<ValidLanes, DirectionPacket::capacity + 1> lanes{};
+    for (std::size_t count = 0; count < lanes.size(); ++count)
+        for (std::size_t lane = 0; lane < count; ++lane) lanes[count].valid[lane] = -1;
+    return lanes;
+}();
+
+}  // namespace
+
+struct RayScene::Tree {
+    RTCDevice device = rtcNewDevice(deviceConfig);
+    RTCScene scene = rtcNewScene(device);
+    std::vector<std::uint32_t> buildingOfTriangle;
+    std::size_t triangles = 0;
+
+    Tree() = default;
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+    ~Tree() {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+
+    /// False when Embree could not.
+    bool build(const CityMesh& buildings, const TriangleMesh& terrain, const std::stop_token& stop) {
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+        attach(device, scene, terrainId, terrain);
+        attach(device, scene, buildingsId, buildings.mesh);
+        buildingOfTriangle = buildings.buildingOfTriangle;
+        triangles = buildings.mesh.triangles.size() + terrain.triangles.size();
+        std::stop_token asked = stop;
+        rtcSetSceneProgressMonitorFunction(scene, mayGoOn, &asked);
+        rtcCommitScene(scene);
+        rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+        return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+    }
+};
+
+RayScene::RayScene(std::shared_ptr<const Tree> tree) : tree_(std::move(tree)) {}
+
+Result<RayScene> RayScene::over(const City& city, std::stop_token stop) {
+    return over(city, allOf(city), std::move(stop));
+}
+
+Result<RayScene> RayScene::over(const City& city, std::span<const std::uint32_t> buildings,
+                                std::stop_token stop) {
+    const CityMesh mesh = meshOfSome(city, buildings);
+    const TriangleMesh terrain = city.terrain ? meshOf(*city.terrain) : TriangleMesh{};
+    if (stop.stop_requested()) return cancelled();
+    auto tree = std::make_shared<Tree>();
+    const bool built = tree->build(mesh, terrain, stop);
+    if (stop.stop_requested()) return cancelled();
+    if (!built)
+        return failure(
+            fmt::format("There is not enough memory to trace rays through {} triangles", tree->triangles),
+            backend(), "Choose a smaller region or close other programs");
+    return RayScene(std::move(tree));
+}
+
+bool RayScene::occluded(glm::vec3 origin, glm::vec3 direction) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray = rayFrom(origin, direction);
+    rtcOccluded1(tree_->scene, &context, &ray);
+    return ray.tfar < 0;
+}
+
+std::uint32_t RayScene::occluded(glm::vec3 origin, const DirectionPacket& directions) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    RTCRay16 rays = raysFrom(origin, directions);
+    rtcOccluded16(validLanes[std::size_t(directions.count)].valid.data(), tree_->scene, &context, &rays);
+    std::uint32_t blocked = 0;
+    for (int lane = 0; lane < DirectionPacket::capacity; ++lane)
+        blocked |= std::uint32_t(rays.tfar[lane] < 0) << unsigned(lane);
+    return blocked;
+}
+
+std::optional<RayHit> RayScene::firstHit(glm::vec3 origin, glm::vec3 direction) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit found{};
+    found.ray = rayFrom(origin, direction);
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(tree_->scene, &context, &found);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    RayHit hit;
+    if (found.hit.geomID == buildingsId) hit.building = tree_->buildingOfTriangle[found.hit.primID];
+    hit.position = origin + direction * found.ray.tfar;
+    hit.normal = glm::normalize(glm::vec3(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z));
+    hit.distanceM = found.ray.tfar * glm::length(direction);
+    return hit;
+}
+
+std::size_t RayScene::triangleCount() const { return tree_->triangles; }
+
+std::string RayScene::backend() { return std::string("Embree ") + RTC_VERSION_STRING; }
+
+}  // namespace noonmark

@@ -1,0 +1,28 @@
+#include "core/accumulate/receiver_tiles.h"
+
+#include <algorithm>
+
+namespace noonmark {
+
+ReceiverTiles::ReceiverTiles(const Receivers& receivers)
+    : receivers_(receivers),
+      columns_((receivers.grid.columns + side - 1) / side),
+      rows_((receivers.grid.rows + side - 1) / side) {}
+
+// The cells are ascending: a tile's part of a row is found by bisection.
+void ReceiverTiles::cellsOf(std::size_t tile, std::vector<std::uint32_t>& cells) const {
+    const Grid& grid = receivers_.grid;
+    const int firstColumn = int(tile % std::size_t(columns_)) * side;
+    const int firstRow = int(tile / std::size_t(columns_)) * side;
+    const int endColumn = std::min(firstColumn + side, grid.columns);
+    const int endRow = std::min(firstRow + side, grid.rows);
+    cells.clear();
+    for (int row = firstRow; row < endRow; ++row) {
+        const auto from =
+            std::lower_bound(receivers_.cells.begin(), receivers_.cells.end(), grid.index(firstColumn, row));
+        const auto to = std::lower_bound(from, receivers_.cells.end(), grid.index(endColumn - 1, row) + 1);
+        cells.insert(cells.end(), from, to);
+    }
+}
+
+}  // namespace noonmark
