@@ -6,6 +6,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "core/city/building_ground.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/pending_file.h"
 #include "core/io/write_city.h"
@@ -52,16 +53,6 @@ OGRPolygon polygonOf(const Footprint& footprint, const Frame& frame) {
     addRing(polygon, footprint.outer, frame);
     for (const Ring& hole : footprint.holes) addRing(polygon, hole, frame);
     return polygon;
-}
-
-// Local z of the ground that a building's heights are counted from: where it stands; under a building that
-// hangs, the terrain.
-float groundUnder(const Building& building, const City& city) {
-    std::optional<float> lowest;
-    for (const Part& part : building.parts)
-        if (!part.hangs) lowest = std::min(lowest.value_or(part.bottomM), part.bottomM);
-    const Box2 box = bounds(building);
-    return lowest ? *lowest : groundAt(city, glm::dvec2(box.low + box.high) / 2.0);
 }
 
 // Writes building after building; keeps what cannot be written as it is.

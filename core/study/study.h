@@ -19,9 +19,13 @@ namespace noonmark {
 struct InputFile {
     std::filesystem::path path;
     std::uintmax_t bytes = 0;
-    std::string sha256;  ///< lower-case hex
+    std::string sha256;  ///< lower-case hex; empty for a sample, which is made and not read
 };
 Result<InputFile> inputFile(const std::filesystem::path& path);
+
+/// The file, and the files that are read along with it: .dbf, .shx, .prj and .cpg of a shapefile, .bin of a
+/// glTF, .prj beside a raster. Those that are not there are left out; `path` itself must be there.
+Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path);
 
 /// What to compute over a city that is already there.
 struct StudySettings {
@@ -31,7 +35,8 @@ struct StudySettings {
     std::string engine = "ray";
     double pressureHPa = 1013.25;  ///< for refraction
     double temperatureC = 15;
-    /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 = 3/4 of what is free.
+    /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
+    /// 3/4 of what is free.
     std::uint64_t memoryLimit = 0;
 };
 
@@ -43,19 +48,30 @@ struct Study {
     SunSteps sun;
     ShadowField field;
     ShadowStatistics statistics;
-    std::map<std::string, double> seconds;  ///< by stage: "read", "sun", "receivers", "accumulate"; and "total"
-    Warnings warnings;                      ///< of reading and of computing
+    std::map<std::string, double>
+        seconds;        ///< by stage: "read", "sun", "receivers", "accumulate"; and "total"
+    Warnings warnings;  ///< of reading and of computing
     std::vector<InputFile> inputs;
     std::string attribution;
 };
 
-/// Receivers, sun and engine over `city`. Stops with cancelled() within 0.2 s.
-Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress, std::stop_token stop);
+/// Receivers, sun and engine over `city`; the sun is the one seen from the middle of the region. Fills
+/// everything of Study but `inputs`, `attribution` and what reading adds to `seconds` and `warnings`. Error:
+/// a setting out of range, an unknown engine, a region without open ground, a sun that never rises in the
+/// period, or more memory than the limit. Stops with cancelled() within 0.2 s.
+Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
+                       std::stop_token stop);
 
-/// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and what was skipped included.
+/// Where the sun of a study is seen from: the middle of its region, at the frame's elevation, in the air of
+/// its settings.
+Observer observerOf(const Study& study);
+
+/// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and
+/// what was skipped included.
 std::string studyJson(const Study& study);
 
-/// The city as the JSON of `noonmark-cli info --json`: buildings, parts, triangles, height_sources, tallest_m, warnings.
+/// The city as the JSON of `noonmark-cli info --json`: buildings, parts, triangles, height_sources,
+/// tallest_m, warnings.
 std::string infoJson(const CityRead& read);
 
 }  // namespace noonmark

@@ -1,0 +1,177 @@
+#include "core/io/read_region.h"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/city/repair_footprint.h"
+#include "core/io/gdal_calls.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double farthestM = 200000;
+constexpr double longestSideM = 500;  // a straight side of this length is off by some 5 mm at most
+constexpr double metresPerDegree = 111320;
+
+using LonLatBox = std::array<double, 4>;  // west, south, east, north
+
+std::optional<LonLatBox> parseBox(std::string_view text) {
+    LonLatBox box{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < box.size(); ++i) {
+        while (at != end && (*at == ' ' || (i > 0 && *at == ','))) ++at;
+        const auto [next, error] = std::from_chars(at, end, box[i]);
+        if (error != std::errc{} || (i < 3 && (next == end || (*next != ',' && *next != ' '))))
+            return std::nullopt;
+        at = next;
+    }
+    return at == end ? std::optional(box) : std::nullopt;
+}
+
+// Great-circle distance; good to 0.5 %, which is enough to tell a wrong place.
+double metresBetween(LonLat a, LonLat b) {
+    constexpr double earthRadiusM = 6371000;
+    const auto radians = [](double degrees) { return Degrees{degrees}.radians().value; };
+    const double cosine =
+        std::sin(radians(a.latDeg)) * std::sin(radians(b.latDeg)) +
+        std::cos(radians(a.latDeg)) * std::cos(radians(b.latDeg)) * std::cos(radians(a.lonDeg - b.lonDeg));
+    return earthRadiusM * std::acos(std::clamp(cosine, -1.0, 1.0));
+}
+
+Result<void> checkedPlace(LonLat place, const Frame& frame, const std::string& where) {
+    const double metres = metresBetween(place, frame.origin());
+    if (metres <= farthestM) return {};
+    return failure(fmt::format("The region lies {:.0f} km from the city", metres / 1000), where,
+                   "Check the order of the numbers (west,south,east,north) and the CRS of the file");
+}
+
+Result<Region> regionOfBox(const LonLatBox& box, const Frame& frame, const std::string& text) {
+    const auto [west, south, east, north] = box;
+    const auto region = regionFromLonLatBox(frame, west, south, east, north);
+    if (!region) return region;
+    for (const LonLat corner :
+         {LonLat{west, south}, LonLat{east, south}, LonLat{east, north}, LonLat{west, north}})
+        if (auto near = checkedPlace(corner, frame, "region " + text); !near)
+            return tl::make_unexpected(near.error());
+    return region;
+}
+
+// One layer's polygons, from its CRS to local metres.
+class LayerReader {
+public:
+    LayerReader(const Frame& frame, std::string where) : frame_(frame), where_(std::move(where)) {}
+
+    Result<void> begin(const OGRSpatialReference* crs) {
+        if (crs == nullptr)
+            return failure("The file does not say its coordinate reference system", where_,
+                           "Save it with its CRS, or as GeoJSON");
+        OGRSpatialReference source(*crs);
+        source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        OGRSpatialReference wgs84;
+        wgs84.importFromEPSG(4326);
+        wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        toLonLat_.reset(OGRCreateCoordinateTransformation(&source, &wgs84));
+        if (!toLonLat_)
+            return failure("Its coordinate reference system cannot be used", where_, "Save it as GeoJSON");
+        const double metresPerUnit = source.IsGeographic() ? metresPerDegree : source.GetLinearUnits();
+        longestSide_ = longestSideM / metresPerUnit;
+        return {};
+    }
+
+    Result<void> add(const OGRGeometry& geometry, Region& region) {
+        std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+        straight->segmentize(longestSide_);
+        if (wkbFlatten(straight->getGeometryType()) == wkbPolygon)
+            return addPolygon(*straight->toPolygon(), region);
+        if (!OGR_GT_IsSubClassOf(wkbFlatten(straight->getGeometryType()), wkbGeometryCollection)) return {};
+        for (const OGRGeometry* member : *straight->toGeometryCollection())
+            if (auto added = add(*member, region); !added) return added;
+        return {};
+    }
+
+private:
+    Result<void> addPolygon(const OGRPolygon& polygon, Region& region) {
+        std::vector<RawRing> rings;
+        for (const OGRLinearRing* ring : polygon) {
+            auto local = localRing(*ring);
+            if (!local) return tl::make_unexpected(local.error());
+            rings.push_back(*std::move(local));
+        }
+        for (Footprint& piece : repairFootprint(rings).pieces) region.polygons.push_back(std::move(piece));
+        return {};
+    }
+
+    Result<RawRing> localRing(const OGRLinearRing& ring) const {
+        RawRing local;
+        for (const OGRPoint& point : ring) {
+            double lon = point.getX();
+            double lat = point.getY();
+            const bool placed =
+                toLonLat_->Transform(1, &lon, &lat) && std::abs(lon) <= 180 && std::abs(lat) <= 90;
+            if (!placed)
+                return failure(
+                    fmt::format("A point at {}, {} is not where its CRS can be", point.getX(), point.getY()),
+                    where_, "Check the CRS of the file");
+            if (auto near = checkedPlace({lon, lat}, frame_, where_); !near)
+                return tl::make_unexpected(near.error());
+            local.push_back(frame_.localFromLonLat({lon, lat}));
+        }
+        return local;
+    }
+
+    const Frame& frame_;
+    std::string where_;
+    std::unique_ptr<OGRCoordinateTransformation> toLonLat_;
+    double longestSide_ = 0;
+};
+
+Result<void> addLayer(OGRLayer& layer, LayerReader& reader, Region& region) {
+    bool begun = false;
+    for (const OGRFeatureUniquePtr& feature : layer) {
+        const OGRGeometry* geometry = feature->GetGeometryRef();
+        if (geometry == nullptr) continue;
+        if (!begun)
+            if (auto known = reader.begin(layer.GetSpatialRef()); !known) return known;
+        begun = true;
+        if (auto added = reader.add(*geometry, region); !added) return added;
+    }
+    return {};
+}
+
+Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& frame) {
+    const GdalCalls calls;
+    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
+    if (!dataset)
+        return failure("The region cannot be read: " + calls.why(), file.string(),
+                       "Give a polygon file such as GeoJSON or GeoPackage");
+    Region region{file.stem().string(), {}};
+    LayerReader reader(frame, file.string());
+    for (OGRLayer* layer : dataset->GetLayers())
+        if (auto added = addLayer(*layer, reader, region); !added) return tl::make_unexpected(added.error());
+    if (region.polygons.empty())
+        return failure("The file holds no polygon with an area", file.string(),
+                       "Draw the region as a polygon");
+    return region;
+}
+
+}  // namespace
+
+Result<Region> readRegion(const std::string& boxOrFile, const Frame& frame) {
+    if (const auto box = parseBox(boxOrFile)) return regionOfBox(*box, frame, boxOrFile);
+    std::error_code ignored;
+    if (std::filesystem::exists(boxOrFile, ignored)) return regionOfFile(boxOrFile, frame);
+    return failure("There is no such file, and it is not four numbers", "region '" + boxOrFile + "'",
+                   "Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/city/building_ground.h"
+#include "core/study/study.h"
+#include "core/study/warnings_json.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// What one walk over the city counts.
+struct Counts {
+    std::size_t parts = 0;
+    std::size_t hanging = 0;
+    std::size_t triangles = 0;
+    std::array<std::size_t, 4> bySource{};
+    float tallestM = 0;
+    std::string tallest;
+};
+
+void add(Counts& counts, const Part& part) {
+    ++counts.parts;
+    if (part.hangs) ++counts.hanging;
+    ++counts.bySource[std::size_t(part.heightSource)];
+    counts.triangles += meshOf(part).triangles.size();
+}
+
+Counts countsOf(const City& city) {
+    Counts counts;
+    for (const auto& building : city.buildings) {
+        for (const Part& part : building->parts) add(counts, part);
+        const float height = heightM(*building, city);
+        if (height <= counts.tallestM) continue;
+        counts.tallestM = height;
+        counts.tallest = building->name.empty() ? building->sourceId : building->name;
+    }
+    return counts;
+}
+
+Json heightSources(const Counts& counts) {
+    Json sources = Json::object();
+    for (std::size_t i = 0; i < counts.bySource.size(); ++i)
+        sources[std::string(nameOf(HeightSource(i)))] = counts.bySource[i];
+    return sources;
+}
+
+Json extentLonLat(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty()) return nullptr;
+    const LonLat low = city.frame.lonLatFromLocal(glm::dvec2(box.low));
+    const LonLat high = city.frame.lonLatFromLocal(glm::dvec2(box.high));
+    return {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg};
+}
+
+}  // namespace
+
+std::string infoJson(const CityRead& read) {
+    const Counts counts = countsOf(read.city);
+    Json info;
+    info["format"] = read.format;
+    info["features"] = read.features;
+    info["buildings"] = read.city.buildings.size();
+    info["parts"] = counts.parts;
+    info["parts_hanging"] = counts.hanging;
+    info["triangles"] = counts.triangles;
+    info["height_sources"] = heightSources(counts);
+    info["tallest_m"] = double(counts.tallestM);
+    info["tallest"] = counts.tallest;
+    info["extent_lonlat"] = extentLonLat(read.city);
+    info["origin_lonlat"] = {read.city.frame.origin().lonDeg, read.city.frame.origin().latDeg};
+    info["origin_elevation_m"] = read.city.frame.originElevationM();
+    info["terrain"] = read.city.terrain != nullptr;
+    info["attribution"] = read.attribution;
+    info["warnings"] = warningsJson(read.warnings);
+    return jsonText(info);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,78 @@
+#include "core/study/memory_need.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace noonmark {
+
+namespace {
+
+// Kind 1, ground 4, list of receivers 4, gross and continuous 8; as much again while a map is drawn from
+// them.
+constexpr double bytesPerCell = 32;
+// Vertices and indices 36, their copy in the acceleration structure and its nodes; measured with Embree 3.
+constexpr double bytesPerTriangle = 250;
+constexpr double bytesPerStep = 2 * sizeof(SunStep);
+
+double cellCount(const StudySettings& settings) {
+    const Box2 box = bounds(settings.region);
+    if (box.empty()) return 0;
+    const glm::dvec2 cells = glm::dvec2(box.high - box.low) / settings.receivers.cellM;
+    return std::ceil(cells.x) * std::ceil(cells.y);
+}
+
+double triangleCount(const Part& part) {
+    if (part.mesh) return double(part.mesh->triangles.size());
+    std::size_t points = part.footprint.outer.size();
+    for (const Ring& hole : part.footprint.holes) points += hole.size();
+    return 4 * double(points);  // two a wall, about one a point in each cap
+}
+
+double triangleCount(const City& city) {
+    double count = city.terrain ? 2 * double(city.terrain->grid.size()) : 0;
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts) count += triangleCount(part);
+    return count;
+}
+
+double stepCount(const Period& period) {
+    const double hours = period.window ? 24 : period.hours;
+    return period.days * std::max(1.0, hours * 60 / period.stepMinutes);
+}
+
+double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
+
+}  // namespace
+
+std::uint64_t memoryNeed(const City& city, const StudySettings& settings) {
+    const double bytes = cellCount(settings) * bytesPerCell + triangleCount(city) * bytesPerTriangle +
+                         stepCount(settings.period) * bytesPerStep;
+    constexpr double most = double(std::numeric_limits<std::int64_t>::max());
+    return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
+}
+
+std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminfo) {
+    std::ifstream file(meminfo);
+    std::string key;
+    std::uint64_t kibibytes = 0;
+    std::string rest;
+    while (file >> key >> kibibytes && std::getline(file, rest))
+        if (key == "MemAvailable:") return kibibytes * 1024;
+    return std::nullopt;
+}
+
+Result<void> checkMemory(const City& city, const StudySettings& settings) {
+    std::uint64_t limit = settings.memoryLimit;
+    if (limit == 0) limit = availableMemory().value_or(std::numeric_limits<std::uint64_t>::max()) / 4 * 3;
+    const std::uint64_t need = memoryNeed(city, settings);
+    if (need <= limit) return {};
+    return failure(fmt::format("The study would need {:.2f} GB of memory; {:.2f} GB may be used",
+                               gigabytes(need), gigabytes(limit)),
+                   "", "Choose larger cells, a smaller region or fewer steps");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,90 @@
+#include "core/study/study.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/study/memory_need.h"
+
+namespace noonmark {
+
+namespace {
+
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+// Runs one stage into its place and notes how long it took.
+template <class T, class Stage>
+Result<void> timed(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
+    if (stop.stop_requested()) return cancelled();
+    const Stopwatch watch;
+    Result<T> made = std::forward<Stage>(stage)();
+    if (!made) return tl::make_unexpected(std::move(made).error());
+    place = *std::move(made);
+    study.seconds[name] = watch.seconds();
+    return {};
+}
+
+Result<void> checkReceivers(const Study& study) {
+    if (!study.receivers.cells.empty()) return {};
+    return failure("No cell of the region lies on open ground", study.settings.region.name,
+                   "Choose a region outside the buildings, or smaller cells");
+}
+
+Result<void> checkSun(const Study& study) {
+    if (!study.sun.steps.empty()) return {};
+    return failure("The sun is below the horizon all the time", textOf(study.settings.period),
+                   "Choose other hours or days");
+}
+
+Result<void> computed(Study& study, const Accumulator& engine, Progress& progress, std::stop_token stop) {
+    const StudySettings& settings = study.settings;
+    return timed(study, "receivers", study.receivers, stop,
+                 [&] { return receiversOnGround(study.city, settings.region, settings.receivers); })
+        .and_then([&] { return checkReceivers(study); })
+        .and_then([&] {
+            return timed(study, "sun", study.sun, stop,
+                         [&] { return sunSteps(settings.period, observerOf(study)); });
+        })
+        .and_then([&] { return checkSun(study); })
+        .and_then([&] {
+            return timed(study, "accumulate", study.field, stop, [&] {
+                return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
+            });
+        });
+}
+
+}  // namespace
+
+Observer observerOf(const Study& study) {
+    const Box2 box = bounds(study.settings.region);
+    const LonLat middle = study.city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    return {middle, study.city.frame.originElevationM(), study.settings.pressureHPa,
+            study.settings.temperatureC};
+}
+
+Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
+                       std::stop_token stop) {
+    const Stopwatch watch;
+    const auto period = checked(settings.period);
+    if (!period) return tl::make_unexpected(period.error());
+    const auto engine = makeAccumulator(settings.engine);
+    if (!engine) return tl::make_unexpected(engine.error());
+    if (auto fits = checkMemory(city, settings); !fits) return tl::make_unexpected(fits.error());
+
+    Study study{.city = city, .settings = settings};
+    if (auto done = computed(study, **engine, progress, stop); !done)
+        return tl::make_unexpected(done.error());
+    study.statistics = statisticsOf(study.field);
+    study.warnings = study.field.warnings;
+    study.seconds["total"] = watch.seconds();
+    return study;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,141 @@
+#include <algorithm>
+
+#include "core/study/study.h"
+#include "core/study/warnings_json.h"
+#include "core/version.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json periodJson(const Period& period, const SunSteps& sun) {
+    Json json;
+    json["text"] = textOf(period);
+    json["start"] = textOf(period.start);
+    json["days"] = period.days;
+    json["step_min"] = period.stepMinutes;
+    json["zone"] = period.zone;
+    json["from"] = period.window ? Json() : Json(textOf(period.from));
+    json["hours"] = period.window ? Json() : Json(period.hours);
+    json["window"] = nullptr;
+    if (period.window)
+        json["window"] = {
+            {"after_sunrise_min", period.window->afterSunrise.count()},
+            {"before_sunset_min", period.window->beforeSunset.count()},
+            {"sunrise_altitude_deg", period.window->rule == SunriseRule::centre ? 0.0 : -0.833}};
+    json["refraction"] = period.refraction;
+    json["days_without_sun"] = std::ranges::count(sun.days, 0U, &SunDay::count);
+    return json;
+}
+
+Json observerJson(const Observer& observer) {
+    return {{"lon_deg", observer.place.lonDeg},
+            {"lat_deg", observer.place.latDeg},
+            {"elevation_m", observer.elevationM},
+            {"pressure_hpa", observer.pressureHPa},
+            {"temperature_c", observer.temperatureC}};
+}
+
+Json regionJson(const Study& study) {
+    const Region& region = study.settings.region;
+    const Box2 box = bounds(region);
+    const LonLat low = study.city.frame.lonLatFromLocal(glm::dvec2(box.low));
+    const LonLat high = study.city.frame.lonLatFromLocal(glm::dvec2(box.high));
+    double areaM2 = 0;
+    for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
+    return {{"name", region.name},
+            {"polygons", region.polygons.size()},
+            {"area_m2", areaM2},
+            {"extent_lonlat", {low.lonDeg, low.latDeg, high.lonDeg, high.latDeg}}};
+}
+
+Json cellsJson(const Study& study) {
+    const Grid& grid = study.receivers.grid;
+    const auto count = [&](CellKind kind) { return std::ranges::count(study.receivers.kind, kind); };
+    return {{"cell_m", grid.cellM},
+            {"columns", grid.columns},
+            {"rows", grid.rows},
+            {"west_m", grid.westM},
+            {"south_m", grid.southM},
+            {"outside_region", count(CellKind::outside)},
+            {"under_buildings", count(CellKind::building)},
+            {"crs", study.city.frame.projString()},
+            {"row_order", "row 0 is the southernmost; in shadow.tif the northernmost"}};
+}
+
+Json inputsJson(const std::vector<InputFile>& inputs) {
+    Json json = Json::array();
+    for (const InputFile& input : inputs) {
+        const bool made = input.sha256.empty();
+        json.push_back({{"path", input.path.string()},
+                        {"bytes", made ? Json() : Json(input.bytes)},
+                        {"sha256", made ? Json() : Json(input.sha256)}});
+    }
+    return json;
+}
+
+void addFigures(Json& json, const ShadowStatistics& statistics) {
+    json["receiver_area_m2"] = statistics.receiverAreaM2;
+    json["shadow_area_m2"] = statistics.shadowAreaM2;
+    json["mean_gross_min"] = statistics.meanGrossMin;
+    json["max_gross_min"] = statistics.maxGrossMin;
+    json["mean_continuous_min"] = statistics.meanContinuousMin;
+    json["max_continuous_min"] = statistics.maxContinuousMin;
+}
+
+// Buildings are used or skipped; each engine says in words what else it did not need to do.
+void addCost(Json& json, const Study& study) {
+    const Cost& cost = study.field.cost;
+    const std::size_t buildings = study.city.buildings.size();
+    json["buildings"] = buildings;
+    json["buildings_used"] = cost.buildingsUsed;
+    json["buildings_skipped"] = {
+        {"shadow cannot reach a receiver", buildings - std::min<std::size_t>(buildings, cost.buildingsUsed)}};
+    json["skipped"] = cost.skipped;
+    json["rays"] = cost.rays;
+    const auto trace = study.seconds.find("accumulate");
+    const bool timed = trace != study.seconds.end() && trace->second > 0 && cost.rays > 0;
+    json["mega_rays_per_s"] = timed ? Json(double(cost.rays) * 1e-6 / trace->second) : Json();
+    json["seconds"] = study.seconds;
+    json["accumulate_seconds"] = cost.seconds;
+}
+
+Json definitions() {
+    return {{"gross", "minutes a receiver is in shadow per day, averaged over the days of the period"},
+            {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
+            {"shadow_area_m2", "sum over receivers of the fraction of time in shadow times the cell area"},
+            {"fraction_of_time",
+             "of the time in the period that the sun is above the horizon; steps with the sun below it are "
+             "left out"},
+            {"receiver",
+             "a cell of the region whose centre is on the ground, outside every footprint that stands on it"},
+            {"azimuth", "from true north, clockwise"}};
+}
+
+}  // namespace
+
+std::string studyJson(const Study& study) {
+    Json json;
+    json["program"] = std::string("Noonmark ") + std::string(version());
+    json["engine"] = study.settings.engine;
+    json["engine_settings"] = study.field.engine;
+    json["period"] = periodJson(study.settings.period, study.sun);
+    json["steps"] = study.sun.steps.size();
+    json["steps_below_horizon"] = study.sun.belowHorizon;
+    json["sunlit_min_per_day"] = study.field.sunlitMinutesPerDay;
+    json["receivers"] = study.statistics.receivers;
+    addFigures(json, study.statistics);
+    addCost(json, study);
+    json["region"] = regionJson(study);
+    json["cells"] = cellsJson(study);
+    json["observer"] = observerJson(observerOf(study));
+    json["inputs"] = inputsJson(study.inputs);
+    json["attribution"] = study.attribution;
+    json["definitions"] = definitions();
+    json["warnings"] = warningsJson(study.warnings);
+    return jsonText(json);
+}
+
+}  // namespace noonmark
