@@ -11,10 +11,11 @@ struct StudyFileOptions {
     bool cellsCsv = false;  ///< one line a receiver: x_m, y_m, lon_deg, lat_deg, gross_min, continuous_min
 };
 
-/// Everything a user leaves with, into a folder that is made when missing: shadow.tif, shadow.png, report.pdf, study.json, and cells.csv on
-/// request. Returns the paths written. Needs a QGuiApplication (the `offscreen` platform will do). The same files from the window
-/// and the command line.
-Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study, const std::filesystem::path& folder,
+/// Everything a user leaves with, into a folder that is made when missing: shadow.tif, shadow.png,
+/// report.pdf, study.json, and cells.csv on request. Returns the paths written. Needs a QGuiApplication (the
+/// `offscreen` platform will do). The same files from the window and the command line.
+Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
+                                                           const std::filesystem::path& folder,
                                                            const StudyFileOptions& options);
 
 }  // namespace noonmark

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+#include "app/report/palette.h"
+#include "app/report/shadow_measure.h"
+#include "app/report/style.h"
+
+namespace noonmark {
+
+/// What a reader needs to turn a colour back into minutes.
+struct Legend {
+    QString title;         ///< "Gross shadow"
+    QString unit;          ///< "minutes in shadow a day"
+    LegendScale scale;     ///< colours run from 0 to scale.top
+    bool instant = false;  ///< two patches, in the sun and in shadow, instead of a scale
+};
+
+/// The legend of a map of `measure`. O(cells). Colour a value with shadowColour(value / legend.scale.top).
+Legend legendOf(const ShadowField& field, ShadowMeasure measure);
+
+/// How high a legend is, in points.
+constexpr double legendHeightPt = 36;
+
+/// Title with unit, colour bar and ticks from the top left corner of `area`, as wide as `area` and
+/// legendHeightPt high. Labels stay within the width; where they would touch each other, only every second,
+/// third... is written.
+void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend);
+
+/// The same as a picture with a transparent ground, for an overlay. `size` in device-independent pixels; text
+/// scales with its height.
+QImage legendImage(const Legend& legend, const QSize& size, double devicePixelRatio = 1);
+
+}  // namespace noonmark

@@ -1,0 +1,107 @@
+#include "app/report/map_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/city_painter.h"
+#include "app/report/field_image.h"
+#include "app/report/legend_painter.h"
+#include "app/report/map_furniture.h"
+
+namespace noonmark {
+
+namespace {
+
+Box2 worldOf(const Study& study) {
+    const Grid& grid = study.field.grid;
+    Box2 world = bounds(study.settings.region);
+    world.add(glm::vec2(grid.westM, grid.southM));
+    world.add(glm::vec2(grid.eastM(), grid.northM()));
+    return world;
+}
+
+QPainterPath pathOf(const Region& region, const MapView& view) {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const Footprint& polygon : region.polygons) view.addTo(path, polygon);
+    return path;
+}
+
+/// Screen pixels, or four to a point in print: 288 dpi.
+int wantedPixels(const Canvas& canvas, const QRectF& field) {
+    const double longer = std::max(field.width(), field.height());
+    const double perUnit = std::min(1.0, 4 / canvas.point);
+    return int(std::ceil(longer * perUnit));
+}
+
+/// Where the picture goes: its last pixels may reach beyond the grid.
+QRectF placeOf(const FieldImage& field, const QRectF& grid, double unitsPerCell) {
+    const double pixel = unitsPerCell * field.cellsPerPixel;
+    return {grid.topLeft(), QSizeF(field.image.width() * pixel, field.image.height() * pixel)};
+}
+
+void paintField(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
+    const double top = legendOf(study.field, measure).scale.top;
+    const QRectF grid = view.rectOf(study.field.grid);
+    const FieldImage field =
+        fieldImage(study.field, study.receivers, measure, top, wantedPixels(canvas, grid));
+    const QRectF place = placeOf(field, grid, study.field.grid.cellM * view.unitsPerM());
+    canvas.painter.save();
+    canvas.painter.setClipRect(grid, Qt::IntersectClip);
+    canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
+    canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, field.image.width() > place.width());
+    canvas.painter.drawImage(place, field.image);
+    canvas.painter.restore();
+}
+
+void paintCity(const Canvas& canvas, const MapView& view, const Study& study, const QPainterPath& region) {
+    paintBuildings(canvas, view, study.city, {ink::context, ink::contextLine});
+    canvas.painter.save();
+    canvas.painter.setClipPath(region, Qt::IntersectClip);
+    paintBuildings(canvas, view, study.city, {ink::building, ink::buildingLine});
+    canvas.painter.restore();
+}
+
+void paintOutline(const Canvas& canvas, const QPainterPath& region) {
+    canvas.painter.setBrush(Qt::NoBrush);
+    canvas.painter.setPen(linePen(canvas, ink::paper, 2.4));
+    canvas.painter.drawPath(region);
+    canvas.painter.setPen(linePen(canvas, ink::text, 0.9));
+    canvas.painter.drawPath(region);
+}
+
+}  // namespace
+
+MapView mapViewOf(const Study& study, const QRectF& frame) { return {worldOf(study), frame}; }
+
+void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
+    const QPainterPath region = pathOf(study.settings.region, view);
+    canvas.painter.save();
+    canvas.painter.setClipRect(view.target());
+    canvas.painter.fillRect(view.target(), ink::paper);
+    paintField(canvas, view, study, measure);
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+    paintCity(canvas, view, study, region);
+    paintOutline(canvas, region);
+    canvas.painter.restore();
+    canvas.painter.setBrush(Qt::NoBrush);
+    canvas.painter.setPen(linePen(canvas, ink::line, 0.6));
+    canvas.painter.drawRect(view.target());
+}
+
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Study& study,
+                  ShadowMeasure measure) {
+    const double point = canvas.point;
+    const double arrowWidth = 16 * point;
+    const double barRoom = std::min(area.width() * 0.3, 140 * point);
+    const double legendWidth = area.width() - arrowWidth - barRoom - 30 * point;
+    paintLegend(canvas, {area.left(), area.top(), legendWidth, area.height()},
+                legendOf(study.field, measure));
+    paintNorthArrow(canvas, {area.right() - arrowWidth, area.top(), arrowWidth, area.height()});
+    const QRectF barArea(area.right() - arrowWidth - 10 * point - barRoom, area.top(), barRoom,
+                         area.height());
+    const double longestM = (barRoom - 20 * point) / view.unitsPerM();
+    paintScaleBar(canvas, barArea, scaleBarWithin(longestM), view.unitsPerM());
+}
+
+}  // namespace noonmark

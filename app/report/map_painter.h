@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/report/map_view.h"
+#include "app/report/shadow_measure.h"
+#include "app/report/style.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// The view of a study's map in a frame: its grid and region with a margin, north up.
+MapView mapViewOf(const Study& study, const QRectF& frame);
+
+/// The map alone, in the view's target: the field as a picture, the buildings as crisp outlines over it (pale
+/// outside the region), the outline of the region, a thin frame. Nothing is painted outside the target.
+void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure);
+
+/// What belongs under a map, legendHeightPt high: legend at the left, scale bar and north arrow at the right.
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Study& study,
+                  ShadowMeasure measure);
+
+}  // namespace noonmark

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <QImage>
+
+#include "app/report/field_image.h"
+#include "app/report/legend_painter.h"
+#include "app/report/map_furniture.h"
+#include "app/report/map_painter.h"
+#include "tests/report/synthetic_study.h"
+
+namespace noonmark {
+namespace {
+
+constexpr QSize size{1200, 840};
+
+QImage mapOf(const Study& study) {
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(Qt::green);
+    QPainter painter(&image);
+    paintMap({painter, 2}, mapViewOf(study, QRectF(image.rect())), study, ShadowMeasure::gross);
+    return image;
+}
+
+QColor colourAt(const QImage& image, const Study& study, double x, double y) {
+    return image.pixelColor(mapViewOf(study, QRectF(image.rect())).at({x, y}).toPoint());
+}
+
+TEST(Map, EachQuarterHasItsColourInItsPlace) {
+    const Study study = tests::syntheticStudy();
+    const QImage image = mapOf(study);
+    EXPECT_EQ(colourAt(image, study, 10.5, 10.5), shadowColour(0)) << "south-west";
+    EXPECT_EQ(colourAt(image, study, 110.5, 10.5), shadowColour(0.5)) << "south-east";
+    EXPECT_EQ(colourAt(image, study, 10.5, 70.5), shadowColour(60.0 / 360)) << "north-west";
+    EXPECT_EQ(colourAt(image, study, 110.5, 70.5), shadowColour(1)) << "north-east";
+}
+
+TEST(Map, NorthIsUpAndEastIsRight) {
+    const MapView view = mapViewOf(tests::syntheticStudy(), QRectF(QPointF(0, 0), size));
+    EXPECT_LT(view.at({60, 80}).y(), view.at({60, 0}).y());
+    EXPECT_GT(view.at({120, 40}).x(), view.at({0, 40}).x());
+    EXPECT_NEAR(view.at({120, 40}).x() - view.at({0, 40}).x(), 120 * view.unitsPerM(), 1e-6);
+    EXPECT_NEAR(view.at({60, 0}).y() - view.at({60, 80}).y(), 80 * view.unitsPerM(), 1e-6);
+}
+
+TEST(Map, BuildingsAreGreyAndPaleOutsideTheRegion) {
+    const Study study = tests::syntheticStudy();
+    const QImage image = mapOf(study);
+    EXPECT_EQ(colourAt(image, study, 55, 35), ink::building);
+    EXPECT_EQ(colourAt(image, study, -3.8, 40), ink::context);
+    EXPECT_EQ(colourAt(image, study, 60.5, 55.5), shadowColour(1))
+        << "the ground below a part that hangs is shown";
+}
+
+TEST(Map, EdgesOfCellsAreExact) {
+    const Study study = tests::syntheticStudy();
+    const QImage image = mapOf(study);
+    EXPECT_EQ(colourAt(image, study, 59.8, 20.5), shadowColour(0));
+    EXPECT_EQ(colourAt(image, study, 60.2, 20.5), shadowColour(0.5));
+    EXPECT_EQ(colourAt(image, study, 100.5, 39.8), shadowColour(0.5));
+    EXPECT_EQ(colourAt(image, study, 100.5, 40.2), shadowColour(1));
+}
+
+TEST(FieldImage, LargeGridsAreReducedByMeans) {
+    const Study study = tests::syntheticStudy();
+    const QImage image = fieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 12).image;
+    EXPECT_EQ(image.size(), QSize(12, 8));
+    EXPECT_EQ(image.pixelColor(0, 7), shadowColour(0));
+    EXPECT_EQ(image.pixelColor(11, 0), shadowColour(1));
+    EXPECT_EQ(image.pixelColor(5, 4), QColor(Qt::white)) << "a block without receivers";
+}
+
+TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
+    const Study study = tests::syntheticStudy();
+    const QImage image =
+        fieldImage(study.field, study.receivers, ShadowMeasure::continuous, 360, 17).image;  // blocks of 7
+    EXPECT_EQ(image.size(), QSize(18, 12));
+    EXPECT_EQ(image.pixelColor(0, 11), shadowColour(0));
+    EXPECT_EQ(image.pixelColor(17, 0), shadowColour(0.5));
+}
+
+TEST(Map, BlocksThatAreCutAtTheEdgeDoNotStretchTheMap) {
+    Study study = tests::syntheticStudy();
+    QImage image({400, 280}, QImage::Format_RGB32);
+    QPainter painter(&image);
+    const MapView view = mapViewOf(study, QRectF(image.rect()));
+    const double unitsAPoint = 4 * view.rectOf(study.field.grid).width() /
+                               17.5;  // as coarse print: blocks of 7 cells, the last of 1
+    paintMap({painter, unitsAPoint}, view, study, ShadowMeasure::gross);
+    const auto colour = [&](double x, double y) { return image.pixelColor(view.at({x, y}).toPoint()); };
+    EXPECT_EQ(colour(55, 10), shadowColour(0));
+    EXPECT_NE(colour(62, 10), shadowColour(0.5)) << "the block from 56 to 63 lies in both quarters";
+    EXPECT_EQ(colour(64, 10), shadowColour(0.5));
+}
+
+TEST(FieldImage, NoWhiteStepsUnderTheWalls) {
+    const Study study = tests::syntheticStudy();
+    const QImage image = fieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 1000).image;
+    EXPECT_EQ(image.pixelColor(50, 79 - 32), shadowColour(0)) << "a covered cell that touches receivers";
+    EXPECT_EQ(image.pixelColor(60, 79 - 40), QColor(Qt::white)) << "one that touches none";
+}
+
+TEST(LegendPainter, BarRunsFromSunToShadow) {
+    const Legend legend = legendOf(tests::syntheticStudy().field, ShadowMeasure::gross);
+    EXPECT_EQ(legend.scale.top, 360);
+    const QImage image = legendImage(legend, {600, 72}, 2);
+    EXPECT_EQ(image.size(), QSize(1200, 144));
+    const int middle = int(17.5 * 4);
+    EXPECT_GT(image.pixelColor(20, middle).lightness(), 180);
+    EXPECT_LT(image.pixelColor(1180, middle).lightness(), 70);
+    EXPECT_EQ(image.pixelColor(600, 143).alpha(), 0);
+}
+
+TEST(LegendPainter, AMomentHasTwoPatches) {
+    Study study = tests::syntheticStudy();
+    study.field.sunlitMinutesPerDay = 1;
+    EXPECT_TRUE(legendOf(study.field, ShadowMeasure::gross).instant);
+    EXPECT_FALSE(legendImage(legendOf(study.field, ShadowMeasure::gross), {300, 60}).isNull());
+}
+
+struct BarCase {
+    double longest, length;
+};
+
+TEST(ScaleBar, LengthsAreRound) {
+    for (const BarCase& c :
+         {BarCase{100, 100}, {99, 50}, {250, 200}, {199, 100}, {720, 500}, {3, 2}, {12000, 10000}})
+        EXPECT_DOUBLE_EQ(scaleBarWithin(c.longest).lengthM(), c.length) << c.longest;
+}
+
+}  // namespace
+}  // namespace noonmark
