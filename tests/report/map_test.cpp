@@ -80,11 +80,13 @@ TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
 
 TEST(Map, BlocksThatAreCutAtTheEdgeDoNotStretchTheMap) {
     Study study = tests::syntheticStudy();
+    study.settings.region.polygons.clear();  // at this size of a point, lines would cover everything
+    study.city.buildings.clear();
     QImage image({400, 280}, QImage::Format_RGB32);
     QPainter painter(&image);
     const MapView view = mapViewOf(study, QRectF(image.rect()));
-    const double unitsAPoint = 4 * view.rectOf(study.field.grid).width() /
-                               17.5;  // as coarse print: blocks of 7 cells, the last of 1
+    // As coarse print: 17 pixels wanted, so blocks of 7 cells, the last of 1.
+    const double unitsAPoint = 4 * view.rectOf(study.field.grid).width() / 16.5;
     paintMap({painter, unitsAPoint}, view, study, ShadowMeasure::gross);
     const auto colour = [&](double x, double y) { return image.pixelColor(view.at({x, y}).toPoint()); };
     EXPECT_EQ(colour(55, 10), shadowColour(0));
