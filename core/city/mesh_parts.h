@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/city/building.h"
+#include "core/warnings.h"
+
+namespace noonmark {
+
+/// How far above a part's bottom (or the ground) a face must begin to have open air below it, metres.
+inline constexpr float openAirM = 2;
+
+/// Whether a mesh has open air under some of its faces, so that it is no prism and no heightfield. The rule:
+/// faces that look down and are not the walls of a cavity cover more than 0.1 m2 from above, and are clear of
+/// the mesh's bottom by more than openAirM: flat ones (within 45 degrees of level) with all their points,
+/// leaning ones (more than 6 degrees off plumb) with their middle.
+bool hasOpenAirBelow(const TriangleMesh& mesh);
+
+struct MeshParts {
+    std::vector<Part> parts;  ///< one per piece of the outline; none if the mesh has no area from above
+    Warnings warnings;        ///< what was mended, with `where`
+};
+
+/// Makes parts of a mesh in local metres as it came from a file: points welded, triangles without area
+/// dropped, faces turned outward, outline taken. A mesh that is not closed is used, with a warning. `where`
+/// names it in warnings. Whether the whole part hangs: markHanging.
+MeshParts partsOf(const TriangleMesh& mesh, const std::string& sourceId, const std::string& where);
+
+/// Marks parts whose whole underside is more than openAirM above `groundM(x, y)` and is not carried by lower
+/// parts that stand: more than 5 % of its outline (and 0.5 m2) has nothing under it that reaches up to its
+/// bottom. Parts that hang already carry nothing.
+void markHanging(std::vector<Part>& parts, const std::function<float(glm::dvec2)>& groundM);
+
+}  // namespace noonmark

@@ -1,0 +1,83 @@
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+#include "core/city/mesh_topology.h"
+
+namespace noonmark {
+
+namespace {
+
+using Index = std::uint32_t;
+using Cell = glm::i64vec3;
+
+struct CellHash {
+    std::size_t operator()(const Cell& cell) const {
+        return std::size_t(cell.x) * 73856093U ^ std::size_t(cell.y) * 19349663U ^
+               std::size_t(cell.z) * 83492791U;
+    }
+};
+
+// Finds points by place. Cells are twice the tolerance wide, so whatever lies within it is in one of the
+// eight cells around.
+class PointFinder {
+public:
+    PointFinder(std::vector<glm::vec3>& points, float tolerance) : points_(points), tolerance_(tolerance) {}
+
+    // The point that stands for `point`: one that is there already, or itself, added.
+    Index find(glm::vec3 point) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto [first, end] = cells_.equal_range(cellAt(point, corner));
+            for (auto place = first; place != end; ++place)
+                if (glm::distance(points_[place->second], point) <= tolerance_) return place->second;
+        }
+        return add(point);
+    }
+
+private:
+    Index add(glm::vec3 point) {
+        const Index index = Index(points_.size());
+        points_.push_back(point);
+        cells_.emplace(cellOf(glm::dvec3(point)), index);
+        return index;
+    }
+    [[nodiscard]] Cell cellOf(glm::dvec3 point) const { return Cell(glm::floor(point / (2.0 * tolerance_))); }
+    [[nodiscard]] Cell cellAt(glm::vec3 point, int corner) const {
+        const glm::dvec3 shift((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
+        return cellOf(glm::dvec3(point) + shift * double(tolerance_));
+    }
+
+    std::vector<glm::vec3>& points_;
+    float tolerance_;
+    std::unordered_multimap<Cell, Index, CellHash> cells_;
+};
+
+bool isFinite(glm::vec3 point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+}  // namespace
+
+TriangleMesh welded(const TriangleMesh& mesh, float toleranceM) {
+    TriangleMesh result;
+    PointFinder finder(result.vertices, toleranceM);
+    constexpr Index unknown = ~Index(0);
+    std::vector<Index> newIndex(mesh.vertices.size(), unknown);
+    for (glm::uvec3 triangle : mesh.triangles) {
+        bool usable = true;
+        for (int corner = 0; corner < 3; ++corner)
+            usable = usable && isFinite(mesh.vertices[triangle[corner]]);
+        if (!usable) continue;
+        for (int corner = 0; corner < 3; ++corner) {
+            Index& index = newIndex[triangle[corner]];
+            if (index == unknown) index = finder.find(mesh.vertices[triangle[corner]]);
+            triangle[corner] = index;
+        }
+        const bool collapsed =
+            triangle.x == triangle.y || triangle.y == triangle.z || triangle.z == triangle.x;
+        if (!collapsed) result.triangles.push_back(triangle);
+    }
+    return result;
+}
+
+}  // namespace noonmark

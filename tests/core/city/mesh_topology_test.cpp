@@ -1,0 +1,77 @@
+#include "core/city/mesh_topology.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/core/city/mesh_fixtures.h"
+
+namespace noonmark {
+namespace {
+
+using tests::box;
+
+TEST(MeshTopology, weldingClosesABoxOfLooseTriangles) {
+    const TriangleMesh loose = tests::unshared(box({0, 0, 0}, {10, 20, 30}));
+    EXPECT_EQ(openEdges(loose), 36U);
+    const TriangleMesh whole = welded(loose);
+    EXPECT_EQ(whole.vertices.size(), 8U);
+    EXPECT_EQ(openEdges(whole), 0U);
+    EXPECT_NEAR(signedVolume(whole), 6000, 1e-6);
+}
+
+TEST(MeshTopology, weldingTakesPointsWithinTheToleranceWhereverTheyLie) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-100, 100), noise(-0.0002F, 0.0002F);
+    for (int i = 0; i < 200; ++i) {
+        TriangleMesh loose = tests::unshared(box({0, 0, 0}, {1, 1, 1}));
+        const glm::vec3 shift(place(random), place(random), place(random));
+        for (glm::vec3& vertex : loose.vertices)
+            vertex += shift + glm::vec3(noise(random), noise(random), noise(random));
+        const TriangleMesh whole = welded(loose);
+        EXPECT_EQ(whole.vertices.size(), 8U);
+        EXPECT_EQ(openEdges(whole), 0U);
+    }
+}
+
+TEST(MeshTopology, uselessTrianglesGo) {
+    TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+    mesh.vertices.emplace_back(NAN, 0, 0);
+    mesh.vertices.emplace_back(0.5F, 0, 0);
+    mesh.triangles.insert(mesh.triangles.end(), {{0, 0, 1}, {0, 1, 8}, {0, 9, 1}});
+    TriangleMesh clean = welded(mesh);
+    EXPECT_EQ(clean.triangles.size(), 13U);
+    EXPECT_EQ(removeDegenerateTriangles(clean), 1U);
+    EXPECT_EQ(openEdges(clean), 0U);
+}
+
+TEST(MeshTopology, oneWallMissingIsSeen) {
+    TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+    mesh.triangles.resize(10);
+    EXPECT_EQ(openEdges(mesh), 4U);
+}
+
+TEST(MeshTopology, componentsAreThePiecesThatShareNoPoint) {
+    const TriangleMesh two = tests::joined(box({0, 0, 0}, {1, 1, 1}), box({5, 0, 0}, {7, 2, 2}));
+    const Components components = componentsOf(two);
+    ASSERT_EQ(components.count, 2U);
+    const auto meshes = separated(two, components);
+    EXPECT_NEAR(signedVolume(meshes[0]), 1, 1e-9);
+    EXPECT_NEAR(signedVolume(meshes[1]), 8, 1e-9);
+}
+
+TEST(MeshTopology, inwardFacesAreTurnedButCavitiesStay) {
+    TriangleMesh cavity = box({2, 2, 2}, {4, 4, 4});
+    turnInsideOut(cavity);
+    TriangleMesh hollow = tests::joined(box({0, 0, 0}, {10, 10, 10}), cavity);
+    EXPECT_EQ(turnOutward(hollow), 0U);
+    EXPECT_NEAR(signedVolume(hollow), 992, 1e-6);
+    TriangleMesh inverted = box({0, 0, 0}, {2, 2, 2});
+    turnInsideOut(inverted);
+    EXPECT_EQ(turnOutward(inverted), 1U);
+    EXPECT_NEAR(signedVolume(inverted), 8, 1e-9);
+}
+
+}  // namespace
+}  // namespace noonmark
