@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "core/accumulate/accumulator.h"
+#include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
 
 namespace noonmark {
@@ -23,6 +24,9 @@ const std::vector<Engine>& all() {
         {{"ray", "Ray reference",
           "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
          made<RayReference>},
+        {{"projected", "Projected shadows",
+          "Each building's shadow filled as polygons at every step: exact and fast on flat ground"},
+         made<ProjectedShadows>},
     };
     return list;
 }

@@ -1,0 +1,161 @@
+#include "core/accumulate/projected/shadow_casters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "core/city/triangulate.h"
+
+namespace noonmark {
+
+namespace {
+
+using Kind = ShadowCaster::Kind;
+
+double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
+glm::dvec2 cellsFromLocal(const Grid& grid, glm::dvec2 local) {
+    return {(local.x - grid.westM) / grid.cellM - 0.5, (local.y - grid.southM) / grid.cellM - 0.5};
+}
+
+bool isConvex(const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 a(ring[i]), b(ring[(i + 1) % ring.size()]), c(ring[(i + 2) % ring.size()]);
+        if (cross(b - a, c - b) < 0) return false;
+    }
+    // A ring may turn left all the way and still wind twice; repaired footprints do not.
+    return true;
+}
+
+class CasterBuilder {
+public:
+    CasterBuilder(const City& city, const Grid& grid) : city_(city), grid_(grid) {}
+
+    void addBuilding(std::uint32_t building) {
+        building_ = building;
+        for (const Part& part : city_.buildings[building]->parts) addPart(part);
+    }
+
+    ShadowCasters take() { return std::move(result_); }
+
+private:
+    void addPart(const Part& part) {
+        if (part.mesh)
+            addFaces(*part.mesh);
+        else if (part.topM <= 0)
+            return;
+        else if (part.footprint.holes.empty() && isConvex(part.footprint.outer))
+            addRing(Kind::prism, part, part.footprint.outer);
+        else
+            addWallsAndUnderside(part);
+    }
+
+    void addWallsAndUnderside(const Part& part) {
+        addWalls(part, part.footprint.outer);
+        for (const Ring& hole : part.footprint.holes) addWalls(part, hole);
+        if (part.bottomM <= 0) return;
+        const Triangulation under = triangulated(part.footprint);
+        for (const glm::uvec3 t : under.triangles)
+            addRing(Kind::flat, part, {under.points[t.x], under.points[t.y], under.points[t.z]});
+    }
+
+    void addWalls(const Part& part, const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            addRing(Kind::wall, part, {ring[i], ring[(i + 1) % ring.size()]});
+    }
+
+    void addFaces(const TriangleMesh& mesh) {
+        for (const glm::uvec3 t : mesh.triangles) {
+            const glm::vec3 a = mesh.vertices[t.x], b = mesh.vertices[t.y], c = mesh.vertices[t.z];
+            ShadowCaster& caster = add(Kind::face, {glm::vec2(a), glm::vec2(b), glm::vec2(c)});
+            caster.heights = {std::max(0.0F, a.z), std::max(0.0F, b.z), std::max(0.0F, c.z)};
+            caster.topM = std::max({a.z, b.z, c.z});
+        }
+    }
+
+    void addRing(Kind kind, const Part& part, const Ring& ring) {
+        ShadowCaster& caster = add(kind, ring);
+        caster.bottomM = std::max(0.0F, part.bottomM);
+        caster.topM = kind == Kind::flat ? caster.bottomM : part.topM;
+    }
+
+    ShadowCaster& add(Kind kind, const Ring& ring) {
+        ShadowCaster caster{.kind = kind,
+                            .firstPoint = std::uint32_t(result_.points.size()),
+                            .pointCount = std::uint32_t(ring.size()),
+                            .building = building_};
+        caster.low = glm::dvec2(1e30);
+        caster.high = glm::dvec2(-1e30);
+        for (const glm::vec2 point : ring) {
+            const glm::dvec2 cells = cellsFromLocal(grid_, glm::dvec2(point));
+            result_.points.push_back(cells);
+            caster.low = glm::min(caster.low, cells);
+            caster.high = glm::max(caster.high, cells);
+        }
+        result_.casters.push_back(caster);
+        return result_.casters.back();
+    }
+
+    const City& city_;
+    const Grid& grid_;
+    std::uint32_t building_ = 0;
+    ShadowCasters result_;
+};
+
+// The hull of a convex polygon at two places: the edges that face the way it moves are taken at the far
+// place, the others at the near.
+void sweep(std::span<const glm::dvec2> ring, glm::dvec2 near, glm::dvec2 far,
+           std::vector<glm::dvec2>& polygon) {
+    const glm::dvec2 move = far - near;
+    const auto facesMove = [&](std::size_t i) {
+        return cross(move, ring[(i + 1) % ring.size()] - ring[i]) > 0;
+    };
+    bool before = facesMove(ring.size() - 1);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const bool now = facesMove(i);
+        // Where the side changes the point appears twice, joined by the edge that the corner draws.
+        polygon.push_back(ring[i] + (before ? far : near));
+        if (now != before) polygon.push_back(ring[i] + (now ? far : near));
+        before = now;
+    }
+}
+
+void sweepWall(std::span<const glm::dvec2> wall, glm::dvec2 near, glm::dvec2 far,
+               std::vector<glm::dvec2>& polygon) {
+    if (cross(far - near, wall[1] - wall[0]) <= 0)
+        return;  // faces the sun: a wall on the other side throws this shadow
+    polygon = {wall[0] + near, wall[0] + far, wall[1] + far, wall[1] + near};
+}
+
+void project(std::span<const glm::dvec2> face, const std::array<float, 3>& heights, glm::dvec2 throwCells,
+             std::vector<glm::dvec2>& polygon) {
+    for (std::size_t i = 0; i < 3; ++i) polygon.push_back(face[i] + throwCells * double(heights[i]));
+    if (cross(polygon[1] - polygon[0], polygon[2] - polygon[0]) <= 0) polygon.clear();  // seen from behind
+}
+
+}  // namespace
+
+ShadowCasters shadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
+    CasterBuilder builder(city, grid);
+    for (const std::uint32_t building : buildings) builder.addBuilding(building);
+    return builder.take();
+}
+
+void shadowOf(const ShadowCasters& casters, const ShadowCaster& caster, glm::dvec2 throwCells,
+              std::vector<glm::dvec2>& polygon) {
+    polygon.clear();
+    const auto points = casters.pointsOf(caster);
+    const glm::dvec2 near = throwCells * double(caster.bottomM), far = throwCells * double(caster.topM);
+    switch (caster.kind) {
+        case Kind::prism:
+            return sweep(points, near, far, polygon);
+        case Kind::wall:
+            return sweepWall(points, near, far, polygon);
+        case Kind::flat:
+            return sweep(points, near, near, polygon);
+        case Kind::face:
+            return project(points, caster.heights, throwCells, polygon);
+    }
+}
+
+}  // namespace noonmark

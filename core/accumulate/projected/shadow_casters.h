@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/receivers/grid.h"
+
+namespace noonmark {
+
+/// One convex piece of what throws a shadow on flat ground. Coordinates in cells of a grid (the centre of
+/// cell (0, 0) is at (0, 0)), heights in metres above the ground.
+struct ShadowCaster {
+    enum class Kind : std::uint8_t {
+        prism,  ///< a convex polygon (counter-clockwise) from bottom to top
+        wall,   ///< two points: a wall from bottom to top; throws only when it faces away from the sun (left
+                ///< of first -> second is inside)
+        flat,   ///< a convex polygon at one height, `bottom`: a triangle of the underside of something that
+                ///< hangs
+        face,   ///< three points of a mesh, each with its height in `heights`; throws when it faces the sun
+    };
+    Kind kind = Kind::prism;
+    std::uint32_t firstPoint = 0;  ///< into ShadowCasters::points
+    std::uint32_t pointCount = 0;
+    float bottomM = 0;
+    float topM = 0;
+    std::array<float, 3> heights{};  ///< of a face only
+    std::uint32_t building = 0;      ///< index in City::buildings
+    glm::dvec2 low{}, high{};        ///< bounds of the points, cells
+};
+
+/// Everything of some buildings that throws shadow, as convex pieces.
+struct ShadowCasters {
+    std::vector<ShadowCaster> casters;
+    std::vector<glm::dvec2> points;
+    std::uint64_t hiddenWalls = 0;  ///< walls left out: another building at least as high stands against them
+
+    [[nodiscard]] std::span<const glm::dvec2> pointsOf(const ShadowCaster& caster) const {
+        return std::span(points).subspan(caster.firstPoint, caster.pointCount);
+    }
+};
+
+/// A convex prism stays whole. Any other becomes its walls (those that face away from the sun throw all of
+/// its shadow that lies outside its footprint), and, where it hangs, its underside; a mesh becomes its faces.
+/// `buildings`: indices into the city, each on flat ground z = 0.
+ShadowCasters shadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
+
+/// The shadow of one caster on the ground, as a convex counter-clockwise polygon in cells; empty when it
+/// throws none from there. `throwCells`: how far, and where to, the shadow of a point one metre up lies, in
+/// cells. Replaces what is in `polygon`.
+void shadowOf(const ShadowCasters& casters, const ShadowCaster& caster, glm::dvec2 throwCells,
+              std::vector<glm::dvec2>& polygon);
+
+}  // namespace noonmark
