@@ -33,8 +33,8 @@ struct StudySettings {
     ReceiverSettings receivers;
     Period period;
     std::string engine = "ray";
-    double pressureHPa = 1013.25;  ///< for refraction
-    double temperatureC = 15;
+    double pressureHPa = 1010;  ///< for refraction
+    double temperatureC = 10;
     /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
     /// 3/4 of what is free.
     std::uint64_t memoryLimit = 0;

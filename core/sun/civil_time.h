@@ -21,8 +21,8 @@ public:
 
     [[nodiscard]] const std::string& name() const { return name_; }
 
-    /// The instant of a wall-clock time; minutes may pass 24 x 60 and then lie on the following days. A time that DST skips is
-    /// taken as the instant of the jump; one that occurs twice as the first.
+    /// The instant of a wall-clock time; minutes may pass 24 x 60 and then lie on the following days. A time
+    /// that DST skips is taken as the instant of the jump; one that occurs twice as the first.
     [[nodiscard]] Instant instantAt(CivilDate date, std::chrono::minutes sinceMidnight) const;
 
     /// The civil date of an instant.
@@ -38,10 +38,11 @@ private:
 /// The IANA names known on this machine, sorted.
 std::vector<std::string> zoneNames();
 
-Result<CivilDate> parseDate(std::string_view text);                       ///< "2026-03-21"
-Result<std::chrono::minutes> parseTimeOfDay(std::string_view text);       ///< "09:00", "24:00" the end of the day
-Result<Instant> parseInstant(std::string_view text, const Zone& zone);    ///< "2003-10-17T12:30:30-07:00"; without an offset, in `zone`
-std::string textOf(CivilDate date);                                       ///< "2026-03-21"
-std::string textOf(std::chrono::minutes timeOfDay);                       ///< "09:00"
+Result<CivilDate> parseDate(std::string_view text);                  ///< "2026-03-21"
+Result<std::chrono::minutes> parseTimeOfDay(std::string_view text);  ///< "09:00", "24:00" the end of the day
+Result<Instant> parseInstant(
+    std::string_view text, const Zone& zone);  ///< "2003-10-17T12:30:30-07:00"; without an offset, in `zone`
+std::string textOf(CivilDate date);            ///< "2026-03-21"
+std::string textOf(std::chrono::minutes timeOfDay);  ///< "09:00"
 
 }  // namespace noonmark

@@ -22,13 +22,13 @@ struct SolarWindow {
 /// The days and hours of a study. Ranges are checked by `checked`.
 struct Period {
     CivilDate start{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}};
-    int days = 1;                               ///< 1 to 3660
-    std::chrono::minutes from{9 * 60};          ///< wall clock, 0 to 24 h; ignored with a solar window
-    double hours = 6;                           ///< a day, 0 to 24; 0 = one instant; ignored with a solar window
-    double stepMinutes = 1;                     ///< 1/60 to 240
+    int days = 1;                       ///< 1 to 3660
+    std::chrono::minutes from{9 * 60};  ///< wall clock, 0 to 24 h; ignored with a solar window
+    double hours = 6;                   ///< a day, 0 to 24; 0 = one instant; ignored with a solar window
+    double stepMinutes = 1;             ///< 1/60 to 240
     std::optional<SolarWindow> window;
-    std::string zone = "UTC";                   ///< IANA name
-    bool refraction = true;                     ///< the sun as seen (true) or geometric (false)
+    std::string zone = "UTC";  ///< IANA name
+    bool refraction = true;    ///< the sun as seen (true) or geometric (false)
     bool operator==(const Period&) const = default;
 };
 

@@ -11,23 +11,24 @@ namespace noonmark {
 
 /// The sun at one step of the period.
 struct SunStep {
-    glm::vec3 direction;      ///< unit vector towards the sun, local frame
-    float azimuthDeg = 0;     ///< from true north, clockwise, 0 <= azimuth < 360
-    float altitudeDeg = 0;    ///< > 0; with refraction if the period asks for it
-    std::int32_t slot = 0;    ///< number of the step in its day's window; a gap between slots breaks a run
-    Instant at;               ///< the beginning of the step
+    glm::vec3 direction;    ///< unit vector towards the sun, local frame
+    float azimuthDeg = 0;   ///< from true north, clockwise, 0 <= azimuth < 360
+    float altitudeDeg = 0;  ///< > 0; with refraction if the period asks for it
+    std::int32_t slot = 0;  ///< number of the step in its day's window; a gap between slots breaks a run
+    Instant at;             ///< the beginning of the step
 };
 
 /// One day of the period: its steps are [first, first + count).
 struct SunDay {
     CivilDate date;
     std::uint32_t first = 0;
-    std::uint32_t count = 0;        ///< 0 on a polar night, or where the window is empty
-    std::uint32_t belowHorizon = 0; ///< steps of the window left out because the sun is not there
+    std::uint32_t count = 0;         ///< 0 on a polar night, or where the window is empty
+    std::uint32_t belowHorizon = 0;  ///< steps of the window left out because the sun is not there
 };
 
-/// The sun over a period: the only thing that engines know of time. Steps in time order; step k of a day stands for the half-open
-/// interval [from + k step, from + (k + 1) step). A day with hours = 0 has one step of `stepMinutes` = 1.
+/// The sun over a period: the only thing that engines know of time. Steps in time order; step k of a day
+/// stands for the half-open interval [from + k step, from + (k + 1) step). A day with hours = 0 has one step
+/// of `stepMinutes` = 1.
 struct SunSteps {
     double stepMinutes = 1;
     std::vector<SunStep> steps;

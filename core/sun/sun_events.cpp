@@ -1,0 +1,82 @@
+#include "core/sun/sun_events.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace noonmark {
+
+namespace {
+
+using namespace std::chrono;
+
+// Almanacs and SPA count -0.833 deg (34' of refraction, 16' of half the disc) from the earth's centre; from
+// its surface the sun stands lower by its parallax.
+constexpr double parallaxDeg = 8.794 / 3600;
+constexpr double limbAltitudeDeg = -0.8333 - parallaxDeg;
+constexpr milliseconds halfDay = 12h;
+
+double thresholdDeg(SunriseRule rule) { return rule == SunriseRule::upperLimb ? limbAltitudeDeg : 0; }
+
+double altitudeAt(const Ephemeris& sun, Instant at) { return sun.at(at).altitude.value; }
+
+/// How long until the sun passes due south or north, less than half a day either way. Zero only where its
+/// azimuth is that of the meridian.
+milliseconds untilTransit(const Ephemeris& sun, Instant at) {
+    const double hourAngle = sun.hourAngle(at).value;
+    return milliseconds{
+        std::llround(-hourAngle / (2 * std::numbers::pi) * duration<double, std::milli>(24h).count())};
+}
+
+Instant transitNearest(const Ephemeris& sun, Instant noon) {
+    Instant transit = noon;
+    for (int i = 0; i < 4; ++i) transit += untilTransit(sun, transit);
+    return transit;
+}
+
+/// The sun is highest a little before or after the transit, near the poles hours away: golden section.
+Instant highestBetween(const Ephemeris& sun, Instant from, Instant to) {
+    constexpr double shrink = 1 / std::numbers::phi;
+    while (to - from > 100ms) {
+        const auto inner = milliseconds{std::llround(double((to - from).count()) * shrink)};
+        if (altitudeAt(sun, to - inner) < altitudeAt(sun, from + inner)) {
+            from = to - inner;
+        } else {
+            to = from + inner;
+        }
+    }
+    return from + (to - from) / 2;
+}
+
+/// Between an instant when the sun is up and one when it may be down; none if it is up at both.
+std::optional<Instant> crossing(const Ephemeris& sun, Instant up, Instant down, double altitudeDeg) {
+    if (altitudeAt(sun, down) > altitudeDeg) return std::nullopt;
+    while (abs(up - down) > 1ms) {
+        const Instant middle = up + (down - up) / 2;
+        (altitudeAt(sun, middle) > altitudeDeg ? up : down) = middle;
+    }
+    return up;
+}
+
+}  // namespace
+
+SunEvents sunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule) {
+    SunEvents events;
+    events.transit = transitNearest(sun, localMidnight + halfDay);
+    const double altitudeDeg = thresholdDeg(rule);
+    const Instant highest = highestBetween(sun, events.transit - halfDay, events.transit + halfDay);
+    if (altitudeAt(sun, highest) <= altitudeDeg) {
+        events.kind = DayKind::polarNight;
+        return events;
+    }
+    events.sunrise = crossing(sun, highest, events.transit - halfDay, altitudeDeg);
+    events.sunset = crossing(sun, highest, events.transit + halfDay, altitudeDeg);
+    if (!events.sunrise && !events.sunset) events.kind = DayKind::polarDay;
+    return events;
+}
+
+SunEvents sunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule) {
+    return sunEvents(Ephemeris::spanning(observer, localMidnight - days{1}, localMidnight + days{2}),
+                     localMidnight, rule);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/sun/solar_position.h"
+
+namespace noonmark {
+
+/// UT1, the time scale of the turning earth: days since 2000-01-01 12:00.
+///
+/// UT1 - UTC can't be known ahead; leap seconds keep it under 0.9 s. It is taken as 0 up to 2024, as NREL SPA
+/// does, and from 2026 on as 0.055 s, the middle of what the IERS measured and foretold for that year; linear
+/// between. What is left, up to 0.9 s in years with many leap seconds, turns the sun by up to 0.004 deg.
+double ut1Days(Instant at);
+
+/// Terrestrial time, the time scale of the ephemeris: days since 2000-01-01 12:00. From 1972 on by the leap
+/// seconds; before, by the polynomials of Espenak and Meeus (NASA/TP-2006-214141) for TT - UT1.
+double ttDays(Instant at);
+
+/// Earth rotation angle (IAU 2000), 0 to 2 pi.
+Radians earthRotation(double ut1Days);
+
+}  // namespace noonmark
