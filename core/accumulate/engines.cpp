@@ -2,6 +2,8 @@
 #include <fmt/ranges.h>
 
 #include "core/accumulate/accumulator.h"
+#include "core/accumulate/graph_accumulator.h"
+#include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
 
@@ -19,6 +21,10 @@ std::unique_ptr<Accumulator> made() {
     return std::make_unique<T>();
 }
 
+std::unique_ptr<Accumulator> inverseAccrual() {
+    return std::make_unique<GraphAccumulator>(InverseAccrualMap::make({}).value(), DirectionGraphSettings{});
+}
+
 const std::vector<Engine>& all() {
     static const std::vector<Engine> list{
         {{"ray", "Ray reference",
@@ -27,6 +33,10 @@ const std::vector<Engine>& all() {
         {{"projected", "Projected shadows",
           "Each building's shadow filled as polygons at every step: exact and fast on flat ground"},
          made<ProjectedShadows>},
+        {{"iam", "Inverse accrual map",
+          "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
+          "once"},
+         inverseAccrual},
     };
     return list;
 }

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 #include <map>
 
-#include "core/units.h"
+#include "core/accumulate/blank_field.h"
 
 namespace noonmark {
 
@@ -21,10 +19,12 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double lowestSunDeg(const SunSteps& sun) {
-    double lowest = 90;
-    for (const SunStep& step : sun.steps) lowest = std::min(lowest, double(step.altitudeDeg));
-    return lowest;
+SunSteps directionsOf(const DirectionGraph& graph) {
+    SunSteps directions;
+    for (const auto& edge : graph.edges)
+        for (int step = 0; step < edge.sun.steps; ++step)
+            directions.steps.push_back({.direction = glm::vec3(edge.sun.at(step))});
+    return directions;
 }
 
 /// Runs of the edges that a later path still needs: 4 bytes a receiver and edge, half of what the masks would
@@ -109,17 +109,6 @@ private:
     std::vector<std::uint32_t> longest_;
 };
 
-ShadowField emptyField(const Receivers& receivers, const SunSteps& sun) {
-    ShadowField field;
-    field.grid = receivers.grid;
-    field.grossMin.assign(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
-    field.continuousMin = field.grossMin;
-    field.stepMinutes = sun.stepMinutes;
-    field.days = int(std::max<std::size_t>(1, sun.dayCount()));
-    field.sunlitMinutesPerDay = sun.sunlitMinutes() / field.days;
-    return field;
-}
-
 void fill(ShadowField& field, const Receivers& receivers, const Tally& tally) {
     for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
         field.grossMin[receivers.cells[i]] = float(tally.gross(i) * field.stepMinutes / field.days);
@@ -193,15 +182,17 @@ Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receive
     const auto graph = directionGraph(sun, settings_);
     if (!graph) return tl::make_unexpected(graph.error());
     const auto start = Clock::now();
-    auto scene = engine_->prepare(city, receivers, lowestSunDeg(sun));
+    auto scene = engine_->prepare(city, receivers, directionsOf(*graph));
     if (!scene) return tl::make_unexpected(scene.error());
     const double build = secondsSince(start);
     GraphRun run(*graph, **scene, receivers.cells.size(), progress, stop);
     if (const auto done = run.run(); !done) return tl::make_unexpected(done.error());
 
-    ShadowField field = emptyField(receivers, sun);
+    ShadowField field = blankField(receivers, sun);
+    const Cost untouched = field.cost;
     fill(field, receivers, run.tally());
     field.cost = (*scene)->cost();
+    field.cost.skipped.insert(untouched.skipped.begin(), untouched.skipped.end());
     field.cost.seconds["build"] += build;
     field.cost.skipped["intervals that share an edge of the direction graph"] =
         graph->intervals - graph->edges.size();

@@ -12,6 +12,7 @@
 #include "core/city/city.h"
 #include "core/receivers/receivers.h"
 #include "core/result.h"
+#include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
@@ -46,11 +47,10 @@ class IntervalEngine {
 public:
     virtual ~IntervalEngine() = default;
 
-    /// `lowestSunDeg`: no interval will come lower, degrees above the horizon. City and receivers outlive the
-    /// scene.
-    [[nodiscard]] virtual Result<std::unique_ptr<IntervalScene>> prepare(const City& city,
-                                                                         const Receivers& receivers,
-                                                                         double lowestSunDeg) const = 0;
+    /// `directions`: every direction of the intervals to come (only SunSteps::steps is read), so that what
+    /// cannot matter is left out. City and receivers outlive the scene.
+    [[nodiscard]] virtual Result<std::unique_ptr<IntervalScene>> prepare(
+        const City& city, const Receivers& receivers, const SunSteps& directions) const = 0;
 
     /// "Inverse accrual map, 3 levels, C++"
     [[nodiscard]] virtual std::string describe() const = 0;

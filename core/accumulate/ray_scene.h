@@ -22,6 +22,13 @@ struct RayHit {
     float distanceM = 0;
 };
 
+/// A building on a ray's way. Buildings are told apart by index, so a shared wall or edge is one hit a
+/// building.
+struct Occluder {
+    float distanceM = 0;  ///< along the ray to where it first meets the building; 0 = there is none
+    std::uint32_t building = 0;
+};
+
 /// A city ready for rays: bounding volumes over every triangle of buildings and terrain. A flat ground is not
 /// in it. Immutable; cheap to copy; all queries may run on several threads at a time.
 ///
@@ -47,6 +54,13 @@ public:
     [[nodiscard]] std::uint32_t occluded(glm::vec3 origin, const DirectionPacket& directions) const;
 
     [[nodiscard]] std::optional<RayHit> firstHit(glm::vec3 origin, glm::vec3 direction) const;
+
+    /// The first `levels` buildings (1 to maxLevels) on up to 16 neighbouring rays of one direction (unit
+    /// length), nearest first, hits nearer than `nearestHitM` left out: occluders[ray * levels + k], distance
+    /// 0 from the last on. Terrain is not looked at. Some 0.1 to 0.4 us a ray.
+    void firstOccluders(std::span<const glm::vec3> origins, glm::vec3 direction, float nearestHitM,
+                        int levels, std::span<Occluder> occluders) const;
+    static constexpr int maxLevels = 8;
 
     [[nodiscard]] std::size_t triangleCount() const;
 

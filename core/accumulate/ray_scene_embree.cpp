@@ -19,6 +19,8 @@ constexpr unsigned buildingsId = 1;
 // A user's own Embree settings file must not change a reference.
 constexpr const char* deviceConfig = "ignore_config_files=1";
 
+void collectOccluders(const RTCFilterFunctionNArguments* arguments);
+
 void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -29,6 +31,7 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& m
     if (vertices != nullptr && triangles != nullptr) {
         std::ranges::copy(mesh.vertices, static_cast<glm::vec3*>(vertices));
         std::ranges::copy(mesh.triangles, static_cast<glm::uvec3*>(triangles));
+        if (id == buildingsId) rtcSetGeometryIntersectFilterFunction(geometry, collectOccluders);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(scene, geometry, id);
     }
@@ -81,6 +84,51 @@ RTCRay16 raysFrom(glm::vec3 origin, const DirectionPacket& directions) {
 struct ValidLanes {
     alignas(64) std::array<int, DirectionPacket::capacity> valid{};
 };
+
+/// Collects the buildings that a packet of rays meets. Embree finds hits in no order; the filter keeps the
+/// nearest of each building.
+struct OccluderContext : RTCIntersectContext {
+    const std::uint32_t* buildingOfTriangle = nullptr;
+    int levels = 0;
+    Occluder* occluders = nullptr;  // lane x levels, sorted by distance, 0 = free
+
+    explicit OccluderContext(const std::vector<std::uint32_t>& buildings, int levelCount,
+                             std::span<Occluder> out)
+        : buildingOfTriangle(buildings.data()), levels(levelCount), occluders(out.data()) {
+        rtcInitIntersectContext(this);
+        flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        filter = nullptr;
+    }
+
+    /// True when nothing beyond `distance` can matter any more to this lane.
+    bool keep(unsigned lane, float distance, std::uint32_t building) const {
+        Occluder* list = occluders + std::size_t(lane) * std::size_t(levels);
+        int at = 0;
+        while (at < levels - 1 && list[at].distanceM > 0 && list[at].building != building) ++at;
+        const bool known = list[at].distanceM > 0 && list[at].building == building;
+        if (list[at].distanceM > 0 && distance >= list[at].distanceM) return !known;  // full of nearer ones
+        list[at] = {distance, building};
+        for (; at > 0 && list[at].distanceM < list[at - 1].distanceM; --at) std::swap(list[at], list[at - 1]);
+        return false;
+    }
+};
+
+// Only queries that collect occluders have more than a plain context; they mark their rays with this flag.
+constexpr unsigned collects = 1;
+
+void collectOccluders(const RTCFilterFunctionNArguments* arguments) {
+    for (unsigned lane = 0; lane < arguments->N; ++lane) {
+        if (arguments->valid[lane] == 0 ||
+            (RTCRayN_flags(arguments->ray, arguments->N, lane) & collects) == 0)
+            continue;
+        const auto& context = *static_cast<const OccluderContext*>(arguments->context);
+        const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
+        const float distance = RTCRayN_tfar(arguments->ray, arguments->N, lane);
+        const unsigned id = RTCRayN_id(arguments->ray, arguments->N, lane);
+        // A rejected hit leaves the ray going on; an accepted one ends it there.
+        if (!context.keep(id, distance, context.buildingOfTriangle[triangle])) arguments->valid[lane] = 0;
+    }
+}
 
 constexpr auto validLanes = [] {
     std::array<ValidLanes, DirectionPacket::capacity + 1> lanes{};
@@ -176,6 +224,25 @@ std::optional<RayHit> RayScene::firstHit(glm::vec3 origin, glm::vec3 direction) 
     hit.normal = glm::normalize(glm::vec3(found.hit.Ng_x, found.hit.Ng_y, found.hit.Ng_z));
     hit.distanceM = found.ray.tfar * glm::length(direction);
     return hit;
+}
+
+void RayScene::firstOccluders(std::span<const glm::vec3> origins, glm::vec3 direction, float nearestHitM,
+                              int levels, std::span<Occluder> occluders) const {
+    std::ranges::fill(occluders, Occluder{});
+    OccluderContext context(tree_->buildingOfTriangle, levels, occluders);
+    RTCRayHit16 found;
+    for (std::size_t lane = 0; lane < 16; ++lane) {
+        const glm::vec3 origin = origins[std::min(lane, origins.size() - 1)];
+        found.ray.org_x[lane] = origin.x, found.ray.org_y[lane] = origin.y, found.ray.org_z[lane] = origin.z;
+        found.ray.dir_x[lane] = direction.x, found.ray.dir_y[lane] = direction.y,
+        found.ray.dir_z[lane] = direction.z;
+        found.ray.tnear[lane] = nearestHitM, found.ray.tfar[lane] = std::numeric_limits<float>::infinity();
+        found.ray.time[lane] = 0, found.ray.mask[lane] = ~0U;
+        found.ray.id[lane] = unsigned(lane), found.ray.flags[lane] = collects;
+        found.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect16(validLanes[std::min<std::size_t>(16, origins.size())].valid.data(), tree_->scene, &context,
+                   &found);
 }
 
 std::size_t RayScene::triangleCount() const { return tree_->triangles; }

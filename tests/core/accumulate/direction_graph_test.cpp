@@ -59,7 +59,7 @@ class PatternEngine final : public IntervalEngine {
 
 public:
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City&, const Receivers&,
-                                                                 double) const override {
+                                                                 const SunSteps&) const override {
         return std::make_unique<Scene>();
     }
     [[nodiscard]] std::string describe() const override { return "pattern"; }

@@ -1,0 +1,104 @@
+#include "core/accumulate/inverse_accrual_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/accumulate/graph_accumulator.h"
+#include "core/accumulate/ray_scene.h"
+#include "core/measures/statistics.h"
+#include "tests/core/accumulate/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+ShadowField accrued(const City& city, const Receivers& receivers, const SunSteps& sun,
+                    const InverseAccrualSettings& settings) {
+    NoProgress progress;
+    const auto engine = InverseAccrualMap::make(settings).value();
+    return GraphAccumulator(engine, {.merge = false}).accumulate(city, receivers, sun, progress, {}).value();
+}
+
+double areaErrorPercent(const ShadowField& field, const ShadowField& truth) {
+    const auto a = statisticsOf(field), b = statisticsOf(truth);
+    return 100 * std::abs(a.shadowAreaM2 - b.shadowAreaM2) / b.receiverAreaM2;
+}
+
+TEST(FirstOccluders, listsEachBuildingOnceNearestFirst) {
+    // Three slabs in a row, the first two sharing a wall.
+    const City city =
+        cityOf({{{0, 0, 0}, {10, 40, 100}}, {{10, 0, 0}, {20, 40, 100}}, {{40, 0, 0}, {50, 40, 100}}});
+    const RayScene scene = RayScene::over(city).value();
+    const std::vector<glm::vec3> origins{{-20, 20, 0}, {30, 20, 0}, {60, 20, 0}, {-0.5F, 20, 0}};
+    std::vector<Occluder> found(origins.size() * 3);
+    scene.firstOccluders(origins, towardsSun(90, 20), 1, 3, found);
+    const double toMetres = 1 / std::cos(20 * std::numbers::pi / 180);
+    EXPECT_NEAR(found[0].distanceM, 20 * toMetres, 1e-3);
+    EXPECT_EQ(found[0].building, 0U);
+    EXPECT_NEAR(found[1].distanceM, 30 * toMetres, 1e-3);
+    EXPECT_EQ(found[1].building, 1U);
+    EXPECT_NEAR(found[2].distanceM, 60 * toMetres, 1e-3);
+    EXPECT_EQ(found[2].building, 2U);
+    EXPECT_NEAR(found[3].distanceM, 10 * toMetres, 1e-3);
+    EXPECT_EQ(found[3].building, 2U);
+    EXPECT_EQ(found[4].distanceM, 0);
+    EXPECT_EQ(found[6].distanceM, 0);
+    EXPECT_NEAR(found[9].distanceM, 10.5 * toMetres,
+                1e-3);  // the wall half a metre away is left out, the way out of the building is not
+    EXPECT_EQ(found[9].building, 0U);
+}
+
+TEST(FirstOccluders, fewerLevelsGiveTheNearest) {
+    const City city = cityOf(randomBoxes(5, 8));
+    const RayScene scene = RayScene::over(city).value();
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> at(-20, 180);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<glm::vec3> origins(16);
+        for (auto& origin : origins) origin = {at(random), at(random), 0};
+        const glm::vec3 sun = towardsSun(round * 3.7, 5 + round % 60);
+        std::vector<Occluder> three(16 * 3), one(16), eight(16 * 8);
+        scene.firstOccluders(origins, sun, 0.001F, 3, three);
+        scene.firstOccluders(origins, sun, 0.001F, 1, one);
+        scene.firstOccluders(origins, sun, 0.001F, 8, eight);
+        for (std::size_t i = 0; i < 16; ++i) {
+            EXPECT_EQ(one[i].distanceM > 0, scene.occluded(origins[i], sun));
+            EXPECT_EQ(one[i].distanceM, three[i * 3].distanceM);
+            for (std::size_t k = 0; k < 3; ++k)
+                EXPECT_EQ(three[i * 3 + k].distanceM, eight[i * 8 + k].distanceM);
+        }
+    }
+}
+
+TEST(InverseAccrualMap, areaErrorUnderOnePercentAtThreeLevels) {
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+        const City city = cityOf(randomBoxes(seed, 10));
+        const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
+        const SunSteps sun = oneDay(arc(360, 50));
+        EXPECT_LT(areaErrorPercent(accrued(city, receivers, sun, {}), traced(city, receivers, sun)), 1)
+            << seed;
+    }
+}
+
+TEST(InverseAccrualMap, openClAndProcessorAgreeBitForBit) {
+    const City city = cityOf(randomBoxes(4, 6));
+    const Receivers receivers = receiversOver(city, -10, -10, 130, 130);
+    const SunSteps sun = oneDay(arc(150, 50));
+    const auto withOpenCl = InverseAccrualMap::make({.openClDevice = 0});
+    if (!withOpenCl) GTEST_SKIP() << withOpenCl.error().text();
+    EXPECT_EQ(statisticsOf(accrued(city, receivers, sun, {.openClDevice = 0})).shadowAreaM2,
+              statisticsOf(accrued(city, receivers, sun, {})).shadowAreaM2);
+}
+
+TEST(InverseAccrualMap, refusesSettingsOutOfRange) {
+    EXPECT_FALSE(InverseAccrualMap::make({.levels = 0}).has_value());
+    EXPECT_FALSE(InverseAccrualMap::make({.levels = 9}).has_value());
+    EXPECT_FALSE(InverseAccrualMap::make({.nearestHitM = 0}).has_value());
+    EXPECT_FALSE(InverseAccrualMap::make({.marginM = -1}).has_value());
+    EXPECT_FALSE(InverseAccrualMap::make({.openClDevice = 99}).has_value());
+}
+
+}  // namespace
+}  // namespace noonmark
