@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <optional>
 
 #include "core/city/repair_footprint.h"
+#include "core/geo/crs_to_lon_lat.h"
 #include "core/io/gdal_calls.h"
 
 namespace noonmark {
@@ -69,38 +71,41 @@ Result<Region> regionOfBox(const LonLatBox& box, const Frame& frame, const std::
 // One layer's polygons, from its CRS to local metres.
 class LayerReader {
 public:
-    LayerReader(const Frame& frame, std::string where) : frame_(frame), where_(std::move(where)) {}
-
-    Result<void> begin(const OGRSpatialReference* crs) {
-        if (crs == nullptr)
-            return failure("The file does not say its coordinate reference system", where_,
+    static Result<LayerReader> of(const OGRSpatialReference* crs, const Frame& frame,
+                                  const std::string& where) {
+        char* text = nullptr;
+        const bool said = crs != nullptr && crs->exportToWkt(&text) == OGRERR_NONE;
+        const std::string wkt = said ? text : "";
+        CPLFree(text);
+        if (!said)
+            return failure("The file does not say its coordinate reference system", where,
                            "Save it with its CRS, or as GeoJSON");
-        OGRSpatialReference source(*crs);
-        source.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-        OGRSpatialReference wgs84;
-        wgs84.importFromEPSG(4326);
-        wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-        toLonLat_.reset(OGRCreateCoordinateTransformation(&source, &wgs84));
-        if (!toLonLat_)
-            return failure("Its coordinate reference system cannot be used", where_, "Save it as GeoJSON");
-        const double metresPerUnit = source.IsGeographic() ? metresPerDegree : source.GetLinearUnits();
-        longestSide_ = longestSideM / metresPerUnit;
-        return {};
+        auto toLonLat = CrsToLonLat::of(wkt);
+        if (!toLonLat)
+            return tl::make_unexpected(Error{toLonLat.error().what, where, toLonLat.error().advice});
+        const double metresPerUnit = crs->IsGeographic() != 0 ? metresPerDegree : crs->GetLinearUnits();
+        return LayerReader(*std::move(toLonLat), longestSideM / metresPerUnit, frame, where);
     }
 
-    Result<void> add(const OGRGeometry& geometry, Region& region) {
-        std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
+    Result<void> add(const OGRGeometry& geometry, Region& region) const {
+        const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
         straight->segmentize(longestSide_);
-        if (wkbFlatten(straight->getGeometryType()) == wkbPolygon)
-            return addPolygon(*straight->toPolygon(), region);
-        if (!OGR_GT_IsSubClassOf(wkbFlatten(straight->getGeometryType()), wkbGeometryCollection)) return {};
+        const OGRwkbGeometryType type = wkbFlatten(straight->getGeometryType());
+        if (type == wkbPolygon) return addPolygon(*straight->toPolygon(), region);
+        if (!OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return {};
         for (const OGRGeometry* member : *straight->toGeometryCollection())
             if (auto added = add(*member, region); !added) return added;
         return {};
     }
 
 private:
-    Result<void> addPolygon(const OGRPolygon& polygon, Region& region) {
+    LayerReader(CrsToLonLat toLonLat, double longestSide, const Frame& frame, std::string where)
+        : toLonLat_(std::move(toLonLat)),
+          longestSide_(longestSide),
+          frame_(frame),
+          where_(std::move(where)) {}
+
+    Result<void> addPolygon(const OGRPolygon& polygon, Region& region) const {
         std::vector<RawRing> rings;
         for (const OGRLinearRing* ring : polygon) {
             auto local = localRing(*ring);
@@ -111,39 +116,40 @@ private:
         return {};
     }
 
-    Result<RawRing> localRing(const OGRLinearRing& ring) const {
+    [[nodiscard]] Result<RawRing> localRing(const OGRLinearRing& ring) const {
+        std::vector<glm::dvec2> points;
+        for (const OGRPoint& point : ring) points.emplace_back(point.getX(), point.getY());
+        const std::vector<LonLat> places = toLonLat_.lonLat(points);
         RawRing local;
-        for (const OGRPoint& point : ring) {
-            double lon = point.getX();
-            double lat = point.getY();
-            const bool placed =
-                toLonLat_->Transform(1, &lon, &lat) && std::abs(lon) <= 180 && std::abs(lat) <= 90;
-            if (!placed)
-                return failure(
-                    fmt::format("A point at {}, {} is not where its CRS can be", point.getX(), point.getY()),
-                    where_, "Check the CRS of the file");
-            if (auto near = checkedPlace({lon, lat}, frame_, where_); !near)
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (std::isnan(places[i].lonDeg) || !toLonLat_.isPlausible(places[i]))
+                return failure(fmt::format("A point at {}, {} is not where {} can be", points[i].x,
+                                           points[i].y, toLonLat_.name()),
+                               where_, "Check the CRS of the file");
+            if (auto near = checkedPlace(places[i], frame_, where_); !near)
                 return tl::make_unexpected(near.error());
-            local.push_back(frame_.localFromLonLat({lon, lat}));
+            local.push_back(frame_.localFromLonLat(places[i]));
         }
         return local;
     }
 
-    const Frame& frame_;
-    std::string where_;
-    std::unique_ptr<OGRCoordinateTransformation> toLonLat_;
+    CrsToLonLat toLonLat_;
     double longestSide_ = 0;
+    Frame frame_;
+    std::string where_;
 };
 
-Result<void> addLayer(OGRLayer& layer, LayerReader& reader, Region& region) {
-    bool begun = false;
+Result<void> addLayer(OGRLayer& layer, const Frame& frame, const std::string& where, Region& region) {
+    std::optional<LayerReader> reader;
     for (const OGRFeatureUniquePtr& feature : layer) {
         const OGRGeometry* geometry = feature->GetGeometryRef();
         if (geometry == nullptr) continue;
-        if (!begun)
-            if (auto known = reader.begin(layer.GetSpatialRef()); !known) return known;
-        begun = true;
-        if (auto added = reader.add(*geometry, region); !added) return added;
+        if (!reader) {
+            auto made = LayerReader::of(layer.GetSpatialRef(), frame, where);
+            if (!made) return tl::make_unexpected(made.error());
+            reader = *std::move(made);
+        }
+        if (auto added = reader->add(*geometry, region); !added) return added;
     }
     return {};
 }
@@ -155,9 +161,9 @@ Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& fram
         return failure("The region cannot be read: " + calls.why(), file.string(),
                        "Give a polygon file such as GeoJSON or GeoPackage");
     Region region{file.stem().string(), {}};
-    LayerReader reader(frame, file.string());
     for (OGRLayer* layer : dataset->GetLayers())
-        if (auto added = addLayer(*layer, reader, region); !added) return tl::make_unexpected(added.error());
+        if (auto added = addLayer(*layer, frame, file.string(), region); !added)
+            return tl::make_unexpected(added.error());
     if (region.polygons.empty())
         return failure("The file holds no polygon with an area", file.string(),
                        "Draw the region as a polygon");

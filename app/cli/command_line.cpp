@@ -1,0 +1,57 @@
+#include "app/cli/command_line.h"
+
+#include <algorithm>
+#include <exception>
+#include <ostream>
+#include <string>
+
+#include "app/cli/command.h"
+#include "core/version.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+void say(const Console& console, std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    console.err << "noonmark-cli: " << text << '\n';
+}
+
+int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv, const Console& console) {
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help, --version
+        return app.exit(asked, console.out, console.err);
+    } catch (const CLI::ParseError& error) {
+        say(console, std::string(error.what()) + " (--help shows the options)");
+        return exitUsage;
+    }
+    return run(console);
+}
+
+}  // namespace
+
+int fail(const Console& console, const Error& error, ExitCode code) {
+    say(console, error.text());
+    return isCancelled(error) ? exitCancelled : code;
+}
+
+int runCommandLine(int argc, const char* const* argv, const Console& console) {
+    try {
+        CLI::App app("Measures the shadows of buildings on a city.", "noonmark-cli");
+        app.set_version_flag("--version", "Noonmark " + std::string(version()));
+        app.require_subcommand(1);
+        Run run;
+        addSampleCommand(app, run);
+        addInfoCommand(app, run);
+        addImportCommand(app, run);
+        addSunCommand(app, run);
+        addStudyCommand(app, run);
+        return parseAndRun(app, run, argc, argv, console);
+    } catch (const std::exception& error) {
+        say(console, error.what());
+        return exitFailed;
+    }
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,93 @@
+#include "app/cli/read_options.h"
+
+#include <cmath>
+#include <map>
+
+namespace noonmark::cli {
+
+namespace {
+
+const std::map<std::string, LengthUnit> units{
+    {"m", LengthUnit::metres}, {"ft", LengthUnit::feet}, {"us-ft", LengthUnit::usSurveyFeet}};
+
+template <class Target>
+CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
+    return command
+        .add_option_function<std::string>(
+            name, [&target](const std::string& unit) { target = units.at(unit); }, help)
+        ->check(CLI::IsMember({"m", "ft", "us-ft"}))
+        ->type_name("UNIT");
+}
+
+LonLat anchorFrom(const std::string& text) {
+    LonLat place{};
+    char comma = 0;
+    std::istringstream stream(text);
+    const bool read =
+        bool(stream >> place.lonDeg >> comma >> place.latDeg) && comma == ',' && (stream >> std::ws).eof();
+    if (!read || std::abs(place.lonDeg) > 180 || std::abs(place.latDeg) > 90)
+        throw CLI::ValidationError("--mesh-anchor", "give LON,LAT in degrees, for example -73.98,40.75");
+    return place;
+}
+
+void addHeightOptions(CLI::App& command, ReadSettings& settings) {
+    command
+        .add_option("--height-field", settings.heightField,
+                    "Field with the heights (default: found by its name)")
+        ->type_name("NAME");
+    addUnit(command, "--height-unit", settings.heightUnit,
+            "Unit of bare numbers in it: m, ft or us-ft (default m)");
+    command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
+        ->capture_default_str()
+        ->check(CLI::Range(2.0, 6.0))
+        ->type_name("M");
+    command
+        .add_option("--default-height", settings.defaultHeightM,
+                    "Height of buildings without any, 1 to 1000 m")
+        ->capture_default_str()
+        ->check(CLI::Range(1.0, 1000.0))
+        ->type_name("M");
+}
+
+void addMeshOptions(CLI::App& command, ReadSettings& settings) {
+    command
+        .add_option_function<std::string>(
+            "--up",
+            [&settings](const std::string& axis) { settings.upAxis = axis == "z" ? UpAxis::z : UpAxis::y; },
+            "Meshes: the axis that points up, y or z (default y)")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->type_name("AXIS");
+    addUnit(command, "--mesh-unit", settings.meshUnit,
+            "Meshes: unit of the coordinates: m, ft or us-ft (default m)");
+    command
+        .add_option("--mesh-north", settings.meshNorthDeg,
+                    "Meshes: azimuth of the mesh's north axis from true north, clockwise, degrees")
+        ->capture_default_str()
+        ->check(CLI::Range(-360.0, 360.0))
+        ->type_name("DEG");
+    command
+        .add_option_function<std::string>(
+            "--mesh-anchor", [&settings](const std::string& text) { settings.meshAnchor = anchorFrom(text); },
+            "Meshes: where the mesh's origin stands, degrees")
+        ->type_name("LON,LAT");
+}
+
+}  // namespace
+
+void addReadOptions(CLI::App& command, ReadOptions& options) {
+    ReadSettings& settings = options.settings;
+    command.add_option("files", options.files, "City files, or sample:central-park-south, sample:grid")
+        ->required()
+        ->type_name("FILE");
+    addHeightOptions(command, settings);
+    command.add_option("--layer", settings.layer, "Read this layer only")->type_name("NAME");
+    command
+        .add_option("--crs", settings.crs,
+                    "Coordinate reference system of files that do not state it: EPSG:2263")
+        ->type_name("CRS");
+    command.add_option("--lod", settings.lod, "CityJSON: level of detail (default: the highest)")
+        ->type_name("LOD");
+    addMeshOptions(command, settings);
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "core/io/read_city.h"
+
+namespace noonmark::cli {
+
+/// The files of a command and how to read them, shared by all commands that read a city.
+struct ReadOptions {
+    std::vector<std::string> files;
+    ReadSettings settings;
+};
+
+/// Adds FILE... and one option for each field of ReadSettings that a user states. `options` outlives the
+/// parsing.
+void addReadOptions(CLI::App& command, ReadOptions& options);
+
+}  // namespace noonmark::cli

@@ -1,0 +1,28 @@
+#include "app/cli/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+namespace noonmark::cli {
+
+void Table::print(std::ostream& out) const {
+    std::size_t width = 0;
+    for (const auto& [label, value] : rows_) width = std::max(width, label.size());
+    for (const auto& [label, value] : rows_) out << fmt::format("{:<{}}  {}\n", label, width, value);
+}
+
+std::string withCommas(std::size_t number) {
+    std::string text = std::to_string(number);
+    for (auto at = std::ptrdiff_t(text.size()) - 3; at > 0; at -= 3) text.insert(std::size_t(at), 1, ',');
+    return text;
+}
+
+void printWarnings(std::ostream& out, const Warnings& warnings) {
+    if (warnings.empty()) return;
+    out << "\nWarnings (--json lists every one)\n";
+    for (const WarningGroup& group : grouped(warnings)) out << "  " << lineOf(group) << '\n';
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/warnings.h"
+
+namespace noonmark::cli {
+
+/// Lines of "label  value", the values in one column.
+class Table {
+public:
+    void add(std::string label, std::string value) { rows_.emplace_back(std::move(label), std::move(value)); }
+    void print(std::ostream& out) const;
+
+private:
+    std::vector<std::pair<std::string, std::string>> rows_;
+};
+
+/// "1,234,567"
+std::string withCommas(std::size_t number);
+
+/// A heading and one line a group; nothing where there are none.
+void printWarnings(std::ostream& out, const Warnings& warnings);
+
+}  // namespace noonmark::cli

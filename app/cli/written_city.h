@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/cli/console.h"
+#include "core/city/city.h"
+#include "core/warnings.h"
+
+namespace noonmark::cli {
+
+/// Writes a city as a GeoPackage and says so, for `sample` and `import`. Returns an ExitCode.
+int writeCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
+              const Warnings& ofReading = {});
+
+}  // namespace noonmark::cli
