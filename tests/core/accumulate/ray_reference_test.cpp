@@ -193,13 +193,20 @@ TEST(RayReference, edgesOfACityThatIsShadowedWhollyLeakNothing) {
 // --- On a wall's line
 // --------------------------------------------------------------------------------------------
 
-/// Minutes at one point, for one sun, beside the tower.
-float shadowAt(double x, double y, Sun sun) {
-    const City city = cityOf({tower});
+/// Steps in shadow at one point beside the tower.
+float shadowAt(double x, double y, const SunSteps& sun) {
     Receivers receivers = receiversOver({}, 0, 0, 1, 1);
     receivers.grid.westM = x - 0.5;
     receivers.grid.southM = y - 0.5;
-    return traced(city, receivers, oneDay({sun})).grossMin[0];
+    return traced(cityOf({tower}), receivers, sun).grossMin[0];
+}
+float shadowAt(double x, double y, Sun sun) { return shadowAt(x, y, oneDay({sun})); }
+
+/// `count` suns due south, their x exactly 0 (or -0).
+SunSteps exactlySouth(double altitudeDeg, std::size_t count, float zero) {
+    SunSteps sun = oneDay(std::vector<Sun>(count, {180, altitudeDeg}));
+    for (SunStep& step : sun.steps) step.direction.x = zero;
+    return sun;
 }
 
 TEST(RayReference, aReceiverOnAWallIsLitInFrontAndDarkBehind) {
@@ -216,6 +223,15 @@ TEST(RayReference, alongAWallEdgesBlock) {
     EXPECT_EQ(shadowAt(10, 40, {180, 70}), 0) << "the same, above the roof";
     EXPECT_EQ(shadowAt(10.001, 40, {180, 30}), 0) << "beside the line";
     EXPECT_EQ(shadowAt(9.999, 40, {180, 30}), 1);
+}
+
+TEST(RayReference, alongAWallEdgesBlockInPacketsOfAnyCount) {
+    for (const float zero : {0.0F, -0.0F})
+        for (const std::size_t count : {1, 2, 15, 16, 17, 40})
+            for (const double wall : {0.0, 10.0}) {
+                EXPECT_EQ(shadowAt(wall, 40, exactlySouth(30, count, zero)), count) << wall << ' ' << zero;
+                EXPECT_EQ(shadowAt(wall, 40, exactlySouth(70, count, zero)), 0) << wall << ' ' << zero;
+            }
 }
 
 TEST(RayReference, aReceiverOnACorner) {
