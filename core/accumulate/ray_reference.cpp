@@ -79,7 +79,7 @@ private:
         std::size_t untilCheck = packetsBetweenChecks;
         for (const SunPacket& packet : packets_)
             for (Watcher& watcher : watchers) {
-                const std::uint32_t shadow = scene_.occluded(watcher.origin, packet.directions);
+                const std::uint32_t shadow = scene_.blockedLanes(watcher.origin, packet.directions);
                 watcher.runs.add(shadow, packet.starts, packet.directions.count);
                 if (--untilCheck != 0) continue;
                 if (stop_.stop_requested()) return;

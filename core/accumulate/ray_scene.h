@@ -51,7 +51,7 @@ public:
     [[nodiscard]] bool occluded(glm::vec3 origin, glm::vec3 direction) const;
 
     /// The same for rays from one origin: bit k is set where direction k is blocked. The fast way.
-    [[nodiscard]] std::uint32_t occluded(glm::vec3 origin, const DirectionPacket& directions) const;
+    [[nodiscard]] std::uint32_t blockedLanes(glm::vec3 origin, const DirectionPacket& directions) const;
 
     [[nodiscard]] std::optional<RayHit> firstHit(glm::vec3 origin, glm::vec3 direction) const;
 

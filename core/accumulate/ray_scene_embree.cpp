@@ -46,11 +46,11 @@ std::vector<std::uint32_t> allOf(const City& city) {
     return indices;
 }
 
-CityMesh meshOfSome(const City& city, std::span<const std::uint32_t> buildings) {
+CityMesh meshOfSome(const City& city, std::span<const std::uint32_t> buildings, const std::stop_token& stop) {
     City some;
     some.buildings.reserve(buildings.size());
     for (const std::uint32_t index : buildings) some.buildings.push_back(city.buildings[index]);
-    CityMesh mesh = meshOf(some);
+    CityMesh mesh = meshOf(some, stop);
     for (std::uint32_t& building : mesh.buildingOfTriangle) building = buildings[building];
     return mesh;
 }
@@ -155,6 +155,8 @@ struct RayScene::Tree {
 
     /// False when Embree could not.
     bool build(const CityMesh& buildings, const TriangleMesh& terrain, const std::stop_token& stop) {
+        // With the coherent packets that are traced, robust also means closed: a ray that just touches an
+        // edge is blocked.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         attach(device, scene, terrainId, terrain);
@@ -177,7 +179,7 @@ Result<RayScene> RayScene::over(const City& city, std::stop_token stop) {
 
 Result<RayScene> RayScene::over(const City& city, std::span<const std::uint32_t> buildings,
                                 std::stop_token stop) {
-    const CityMesh mesh = meshOfSome(city, buildings);
+    const CityMesh mesh = meshOfSome(city, buildings, stop);
     const TriangleMesh terrain = city.terrain ? meshOf(*city.terrain) : TriangleMesh{};
     if (stop.stop_requested()) return cancelled();
     auto tree = std::make_shared<Tree>();
@@ -198,7 +200,7 @@ bool RayScene::occluded(glm::vec3 origin, glm::vec3 direction) const {
     return ray.tfar < 0;
 }
 
-std::uint32_t RayScene::occluded(glm::vec3 origin, const DirectionPacket& directions) const {
+std::uint32_t RayScene::blockedLanes(glm::vec3 origin, const DirectionPacket& directions) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;

@@ -30,9 +30,9 @@ void clip(double direction, double low, double high, double& from, double& to) {
         if (low > 0 || high < 0) to = from - 1;
         return;
     }
-    const auto [nearer, farther] = std::minmax(low / direction, high / direction);
-    from = std::max(from, nearer);
-    to = std::min(to, farther);
+    const double atLow = low / direction, atHigh = high / direction;
+    from = std::max(from, std::min(atLow, atHigh));
+    to = std::min(to, std::max(atLow, atHigh));
 }
 
 struct LowestGround {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "core/city/building.h"
@@ -23,8 +24,9 @@ struct CityMesh {
     std::vector<std::uint32_t> buildingOfTriangle;  ///< one per triangle
 };
 
-/// O(points log points); about 0.3 s for 40,000 buildings. Terrain is not in it.
-CityMesh meshOf(const City& city);
+/// O(points log points), on all cores; about 0.3 s for 40,000 buildings on two. Terrain is not in it. After a
+/// stop request it returns soon, with what it has: look at the token.
+CityMesh meshOf(const City& city, const std::stop_token& stop = {});
 
 /// A closed mesh of a part: the part's own mesh, or its footprint extruded with triangulated caps.
 TriangleMesh meshOf(const Part& part);

@@ -1,3 +1,5 @@
+#include <tbb/parallel_for.h>
+
 #include <cstddef>
 
 #include "core/city/city.h"
@@ -49,14 +51,42 @@ void append(TriangleMesh& all, const TriangleMesh& one) {
     for (const glm::uvec3 triangle : one.triangles) all.triangles.push_back(triangle + first);
 }
 
+TriangleMesh meshOfParts(const Building& building) {
+    TriangleMesh all;
+    for (const Part& part : building.parts) append(all, meshOf(part));
+    return all;
+}
+
+std::vector<TriangleMesh> meshesOf(const City& city, const std::stop_token& stop) {
+    std::vector<TriangleMesh> meshes(city.buildings.size());
+    tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t i) {
+        if (!stop.stop_requested()) meshes[i] = meshOfParts(*city.buildings[i]);
+    });
+    return meshes;
+}
+
+CityMesh withRoomFor(const std::vector<TriangleMesh>& meshes) {
+    std::size_t vertices = 0, triangles = 0;
+    for (const TriangleMesh& mesh : meshes) {
+        vertices += mesh.vertices.size();
+        triangles += mesh.triangles.size();
+    }
+    CityMesh all;
+    all.mesh.vertices.reserve(vertices);
+    all.mesh.triangles.reserve(triangles);
+    all.buildingOfTriangle.reserve(triangles);
+    return all;
+}
+
 }  // namespace
 
 TriangleMesh meshOf(const Part& part) { return part.mesh ? *part.mesh : extruded(part); }
 
-CityMesh meshOf(const City& city) {
-    CityMesh all;
-    for (std::size_t i = 0; i < city.buildings.size(); ++i) {
-        for (const Part& part : city.buildings[i]->parts) append(all.mesh, meshOf(part));
+CityMesh meshOf(const City& city, const std::stop_token& stop) {
+    const std::vector<TriangleMesh> meshes = meshesOf(city, stop);
+    CityMesh all = withRoomFor(meshes);
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        append(all.mesh, meshes[i]);
         all.buildingOfTriangle.resize(all.mesh.triangles.size(), Index(i));
     }
     return all;

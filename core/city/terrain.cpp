@@ -6,7 +6,8 @@
 namespace noonmark {
 
 namespace {
-// Position among cell centres, kept inside them; `cell` is the lower neighbour, `share` how far towards the next.
+// Position among cell centres, kept inside them; `cell` is the lower neighbour, `share` how far towards the
+// next.
 struct Between {
     int cell;
     double share;
@@ -26,9 +27,11 @@ float elevationAt(const Terrain& terrain, glm::dvec2 point) {
     const int east = std::min(column + 1, grid.columns - 1);
     const int north = std::min(row + 1, grid.rows - 1);
     const auto at = [&](int c, int r) { return double(terrain.elevationM[grid.index(c, r)]); };
-    const double southern = std::lerp(at(column, row), at(east, row), x);
-    const double northern = std::lerp(at(column, north), at(east, north), x);
-    return float(std::lerp(southern, northern, y));
+    // The cell's diagonal runs from its south-western to its north-eastern corner, as in meshOf.
+    const double low = at(column, row), high = at(east, north);
+    const double side = x >= y ? at(east, row) : at(column, north);
+    const auto [nearer, farther] = std::minmax(x, y);
+    return float(low + farther * (side - low) + nearer * (high - side));
 }
 
 TriangleMesh meshOf(const Terrain& terrain) {
@@ -36,7 +39,8 @@ TriangleMesh meshOf(const Terrain& terrain) {
     TriangleMesh mesh;
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
-            mesh.vertices.emplace_back(glm::vec3(glm::dvec3(grid.centre(column, row), terrain.elevationM[grid.index(column, row)])));
+            mesh.vertices.emplace_back(
+                glm::vec3(glm::dvec3(grid.centre(column, row), terrain.elevationM[grid.index(column, row)])));
     for (int row = 0; row + 1 < grid.rows; ++row)
         for (int column = 0; column + 1 < grid.columns; ++column) {
             const auto corner = [&](int c, int r) { return std::uint32_t(grid.index(column + c, row + r)); };

@@ -8,7 +8,9 @@
 
 namespace noonmark {
 
-/// The ground as a grid of elevations. Between cell centres bilinear; beyond the outer centres the nearest value.
+/// The ground as a grid of elevations. Between cell centres it is the surface of meshOf's triangles, so
+/// that what stands on the ground and what the ground shades agree; beyond the outer centres the nearest
+/// value.
 struct Terrain {
     Grid grid;
     std::vector<float> elevationM;  ///< local z at cell centres, grid order (row 0 south); all finite
