@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,22 @@ public:
     /// The instant of a wall-clock time; minutes may pass 24 x 60 and then lie on the following days. A time
     /// that DST skips is taken as the instant of the jump; one that occurs twice as the first.
     [[nodiscard]] Instant instantAt(CivilDate date, std::chrono::minutes sinceMidnight) const;
+    [[nodiscard]] Instant instantOf(std::chrono::local_seconds wallClock) const;
 
     /// The civil date of an instant.
     [[nodiscard]] CivilDate dateAt(Instant at) const;
 
-    /// ISO 8601 with offset: "2026-03-21T09:00:00-04:00".
+    /// Local time less UTC.
+    [[nodiscard]] std::chrono::seconds offsetAt(std::chrono::sys_seconds at) const;
+
+    /// ISO 8601 with offset: "2026-03-21T09:00:00-04:00"; with milliseconds where there are any. Offsets of
+    /// local mean time (before 1940) are rounded to the minute that ISO 8601 allows, and the time with them.
     [[nodiscard]] std::string text(Instant at) const;
 
 private:
+    struct Rules;
     std::string name_ = "UTC";
+    std::shared_ptr<const Rules> rules_;  // none: UTC
 };
 
 /// The IANA names known on this machine, sorted.

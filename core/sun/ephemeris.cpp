@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,8 @@ using namespace std::chrono;
 // Two days apart the cubic through four nodes misses the sun by 0.000003 deg (the moon's pull on the earth is
 // what bends most).
 constexpr milliseconds spacing = days{2};
-constexpr Instant earliest = sys_days{1900y / January / 1} - days{2};
-constexpr Instant latest = sys_days{2101y / January / 1} + days{2};
+constexpr Instant earliest = sys_days{1900y / January / 1} - days{4};
+constexpr Instant latest = sys_days{2101y / January / 1} + days{4};
 
 /// The sun's vector between two nodes: a polynomial in the fraction of the way from one to the other.
 using Cubic = std::array<glm::dvec3, 4>;
@@ -32,9 +32,10 @@ Cubic cubicThrough(const glm::dvec3& before, const glm::dvec3& at, const glm::dv
 }
 
 std::vector<glm::dvec3> nodesFrom(Instant first, std::size_t count) {
-    std::vector<glm::dvec3> nodes;
-    for (std::size_t i = 0; i < count; ++i)
-        nodes.push_back(apparentSun(ttDays(first + spacing * std::int64_t(i))));
+    std::vector<glm::dvec3> nodes(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        nodes[i] = apparentSun(ttDays(first + spacing * std::int64_t(i)));
+    });
     return nodes;
 }
 

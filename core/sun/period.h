@@ -38,7 +38,12 @@ Result<Period> checked(const Period& period);
 /// "2026-03-21, 1 day, 09:00 for 6 h, every 1 min, America/New_York"
 std::string textOf(const Period& period);
 
-/// "sunrise+1.5h..sunset-1.5h"; hours or minutes ("90m"), sign optional, both parts may be bare.
+/// "sunrise+1.5h..sunset-1.5h"
+std::string textOf(const SolarWindow& window);
+
+/// "sunrise+1.5h..sunset-1.5h", "sunrise-30m..sunset", "+1h..-1h"; whole minutes, at most 12 h. Without a
+/// sign hours count into the day: "90m..90m" begins after sunrise and ends before sunset. The rule is that of
+/// the upper limb.
 Result<SolarWindow> parseSolarWindow(std::string_view text);
 
 }  // namespace noonmark

@@ -1,0 +1,101 @@
+#include "core/sun/period.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+
+using namespace std::chrono;
+
+constexpr auto firstYear = 1900y;
+constexpr auto lastYear = 2100y;
+constexpr int mostDays = 3660;
+constexpr double shortestStepMinutes = 1.0 / 60;
+constexpr double longestStepMinutes = 240;
+
+/// Not-a-number is out of every range.
+bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
+
+std::optional<Error> troubleWithDates(const Period& period) {
+    if (!period.start.ok())
+        return Error{"The start is no date of the calendar", "start", "Give a date such as 2026-03-21"};
+    if (!within(period.days, 1, mostDays)) {
+        return Error{fmt::format("A period of {} days is out of range", period.days), "days",
+                     fmt::format("Give 1 to {}", mostDays)};
+    }
+    const year_month_day last{sys_days{period.start} + days{period.days - 1}};
+    if (period.start.year() >= firstYear && last.year() <= lastYear) return std::nullopt;
+    return Error{fmt::format("The period from {} to {} leaves the years 1900 to 2100", textOf(period.start),
+                             textOf(last)),
+                 "start", "Choose other dates; the place of the sun is known for these years only"};
+}
+
+std::optional<Error> troubleWithHours(const Period& period) {
+    if (period.from < 0min || period.from > 24h) {
+        return Error{"The start of the day's hours is out of range", "from", "Give 00:00 to 24:00"};
+    }
+    if (!within(period.hours, 0, 24)) {
+        return Error{fmt::format("{:g} hours a day are out of range", period.hours), "hours",
+                     "Give 0 (one instant) to 24"};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> troubleWithWindow(const SolarWindow& window) {
+    if (abs(window.afterSunrise) <= 12h && abs(window.beforeSunset) <= 12h) return std::nullopt;
+    return Error{"The hours counted from sunrise or sunset are out of range", "window",
+                 "Give at most 12 hours on either side"};
+}
+
+std::optional<Error> troubleWithStep(const Period& period) {
+    if (within(period.stepMinutes, shortestStepMinutes, longestStepMinutes)) return std::nullopt;
+    return Error{fmt::format("A step of {:g} minutes is out of range", period.stepMinutes), "step",
+                 "Give 1/60 to 240 minutes"};
+}
+
+std::string hoursText(const Period& period) {
+    if (period.window) return textOf(*period.window);
+    if (period.hours == 0) return fmt::format("at {}", textOf(period.from));
+    return fmt::format("{} for {:g} h", textOf(period.from), period.hours);
+}
+
+/// "+1.5h", "-30m"; nothing for 0.
+std::string offsetText(minutes offset) {
+    if (offset == 0min) return {};
+    const bool halfHours = offset % 30min == 0min;
+    return halfHours ? fmt::format("{:+g}h", double(offset.count()) / 60)
+                     : fmt::format("{:+}m", offset.count());
+}
+
+}  // namespace
+
+Result<Period> checked(const Period& period) {
+    for (const auto& trouble :
+         {troubleWithDates(period), troubleWithHours(period), troubleWithStep(period)}) {
+        if (trouble) return tl::make_unexpected(*trouble);
+    }
+    if (period.window) {
+        if (const auto trouble = troubleWithWindow(*period.window)) return tl::make_unexpected(*trouble);
+    }
+    if (const auto zone = Zone::named(period.zone); !zone) return tl::make_unexpected(zone.error());
+    return period;
+}
+
+std::string textOf(const SolarWindow& window) {
+    return fmt::format("sunrise{}..sunset{}{}", offsetText(window.afterSunrise),
+                       offsetText(-window.beforeSunset),
+                       window.rule == SunriseRule::centre ? " (sun's centre)" : "");
+}
+
+std::string textOf(const Period& period) {
+    const bool instant = !period.window && period.hours == 0;
+    return fmt::format("{}, {} day{}, {}{}, {}{}", textOf(period.start), period.days,
+                       period.days == 1 ? "" : "s", hoursText(period),
+                       instant ? "" : fmt::format(", every {:g} min", period.stepMinutes), period.zone,
+                       period.refraction ? "" : ", no refraction");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,143 @@
+#include "core/sun/sun_steps.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <optional>
+
+namespace noonmark {
+
+namespace {
+
+using namespace std::chrono;
+
+constexpr double millisecondsPerMinute = 60000;
+constexpr double mostSteps = 50'000'000;  // 1.6 GB
+
+/// The steps of one day before the horizon is looked at.
+struct Window {
+    Instant from;
+    std::int64_t steps = 0;
+};
+
+double stepMinutesOf(const Period& period) {
+    const bool instant = !period.window && period.hours == 0;
+    return instant ? 1 : period.stepMinutes;
+}
+
+/// Whole steps that fit; a last one that is cut off isn't counted. Forgives rounding, so that 6 h of 0.1 min
+/// are 3600 steps.
+std::int64_t wholeSteps(double minutes, double stepMinutes) {
+    return std::max<std::int64_t>(0, std::llround(std::floor(minutes / stepMinutes + 1e-6)));
+}
+
+/// Where there is no sunrise or sunset because the sun stays up, the civil day itself bounds the window.
+Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant midnight, Instant nextMidnight,
+                   double stepMinutes) {
+    if (events.kind == DayKind::polarNight) return {midnight, 0};
+    const Instant from = events.sunrise ? *events.sunrise + window.afterSunrise : midnight;
+    const Instant to = events.sunset ? *events.sunset - window.beforeSunset : nextMidnight;
+    return {from, wholeSteps(duration<double, std::ratio<60>>(to - from).count(), stepMinutes)};
+}
+
+/// Makes the days of a period, each on its own.
+class Days {
+public:
+    Days(const Period& period, const Zone& zone, const Ephemeris& sun)
+        : period_(period), zone_(zone), sun_(sun), step_(stepMinutesOf(period)) {}
+
+    struct Steps {
+        SunDay day;
+        std::vector<SunStep> steps;
+    };
+
+    [[nodiscard]] Steps on(CivilDate date) const {
+        const Window window = windowOf(date);
+        Steps made{{date}, {}};
+        made.steps.reserve(std::size_t(window.steps));
+        for (std::int64_t slot = 0; slot < window.steps; ++slot) {
+            const auto step = stepAt(window.from, slot);
+            if (step) made.steps.push_back(*step);
+        }
+        made.day.count = std::uint32_t(made.steps.size());
+        made.day.belowHorizon = std::uint32_t(window.steps) - made.day.count;
+        return made;
+    }
+
+private:
+    [[nodiscard]] Window windowOf(CivilDate date) const {
+        if (period_.window) {
+            const Instant midnight = zone_.instantAt(date, 0min);
+            const SunEvents events = sunEvents(sun_, midnight, period_.window->rule);
+            return solarWindow(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
+        }
+        const Instant from = zone_.instantAt(date, period_.from);
+        return {from, period_.hours == 0 ? 1 : wholeSteps(period_.hours * 60, step_)};
+    }
+
+    /// Nothing while the sun is below the horizon.
+    [[nodiscard]] std::optional<SunStep> stepAt(Instant from, std::int64_t slot) const {
+        const Instant at = from + milliseconds{std::llround(double(slot) * step_ * millisecondsPerMinute)};
+        const SolarPosition position = sun_.at(at);
+        const Degrees altitude = period_.refraction ? position.altitudeApparent : position.altitude;
+        if (!(float(altitude.value) > 0)) return std::nullopt;
+        const float azimuth = float(position.azimuth.value);  // 359.99999 rounds to 360
+        return SunStep{glm::vec3(directionFromAzimuthAltitude(position.azimuth, altitude)),
+                       azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot), at};
+    }
+
+    const Period& period_;
+    const Zone& zone_;
+    const Ephemeris& sun_;
+    double step_;
+};
+
+std::vector<Days::Steps> allDays(const Period& period, const Days& days) {
+    std::vector<Days::Steps> made(std::size_t(period.days));
+    tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+        made[i] = days.on(CivilDate{sys_days{period.start} + std::chrono::days{i}});
+    });
+    return made;
+}
+
+SunSteps joined(std::vector<Days::Steps> days, double stepMinutes) {
+    SunSteps sun;
+    sun.stepMinutes = stepMinutes;
+    std::size_t count = 0;
+    for (const auto& [day, steps] : days) count += steps.size();
+    sun.steps.reserve(count);
+    for (auto& [day, steps] : days) {
+        day.first = std::uint32_t(sun.steps.size());
+        sun.belowHorizon += day.belowHorizon;
+        sun.days.push_back(day);
+        sun.steps.insert(sun.steps.end(), steps.begin(), steps.end());
+        steps = {};
+    }
+    return sun;
+}
+
+std::optional<Error> tooManySteps(const Period& period) {
+    const double hours = period.window ? 24 : period.hours;
+    const double steps = period.days * hours * 60 / period.stepMinutes;
+    if (steps <= mostSteps) return std::nullopt;
+    return Error{fmt::format("The period has up to {:.0f} million steps, which need {:.1f} GB", steps / 1e6,
+                             steps * sizeof(SunStep) / 1e9),
+                 "step", "Take a longer step or fewer days; 50 million steps are possible"};
+}
+
+}  // namespace
+
+Result<SunSteps> sunSteps(const Period& period, const Observer& observer) {
+    if (const auto good = checked(period); !good) return tl::make_unexpected(good.error());
+    if (const auto trouble = tooManySteps(period)) return tl::make_unexpected(*trouble);
+    const auto zone = Zone::named(period.zone);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const Instant first = zone->instantAt(period.start, 0min) - days{2};
+    const Instant last = zone->instantAt(period.start, days{period.days}) + days{2};
+    auto sun = Ephemeris::over(observer, first, last);
+    if (!sun) return tl::make_unexpected(sun.error());
+    return joined(allDays(period, Days(period, *zone, *sun)), stepMinutesOf(period));
+}
+
+}  // namespace noonmark

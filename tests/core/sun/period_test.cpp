@@ -1,0 +1,107 @@
+#include "core/sun/period.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace noonmark {
+namespace {
+
+using namespace std::chrono;
+using ::testing::HasSubstr;
+
+Period newYork() {
+    Period period;
+    period.zone = "America/New_York";
+    return period;
+}
+
+/// The field that `checked` complains of; empty if it doesn't.
+template <class Change>
+std::string fieldOfError(Change change) {
+    Period period = newYork();
+    change(period);
+    const auto result = checked(period);
+    return result ? "" : result.error().where;
+}
+
+TEST(Period, isTakenAsItIsWhereItIsInRange) {
+    const auto period = checked(newYork());
+    ASSERT_TRUE(period);
+    EXPECT_EQ(*period, newYork());
+    EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 0; }), "");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 24, p.from = 24h; }), "");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.days = 3660; }), "");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 1.0 / 60; }), "");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarWindow{-12h, -12h}; }), "");
+}
+
+TEST(Period, saysWhichFieldIsOutOfRange) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(fieldOfError([](Period& p) { p.start = 2026y / February / 30; }), "start");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.start = 1899y / December / 31; }), "start");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.start = 2100y / December / 31, p.days = 2; }), "start");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.days = 0; }), "days");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.days = -1; }), "days");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.days = 3661; }), "days");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.from = -1min; }), "from");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.from = 24h + 1min; }), "from");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 24.1; }), "hours");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.hours = -1; }), "hours");
+    EXPECT_EQ(fieldOfError([=](Period& p) { p.hours = nan; }), "hours");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 0; }), "step");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 241; }), "step");
+    EXPECT_EQ(fieldOfError([=](Period& p) { p.stepMinutes = nan; }), "step");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarWindow{13h, 0min}; }), "window");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.zone = "America/Gotham"; }), "zone");
+}
+
+TEST(PeriodText, saysItInOneLine) {
+    Period period = newYork();
+    EXPECT_EQ(textOf(period), "2026-03-21, 1 day, 09:00 for 6 h, every 1 min, America/New_York");
+    period.days = 365;
+    period.hours = 0;
+    period.refraction = false;
+    EXPECT_EQ(textOf(period), "2026-03-21, 365 days, at 09:00, America/New_York, no refraction");
+    period.window = SolarWindow{90min, 90min};
+    period.stepMinutes = 0.5;
+    EXPECT_EQ(
+        textOf(period),
+        "2026-03-21, 365 days, sunrise+1.5h..sunset-1.5h, every 0.5 min, America/New_York, no refraction");
+}
+
+TEST(SolarWindowText, isReadInItsForms) {
+    const auto read = [](const char* text) { return parseSolarWindow(text).value(); };
+    EXPECT_EQ(read("sunrise+1.5h..sunset-1.5h"), (SolarWindow{90min, 90min}));
+    EXPECT_EQ(read("sunrise-30m..sunset+30m"), (SolarWindow{-30min, -30min}));
+    EXPECT_EQ(read("sunrise..sunset"), (SolarWindow{}));
+    EXPECT_EQ(read("+1h..-1h"), (SolarWindow{60min, 60min}));
+    EXPECT_EQ(read("90m..1.5h"), (SolarWindow{90min, 90min}));
+    EXPECT_EQ(read("sunrise + 20 min .. sunset"), (SolarWindow{20min, 0min}));
+    EXPECT_EQ(read("Sunrise..Sunset-2H"), (SolarWindow{0min, 120min}));
+    EXPECT_EQ(read(".."), (SolarWindow{}));
+}
+
+TEST(SolarWindowText, roundTrips) {
+    for (int after = -720; after <= 720; after += 45) {
+        for (int before = -720; before <= 720; before += 31) {
+            const SolarWindow window{minutes{after}, minutes{before}};
+            EXPECT_EQ(parseSolarWindow(textOf(window)).value(), window) << textOf(window);
+        }
+    }
+}
+
+TEST(SolarWindowText, saysWhatItCannotRead) {
+    for (const char* text :
+         {"", "sunrise", "sunset..sunrise", "sunrise+1.5..sunset", "sunrise+h..sunset",
+          "sunrise+1.5.5h..sunset", "sunrise+13h..sunset", "sunrise+1h..sunset-1h..", "09:00..15:00",
+          "sunrise+0.33h..sunset", "sunrise++1h..sunset", "sunrise+1e1m..sunset", "sunrise+.h..sunset"}) {
+        const auto window = parseSolarWindow(text);
+        ASSERT_FALSE(window) << text;
+        EXPECT_THAT(window.error().text(), HasSubstr("Write it like"));
+    }
+}
+
+}  // namespace
+}  // namespace noonmark

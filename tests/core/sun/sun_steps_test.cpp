@@ -1,0 +1,281 @@
+#include "core/sun/sun_steps.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/core/sun/sun_near.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using namespace std::chrono;
+
+const Observer newYork = observerAt(40.75, -73.98);
+const Observer longyearbyen = observerAt(78.22, 15.65);
+
+Period periodIn(const std::string& zone, CivilDate start) {
+    Period period;
+    period.zone = zone;
+    period.start = start;
+    return period;
+}
+
+/// What holds for every result, whatever the period.
+void expectSound(const SunSteps& sun) {
+    std::size_t next = 0;
+    std::size_t below = 0;
+    for (const SunDay& day : sun.days) {
+        EXPECT_EQ(day.first, next);
+        next += day.count;
+        below += day.belowHorizon;
+        for (std::size_t i = day.first + 1; i < next; ++i) {
+            EXPECT_GT(sun.steps[i].slot, sun.steps[i - 1].slot);
+            EXPECT_GT(sun.steps[i].at, sun.steps[i - 1].at);
+        }
+    }
+    EXPECT_EQ(next, sun.steps.size());
+    EXPECT_EQ(below, sun.belowHorizon);
+    for (const SunStep& step : sun.steps) {
+        EXPECT_GT(step.altitudeDeg, 0);
+        EXPECT_GE(step.azimuthDeg, 0);
+        EXPECT_LT(step.azimuthDeg, 360);
+        EXPECT_GE(step.slot, 0);
+        EXPECT_NEAR(glm::length(step.direction), 1, 1e-6);
+        const auto expected = directionFromAzimuthAltitude({step.azimuthDeg}, {step.altitudeDeg});
+        EXPECT_LT(glm::length(glm::dvec3(step.direction) - expected), 1e-6);
+    }
+}
+
+SunSteps stepsOf(const Period& period, const Observer& observer) {
+    auto sun = sunSteps(period, observer);
+    EXPECT_TRUE(sun) << sun.error().text();
+    expectSound(*sun);
+    return std::move(*sun);
+}
+
+TEST(SunSteps, standForHalfOpenIntervals) {
+    const SunSteps sun = stepsOf(periodIn("America/New_York", 2026y / March / 21), newYork);
+    ASSERT_EQ(sun.steps.size(), 360);
+    EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 21, 13));
+    EXPECT_EQ(sun.steps.back().at, utc(2026, 3, 21, 18, 59));
+    EXPECT_EQ(sun.steps.back().slot, 359);
+    EXPECT_EQ(sun.sunlitMinutes(), 360);
+    EXPECT_EQ(sun.belowHorizon, 0);
+}
+
+TEST(SunSteps, areWhereTheSunIs) {
+    Period period = periodIn("America/New_York", 2026y / March / 21);
+    period.stepMinutes = 7;
+    for (const bool refraction : {true, false}) {
+        period.refraction = refraction;
+        for (const SunStep& step : stepsOf(period, newYork).steps) {
+            const SolarPosition exact = solarPosition(newYork, step.at);
+            const Degrees altitude = refraction ? exact.altitudeApparent : exact.altitude;
+            EXPECT_NEAR(step.altitudeDeg, altitude.value, 3e-5);
+            EXPECT_NEAR(step.azimuthDeg, exact.azimuth.value, 5e-5);
+        }
+    }
+}
+
+TEST(SunSteps, lastPartialStepIsNotCounted) {
+    Period period = periodIn("America/New_York", 2026y / March / 21);
+    period.stepMinutes = 7;
+    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 51);  // 360 / 7 = 51.4
+    period.stepMinutes = 0.1;
+    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 3600);
+    period.stepMinutes = 240;
+    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 1);
+    period.hours = 0.5;
+    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 0);
+}
+
+TEST(SunSteps, ofOneInstantADay) {
+    Period period = periodIn("America/New_York", 2026y / March / 6);
+    period.days = 3;
+    period.hours = 0;
+    period.stepMinutes = 10;
+    const SunSteps sun = stepsOf(period, newYork);
+    EXPECT_EQ(sun.stepMinutes, 1);
+    ASSERT_EQ(sun.steps.size(), 3);
+    EXPECT_EQ(sun.steps[0].at, utc(2026, 3, 6, 14));
+    EXPECT_EQ(sun.steps[2].at, utc(2026, 3, 8, 13));  // summer time
+}
+
+TEST(SunSteps, beginAtTheWallClockOnDaysOfChange) {
+    for (const auto& [date, first] : {std::pair{CivilDate{2026y / March / 8}, utc(2026, 3, 8, 13)},
+                                      std::pair{CivilDate{2026y / November / 1}, utc(2026, 11, 1, 14)}}) {
+        const SunSteps sun = stepsOf(periodIn("America/New_York", date), newYork);
+        EXPECT_EQ(sun.steps.size(), 360);
+        EXPECT_EQ(sun.steps.front().at, first);
+    }
+    Period night = periodIn("America/New_York", 2026y / March / 8);
+    night.from = 0min;
+    night.hours = 24;
+    const SunSteps sun = stepsOf(night, newYork);
+    EXPECT_EQ(sun.steps.size() + sun.belowHorizon, 1440);
+}
+
+TEST(SunSteps, leapDayIsADay) {
+    Period period = periodIn("America/New_York", 2028y / February / 28);
+    period.days = 3;
+    const SunSteps sun = stepsOf(period, newYork);
+    ASSERT_EQ(sun.dayCount(), 3);
+    EXPECT_EQ(sun.days[1].date, CivilDate{2028y / February / 29});
+    EXPECT_EQ(sun.days[2].date, CivilDate{2028y / March / 1});
+    EXPECT_EQ(sun.steps.size(), 3 * 360);
+}
+
+TEST(SunSteps, midnightSunFillsTheWholeDay) {
+    Period period = periodIn("Europe/Oslo", 2026y / June / 21);
+    period.from = 0min;
+    period.hours = 24;
+    const SunSteps sun = stepsOf(period, longyearbyen);
+    EXPECT_EQ(sun.steps.size(), 1440);
+    EXPECT_EQ(sun.belowHorizon, 0);
+    period.from = 20h;  // over midnight
+    period.hours = 8;
+    EXPECT_EQ(stepsOf(period, longyearbyen).steps.size(), 480);
+}
+
+TEST(SunSteps, polarNightHasDaysWithoutSteps) {
+    Period period = periodIn("Europe/Oslo", 2026y / December / 21);
+    period.days = 2;
+    const SunSteps sun = stepsOf(period, longyearbyen);
+    EXPECT_TRUE(sun.steps.empty());
+    ASSERT_EQ(sun.dayCount(), 2);
+    EXPECT_EQ(sun.days[1].count, 0);
+    EXPECT_EQ(sun.days[1].belowHorizon, 360);
+    EXPECT_EQ(sun.belowHorizon, 720);
+    EXPECT_EQ(sun.sunlitMinutes(), 0);
+    period.window = SolarWindow{};
+    EXPECT_EQ(stepsOf(period, longyearbyen).belowHorizon, 0);
+}
+
+TEST(SunSteps, belowTheHorizonLeaveAGapInTheSlots) {
+    // Longyearbyen in April: 24 hours from noon to noon, with a short night in the middle.
+    Period period = periodIn("Europe/Oslo", 2026y / April / 10);
+    period.from = 12h;
+    period.hours = 24;
+    const SunSteps sun = stepsOf(period, longyearbyen);
+    EXPECT_EQ(sun.steps.size() + sun.belowHorizon, 1440);
+    EXPECT_GT(sun.belowHorizon, 0);
+    int gaps = 0;
+    for (std::size_t i = 1; i < sun.steps.size(); ++i) gaps += sun.steps[i].slot != sun.steps[i - 1].slot + 1;
+    EXPECT_EQ(gaps, 1);
+    EXPECT_EQ(sun.steps.back().slot, 1439);
+}
+
+TEST(SunSteps, refractionLengthensTheDay) {
+    Period period = periodIn("America/New_York", 2026y / March / 21);
+    period.from = 0min;
+    period.hours = 24;
+    const std::size_t seen = stepsOf(period, newYork).steps.size();
+    period.refraction = false;
+    const std::size_t geometric = stepsOf(period, newYork).steps.size();
+    // 29' of refraction, twice, where the sun climbs 15 cos 40.75 deg an hour.
+    EXPECT_NEAR(double(seen - geometric), 2 * 60 * (29.0 / 60) / (15 * 0.7576), 2);
+    EXPECT_NEAR(double(geometric), 12 * 60 + 4, 6);
+}
+
+TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
+    Period period = periodIn("America/New_York", 2026y / March / 7);
+    period.days = 3;
+    period.window = SolarWindow{90min, 90min};
+    const SunSteps sun = stepsOf(period, newYork);
+    for (const SunDay& day : sun.days) {
+        const Instant midnight = Zone::named(period.zone)->instantAt(day.date, 0min);
+        const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+        EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
+        const double length =
+            duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
+        EXPECT_EQ(day.count, std::uint32_t(length));
+        EXPECT_EQ(day.belowHorizon, 0);
+        EXPECT_EQ(sun.steps[day.first].slot, 0);
+    }
+}
+
+TEST(SunSteps, windowBeforeSunriseCountsTheStepsWithoutSun) {
+    Period period = periodIn("America/New_York", 2026y / March / 21);
+    period.window = SolarWindow{-30min, -30min};
+    period.window->rule = SunriseRule::centre;
+    period.refraction = false;
+    const SunSteps sun = stepsOf(period, newYork);
+    EXPECT_NEAR(double(sun.belowHorizon), 60, 1);
+    EXPECT_EQ(sun.steps.front().slot, 30);
+}
+
+TEST(SunSteps, windowThatEndsBeforeItBeginsIsEmpty) {
+    Period period = periodIn("Europe/Oslo", 2026y / January / 20);
+    period.window = SolarWindow{90min, 90min};
+    const SunSteps sun = stepsOf(period, observerAt(69.65, 18.96));  // Tromso: the sun is up for an hour
+    EXPECT_EQ(sun.days.front().count, 0);
+    EXPECT_EQ(sun.belowHorizon, 0);
+}
+
+TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
+    Period period = periodIn("Europe/Oslo", 2026y / June / 21);
+    period.window = SolarWindow{90min, 90min};
+    const SunSteps sun = stepsOf(period, longyearbyen);
+    EXPECT_EQ(sun.steps.size(), 1440);
+    EXPECT_EQ(sun.steps.front().at, utc(2026, 6, 20, 22));
+}
+
+TEST(SunSteps, sunStandsInTheNorthOfTheTropicsAndTheSouth) {
+    Period period = periodIn("America/Bogota", 2026y / June / 21);
+    for (const SunStep& step : stepsOf(period, observerAt(4.6, -74.08)).steps) EXPECT_GT(step.direction.y, 0);
+    period = periodIn("Australia/Sydney", 2026y / June / 21);
+    const SunSteps sydney = stepsOf(period, observerAt(-33.87, 151.21));
+    EXPECT_GT(sydney.steps.front().direction.x, 0);
+    EXPECT_LT(sydney.steps.front().azimuthDeg, 90);
+    EXPECT_GT(sydney.steps.back().azimuthDeg, 270);
+}
+
+TEST(SunSteps, farZonesKeepTheirDates) {
+    const SunSteps sun =
+        stepsOf(periodIn("Pacific/Kiritimati", 2026y / March / 21), observerAt(1.87, -157.4));
+    EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 20, 19));
+    EXPECT_EQ(sun.steps.size(), 360);
+    EXPECT_NEAR(sun.steps.front().azimuthDeg, 90, 3);
+}
+
+TEST(SunSteps, ofAYearAreEightHoursADay) {
+    Period period = periodIn("America/New_York", 2026y / January / 1);
+    period.days = 365;
+    period.from = 8h;
+    period.hours = 8;
+    const SunSteps sun = stepsOf(period, newYork);
+    EXPECT_EQ(sun.steps.size(), 175200);
+    EXPECT_EQ(sun.dayCount(), 365);
+    EXPECT_EQ(sun.days.back().date, CivilDate{2026y / December / 31});
+}
+
+TEST(SunSteps, workAtBothEndsOfTheirYears) {
+    for (const char* zone : {"Pacific/Kiritimati", "Etc/GMT+12", "America/New_York"}) {
+        for (const CivilDate date : {CivilDate{1900y / January / 1}, CivilDate{2100y / December / 31}}) {
+            for (const auto& window :
+                 {std::optional<SolarWindow>{}, std::optional{SolarWindow{-12h, -12h}}}) {
+                Period period = periodIn(zone, date);
+                period.window = window;
+                EXPECT_FALSE(stepsOf(period, newYork).days.empty());
+            }
+        }
+    }
+    EXPECT_FALSE(sunSteps(periodIn("UTC", 1899y / December / 31), newYork));
+    EXPECT_FALSE(sunSteps(periodIn("UTC", 2101y / January / 1), newYork));
+}
+
+TEST(SunSteps, refuseWhatIsOutOfRange) {
+    Period period = periodIn("UTC", 2026y / January / 1);
+    EXPECT_EQ(sunSteps(period, observerAt(91, 0)).error().where, "latitude");
+    period.days = 3660;
+    period.hours = 24;
+    period.stepMinutes = 1.0 / 60;
+    EXPECT_EQ(sunSteps(period, newYork).error().where, "step");  // 316 million steps
+    period.days = 0;
+    EXPECT_EQ(sunSteps(period, newYork).error().where, "days");
+}
+
+}  // namespace
+}  // namespace noonmark
