@@ -7,52 +7,89 @@ namespace noonmark {
 
 namespace {
 
-int ceilToInt(double value) {
-    const int whole = int(value);
-    return whole + int(double(whole) < value);
+// Columns as 32.32 fixed point: a row costs one addition, and the error after a thousand rows is below 1e-6
+// of a cell.
+using Fixed = std::int64_t;
+constexpr double fixedOne = 4294967296.0;
+
+Fixed fixedFrom(double columns) { return Fixed(std::clamp(columns, -1e9, 1e9) * fixedOne); }
+int firstColumnAtOrBeyond(Fixed x, int columns) {
+    return int(std::clamp<Fixed>((x + Fixed(fixedOne) - 1) >> 32, 0, columns));
 }
 
-// First column at or beyond the edge, for rows [first, end). Vectorised, with the instruction set picked at
-// run time; no fused multiply-add, so that every processor gives the same columns.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-__attribute__((target_clones("avx512f", "avx2", "default")))
-#endif
-void walkEdge(double x, double y, double slope, int first, int end, int columns, std::int32_t* column) {
-    const double most = columns;
-    for (int row = first; row < end; ++row) {
-        const double at = x + (double(row) - y) * slope;
-        const double inside = at < 0 ? 0 : (at > most ? most : at);
-        const int whole = int(inside);
-        column[row] = whole + int(double(whole) < inside);
+int firstRowAtOrBeyond(double y, int rows) { return int(std::ceil(std::clamp(y, 0.0, double(rows)))); }
+
+/// One side of the polygon, walked upwards edge by edge.
+class Side {
+public:
+    Side(std::span<const glm::dvec2> polygon, std::size_t lowest, bool counterClockwise)
+        : polygon_(polygon), at_(lowest), forward_(counterClockwise), edgesLeft_(polygon.size()) {}
+
+    /// Moves on to the edge that crosses `row`; false above the last.
+    bool reach(int row, int rows) {
+        while (end_ <= row) {
+            if (edgesLeft_-- == 0) return false;
+            const glm::dvec2 a = polygon_[at_];
+            at_ = next();
+            const glm::dvec2 b = polygon_[at_];
+            if (b.y > a.y) start(a, b, row, rows);
+        }
+        return true;
+    }
+
+    [[nodiscard]] int end() const { return end_; }
+    [[nodiscard]] Fixed x() const { return x_; }
+    [[nodiscard]] Fixed slope() const { return slope_; }
+    void moveUp(int rows) { x_ += slope_ * rows; }
+
+private:
+    [[nodiscard]] std::size_t next() const {
+        if (forward_) return at_ + 1 == polygon_.size() ? 0 : at_ + 1;
+        return at_ == 0 ? polygon_.size() - 1 : at_ - 1;
+    }
+
+    void start(glm::dvec2 a, glm::dvec2 b, int row, int rows) {
+        end_ = firstRowAtOrBeyond(b.y, rows);
+        const double slope = (b.x - a.x) / (b.y - a.y);
+        slope_ = fixedFrom(slope);
+        x_ = fixedFrom(a.x + (double(row) - a.y) * slope);
+    }
+
+    std::span<const glm::dvec2> polygon_;
+    std::size_t at_;
+    bool forward_;
+    std::size_t edgesLeft_;
+    int end_ = -1;  // first row beyond the edge
+    Fixed x_ = 0;   // at the row last reached
+    Fixed slope_ = 0;
+};
+
+void fillRows(std::uint64_t* row, const BitLayout& layout, const Side& left, const Side& right, int count) {
+    Fixed west = left.x(), east = right.x();
+    for (int i = 0; i < count; ++i, west += left.slope(), east += right.slope(), row += layout.wordsPerRow) {
+        const int first = firstColumnAtOrBeyond(west, layout.columns),
+                  end = firstColumnAtOrBeyond(east, layout.columns);
+        if (first < end) setRun(row, first, end);
     }
 }
-
-int clampedCeil(double value, int limit) { return ceilToInt(std::clamp(value, -1.0, double(limit))); }
 
 }  // namespace
 
-ConvexFill::ConvexFill(const BitLayout& layout)
-    : layout_(layout), left_(std::size_t(layout.rows)), right_(std::size_t(layout.rows)) {}
-
-int ConvexFill::fill(std::span<const glm::dvec2> polygon, std::span<std::uint64_t> raster) {
-    int low = layout_.rows, high = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        glm::dvec2 a = polygon[i], b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-        if (a.y == b.y) continue;
-        const bool rising = a.y < b.y;  // the right side of a counter-clockwise polygon
-        if (!rising) std::swap(a, b);
-        const int first = std::max(0, clampedCeil(a.y, layout_.rows));
-        const int end = std::max(0, clampedCeil(b.y, layout_.rows));
-        if (first >= end) continue;
-        walkEdge(a.x, a.y, (b.x - a.x) / (b.y - a.y), first, end, layout_.columns,
-                 rising ? right_.data() : left_.data());
-        low = std::min(low, first);
-        high = std::max(high, end);
+int fillConvex(std::span<const glm::dvec2> polygon, const BitLayout& layout,
+               std::span<std::uint64_t> raster) {
+    const auto [low, high] = std::ranges::minmax_element(polygon, {}, &glm::dvec2::y);
+    const std::size_t lowest = std::size_t(low - polygon.begin());
+    Side left(polygon, lowest, false), right(polygon, lowest, true);
+    const int first = firstRowAtOrBeyond(low->y, layout.rows), top = firstRowAtOrBeyond(high->y, layout.rows);
+    int row = first;
+    while (row < top && left.reach(row, layout.rows) && right.reach(row, layout.rows)) {
+        const int count = std::min({left.end(), right.end(), top}) - row;
+        fillRows(layout.row(raster, row), layout, left, right, count);
+        left.moveUp(count);
+        right.moveUp(count);
+        row += count;
     }
-    for (int row = low; row < high; ++row)
-        if (left_[std::size_t(row)] < right_[std::size_t(row)])
-            setRun(layout_.row(raster, row), left_[std::size_t(row)], right_[std::size_t(row)]);
-    return std::max(0, high - low);
+    return row - first;
 }
 
 }  // namespace noonmark

@@ -67,7 +67,6 @@ std::vector<std::uint32_t> StepFiller::castersInReach(std::size_t first, std::si
 
 FillCount StepFiller::fill(std::size_t first, std::size_t end, std::span<std::uint64_t> rasters) const {
     FillCount count;
-    ConvexFill pen(layout_);
     std::vector<glm::dvec2> polygon;
     const std::vector<std::uint32_t> inReach = castersInReach(first, end);
     count.outOfReach = (casters_.casters.size() - inReach.size()) * (end - first);
@@ -78,7 +77,7 @@ FillCount StepFiller::fill(std::size_t first, std::size_t end, std::span<std::ui
         for (const std::uint32_t index : inReach) {
             shadowOf(casters_, casters_.casters[index], thrown, polygon);
             if (polygon.empty()) continue;
-            count.rows += std::uint64_t(pen.fill(polygon, raster));
+            count.rows += std::uint64_t(fillConvex(polygon, layout_, raster));
             ++count.polygons;
         }
     }

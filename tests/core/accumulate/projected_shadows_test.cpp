@@ -42,7 +42,6 @@ double differing(const City& city, const Receivers& receivers, const SunSteps& s
 TEST(ConvexFill, fillsWhatTheRasteriserFills) {
     const Grid grid{0, 0, 1, 130, 40};
     const BitLayout layout(grid);
-    ConvexFill pen(layout);
     std::mt19937 random(9);
     std::uniform_real_distribution<float> x(-40, 170), y(-20, 60);
     for (int round = 0; round < 500; ++round) {
@@ -53,7 +52,7 @@ TEST(ConvexFill, fillsWhatTheRasteriserFills) {
         std::vector<glm::dvec2> cells;
         for (const glm::vec2 point : ring) cells.push_back(glm::dvec2(point) - 0.5);
         std::vector<std::uint64_t> raster(layout.words()), expected(layout.words());
-        pen.fill(cells, raster);
+        fillConvex(cells, layout, raster);
         forEachRun({ring, {}}, grid,
                    [&](int row, int first, int end) { setRun(layout.row(expected, row), first, end); });
         ASSERT_EQ(raster, expected) << round;
