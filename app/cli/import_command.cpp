@@ -2,7 +2,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/load_city.h"
-#include "app/cli/written_city.h"
+#include "app/cli/save_city.h"
 
 namespace noonmark::cli {
 
@@ -17,7 +17,7 @@ struct ImportOptions {
 int runImport(const ImportOptions& options, const Console& console) {
     const auto loaded = loadCity(options.read, console);
     if (!loaded) return fail(console, loaded.error(), exitUsage);
-    return writeCity(loaded->read.city, options.out, options.json, console, loaded->read.warnings);
+    return saveCity(loaded->read.city, options.out, options.json, console, loaded->read.warnings);
 }
 
 }  // namespace

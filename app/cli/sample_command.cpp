@@ -7,7 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/load_city.h"
 #include "app/cli/table.h"
-#include "app/cli/written_city.h"
+#include "app/cli/save_city.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {
@@ -24,7 +24,7 @@ struct SampleOptions {
 int runSample(const SampleOptions& options, const Console& console) {
     const auto city = options.name == "grid" ? gridSample(options.grid) : sampleCity(options.name);
     if (!city) return fail(console, city.error(), exitUsage);
-    return writeCity(*city, options.out, options.json, console);
+    return saveCity(*city, options.out, options.json, console);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/cli/written_city.h"
+#include "app/cli/save_city.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ void printJson(const City& city, const std::filesystem::path& file, const Warnin
 
 }  // namespace
 
-int writeCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
+int saveCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
               const Warnings& ofReading) {
     const auto written = writeCityGeoPackage(file, city);
     if (!written) return fail(console, written.error(), exitFailed);
