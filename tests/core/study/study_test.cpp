@@ -1,0 +1,146 @@
+#include "core/study/study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+Ring square(float x, float y, float side) {
+    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+// One tower of 30 m and, 5 km to the north, one that cannot matter.
+City towers() {
+    City city{.frame = Frame({-73.98, 40.75})};
+    Building near{.sourceId = "near"};
+    near.parts.push_back({.footprint = {square(0, 0, 10), {}}, .topM = 30});
+    Building far{.sourceId = "far"};
+    far.parts.push_back({.footprint = {square(0, 5000, 10), {}}, .topM = 30});
+    city.buildings = {std::make_shared<const Building>(near), std::make_shared<const Building>(far)};
+    return city;
+}
+
+StudySettings aroundTheTower() {
+    StudySettings settings;
+    settings.region = regionFromLocalBox({{-50, -50}, {60, 60}});
+    settings.receivers.cellM = 2;
+    settings.period.zone = "America/New_York";
+    settings.period.stepMinutes = 10;
+    return settings;
+}
+
+Result<Study> run(const StudySettings& settings) {
+    NoProgress progress;
+    return runStudy(towers(), settings, progress, {});
+}
+
+std::string errorOf(const Result<Study>& study) { return study ? "no error" : study.error().text(); }
+
+TEST(RunStudy, fillsEveryPart) {
+    const auto study = run(aroundTheTower());
+    ASSERT_TRUE(study) << errorOf(study);
+    EXPECT_EQ(study->receivers.cells.size(), 55U * 55U - 25U);
+    EXPECT_EQ(study->statistics.receivers, study->receivers.cells.size());
+    EXPECT_EQ(study->sun.steps.size(), 36U);
+    EXPECT_EQ(study->field.cost.buildingsUsed, 1U);
+    EXPECT_GT(study->statistics.shadowAreaM2, 0);
+    EXPECT_LE(study->statistics.maxContinuousMin, study->statistics.maxGrossMin);
+    for (const char* stage : {"receivers", "sun", "accumulate", "total"})
+        EXPECT_TRUE(study->seconds.contains(stage)) << stage;
+}
+
+TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
+    StudySettings settings = aroundTheTower();
+    settings.region = regionFromLocalBox({{20000, 0}, {20100, 100}});
+    const Observer observer = observerOf({.city = towers(), .settings = settings});
+    const glm::dvec2 local = Frame({-73.98, 40.75}).localFromLonLat(observer.place);
+    EXPECT_NEAR(local.x, 20050, 0.1);
+    EXPECT_NEAR(local.y, 50, 0.1);
+}
+
+TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
+    StudySettings settings = aroundTheTower();
+    settings.engine = "magic";
+    EXPECT_THAT(errorOf(run(settings)), HasSubstr("magic"));
+    settings = aroundTheTower();
+    settings.period.days = 0;
+    EXPECT_FALSE(run(settings));
+    settings = aroundTheTower();
+    settings.period.zone = "Mars/Olympus";
+    EXPECT_THAT(errorOf(run(settings)), HasSubstr("Mars/Olympus"));
+    settings = aroundTheTower();
+    settings.receivers.cellM = 50;
+    EXPECT_THAT(errorOf(run(settings)), HasSubstr("0.25 to 10"));
+}
+
+TEST(RunStudy, refusesWhatHasNoAnswer) {
+    StudySettings settings = aroundTheTower();
+    settings.region = regionFromLocalBox({{2, 2}, {8, 8}});
+    EXPECT_THAT(errorOf(run(settings)), HasSubstr("open ground"));
+    settings = aroundTheTower();
+    settings.period.from = std::chrono::hours(0);
+    settings.period.hours = 3;
+    EXPECT_THAT(errorOf(run(settings)), HasSubstr("below the horizon"));
+}
+
+TEST(RunStudy, refusesWhatDoesNotFit) {
+    StudySettings settings = aroundTheTower();
+    settings.memoryLimit = 1000;
+    EXPECT_THAT(errorOf(run(settings)), HasSubstr("would need"));
+}
+
+TEST(RunStudy, stopsWhenAsked) {
+    std::stop_source stop;
+    stop.request_stop();
+    NoProgress progress;
+    const auto study = runStudy(towers(), aroundTheTower(), progress, stop.get_token());
+    ASSERT_FALSE(study);
+    EXPECT_TRUE(isCancelled(study.error()));
+}
+
+TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
+    auto study = run(aroundTheTower());
+    ASSERT_TRUE(study) << errorOf(study);
+    study->inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
+    study->warnings = {{WarningKind::dropped, "no area", "way 5"}};
+    const auto json = nlohmann::json::parse(studyJson(*study));
+    EXPECT_EQ(json["engine"], "ray");
+    EXPECT_EQ(json["steps"], 36);
+    EXPECT_EQ(json["receivers"], study->statistics.receivers);
+    EXPECT_EQ(json["buildings_used"], 1);
+    ASSERT_TRUE(json["buildings_skipped"].is_object());
+    EXPECT_EQ(json["buildings_skipped"].begin().value(), 1);
+    EXPECT_TRUE(json["seconds"]["total"].is_number());
+    EXPECT_TRUE(json["seconds"]["accumulate"].is_number());
+    EXPECT_EQ(json["shadow_area_m2"], study->statistics.shadowAreaM2);
+    EXPECT_EQ(json["mean_gross_min"], study->statistics.meanGrossMin);
+    EXPECT_EQ(json["mean_continuous_min"], study->statistics.meanContinuousMin);
+    EXPECT_EQ(json["max_continuous_min"], study->statistics.maxContinuousMin);
+    EXPECT_EQ(json["warnings"][0]["where"][0], "way 5");
+    EXPECT_EQ(json["period"]["zone"], "America/New_York");
+    EXPECT_EQ(json["cells"]["under_buildings"], 25);
+    EXPECT_EQ(json["cells"]["crs"], study->city.frame.projString());
+    EXPECT_EQ(json["inputs"][0]["sha256"], "abc");
+    EXPECT_TRUE(json["inputs"][1]["sha256"].is_null());
+    EXPECT_THAT(json["definitions"]["fraction_of_time"].get<std::string>(), HasSubstr("above the horizon"));
+}
+
+TEST(StudyJson, aSolarWindowReplacesTheHours) {
+    StudySettings settings = aroundTheTower();
+    settings.period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(60)};
+    const auto study = run(settings);
+    ASSERT_TRUE(study) << errorOf(study);
+    const auto period = nlohmann::json::parse(studyJson(*study))["period"];
+    EXPECT_TRUE(period["from"].is_null());
+    EXPECT_TRUE(period["hours"].is_null());
+    EXPECT_EQ(period["window"]["after_sunrise_min"], 90);
+    EXPECT_EQ(period["window"]["before_sunset_min"], 60);
+}
+
+}  // namespace
+}  // namespace noonmark
