@@ -1,0 +1,136 @@
+#include "core/io/read_region.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/city/footprint.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+const Frame frame({-73.98, 40.75});
+
+double areaOf(const Region& region) {
+    double sum = 0;
+    for (const Footprint& polygon : region.polygons) sum += area(polygon);
+    return sum;
+}
+
+std::string errorOf(const Result<Region>& region) { return region ? "no error" : region.error().text(); }
+
+std::string collection(const std::string& geometries, const std::string& crs = "") {
+    return R"({"type":"FeatureCollection",)" + crs + R"("features":[)" + geometries + "]}";
+}
+std::string feature(const std::string& type, const std::string& coordinates) {
+    return R"({"type":"Feature","properties":{},"geometry":{"type":")" + type + R"(","coordinates":)" +
+           coordinates + "}}";
+}
+constexpr const char* block =
+    "[[[-73.985,40.748],[-73.975,40.748],[-73.975,40.752],[-73.985,40.752],[-73.985,40.748]]]";
+
+TEST(ReadRegion, boxInDegrees) {
+    const auto region = readRegion("-73.985,40.748,-73.975,40.752", frame);
+    ASSERT_TRUE(region) << errorOf(region);
+    EXPECT_NEAR(areaOf(*region), 844.6 * 444.2, 0.002 * 844.6 * 444.2);
+    EXPECT_TRUE(readRegion(" -73.985, 40.748, -73.975, 40.752", frame));
+}
+
+TEST(ReadRegion, boxThatIsNotOne) {
+    EXPECT_THAT(errorOf(readRegion("-73.985,40.748,-73.975", frame)), HasSubstr("four numbers"));
+    EXPECT_THAT(errorOf(readRegion("-73.985,40.748,-73.975,40.752,7", frame)), HasSubstr("four numbers"));
+    EXPECT_THAT(errorOf(readRegion("-73.985,40.748,-73.975,north", frame)), HasSubstr("four numbers"));
+    EXPECT_THAT(errorOf(readRegion("", frame)), HasSubstr("four numbers"));
+    EXPECT_THAT(errorOf(readRegion("-73.975,40.748,-73.985,40.752", frame)), HasSubstr("empty"));
+    EXPECT_FALSE(readRegion("nan,40.748,-73.985,40.752", frame));
+}
+
+TEST(ReadRegion, boxOfAnotherCity) {
+    EXPECT_THAT(errorOf(readRegion("13.3,52.5,13.4,52.6", frame)), HasSubstr("km from the city"));
+    EXPECT_THAT(errorOf(readRegion("40.748,-73.985,40.752,-73.975", frame)),
+                HasSubstr("west,south,east,north"));
+}
+
+TEST(ReadRegion, polygonFileIsTheSamePlaceAsTheBox) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file("block.geojson", collection(feature("Polygon", block)));
+    const auto region = readRegion(file.string(), frame);
+    ASSERT_TRUE(region) << errorOf(region);
+    EXPECT_EQ(region->name, "block");
+    const auto box = readRegion("-73.985,40.748,-73.975,40.752", frame);
+    EXPECT_NEAR(areaOf(*region), areaOf(*box), 1);
+    EXPECT_NEAR(bounds(*region).low.x, bounds(*box).low.x, 0.01);
+    EXPECT_NEAR(bounds(*region).high.y, bounds(*box).high.y, 0.01);
+}
+
+TEST(ReadRegion, allPolygonsCountAndNothingElse) {
+    const tests::TemporaryFolder folder;
+    const std::string two =
+        "[[[[-73.980,40.75],[-73.979,40.75],[-73.979,40.751],[-73.980,40.75]]],"
+        "[[[-73.970,40.75],[-73.969,40.75],[-73.969,40.751],[-73.970,40.75]]]]";
+    const auto file = folder.file(
+        "three.geojson", collection(feature("Polygon", block) + "," + feature("MultiPolygon", two) + "," +
+                                    feature("Point", "[-73.98,40.75]")));
+    const auto region = readRegion(file.string(), frame);
+    ASSERT_TRUE(region) << errorOf(region);
+    EXPECT_EQ(region->polygons.size(), 3U);
+}
+
+TEST(ReadRegion, projectedFeetAreReprojected) {
+    const tests::TemporaryFolder folder;
+    // New York State Plane, feet: 1000 ft x 500 ft near Bryant Park.
+    const auto file = folder.file(
+        "feet.geojson",
+        collection(
+            feature("Polygon",
+                    "[[[988000,213000],[989000,213000],[989000,213500],[988000,213500],[988000,213000]]]"),
+            R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2263"}},)"));
+    const auto region = readRegion(file.string(), frame);
+    ASSERT_TRUE(region) << errorOf(region);
+    const double squareFootM2 = 0.3048006 * 0.3048006;
+    EXPECT_NEAR(areaOf(*region), 1000 * 500 * squareFootM2, 0.001 * 1000 * 500 * squareFootM2);
+}
+
+TEST(ReadRegion, bowTieIsRepaired) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file(
+        "bow.geojson",
+        collection(feature(
+            "Polygon", "[[[-73.98,40.75],[-73.97,40.76],[-73.97,40.75],[-73.98,40.76],[-73.98,40.75]]]")));
+    const auto region = readRegion(file.string(), frame);
+    ASSERT_TRUE(region) << errorOf(region);
+    EXPECT_EQ(region->polygons.size(), 2U);
+}
+
+TEST(ReadRegion, filesThatAreNoRegion) {
+    const tests::TemporaryFolder folder;
+    EXPECT_THAT(errorOf(readRegion(folder.file("words.txt", "hello").string(), frame)),
+                HasSubstr("words.txt"));
+    EXPECT_THAT(errorOf(readRegion(folder.file("empty.geojson", collection("")).string(), frame)),
+                HasSubstr("no polygon"));
+    EXPECT_THAT(
+        errorOf(readRegion(
+            folder.file("points.geojson", collection(feature("Point", "[-73.98,40.75]"))).string(), frame)),
+        HasSubstr("no polygon"));
+    EXPECT_THAT(
+        errorOf(readRegion(
+            folder.file("metres.geojson", collection(feature("Polygon", "[[[0,0],[500,0],[500,500],[0,0]]]")))
+                .string(),
+            frame)),
+        HasSubstr("CRS"));
+    EXPECT_THAT(errorOf(readRegion(folder.path("missing.geojson").string(), frame)),
+                HasSubstr("no such file"));
+}
+
+TEST(ReadRegion, fileWithoutCrs) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file("plain.csv", "id,WKT\n1,\"POLYGON((0 0,10 0,10 10,0 0))\"\n");
+    EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("coordinate reference system"));
+}
+
+}  // namespace
+}  // namespace noonmark
