@@ -38,7 +38,8 @@ int firstColumn(const Grid& grid, double x) {
 void forEachRun(const Footprint& footprint, const Grid& grid,
                 const std::function<void(int row, int firstColumn, int endColumn)>& fill) {
     if (footprint.outer.size() < 3) return;
-    const Box2 box = bounds(footprint);
+    Box2 box = bounds(footprint.outer);
+    for (const Ring& hole : footprint.holes) box.add(bounds(hole));  // even-odd: holes may stick out
     const int first = std::max(0, firstAtOrBeyond(box.low.y, grid.southM, grid.cellM, grid.rows) - 1);
     const int end = std::min(grid.rows, firstAtOrBeyond(box.high.y, grid.southM, grid.cellM, grid.rows) + 1);
     Crossings crossings;

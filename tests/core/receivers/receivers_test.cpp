@@ -1,0 +1,125 @@
+#include "core/receivers/receivers.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace noonmark {
+namespace {
+
+Footprint rectangle(float west, float south, float east, float north) {
+    return {{{west, south}, {east, south}, {east, north}, {west, north}}, {}};
+}
+
+std::shared_ptr<const Building> building(const Footprint& footprint, bool hangs = false) {
+    Building made;
+    made.parts.push_back({.footprint = footprint, .topM = 20, .hangs = hangs});
+    return std::make_shared<const Building>(made);
+}
+
+Receivers receiversOf(const City& city, const Region& region, double cellM = 1) {
+    auto receivers = receiversOnGround(city, region, {.cellM = cellM});
+    EXPECT_TRUE(receivers.has_value());
+    return receivers.value_or(Receivers{});
+}
+
+std::ptrdiff_t countOf(const Receivers& receivers, CellKind kind) {
+    return std::count(receivers.kind.begin(), receivers.kind.end(), kind);
+}
+
+TEST(Receivers, cellsOutsideTheRegionAndUnderBuildingsAreNone) {
+    City city;
+    city.buildings = {building(rectangle(2, 2, 5, 4)), building(rectangle(-5, 0, -1, 9))};
+    const Region triangle{"lawn", {Footprint{{{0, 0}, {10, 0}, {0, 10}}, {}}}};
+    const Receivers receivers = receiversOf(city, triangle);
+    EXPECT_EQ(receivers.grid, (Grid{0, 0, 1, 10, 10}));
+    EXPECT_EQ(countOf(receivers, CellKind::building), 6);
+    EXPECT_EQ(countOf(receivers, CellKind::ground), std::ptrdiff_t(receivers.cells.size()));
+    EXPECT_NEAR(double(receivers.cells.size()), 50 - 6, 5);
+    EXPECT_TRUE(std::is_sorted(receivers.cells.begin(), receivers.cells.end()));
+    for (const std::uint32_t cell : receivers.cells) EXPECT_EQ(receivers.kind[cell], CellKind::ground);
+    EXPECT_EQ(receivers.kind[receivers.grid.index(9, 9)], CellKind::outside);
+    EXPECT_EQ(receivers.kind[receivers.grid.index(2, 3)], CellKind::building);
+}
+
+TEST(Receivers, rowsGoNorthAndColumnsEast) {
+    const Receivers receivers = receiversOf({}, regionFromLocalBox({{-3, 10}, {2, 14}}), 0.5);
+    EXPECT_EQ(receivers.grid, (Grid{-3, 10, 0.5, 10, 8}));
+    EXPECT_EQ(receivers.position(0), glm::vec3(-2.75F, 10.25F, 0));
+    EXPECT_EQ(receivers.position(9), glm::vec3(1.75F, 10.25F, 0));
+    EXPECT_EQ(receivers.position(79), glm::vec3(1.75F, 13.75F, 0));
+    EXPECT_TRUE(receivers.flat());
+}
+
+TEST(Receivers, hangingPartsLeaveTheGroundBelow) {
+    City city;
+    city.buildings = {building(rectangle(0, 0, 4, 4), true)};
+    const Region region = regionFromLocalBox({{0, 0}, {8, 8}});
+    EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 0);
+    city.buildings.push_back(building(rectangle(2, 2, 6, 6)));
+    EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 16);
+}
+
+TEST(Receivers, courtyardsAreGround) {
+    Footprint court = rectangle(0, 0, 8, 8);
+    court.holes = {{{2, 2}, {2, 5}, {5, 5}, {5, 2}}};
+    City city;
+    city.buildings = {building(court)};
+    EXPECT_EQ(receiversOf(city, regionFromLocalBox({{0, 0}, {8, 8}})).cells.size(), 9U);
+}
+
+TEST(Receivers, overlappingRegionsShareTheirCells) {
+    for (const double cellM : {0.25, 0.3, 1.0, 7.0}) {
+        const Grid one = receiversOf({}, regionFromLocalBox({{-10.3F, 4.1F}, {30, 30}}), cellM).grid;
+        const Grid other = receiversOf({}, regionFromLocalBox({{3.9F, -20.7F}, {40, 12}}), cellM).grid;
+        for (const double apart : {(one.westM - other.westM) / cellM, (one.southM - other.southM) / cellM})
+            EXPECT_NEAR(apart, std::round(apart), 1e-9) << cellM;
+        EXPECT_LE(one.westM, -10.3);
+        EXPECT_GE(one.eastM(), 30);
+    }
+}
+
+TEST(Receivers, standOnTheTerrain) {
+    City city;
+    city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 2, 2}, {0, 10, 0, 10}});
+    const Receivers receivers = receiversOf(city, regionFromLocalBox({{0, 0}, {20, 20}}));
+    EXPECT_FALSE(receivers.flat());
+    EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(0, 3))).z, 0);
+    EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(10, 3))).z, 5.5);
+    EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(19, 3))).z, 10);
+}
+
+TEST(Receivers, tilesAreTheWholeCutIntoRows) {
+    City city;
+    city.buildings = {building(rectangle(2, 2, 5, 14))};
+    city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 2, 2}, {0, 10, 20, 30}});
+    const Receivers whole = receiversOf(city, regionFromLocalBox({{0, 0}, {12, 17}}));
+    std::size_t cells = 0;
+    for (int first = 0; first < whole.grid.rows; first += 5) {
+        const Receivers tile = rowsOf(whole, first, std::min(first + 5, whole.grid.rows));
+        const auto shift = std::uint32_t(whole.grid.index(0, first));
+        for (const std::uint32_t cell : tile.cells) {
+            EXPECT_EQ(tile.position(cell), whole.position(cell + shift));
+            EXPECT_EQ(whole.cells[cells++], cell + shift);
+        }
+    }
+    EXPECT_EQ(cells, whole.cells.size());
+    EXPECT_TRUE(rowsOf(whole, 3, 3).cells.empty());
+}
+
+TEST(Receivers, whatCannotBeIsRefusedInWords) {
+    const Region region = regionFromLocalBox({{0, 0}, {8, 8}});
+    for (const double cellM : {0.0, -1.0, 0.2, 10.5, std::nan("")})
+        EXPECT_THAT(receiversOnGround({}, region, {.cellM = cellM}).error().text(),
+                    testing::HasSubstr("0.25 to 10"));
+    EXPECT_THAT(receiversOnGround({}, {"empty", {}}, {}).error().text(), testing::HasSubstr("no area"));
+    const Region huge = regionFromLocalBox({{0, 0}, {60000, 60000}});
+    EXPECT_THAT(receiversOnGround({}, huge, {}).error().text(), testing::HasSubstr("3.6 billion cells"));
+    const Region absurd = regionFromLocalBox({{-1e20F, -1e20F}, {1e20F, 1e20F}});
+    EXPECT_FALSE(receiversOnGround({}, absurd, {}).has_value());
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,39 @@
+#include "core/receivers/region.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace noonmark {
+namespace {
+
+TEST(Region, lonLatBoxFollowsTheParallels) {
+    const Frame frame({-73.98, 40.75});
+    const auto region = regionFromLonLatBox(frame, -74.0, 40.74, -73.96, 40.76);
+    ASSERT_TRUE(region.has_value());
+    ASSERT_EQ(region->polygons.size(), 1U);
+    const Footprint& polygon = region->polygons[0];
+    EXPECT_GT(signedArea(polygon.outer), 0);
+    // Known lengths at 40.75 N: 111,049 m a degree of latitude, 84,443 m a degree of longitude.
+    EXPECT_NEAR(area(polygon), 0.02 * 111049 * 0.04 * 84443, 0.02 * 111049 * 0.04 * 84443 * 1e-3);
+    EXPECT_TRUE(contains(polygon, {0, 0}));
+    for (const glm::vec2 point : polygon.outer) {
+        const LonLat place = frame.lonLatFromLocal(glm::dvec2(point));
+        const bool onMeridian = std::abs(std::abs(place.lonDeg + 73.98) - 0.02) < 1e-7;
+        const bool onParallel = std::abs(std::abs(place.latDeg - 40.75) - 0.01) < 1e-7;
+        EXPECT_TRUE(onMeridian || onParallel) << place.lonDeg << ' ' << place.latDeg;
+    }
+}
+
+TEST(Region, boxesThatAreNoneAreRefused) {
+    const Frame frame({-73.98, 40.75});
+    EXPECT_FALSE(regionFromLonLatBox(frame, -73.96, 40.74, -74.0, 40.76).has_value());
+    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.76, -73.96, 40.74).has_value());
+    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.74, -74.0, 40.76).has_value());
+    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.74, -73.96, 90.1).has_value());
+    EXPECT_FALSE(regionFromLonLatBox(frame, -181, 40.74, -73.96, 40.76).has_value());
+    EXPECT_FALSE(regionFromLonLatBox(frame, std::nan(""), 40.74, -73.96, 40.76).has_value());
+}
+
+}  // namespace
+}  // namespace noonmark
