@@ -118,7 +118,7 @@ MeshParts partsOf(const TriangleMesh& raw, const std::string& sourceId, const st
     removeDegenerateTriangles(mesh);
     const std::size_t dropped = raw.triangles.size() - mesh.triangles.size();
     if (dropped > 0)
-        result.warnings.push_back({WarningKind::mended, "triangles without area were left out",
+        result.warnings.push_back({WarningKind::mended, "faces without area were left out",
                                    fmt::format("{} ({})", where, dropped)});
     if (mesh.triangles.empty() || !hasHeight(mesh)) {
         warn(WarningKind::dropped, "has no height, so it casts no shadow");

@@ -10,7 +10,8 @@
 
 namespace noonmark::tests {
 
-/// A folder of its own for a test that writes files, also when two programs run the same test; gone with the test.
+/// A folder of its own for a test that writes files, also when two programs run the same test; gone with the
+/// test.
 class TemporaryFolder {
 public:
     TemporaryFolder() {

@@ -1,0 +1,92 @@
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/io/guarded_files.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr std::size_t mostReadsAtEnd = 100;
+constexpr std::size_t mostTimesOver =
+    100;  // a reader may go over a file a few times, to find its format and then to read it
+
+class GuardedStream final : public Assimp::IOStream {
+public:
+    GuardedStream(const char* path, std::stop_token stop)
+        : stream_(path, std::ios::binary), stop_(std::move(stop)) {
+        std::error_code error;
+        size_ = std::size_t(std::filesystem::file_size(path, error));
+        if (error) size_ = 0;
+    }
+    [[nodiscard]] bool isOpen() const { return stream_.is_open(); }
+
+    size_t Read(void* buffer, size_t size, size_t count) override {
+        if (stop_.stop_requested()) throw std::runtime_error("stopped");
+        stream_.clear();
+        stream_.read(static_cast<char*>(buffer), std::streamsize(size * count));
+        const auto got = std::size_t(stream_.gcount());
+        countRead(got);
+        return size == 0 ? 0 : got / size;
+    }
+    size_t Write(const void*, size_t, size_t) override { return 0; }
+    aiReturn Seek(size_t offset, aiOrigin origin) override {
+        stream_.clear();
+        const auto from = origin == aiOrigin_SET   ? std::ios::beg
+                          : origin == aiOrigin_CUR ? std::ios::cur
+                                                   : std::ios::end;
+        if (origin == aiOrigin_SET && offset > size_) return aiReturn_FAILURE;
+        stream_.seekg(std::streamoff(offset), from);
+        return stream_ ? aiReturn_SUCCESS : aiReturn_FAILURE;
+    }
+    [[nodiscard]] size_t Tell() const override {
+        return std::size_t(const_cast<std::ifstream&>(stream_).tellg());
+    }
+    [[nodiscard]] size_t FileSize() const override { return size_; }
+    void Flush() override {}
+
+private:
+    void countRead(std::size_t got) {
+        readInAll_ += got;
+        readsAtEnd_ += got == 0 ? 1 : 0;
+        const bool roundAndRound = readsAtEnd_ > mostReadsAtEnd || readInAll_ / mostTimesOver > size_ + 65536;
+        if (roundAndRound) throw std::runtime_error("the file breaks off");
+    }
+
+    std::ifstream stream_;
+    std::stop_token stop_;
+    std::size_t size_ = 0;
+    std::size_t readInAll_ = 0;
+    std::size_t readsAtEnd_ = 0;
+};
+
+class GuardedFiles final : public Assimp::IOSystem {
+public:
+    explicit GuardedFiles(std::stop_token stop) : stop_(std::move(stop)) {}
+    bool Exists(const char* path) const override {
+        std::error_code ignored;
+        return std::filesystem::exists(path, ignored);
+    }
+    [[nodiscard]] char getOsSeparator() const override {
+        return char(std::filesystem::path::preferred_separator);
+    }
+    Assimp::IOStream* Open(const char* path, const char*) override {
+        auto stream = std::make_unique<GuardedStream>(path, stop_);
+        return stream->isOpen() ? stream.release() : nullptr;
+    }
+    void Close(Assimp::IOStream* stream) override { delete stream; }
+
+private:
+    std::stop_token stop_;
+};
+
+}  // namespace
+
+std::unique_ptr<Assimp::IOSystem> guardedFiles(std::stop_token stop) {
+    return std::make_unique<GuardedFiles>(std::move(stop));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,195 @@
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "core/city/mesh_topology.h"
+#include "core/city/surface_mesher.h"
+#include "core/io/guarded_files.h"
+#include "core/io/mesh_buildings.h"
+#include "core/io/mesh_file_check.h"
+#include "core/io/read_part.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr const char* anchorAdvice =
+    "A mesh does not say where it stands: give the longitude and latitude of its origin, or open a file that "
+    "has a place first";
+
+// From the mesh's axes and unit to metres east, north and up of its origin.
+class Placement {
+public:
+    Placement(const ReadSettings& settings, glm::dvec2 origin)
+        : metres_(metresPerUnit(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
+        const double north = settings.meshNorthDeg * std::numbers::pi / 180;
+        sin_ = std::sin(north);
+        cos_ = std::cos(north);
+    }
+    // The mesh's north axis runs along its azimuth (sin, cos), its east axis a right angle clockwise of that.
+    [[nodiscard]] glm::dvec3 local(const aiVector3D& point) const {
+        const double x = double(point.x) * metres_;
+        const double y = (yUp_ ? -double(point.z) : double(point.y)) * metres_;
+        const double z = double(yUp_ ? point.y : point.z) * metres_;
+        return {origin_.x + x * cos_ + y * sin_, origin_.y - x * sin_ + y * cos_, z};
+    }
+
+private:
+    static double metresPerUnit(LengthUnit unit) {
+        switch (unit) {
+            case LengthUnit::metres:
+                return 1;
+            case LengthUnit::feet:
+                return 0.3048;
+            case LengthUnit::usSurveyFeet:
+                return 1200.0 / 3937.0;
+        }
+        return 1;
+    }
+    double metres_;
+    bool yUp_;
+    glm::dvec2 origin_;
+    double sin_ = 0;
+    double cos_ = 1;
+};
+
+struct FaceCounts {
+    std::size_t broken =
+        0;  // corners that are not there: what broken files have, and Assimp does not always look
+    std::size_t degenerate = 0;  // no area
+};
+
+// Polygons are triangulated here: Assimp's own step ends the program on some broken files.
+FaceCounts addFaces(const aiMesh& source, bool mirrored, SurfaceMesher& mesher) {
+    FaceCounts counts;
+    for (unsigned i = 0; i < source.mNumFaces; ++i) {
+        const aiFace& face = source.mFaces[i];
+        if (face.mNumIndices < 3 || face.mIndices == nullptr) continue;  // points and lines are no surface
+        std::vector<std::uint32_t> ring(face.mIndices, face.mIndices + face.mNumIndices);
+        if (mirrored) std::reverse(ring.begin(), ring.end());
+        if (*std::max_element(ring.begin(), ring.end()) >= source.mNumVertices)
+            ++counts.broken;
+        else if (mesher.add({std::move(ring)}) == SurfaceMesher::Outcome::degenerate)
+            ++counts.degenerate;
+    }
+    return counts;
+}
+
+struct SceneReader {
+    const aiScene& scene;
+    const Placement& placement;
+    std::string file;
+    std::vector<NamedMesh> objects;
+    Warnings warnings;
+
+    void add(const aiNode& node, const aiMatrix4x4& parent) {
+        const aiMatrix4x4 toScene = parent * node.mTransformation;
+        NamedMesh object{node.mName.C_Str(), {}};
+        for (unsigned i = 0; i < node.mNumMeshes; ++i)
+            addMesh(*scene.mMeshes[node.mMeshes[i]], toScene, object);
+        if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
+        for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], toScene);
+    }
+
+    void addMesh(const aiMesh& source, const aiMatrix4x4& toScene, NamedMesh& object) {
+        std::vector<glm::dvec3> points;
+        for (unsigned i = 0; i < source.mNumVertices; ++i)
+            points.push_back(placement.local(toScene * source.mVertices[i]));
+        SurfaceMesher mesher(points);
+        const FaceCounts counts = addFaces(source, toScene.Determinant() < 0, mesher);
+        append(object.mesh, mesher.mesh());
+        warn(WarningKind::dropped, "faces with corners that are not there", object.name, counts.broken);
+        warn(WarningKind::mended, "faces without area were left out", object.name, counts.degenerate);
+    }
+
+    void warn(WarningKind kind, const char* what, const std::string& object, std::size_t count) {
+        if (count > 0) warnings.push_back({kind, what, fmt::format("{}: {} ({})", file, object, count)});
+    }
+};
+
+// Where the mesh's origin stands: as stated, else at the project's origin.
+Result<Frame> frameFor(const std::filesystem::path& file, const ReadSettings& settings) {
+    if (settings.frame) return *settings.frame;
+    if (settings.meshAnchor) return Frame(*settings.meshAnchor);
+    return failure("The mesh has no place", file.string(), anchorAdvice);
+}
+
+// A mesh whose coordinates are those of a map has lost them: its numbers are float32.
+Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::filesystem::path& file,
+                           glm::dvec2 origin, double farAwayM) {
+    std::vector<double> distances;
+    for (const NamedMesh& object : objects)
+        for (const glm::vec3 vertex : object.mesh.vertices)
+            distances.push_back(std::hypot(double(vertex.x) - origin.x, double(vertex.y) - origin.y));
+    std::erase_if(distances, [](double distance) { return !std::isfinite(distance); });
+    if (distances.empty())
+        return failure("The file holds no triangles", file.string(),
+                       "Export the buildings as triangle or polygon meshes");
+    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    if (*middle <= farAwayM) return {};
+    return failure(
+        fmt::format("The mesh lies {:.0f} km from its own origin", *middle / 1000), file.string(),
+        "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
+}
+
+std::string formatOf(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    if (extension == ".obj") return "Wavefront OBJ";
+    if (extension == ".ply") return "PLY";
+    return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
+}
+
+Result<FilePiece> piece(const aiScene& scene, const std::filesystem::path& file, const ReadSettings& settings,
+                        Progress& progress, const std::stop_token& stop) {
+    const Result<Frame> frame = frameFor(file, settings);
+    if (!frame) return tl::make_unexpected(frame.error());
+    const glm::dvec2 origin =
+        settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
+    const Placement placement(settings, origin);
+    SceneReader reader{scene, placement, file.filename().string(), {}, {}};
+    reader.add(*scene.mRootNode, aiMatrix4x4());
+    if (const auto near = checkDistance(reader.objects, file, origin, settings.farAwayM); !near)
+        return tl::make_unexpected(near.error());
+    FilePiece result{
+        .warnings = std::move(reader.warnings), .format = formatOf(file), .features = reader.objects.size()};
+    if (!settings.frame) result.frame = *frame;
+    if (!settings.meshAnchor)
+        result.warnings.push_back(
+            {WarningKind::assumed, "the mesh's origin was put at the project's origin", reader.file});
+    if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
+    if (result.buildings.empty())
+        return failure("The file holds no building", file.string(), "Its meshes are flat or have no area");
+    return result;
+}
+
+}  // namespace
+
+Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
+                           Progress& progress, std::stop_token stop) try {
+    if (!settings.frame && !settings.meshAnchor)
+        return failure("The mesh has no place", file.string(), anchorAdvice);
+    if (const auto checked = checkMeshFile(file); !checked) return tl::make_unexpected(checked.error());
+    progress.report(0, "reading the mesh");
+    Assimp::Importer importer;
+    importer.SetIOHandler(guardedFiles(stop).release());  // the importer owns it
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (stop.stop_requested()) return cancelled();
+    if (scene == nullptr)
+        return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
+                       "Export it again");
+    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string());
+    return piece(*scene, file, settings, progress, stop);
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
+                   "Export it again");
+}
+
+}  // namespace noonmark

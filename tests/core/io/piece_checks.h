@@ -1,0 +1,33 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "core/city/mesh_topology.h"
+#include "core/io/read_part.h"
+
+namespace noonmark::tests {
+
+inline bool warns(const FilePiece& piece, std::string_view what) {
+    return std::any_of(piece.warnings.begin(), piece.warnings.end(),
+                       [&](const Warning& warning) { return warning.what.find(what) != std::string::npos; });
+}
+
+/// The part has a closed mesh with outward faces and this volume, m3, and its footprint and heights bound it.
+inline void expectClosedSolid(const Part& part, double volume) {
+    ASSERT_NE(part.mesh, nullptr);
+    EXPECT_EQ(openEdges(*part.mesh), 0U);
+    EXPECT_NEAR(signedVolume(*part.mesh), volume, 1e-3 * volume);
+    const Box3 box = boxOf(*part.mesh);
+    EXPECT_EQ(part.bottomM, box.low.z);
+    EXPECT_EQ(part.topM, box.high.z);
+    const Box2 outline = bounds(part.footprint);
+    EXPECT_NEAR(outline.low.x, box.low.x, 0.01);
+    EXPECT_NEAR(outline.low.y, box.low.y, 0.01);
+    EXPECT_NEAR(outline.high.x, box.high.x, 0.01);
+    EXPECT_NEAR(outline.high.y, box.high.y, 0.01);
+}
+
+}  // namespace noonmark::tests

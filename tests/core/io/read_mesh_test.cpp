@@ -1,0 +1,253 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/city/mesh_topology.h"
+#include "core/io/read_part.h"
+#include "tests/core/city/mesh_fixtures.h"
+#include "tests/core/io/piece_checks.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using tests::box;
+using tests::warns;
+
+const LonLat anchor{-73.98, 40.75};
+
+std::string objText(const TriangleMesh& mesh, const std::string& header = "o tower\n") {
+    std::string text = header;
+    for (const glm::vec3 v : mesh.vertices)
+        text += "v " + std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z) + "\n";
+    for (const glm::uvec3 t : mesh.triangles)
+        text += "f " + std::to_string(t.x + 1) + " " + std::to_string(t.y + 1) + " " +
+                std::to_string(t.z + 1) + "\n";
+    return text;
+}
+
+std::string plyText(const TriangleMesh& mesh) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
+                       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                       std::to_string(mesh.triangles.size()) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (const glm::vec3 v : mesh.vertices)
+        text += std::to_string(v.x) + " " + std::to_string(v.y) + " " + std::to_string(v.z) + "\n";
+    for (const glm::uvec3 t : mesh.triangles)
+        text += "3 " + std::to_string(t.x) + " " + std::to_string(t.y) + " " + std::to_string(t.z) + "\n";
+    return text;
+}
+
+template <class T>
+std::string bytesOf(const T* data, std::size_t count) {
+    return {reinterpret_cast<const char*>(data), count * sizeof(T)};
+}
+
+std::string chunk(std::string content, const char* type, char padding) {
+    content.resize((content.size() + 3) / 4 * 4, padding);
+    const auto length = std::uint32_t(content.size());
+    return bytesOf(&length, 1) + std::string(type, 4) + content;
+}
+
+// Binary glTF: a node that lifts the mesh by 5 along y, its up axis.
+std::string glbBytes(const TriangleMesh& mesh) {
+    const std::string points = bytesOf(mesh.vertices.data(), mesh.vertices.size());
+    const std::string faces = bytesOf(mesh.triangles.data(), mesh.triangles.size());
+    const std::string json =
+        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"lifted","mesh":0,"translation":[0,5,0]}],)"
+        R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
+        R"({"bufferView":0,"componentType":5126,"count":)" +
+        std::to_string(mesh.vertices.size()) +
+        R"(,"type":"VEC3","min":[0,0,0],"max":[10,30,20]},{"bufferView":1,"componentType":5125,"count":)" +
+        std::to_string(mesh.triangles.size() * 3) +
+        R"(,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":)" +
+        std::to_string(points.size()) + R"(},{"buffer":0,"byteOffset":)" + std::to_string(points.size()) +
+        R"(,"byteLength":)" + std::to_string(faces.size()) + R"(}],"buffers":[{"byteLength":)" +
+        std::to_string(points.size() + faces.size()) + "}]}";
+    const std::string body = chunk(json, "JSON", ' ') + chunk(points + faces, "BIN\0", '\0');
+    const std::uint32_t header[] = {2, std::uint32_t(body.size() + 12)};
+    return "glTF" + bytesOf(header, 2) + body;
+}
+
+ReadSettings placed(UpAxis up = UpAxis::z) {
+    ReadSettings settings;
+    settings.upAxis = up;
+    settings.meshAnchor = anchor;
+    return settings;
+}
+
+Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings) {
+    NoProgress progress;
+    return readMesh(file, settings, progress, {});
+}
+
+Result<FilePiece> read(const std::string& name, const std::string& content, const ReadSettings& settings) {
+    const tests::TemporaryFolder folder;
+    return read(folder.file(name, content), settings);
+}
+
+TEST(ReadMesh, objInFeetYUpTurnedToTrueNorth) {
+    ReadSettings settings = placed(UpAxis::y);
+    settings.meshUnit = LengthUnit::feet;
+    settings.meshNorthDeg = 90;  // the mesh's north, -z of a y-up mesh, points east
+    const auto piece = read("cube.obj", objText(box({0, 0, -200}, {100, 300, 0})), settings);
+    ASSERT_TRUE(piece) << piece.error().text();
+    ASSERT_EQ(piece->buildings.size(), 1U);
+    EXPECT_EQ(piece->frame->origin(), anchor);
+    const Part& part = piece->buildings[0]->parts.at(0);
+    EXPECT_EQ(piece->buildings[0]->name, "tower");
+    const Box2 bounds2 = bounds(part.footprint);
+    EXPECT_NEAR(bounds2.low.x, 0, 1e-4);
+    EXPECT_NEAR(bounds2.high.x, 60.96, 1e-4);
+    EXPECT_NEAR(bounds2.low.y, -30.48, 1e-4);
+    EXPECT_NEAR(bounds2.high.y, 0, 1e-4);
+    EXPECT_NEAR(part.topM, 91.44, 1e-4);
+    tests::expectClosedSolid(part, 60.96 * 30.48 * 91.44);
+    EXPECT_TRUE(piece->warnings.empty());
+}
+
+TEST(ReadMesh, northIsAnAzimuth) {
+    ReadSettings settings = placed();
+    settings.meshNorthDeg = 29;
+    const auto piece = read("cube.obj", objText(box({-1, 0, 0}, {1, 100, 10})), settings);
+    ASSERT_TRUE(piece);
+    const Box2 bounds2 = bounds(*piece->buildings.at(0));
+    const double azimuth = 29 * std::numbers::pi / 180;
+    EXPECT_NEAR(bounds2.high.x, 100 * std::sin(azimuth) + std::cos(azimuth), 1e-3);
+    EXPECT_NEAR(bounds2.high.y, 100 * std::cos(azimuth) + std::sin(azimuth), 1e-3);
+}
+
+TEST(ReadMesh, aCityInOneObjectBecomesBuildings) {
+    TriangleMesh city = box({0, 0, 0}, {10, 10, 20});              // a podium
+    append(city, box({2, 2, 20}, {8, 8, 60}));                     // its tower, not welded to it
+    append(city, tests::unshared(box({12, 0, 0}, {20, 10, 15})));  // loose triangles
+    append(city, box({20.5F, 0, 0}, {30, 10, 15}));                // a neighbour
+    TriangleMesh ground;
+    ground.vertices = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
+    ground.triangles = {{0, 1, 2}, {0, 2, 3}};
+    append(city, ground);
+    const auto piece = read("city.obj", objText(city, ""), placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    ASSERT_EQ(piece->buildings.size(), 3U);
+    EXPECT_EQ(topM(*piece->buildings[0]), 60);
+    EXPECT_TRUE(warns(*piece, "flat ground"));
+    EXPECT_FALSE(warns(*piece, "not closed"));
+    double volume = 0;
+    for (const auto& building : piece->buildings)
+        for (const Part& part : building->parts) volume += signedVolume(*part.mesh);
+    EXPECT_NEAR(volume, 2000 + 36 * 40 + 1200 + 9.5 * 150, 1e-2);
+}
+
+TEST(ReadMesh, polygonFacesAndNegativeIndices) {
+    const auto piece = read("quads.obj",
+                            "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 9\nv 4 0 9\nv 4 4 9\nv 0 4 9\n"
+                            "f -5 -6 -7 -8\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n",
+                            placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 144);
+}
+
+TEST(ReadMesh, ply) {
+    const auto piece = read("box.ply", plyText(box({0, 0, 0}, {10, 20, 30})), placed());
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->format, "PLY");
+    tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 6000);
+}
+
+TEST(ReadMesh, glbWithANodeTransform) {
+    const auto piece = read("box.glb", glbBytes(box({0, 0, 0}, {10, 30, 20})), placed(UpAxis::y));
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->format, "glTF");
+    EXPECT_EQ(piece->buildings.at(0)->name, "lifted");
+    const Part& part = piece->buildings[0]->parts.at(0);
+    EXPECT_NEAR(part.bottomM, 5, 1e-5);
+    EXPECT_NEAR(part.topM, 35, 1e-5);
+    EXPECT_TRUE(part.hangs);  // 5 m above the ground, and nothing carries it
+    tests::expectClosedSolid(part, 6000);
+}
+
+TEST(ReadMesh, openMeshIsUsedAndSaid) {
+    TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
+    open.triangles.pop_back();
+    const auto piece = read("open.obj", objText(open), placed());
+    ASSERT_TRUE(piece);
+    EXPECT_EQ(piece->buildings.size(), 1U);
+    EXPECT_TRUE(warns(*piece, "not closed"));
+}
+
+TEST(ReadMesh, joinsAProject) {
+    ReadSettings settings = placed();
+    settings.frame = Frame({anchor.lonDeg - 0.01, anchor.latDeg});
+    const auto piece = read("cube.obj", objText(box({0, 0, 0}, {10, 10, 10})), settings);
+    ASSERT_TRUE(piece);
+    EXPECT_FALSE(piece->frame);
+    const glm::dvec2 expected = settings.frame->localFromLonLat(anchor);
+    EXPECT_NEAR(bounds(*piece->buildings.at(0)).low.x, expected.x, 1e-3);
+    settings.meshAnchor.reset();
+    const auto atOrigin = read("cube.obj", objText(box({0, 0, 0}, {10, 10, 10})), settings);
+    ASSERT_TRUE(atOrigin);
+    EXPECT_TRUE(warns(*atOrigin, "project's origin"));
+}
+
+TEST(ReadMesh, noPlaceIsAnErrorThatSaysWhatToGive) {
+    const auto piece = read("cube.obj", objText(box({0, 0, 0}, {1, 1, 1})), {});
+    ASSERT_FALSE(piece);
+    EXPECT_NE(piece.error().advice.find("longitude and latitude"), std::string::npos);
+}
+
+TEST(ReadMesh, mapCoordinatesAreRefused) {
+    const auto piece = read("utm.obj", objText(box({585000, 4511000, 0}, {585010, 4511010, 10})), placed());
+    ASSERT_FALSE(piece);
+    EXPECT_NE(piece.error().what.find("from its own origin"), std::string::npos);
+}
+
+TEST(ReadMesh, brokenFilesAreErrors) {
+    for (const char* name : {"a.obj", "a.ply", "a.glb", "a.gltf"})
+        for (const char* content : {"", "v", "{}", "ply\n", "glTF", "f 1 2 3\n", "v 1 2 3\n", "\xff\xfe\xfd"})
+            EXPECT_FALSE(read(name, content, placed())) << name << ' ' << content;
+}
+
+TEST(ReadMesh, wrongIndicesAndNumbersNeverCrash) {
+    const std::string good = objText(box({0, 0, 0}, {10, 10, 10}));
+    for (const char* bad :
+         {"f 1 2 99\n", "f 0 1 2\n", "f -99 1 2\n", "f 1 1 1\n", "f 1\n", "f 1 2\n", "f a b c\n",
+          "v nan nan nan\nf 9 1 2\n", "v 1e99 0 0\nf 9 1 2\n", "o\n", "f 99999999999999999999 1 2\n"}) {
+        SCOPED_TRACE(bad);
+        const auto piece = read("bad.obj", good + bad, placed());
+        if (!piece) continue;  // the library may refuse the file; it must say so
+        for (const auto& building : piece->buildings)
+            for (const Part& part : building->parts) EXPECT_LE(part.topM, 1e6F) << bad;
+    }
+}
+
+TEST(ReadMesh, spoiledBytesNeverCrash) {
+    const TriangleMesh mesh = box({0, 0, 0}, {10, 30, 20});
+    const std::pair<const char*, std::string> files[] = {
+        {"a.obj", objText(mesh)}, {"a.ply", plyText(mesh)}, {"a.glb", glbBytes(mesh)}};
+    const tests::TemporaryFolder folder;
+    std::mt19937 random(5);
+    for (const auto& [name, content] : files)
+        for (int i = 0; i < 300; ++i) {
+            std::string spoiled = content;
+            for (int j = 0; j < 3; ++j) spoiled[random() % spoiled.size()] = char(random() % 256);
+            const auto piece = read(folder.file(name, spoiled), placed());
+            EXPECT_TRUE(piece || !piece.error().text().empty());
+        }
+}
+
+TEST(ReadMesh, truncatedAnywhereNeverCrashes) {
+    const TriangleMesh mesh = box({0, 0, 0}, {10, 30, 20});
+    const std::pair<const char*, std::string> files[] = {
+        {"a.obj", objText(mesh)}, {"a.ply", plyText(mesh)}, {"a.glb", glbBytes(mesh)}};
+    const tests::TemporaryFolder folder;
+    for (const auto& [name, content] : files)
+        for (std::size_t length = 0; length < content.size(); length += 7) {
+            const auto piece = read(folder.file(name, content.substr(0, length)), placed());
+            EXPECT_TRUE(piece || !piece.error().text().empty());
+        }
+}
+
+}  // namespace
+}  // namespace noonmark
