@@ -29,7 +29,8 @@ tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
 }
 
 // What reading took and found belongs to the study as much as what computing did.
-void addReading(Study& study, LoadedCity loaded) {
+void addReading(Study& study, const ReadSettings& settings, LoadedCity loaded) {
+    study.reading = settings;
     study.inputs = std::move(loaded.inputs);
     study.attribution = loaded.read.attribution;
     study.warnings.insert(study.warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
@@ -50,7 +51,7 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
     auto study = orCode(runStudy(loaded->read.city, settings, progress, interrupt.token()), exitFailed);
-    if (study) addReading(*study, *std::move(loaded));
+    if (study) addReading(*study, options.read.settings, *std::move(loaded));
     return study;
 }
 

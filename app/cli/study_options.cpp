@@ -78,6 +78,14 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->capture_default_str()
         ->check(CLI::Range(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
+    command.add_option("--pressure", settings.pressureHPa, "Of the air, for refraction, hPa")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1200.0))
+        ->type_name("HPA");
+    command.add_option("--temperature", settings.temperatureC, "Of the air, for refraction, deg C")
+        ->capture_default_str()
+        ->check(CLI::Range(-90.0, 60.0))
+        ->type_name("C");
     command.add_option("--engine", settings.engine, "How to compute")
         ->capture_default_str()
         ->check(engineKey())

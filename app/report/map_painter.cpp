@@ -1,5 +1,6 @@
 #include "app/report/map_painter.h"
 
+#include <QPaintEngine>
 #include <algorithm>
 #include <cmath>
 
@@ -40,17 +41,24 @@ QRectF placeOf(const FieldImage& field, const QRectF& grid, double unitsPerCell)
     return {grid.topLeft(), QSizeF(field.image.width() * pixel, field.image.height() * pixel)};
 }
 
+/// Viewers of PDF blur a coarse picture; whole pixels a cell keep its edges sharp.
+QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
+    const int longer = std::max(image.width(), image.height());
+    if (painter.paintEngine()->type() != QPaintEngine::Pdf || longer == 0 || longer >= wanted) return image;
+    return image.scaled(image.size() * ((wanted + longer - 1) / longer));
+}
+
 void paintField(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
     const double top = legendOf(study.field, measure).scale.top;
     const QRectF grid = view.rectOf(study.field.grid);
-    const FieldImage field =
-        fieldImage(study.field, study.receivers, measure, top, wantedPixels(canvas, grid));
+    const int wanted = wantedPixels(canvas, grid);
+    const FieldImage field = fieldImage(study.field, study.receivers, measure, top, wanted);
     const QRectF place = placeOf(field, grid, study.field.grid.cellM * view.unitsPerM());
     canvas.painter.save();
     canvas.painter.setClipRect(grid, Qt::IntersectClip);
     canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
     canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, field.image.width() > place.width());
-    canvas.painter.drawImage(place, field.image);
+    canvas.painter.drawImage(place, crisp(field.image, canvas.painter, wanted));
     canvas.painter.restore();
 }
 

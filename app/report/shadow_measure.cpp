@@ -15,7 +15,7 @@ QString nameOf(ShadowMeasure measure) {
 
 QString aboutOf(ShadowMeasure measure) {
     return measure == ShadowMeasure::gross ? QStringLiteral("minutes in shadow a day")
-                                           : QStringLiteral("longest unbroken run in shadow, minutes");
+                                           : QStringLiteral("longest run, minutes");
 }
 
 bool isInstant(const ShadowField& field) {

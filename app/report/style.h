@@ -16,7 +16,8 @@ struct Canvas {
 
 namespace ink {
 constexpr QColor text{0x1d, 0x20, 0x27};
-constexpr QColor quiet{0x5c, 0x61, 0x6b};  ///< less important text; 6:1 on white
+constexpr QColor heading{0x3b, 0x2a, 0x6e};  ///< of the palette's dark end
+constexpr QColor quiet{0x5c, 0x61, 0x6b};    ///< less important text; 6:1 on white
 constexpr QColor line{0xc9, 0xcc, 0xd1};
 constexpr QColor paper{0xff, 0xff, 0xff};
 constexpr QColor building{0x9b, 0x9d, 0xa0};  ///< stands on the ground, in the region

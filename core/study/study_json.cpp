@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <limits>
 
+#include "core/study/repeat_command.h"
 #include "core/study/study.h"
 #include "core/study/warnings_json.h"
 #include "core/version.h"
@@ -133,6 +135,7 @@ std::string studyJson(const Study& study) {
     json["observer"] = observerJson(observerOf(study));
     json["inputs"] = inputsJson(study.inputs);
     json["attribution"] = study.attribution;
+    json["repeat"] = repeatCommand(study, std::numeric_limits<std::size_t>::max());
     json["definitions"] = definitions();
     json["warnings"] = warningsJson(study.warnings);
     return jsonText(json);

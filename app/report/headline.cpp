@@ -1,0 +1,54 @@
+#include "app/report/headline.h"
+
+#include <QFontMetricsF>
+
+#include "app/report/period_words.h"
+#include "app/report/study_words.h"
+
+namespace noonmark {
+
+namespace {
+
+void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, const QString& text) {
+    const QString fitting =
+        QFontMetricsF(canvas.painter.font()).elidedText(text, Qt::ElideRight, area.width());
+    canvas.painter.drawText(QPointF(area.left(), area.top() + baselinePt * canvas.point), fitting);
+}
+
+bool hasName(const Region& region) { return !region.name.empty() && region.name != "box"; }
+
+}  // namespace
+
+Headline headlineOf(const Study& study, const QString& subject) {
+    const Region& region = study.settings.region;
+    const QString name =
+        hasName(region) ? QStringLiteral(": ") + QString::fromStdString(region.name) : QString();
+    const QString sunlit = sunlitWords(study);
+    const QString when =
+        periodWords(study.settings.period) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);
+    return {subject + name, when, placeWords(study)};
+}
+
+void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline) {
+    canvas.painter.setPen(ink::text);
+    canvas.painter.setFont(textFont(canvas, 17, QFont::Bold));
+    paintLine(canvas, area, 15, headline.what);
+    canvas.painter.setFont(textFont(canvas, 9.5));
+    paintLine(canvas, area, 30, headline.when);
+    canvas.painter.setPen(ink::quiet);
+    canvas.painter.setFont(textFont(canvas, 8.5));
+    paintLine(canvas, area, 42, headline.where);
+}
+
+void paintSmallPrint(const Canvas& canvas, const QRectF& area, const Study& study) {
+    canvas.painter.setFont(textFont(canvas, 7));
+    canvas.painter.setPen(ink::quiet);
+    const QFontMetricsF metrics(canvas.painter.font());
+    const QString program = programWords();
+    const double room = area.width() - metrics.horizontalAdvance(program) - 10 * canvas.point;
+    canvas.painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                            metrics.elidedText(dataWords(study), Qt::ElideRight, room));
+    canvas.painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter, program);
+}
+
+}  // namespace noonmark

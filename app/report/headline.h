@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/report/style.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// What a picture or a page is about: the title, then when, then where.
+struct Headline {
+    QString what;
+    QString when;
+    QString where;
+};
+
+/// `subject`: "Shadow study", "Gross shadow"; the name of the region is added where it has one.
+Headline headlineOf(const Study& study, const QString& subject);
+
+constexpr double headlineHeightPt = 50;
+
+/// From the top of `area`, headlineHeightPt high; lines that are too long end in an ellipsis.
+void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline);
+
+/// One line of small print across `area`: whose data it is at the left, what made it at the right.
+void paintSmallPrint(const Canvas& canvas, const QRectF& area, const Study& study);
+
+}  // namespace noonmark

@@ -1,0 +1,101 @@
+#include "app/report/report_sections.h"
+#include "app/report/shadow_measure.h"
+#include "app/report/study_words.h"
+
+namespace noonmark {
+
+namespace {
+
+TextBlock heading(const char* text) { return {TextKind::heading, QString::fromUtf8(text)}; }
+TextBlock body(const QString& text) { return {TextKind::body, text}; }
+
+QString engineWords(const Study& study) {
+    QString words = QStringLiteral("Engine: %1.").arg(QString::fromStdString(study.field.engine));
+    if (study.settings.engine == "ray")
+        words += QStringLiteral(
+            " From each receiver one line is traced to the centre of the sun at each step; the step is in "
+            "shadow if a "
+            "building or the terrain is in the way.");
+    return words;
+}
+
+QString receiverWords(const Study& study) {
+    const QString ground =
+        study.receivers.flat() ? QStringLiteral("flat ground") : QStringLiteral("the terrain");
+    return QStringLiteral(
+               "Receivers: centres of square cells of %1 m on %2, inside the region and not under a "
+               "building.")
+        .arg(amountWords(study.field.grid.cellM, 2), ground);
+}
+
+QString stepWords(const Study& study) {
+    return QStringLiteral(
+               "Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (no sun is "
+               "not shadow). "
+               "Shares of time are shares of the time with the sun above the horizon.")
+        .arg(countWords(study.sun.steps.size()), amountWords(study.field.stepMinutes, 3),
+             countWords(study.sun.belowHorizon));
+}
+
+QString airWords(const StudySettings& settings) {
+    if (!settings.period.refraction) return QStringLiteral("geometric altitude, without refraction");
+    return QStringLiteral("apparent altitude, with refraction at %1 hPa and %2 °C")
+        .arg(amountWords(settings.pressureHPa, 2), amountWords(settings.temperatureC));
+}
+
+QString sunWords(const Study& study) {
+    const Observer observer = observerOf(study);
+    return QStringLiteral(
+               "Sun: ERFA, topocentric, seen from the middle of the region (%1, %2 m); %3. Civil time of %4 "
+               "from the tz database.")
+        .arg(latLonWords(observer.place), amountWords(observer.elevationM), airWords(study.settings),
+             QString::fromStdString(study.settings.period.zone));
+}
+
+QString frameWords(const Study& study) {
+    return QStringLiteral("Frame: metres east and true north of %1 (WGS84), the CRS of shadow.tif: %2")
+        .arg(latLonWords(study.city.frame.origin()), QString::fromStdString(study.city.frame.projString()));
+}
+
+QString engineErrorWords(const Study& study) {
+    if (study.settings.engine != "ray")
+        return QStringLiteral(
+            "This engine's error against the ray reference was not measured for this study.");
+    return QStringLiteral(
+               "The ray reference is what every other engine is measured against: for the city as it is "
+               "modelled, each receiver and "
+               "step is decided by one exact test. A change from sun to shadow is known to one step (%1 "
+               "min), an edge to one cell (%2 m).")
+        .arg(amountWords(study.field.stepMinutes, 3), amountWords(study.field.grid.cellM, 2));
+}
+
+QString modelErrorWords() {
+    return QStringLiteral(
+        "The model's own limits: roofs are flat unless the data holds their shape; trees and street "
+        "furniture are not in it; the "
+        "sun is a point, while its disc of 0.53° softens a real edge over about 1 m for every 100 m to what "
+        "casts it. "
+        "A wrong height moves a shadow's end by the error / tan(altitude of the sun): see the sources of the "
+        "heights.");
+}
+
+}  // namespace
+
+TextBlocks definitionBlocks(const Study& study) {
+    TextBlocks blocks{
+        body(QStringLiteral("Shadow area: sum over the receivers of share of the sunlit time in shadow × "
+                            "cell area; in %, of the receivers' area."))};
+    if (isInstant(study.field)) return blocks;
+    blocks.push_back(body(QStringLiteral(
+        "Gross shadow: minutes in shadow a day, mean over the days; in %, of the sunlit time. "
+        "Continuous shadow: longest unbroken run in shadow on any day. Means are over the receivers.")));
+    return blocks;
+}
+
+std::vector<TextBlocks> methodSections(const Study& study) {
+    return {{heading("Method"), body(engineWords(study)), body(receiverWords(study)), body(stepWords(study)),
+             body(sunWords(study)), body(frameWords(study))},
+            {heading("Error"), body(engineErrorWords(study)), body(modelErrorWords())}};
+}
+
+}  // namespace noonmark

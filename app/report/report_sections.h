@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/report/text_column.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// What the numbers of the table mean.
+TextBlocks definitionBlocks(const Study& study);
+
+/// How it was computed; how far it can be trusted; what it rests on: files with their hashes, sources of the
+/// heights, warnings; what was left undone. Each section begins with its heading. Long lists are cut, and say
+/// so.
+std::vector<TextBlocks> methodSections(const Study& study);
+std::vector<TextBlocks> sourceSections(const Study& study);
+
+/// The command line that repeats it.
+TextBlocks repeatBlocks(const Study& study);
+
+}  // namespace noonmark

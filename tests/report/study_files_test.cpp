@@ -1,0 +1,138 @@
+#include "app/report/study_files.h"
+
+#include <gtest/gtest.h>
+
+#include <QBuffer>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <sstream>
+
+#include "app/report/cells_csv.h"
+#include "app/report/study_report.h"
+#include "tests/report/synthetic_study.h"
+
+namespace noonmark {
+namespace {
+
+QByteArray reportOf(const Study& study) {
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    EXPECT_TRUE(writeReport(study, buffer));
+    return buffer.data();
+}
+
+/// "/Type /Page" without "/Type /Pages".
+qsizetype pagesOf(const QByteArray& pdf) { return pdf.count("/Type /Page") - pdf.count("/Type /Pages"); }
+
+std::vector<std::string> linesOf(const QByteArray& text) {
+    std::istringstream stream(text.toStdString());
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(StudyReport, IsOnePageOfText) {
+    const QByteArray pdf = reportOf(tests::syntheticStudy());
+    EXPECT_TRUE(pdf.startsWith("%PDF"));
+    EXPECT_EQ(pagesOf(pdf), 1);
+    EXPECT_GE(pdf.count("/FontFile2"), 2) << "text must stay text";
+}
+
+TEST(StudyReport, StaysOnOnePageWithFarTooMuchToSay) {
+    Study study = tests::syntheticStudy();
+    study.settings.region.name = std::string(500, 'W');
+    study.attribution = std::string(900, 'x');
+    study.field.engine = std::string(3000, 'e');
+    for (int i = 0; i < 300; ++i)
+        study.inputs.push_back({std::string(200, 'n') + std::to_string(i), 1, std::string(64, 'f')});
+    for (int i = 0; i < 200; ++i)
+        study.warnings.push_back({WarningKind::mended, std::string(150, 'a') + std::to_string(i), "way"});
+    EXPECT_EQ(pagesOf(reportOf(study)), 1);
+}
+
+TEST(StudyReport, AMomentHasAReportToo) {
+    Study study = tests::syntheticStudy();
+    study.settings.period.hours = 0;
+    study.field.sunlitMinutesPerDay = 1;
+    EXPECT_EQ(pagesOf(reportOf(study)), 1);
+}
+
+TEST(CellsCsv, HasARowForEachReceiver) {
+    const Study study = tests::syntheticStudy();
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    ASSERT_TRUE(writeCellsCsv(study.field, study.city.frame, buffer));
+    const auto lines = linesOf(buffer.data());
+    ASSERT_EQ(lines.size(), 1 + study.receivers.cells.size());
+    EXPECT_EQ(lines[0], "x_m,y_m,lon_deg,lat_deg,gross_min,continuous_min");
+    EXPECT_EQ(lines[1].substr(0, 12), "0.500,0.500,");
+    EXPECT_TRUE(lines[1].ends_with(",0.000,0.000"));
+    EXPECT_EQ(lines.back().substr(0, 15), "119.500,79.500,");
+    EXPECT_TRUE(lines.back().ends_with(",360.000,180.000"));
+}
+
+TEST(CellsCsv, SaysWhenTheDeviceIsFull) {
+    const Study study = tests::syntheticStudy();
+    QFile full(QStringLiteral("/dev/full"));
+    if (!full.open(QIODevice::WriteOnly | QIODevice::Unbuffered))
+        GTEST_SKIP() << "there is no /dev/full here";
+    EXPECT_FALSE(writeCellsCsv(study.field, study.city.frame, full));
+}
+
+TEST(StudyFiles, AreAllThere) {
+    const QTemporaryDir folder;
+    const std::filesystem::path out = std::filesystem::path(folder.path().toStdString()) / "new" / "folder";
+    const auto files = writeStudyFiles(tests::syntheticStudy(), out, {.cellsCsv = true});
+    ASSERT_TRUE(files) << files.error().text();
+    std::vector<std::string> names;
+    for (const auto& file : *files) {
+        EXPECT_GT(std::filesystem::file_size(file), 100U) << file;
+        names.push_back(file.filename().string());
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"shadow.tif", "shadow.png", "report.pdf", "study.json",
+                                               "cells.csv"}));
+    const auto entries =
+        std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator());
+    EXPECT_EQ(std::size_t(entries), names.size()) << "nothing half done may stay behind";
+    EXPECT_EQ(QImage(QString::fromStdString((out / "shadow.png").string())).width(), 1600);
+}
+
+TEST(StudyFiles, ARegionThatIsNoBoxComesAlong) {
+    const QTemporaryDir folder;
+    Study study = tests::syntheticStudy();
+    study.settings.region = {"triangle", {{{{0, 0}, {100, 0}, {100, 100}}, {}}}};
+    const auto files = writeStudyFiles(study, folder.path().toStdString(), {});
+    ASSERT_TRUE(files) << files.error().text();
+    EXPECT_EQ(files->back().filename(), "region.geojson");
+}
+
+TEST(StudyFiles, AFolderThatCannotBeMadeIsAnError) {
+    const auto files = writeStudyFiles(tests::syntheticStudy(), "/proc/no/such", {});
+    ASSERT_FALSE(files);
+    EXPECT_NE(files.error().text().find("/proc/no/such"), std::string::npos);
+    EXPECT_FALSE(files.error().advice.empty());
+}
+
+TEST(StudyFiles, AFileInPlaceOfTheFolderIsAnError) {
+    const QTemporaryDir folder;
+    const std::string inTheWay = folder.filePath(QStringLiteral("out")).toStdString();
+    QFile file(QString::fromStdString(inTheWay));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    EXPECT_FALSE(writeStudyFiles(tests::syntheticStudy(), inTheWay, {}));
+}
+
+TEST(StudyFiles, AFolderInPlaceOfAFileIsAnErrorAndLeavesNothingHalfDone) {
+    const QTemporaryDir folder;
+    const std::filesystem::path out = folder.path().toStdString();
+    std::filesystem::create_directories(out / "report.pdf" / "x");
+    const auto files = writeStudyFiles(tests::syntheticStudy(), out, {});
+    ASSERT_FALSE(files);
+    EXPECT_NE(files.error().text().find("report.pdf"), std::string::npos);
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+}
+
+}  // namespace
+}  // namespace noonmark
