@@ -30,6 +30,7 @@ struct ReceiverSettings {
     static constexpr double minCellM = 0.25;
     static constexpr double maxCellM = 10;
     double cellM = 1;  ///< cell size, metres, 0.25 to 10
+    bool operator==(const ReceiverSettings&) const = default;
 };
 
 /// Cells of the region's bounding box, classified. West and south edges lie on multiples of the cell size, so that the

@@ -13,6 +13,7 @@ namespace noonmark {
 struct Region {
     std::string name;
     std::vector<Footprint> polygons;
+    bool operator==(const Region&) const = default;
 };
 
 /// The lon/lat box west, south, east, north (degrees) as a polygon in local metres, its sides bent as the

@@ -38,6 +38,7 @@ struct StudySettings {
     /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
     /// 3/4 of what is free.
     std::uint64_t memoryLimit = 0;
+    bool operator==(const StudySettings&) const = default;
 };
 
 /// One answered question: everything that a report, a file or the window shows of it.

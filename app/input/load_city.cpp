@@ -1,0 +1,83 @@
+#include "app/input/load_city.h"
+
+#include <algorithm>
+#include <chrono>
+#include <glm/common.hpp>
+
+#include "core/samples/sample_city.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr std::string_view samplePrefix = "sample:";
+constexpr std::string_view parkSample = "sample:central-park-south";
+
+Result<CityRead> sampleRead(const std::string& file) {
+    auto city = sampleCity(file.substr(samplePrefix.size()));
+    if (!city) return tl::make_unexpected(city.error());
+    CityRead read;
+    read.city = *std::move(city);
+    read.format = "Noonmark sample";
+    for (const auto& building : read.city.buildings) read.features += building->parts.size();
+    return read;
+}
+
+Result<CityRead> readOrMake(const std::vector<std::string>& files, const ReadSettings& settings,
+                            Progress& progress, std::stop_token stop) {
+    if (std::ranges::none_of(files, isSample))
+        return readCity({files.begin(), files.end()}, settings, progress, std::move(stop));
+    if (files.size() == 1) return sampleRead(files.front());
+    return failure("A sample stands alone", files.front(),
+                   "Write it to a file with `noonmark-cli sample` and read that with the others");
+}
+
+Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
+    std::vector<InputFile> inputs;
+    for (const std::string& file : files) {
+        if (isSample(file)) {
+            inputs.push_back({.path = file});
+            continue;
+        }
+        const auto some = inputFiles(file);
+        if (!some) return tl::make_unexpected(some.error());
+        inputs.insert(inputs.end(), some->begin(), some->end());
+    }
+    return inputs;
+}
+
+}  // namespace
+
+bool isSample(std::string_view file) { return file.starts_with(samplePrefix); }
+
+Result<City> sampleCity(const std::string& name) {
+    if (name == "central-park-south") return centralParkSouthSample();
+    if (name == "grid") return gridSample({});
+    return failure("There is no such sample", "sample '" + name + "'",
+                   "The samples are central-park-south and grid");
+}
+
+Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSettings& settings,
+                            Progress& progress, std::stop_token stop) {
+    auto inputs = inputsOf(files);
+    if (!inputs) return tl::make_unexpected(inputs.error());
+    const auto begin = std::chrono::steady_clock::now();
+    auto read = readOrMake(files, settings, progress, std::move(stop));
+    if (!read) return tl::make_unexpected(read.error());
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    return LoadedCity{files, settings, *std::move(read), *std::move(inputs), took.count()};
+}
+
+Region firstRegion(const LoadedCity& loaded, float mostM) {
+    if (loaded.files.size() == 1 && loaded.files.front() == parkSample)
+        return centralParkRegion(loaded.read.city);
+    Box2 box = bounds(loaded.read.city);
+    if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
+    const glm::vec2 centre = (box.low + box.high) / 2.0F;
+    const glm::vec2 half = glm::min((box.high - box.low) / 2.0F, glm::vec2(mostM / 2));
+    Region region = regionFromLocalBox({centre - half, centre + half});
+    region.name = "the middle of the city";
+    return region;
+}
+
+}  // namespace noonmark

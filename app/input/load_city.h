@@ -1,0 +1,33 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// A city with what it was made of.
+struct LoadedCity {
+    std::vector<std::string> files;  ///< as they were named; "sample:central-park-south"
+    ReadSettings settings;
+    CityRead read;
+    std::vector<InputFile> inputs;  ///< a sample has no bytes and no hash
+    double seconds = 0;             ///< to read it; hashing the files is not in it
+};
+
+/// Reads the files, or makes the sample where the only "file" is sample:NAME.
+Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSettings& settings,
+                            Progress& progress, std::stop_token stop);
+
+bool isSample(std::string_view file);
+
+/// The sample of a name ("central-park-south", "grid"), made with its defaults; error for an unknown name.
+Result<City> sampleCity(const std::string& name);
+
+/// A region to begin with: the park of Central Park South; of other cities the middle, up to `mostM` metres
+/// along a side.
+Region firstRegion(const LoadedCity& loaded, float mostM = 800);
+
+}  // namespace noonmark

@@ -1,0 +1,58 @@
+#include "app/window/hover_text.h"
+
+#include <cmath>
+
+#include "app/report/shadow_measure.h"
+#include "core/city/building_ground.h"
+
+namespace noonmark {
+
+namespace {
+
+QString placeText(const Pick& pick, const City& city) {
+    const LonLat place = city.frame.lonLatFromLocal({pick.position.x, pick.position.y});
+    return QStringLiteral("%1°, %2°   x %3 m, y %4 m, z %5 m")
+        .arg(place.lonDeg, 0, 'f', 6)
+        .arg(place.latDeg, 0, 'f', 6)
+        .arg(pick.position.x, 0, 'f', 1)
+        .arg(pick.position.y, 0, 'f', 1)
+        .arg(pick.position.z, 0, 'f', 1);
+}
+
+QString buildingText(const Building& building, const City& city) {
+    const QString name = QString::fromStdString(building.name.empty() ? building.sourceId : building.name);
+    QString text = QStringLiteral("%1, %2 m high").arg(name).arg(double(heightM(building, city)), 0, 'f', 1);
+    if (!building.status.empty())
+        text += QStringLiteral(" (%1)").arg(QString::fromStdString(building.status));
+    return text;
+}
+
+QString minutesText(const Study& study, std::size_t cell) {
+    const float gross = study.field.grossMin[cell];
+    if (std::isnan(gross)) return QStringLiteral("not measured here");
+    if (isInstant(study.field)) return gross > 0 ? QStringLiteral("in shadow") : QStringLiteral("in the sun");
+    return QStringLiteral("gross %1 min a day, continuous %2 min")
+        .arg(double(gross), 0, 'f', 1)
+        .arg(double(study.field.continuousMin[cell]), 0, 'f', 1);
+}
+
+}  // namespace
+
+std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point) {
+    const double column = std::floor((point.x - grid.westM) / grid.cellM);
+    const double row = std::floor((point.y - grid.southM) / grid.cellM);
+    if (!(column >= 0 && column < grid.columns && row >= 0 && row < grid.rows)) return std::nullopt;
+    return grid.index(int(column), int(row));
+}
+
+QString hoverText(const Pick& pick, const City& city, const Study* study) {
+    QString text = placeText(pick, city);
+    if (pick.building)
+        return text + QStringLiteral("   ") + buildingText(*city.buildings[*pick.building], city);
+    if (!study) return text;
+    if (const auto cell = cellAt(study->field.grid, {pick.position.x, pick.position.y}))
+        text += QStringLiteral("   ") + minutesText(*study, *cell);
+    return text;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <thread>
+
+#include "core/progress.h"
+#include "core/result.h"
+
+namespace noonmark {
+
+/// Work on its own thread. Destroying a job cancels it and waits for its end; then nothing more is called.
+/// Signals and callbacks come in the thread that made the job.
+class Job final : public QObject {
+    Q_OBJECT
+public:
+    using Deliver = std::function<void()>;
+    /// Runs on the job's thread; what it returns is called back in the maker's thread.
+    using Work = std::function<Deliver(Progress&, std::stop_token)>;
+
+    explicit Job(Work work);
+    ~Job() override;
+
+    void
+    cancel();  ///< asks the work to stop; it still delivers, as a rule an Error for which isCancelled() holds
+
+Q_SIGNALS:
+    void progressed(double fraction, QString stage);
+
+private:
+    class Reporter;
+    std::unique_ptr<Reporter> reporter_;
+    std::jthread thread_;
+};
+
+/// A job that computes a Result and hands it to `done`. `done` may not destroy the job itself; JobSlot may.
+template <class T>
+std::unique_ptr<Job> runJob(std::function<Result<T>(Progress&, std::stop_token)> work,
+                            std::function<void(Result<T>)> done) {
+    return std::make_unique<Job>([work = std::move(work), done = std::move(done)](
+                                     Progress& progress, std::stop_token stop) -> Job::Deliver {
+        auto result = std::make_shared<Result<T>>(work(progress, std::move(stop)));
+        return [result, done] { done(std::move(*result)); };
+    });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,44 @@
+#include "app/window/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace noonmark {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel) {
+    setObjectName(QStringLiteral("messageBar"));
+    label_->setWordWrap(true);
+    label_->setTextFormat(Qt::PlainText);
+    label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* close = new QToolButton;
+    close->setText(QStringLiteral("\u2715"));
+    close->setAutoRaise(true);
+    close->setToolTip(tr("Close this message"));
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 5, 5, 5);
+    row->addWidget(label_, 1);
+    row->addWidget(close, 0, Qt::AlignTop);
+    hide();
+}
+
+void MessageBar::showError(const Error& error) {
+    show(QString::fromStdString(error.text()),
+         "background: #fbe4df; border-bottom: 1px solid #d9806c; color: #5c1606;");
+}
+
+void MessageBar::showNote(const QString& text) {
+    show(text, "background: #e4eef7; border-bottom: 1px solid #8fb2d1; color: #15324b;");
+}
+
+QString MessageBar::text() const { return isHidden() ? QString() : label_->text(); }
+
+void MessageBar::show(const QString& text, const char* colours) {
+    setStyleSheet(QStringLiteral("#messageBar { %1 } #messageBar QLabel { border: none; }")
+                      .arg(QLatin1String(colours)));
+    label_->setText(text);
+    QFrame::show();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,42 @@
+#include "app/window/open_city.h"
+
+#include "app/window/zone_guess.h"
+
+namespace noonmark {
+
+Result<OpenCity> openCity(const std::vector<std::string>& files, const ReadSettings& settings,
+                          Progress& progress, std::stop_token stop) {
+    auto loaded = loadCity(files, settings, progress, stop);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    progress.report(0.9, "building the view");
+    OpenCity open{*std::move(loaded), {}, {}};
+    open.arrays = arraysOf(open.city());
+    if (stop.stop_requested()) return cancelled();
+    auto scene = RayScene::over(open.city(), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    open.picker = ScenePicker(open.city(), *std::move(scene));
+    return open;
+}
+
+StudySettings firstSettings(const LoadedCity& loaded) {
+    StudySettings settings;
+    settings.region = firstRegion(loaded);
+    settings.receivers.cellM = 2;
+    settings.period.zone = zoneNear(loaded.read.city.frame.origin()).toStdString();
+    return settings;
+}
+
+Result<Study> studyOf(const LoadedCity& loaded, const StudySettings& settings, Progress& progress,
+                      std::stop_token stop) {
+    auto study = runStudy(loaded.read.city, settings, progress, std::move(stop));
+    if (!study) return study;
+    study->inputs = loaded.inputs;
+    study->reading = loaded.settings;
+    study->attribution = loaded.read.attribution;
+    study->seconds["read"] = loaded.seconds;
+    study->seconds["total"] += loaded.seconds;
+    study->warnings.insert(study->warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
+    return study;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,40 @@
+#include "app/window/progress_strip.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "app/window/job.h"
+
+namespace noonmark {
+
+ProgressStrip::ProgressStrip(QWidget* parent) : QWidget(parent), label_(new QLabel), bar_(new QProgressBar) {
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setObjectName(QStringLiteral("cancel"));
+    cancel->setToolTip(tr("Stop this work; what was there before stays"));
+    connect(cancel, &QPushButton::clicked, this, &ProgressStrip::cancelRequested);
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setMinimumWidth(120);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(label_, 0, 0, 1, 2);
+    grid->addWidget(bar_, 1, 0);
+    grid->addWidget(cancel, 1, 1);
+    hide();
+}
+
+void ProgressStrip::follow(const Job& job, const QString& what) {
+    label_->setText(what);
+    bar_->setValue(0);
+    connect(&job, &Job::progressed, this, [this, what](double fraction, const QString& stage) {
+        bar_->setValue(int(fraction * 1000));
+        label_->setText(QStringLiteral("%1: %2, %3 %").arg(what, stage).arg(int(fraction * 100)));
+    });
+    show();
+}
+
+void ProgressStrip::finish() { hide(); }
+
+}  // namespace noonmark

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+
+namespace noonmark {
+
+class Job;
+
+/// How far a job is, with a button to cancel it. Hidden while there is none.
+class ProgressStrip final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProgressStrip(QWidget* parent = nullptr);
+
+    void follow(const Job& job, const QString& what);
+    void finish();
+
+Q_SIGNALS:
+    void cancelRequested();
+
+private:
+    QLabel* label_;
+    QProgressBar* bar_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+#include "core/receivers/region.h"
+
+namespace noonmark {
+
+/// A region in words: name, size in metres, area, and about how many cells its box has.
+QString regionText(const Region& region, double cellM);
+
+}  // namespace noonmark

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/study/study.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace noonmark {
+
+class PeriodForm;
+class ProgressStrip;
+class StudyDocument;
+
+/// The question: period, region, cells, engine; and the button that asks it. Shows and changes a
+/// StudyDocument.
+class StudyDock final : public QWidget {
+    Q_OBJECT
+public:
+    explicit StudyDock(StudyDocument& document, QWidget* parent = nullptr);  ///< `document` outlives it
+
+    [[nodiscard]] ProgressStrip& progress() { return *progress_; }
+    void setDrawing(bool drawing);  ///< a region is being drawn
+    void setRunning(bool running);
+
+Q_SIGNALS:
+    void runRequested();
+    void drawRequested(bool draw);
+    void viewRegionRequested();
+    void wholeCityRequested();
+
+private:
+    QWidget* makeRegionGroup();
+    QWidget* makeCellGroup();
+    void showDocument();
+    void changeCells(const QString& field);
+
+    StudyDocument& document_;
+    PeriodForm* period_;
+    QLabel* region_;
+    QPushButton* draw_;
+    QDoubleSpinBox* cell_;
+    QComboBox* engine_;
+    QPushButton* run_;
+    ProgressStrip* progress_;
+};
+
+}  // namespace noonmark

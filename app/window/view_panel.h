@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "app/window/legend_strip.h"
+#include "app/window/message_bar.h"
+#include "app/window/open_city.h"
+#include "app/window/region_tool.h"
+#include "render/view_navigator.h"
+
+namespace noonmark {
+
+/// The middle of the window: messages, the city, the legend below it; and drawing a region on the ground.
+class ViewPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewPanel(QWidget* parent = nullptr);
+
+    void showCity(std::shared_ptr<const OpenCity> city);
+    void showStudy(std::shared_ptr<const Study> study);  ///< null: none
+    void showRegion(const Region& region);
+
+    [[nodiscard]] CityView& view() { return *view_; }
+    [[nodiscard]] ViewNavigator& navigator() { return *navigator_; }
+    [[nodiscard]] RegionTool& regionTool() { return *tool_; }
+    [[nodiscard]] MessageBar& messages() { return *messages_; }
+    [[nodiscard]] LegendStrip& legend() { return *legend_; }
+
+    /// The ground in sight, cut to the neighbourhood of the city; without polygons when there is none.
+    [[nodiscard]] Region visibleGround() const;
+
+    /// The view with its legend, called back when the next frame is drawn.
+    void takePicture(std::function<void(QImage)> done);
+
+Q_SIGNALS:
+    void hovered(QString text);  ///< what lies under the cursor; empty: nothing
+    void filesDropped(QStringList files);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void connectTool();
+    void showGround();
+    void showLines();
+    void tellWhatIsAt(QPointF pixel);
+    void toolKey(int key);
+
+    CityView* view_;
+    ViewNavigator* navigator_;
+    RegionTool* tool_;
+    MessageBar* messages_;
+    LegendStrip* legend_;
+    std::shared_ptr<const OpenCity> city_;
+    std::shared_ptr<const Study> study_;
+    Region region_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QTreeWidget>
+
+#include "core/warnings.h"
+
+namespace noonmark {
+
+/// What was mended, left out or assumed, by kind, each with the ids of its features.
+class WarningsDock final : public QTreeWidget {
+    Q_OBJECT
+public:
+    explicit WarningsDock(QWidget* parent = nullptr);
+    void show(const Warnings& warnings);
+};
+
+}  // namespace noonmark

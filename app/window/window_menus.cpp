@@ -1,0 +1,67 @@
+#include "app/window/window_menus.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace noonmark {
+
+namespace {
+
+QAction* added(QMenu& menu, const QString& text, const QKeySequence& keys, const QString& tip) {
+    QAction* action = menu.addAction(text);
+    action->setShortcut(keys);
+    action->setStatusTip(tip);
+    action->setToolTip(tip);
+    return action;
+}
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+}  // namespace
+
+WindowMenus::WindowMenus(QMainWindow& window) {
+    QMenuBar& bar = *window.menuBar();
+    QMenu& file = *bar.addMenu(tr("&File"));
+    open = added(file, tr("&Open..."), QKeySequence::Open,
+                 tr("Footprints, CityJSON, meshes, terrain; several files make one city"));
+    QMenu& sample = *file.addMenu(tr("Open &sample"));
+    openPark = added(sample, tr("&Central Park South"), {},
+                     tr("The park, its streets and the towers of the case study"));
+    openGrid = added(sample, tr("&Grid"), {}, tr("A made-up city of blocks and lots"));
+    recent = file.addMenu(tr("Open &recent"));
+    file.addSeparator();
+    savePicture = added(file, tr("Save &picture..."), QKeySequence(tr("Ctrl+P")),
+                        tr("The view with its legend, as PNG"));
+    exportStudy = added(file, tr("&Export study..."), QKeySequence(tr("Ctrl+E")),
+                        tr("GeoTIFF, map, report, table and JSON: the files of the command line"));
+    file.addSeparator();
+    quit = added(file, tr("&Quit"), QKeySequence::Quit, {});
+
+    edit = bar.addMenu(tr("&Edit"));
+
+    QMenu& study = *bar.addMenu(tr("&Study"));
+    run = added(study, tr("&Run"), QKeySequence(tr("Ctrl+R")), tr("Compute the shadow of the region"));
+    cancel = added(study, tr("&Cancel"), QKeySequence(tr("Ctrl+.")), tr("Stop the study that is running"));
+    drawRegion = added(study, tr("&Draw region"), QKeySequence(tr("Ctrl+D")),
+                       tr("Click the corners on the ground; Enter finishes, Esc cancels"));
+    study.addSeparator();
+    gross = added(study, tr("Show &gross shadow"), QKeySequence(tr("Ctrl+1")), tr("Minutes in shadow a day"));
+    continuous = added(study, tr("Show c&ontinuous shadow"), QKeySequence(tr("Ctrl+2")),
+                       tr("Longest unbroken run in shadow"));
+
+    QMenu& view = *bar.addMenu(tr("&View"));
+    wholeCity = added(view, tr("&Whole city"), Qt::Key_Home, {});
+    northUp = added(view, tr("&North up"), Qt::Key_N, {});
+    fromAbove = added(view, tr("From &above"), Qt::Key_T, {});
+    region = added(view, tr("&Region"), Qt::Key_R, tr("The region of the study from above"));
+    view.addSeparator();
+    docks = view.addMenu(tr("&Panels"));
+
+    QMenu& help = *bar.addMenu(tr("&Help"));
+    keys = added(help, tr("&Mouse and keys"), QKeySequence::HelpContents, {});
+}
+
+}  // namespace noonmark

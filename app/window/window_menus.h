@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QMainWindow;
+class QMenu;
+
+namespace noonmark {
+
+/// Menus of the main window; what they do is connected by the window. Actions belong to the window.
+struct WindowMenus {
+    explicit WindowMenus(QMainWindow& window);
+
+    QAction* open;
+    QAction* openPark;
+    QAction* openGrid;
+    QMenu* recent;
+    QAction* savePicture;
+    QAction* exportStudy;
+    QAction* quit;
+    QMenu* edit;
+    QAction* run;
+    QAction* cancel;
+    QAction* drawRegion;
+    QAction* gross;
+    QAction* continuous;
+    QAction* wholeCity;
+    QAction* northUp;
+    QAction* fromAbove;
+    QAction* region;
+    QMenu* docks;
+    QAction* keys;
+};
+
+}  // namespace noonmark

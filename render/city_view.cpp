@@ -1,0 +1,188 @@
+#include "render/city_view.h"
+
+#include <QVector2D>
+#include <QVector4D>
+#include <Qt3DCore/QEntity>
+#include <Qt3DRender/QCamera>
+#include <Qt3DRender/QCameraSelector>
+#include <Qt3DRender/QClearBuffers>
+#include <Qt3DRender/QFilterKey>
+#include <Qt3DRender/QRenderCapture>
+#include <Qt3DRender/QRenderSettings>
+#include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QTechniqueFilter>
+#include <Qt3DRender/QViewport>
+
+#include "render/camera_control.h"
+#include "render/picture_texture.h"
+#include "render/shader_material.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr QColor background{0xf3, 0xf5, 0xf7};
+constexpr QColor groundColour{0xe2, 0xe4, 0xe6};
+constexpr QColor buildingColour{0xf7, 0xf5, 0xf1};
+constexpr QColor edgeColour{0x3a, 0x40, 0x4a};
+constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
+constexpr double viewDeg = 40;
+
+QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
+QVector3D vectorOf(const QColor& c) { return {float(c.redF()), float(c.greenF()), float(c.blueF())}; }
+
+Qt3DRender::QTechniqueFilter* forwardFilter(Qt3DCore::QNode* parent) {
+    auto* filter = new Qt3DRender::QTechniqueFilter(parent);
+    auto* key = new Qt3DRender::QFilterKey(filter);
+    key->setName(QStringLiteral("renderingStyle"));
+    key->setValue(QStringLiteral("forward"));
+    filter->addMatch(key);
+    return filter;
+}
+
+}  // namespace
+
+CityView::CityView() : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL), root_(new Qt3DCore::QEntity) {
+    makeFrameGraph();
+    makeMaterials();
+    renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
+    setRootEntity(root_);
+    applyCamera();
+}
+
+CityView::~CityView() = default;
+
+void CityView::makeFrameGraph() {
+    auto* surface = new Qt3DRender::QRenderSurfaceSelector;
+    surface->setSurface(this);
+    auto* viewport = new Qt3DRender::QViewport(forwardFilter(surface));
+    auto* camera = new Qt3DRender::QCameraSelector(viewport);
+    camera->setCamera(this->camera());
+    auto* clear = new Qt3DRender::QClearBuffers(camera);
+    clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
+    clear->setClearColor(background);
+    capture_ = new Qt3DRender::QRenderCapture(clear);
+    setActiveFrameGraph(surface);
+}
+
+void CityView::makeMaterials() {
+    const auto made = [this](const char* name) {
+        return new ShaderMaterial(QString::fromLatin1(name), root_);
+    };
+    building_ = made("building");
+    building_->set(QStringLiteral("baseColour"), vectorOf(buildingColour));
+    building_->set(QStringLiteral("haze"), vectorOf(background));
+    edge_ = made("edge");
+    edge_->set(QStringLiteral("edgeColour"), vectorOf(edgeColour));
+    edge_->blend();
+    ground_ = made("ground");
+    ground_->set(QStringLiteral("groundColour"), vectorOf(groundColour));
+    ground_->set(QStringLiteral("haze"), vectorOf(background));
+    ribbon_ = made("ribbon");
+    ribbon_->set(QStringLiteral("lineColour"), QVector4D(vectorOf(lineColour), 0.9F));
+    ribbon_->set(QStringLiteral("widthPx"), 2.5F);
+    ribbon_->blend();
+    ribbon_->alwaysVisible();
+    ribbon_->bothSides();
+    clearPicture();
+}
+
+Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
+                                 Qt3DCore::QEntity* parent) {
+    auto* entity = new Qt3DCore::QEntity(parent);
+    entity->addComponent(geometry);
+    entity->addComponent(material);
+    return entity;
+}
+
+void CityView::showCity(const CityArrays& arrays) {
+    delete city_;
+    showLines({});
+    clearPicture();
+    bounds_ = arrays.bounds;
+    city_ = new Qt3DCore::QEntity(root_);
+    const auto position = QStringLiteral("vertexPosition");
+    auto* ground = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
+    ground->addPoints(position, arrays.groundPoints);
+    ground->setIndices(arrays.groundTriangles);
+    add(ground, ground_, city_);
+    if (!arrays.triangles.empty()) {
+        auto* buildings = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
+        buildings->addPoints(position, arrays.points);
+        buildings->setIndices(arrays.triangles);
+        add(buildings, building_, city_);
+    }
+    if (!arrays.edges.empty()) {
+        auto* edges = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Lines);
+        edges->addPoints(position, arrays.points);
+        edges->setIndices(arrays.edges);
+        add(edges, edge_, city_);
+    }
+    const auto haze = float(5 * bounds_.radiusM());
+    for (ShaderMaterial* material : {building_, edge_, ground_})
+        material->set(QStringLiteral("hazeDistance"), haze);
+    setPose(wholeCity(bounds_, lens()));
+}
+
+void CityView::showPicture(const GroundPicture& given) {
+    const GroundPicture picture = fitted(given);
+    const Grid& grid = picture.grid;
+    Qt3DCore::QNode* const previous = texture_;
+    Qt3DRender::QAbstractTexture* texture = textureOf(picture, root_);
+    texture_ = texture;
+    ground_->set(QStringLiteral("picture"), QVariant::fromValue(texture));
+    ground_->set(QStringLiteral("pictureBox"),
+                 QVector4D(float(grid.westM), float(grid.southM), float(grid.eastM() - grid.westM),
+                           float(grid.northM() - grid.southM)));
+    delete previous;
+}
+
+void CityView::clearPicture() {
+    GroundPicture nothing;
+    nothing.grid = {0, 0, 1, 1, 1};
+    nothing.pixels.resize(1);
+    showPicture(nothing);
+}
+
+void CityView::showLines(const std::vector<GroundLine>& lines) {
+    delete lines_;
+    lines_ = nullptr;
+    if (!lines.empty()) lines_ = add(outlineGeometry(lines), ribbon_, root_);
+}
+
+void CityView::setPose(const CameraPose& pose) {
+    pose_ = pose;
+    applyCamera();
+    Q_EMIT poseChanged();
+}
+
+ViewLens CityView::lens() const {
+    return {viewDeg, double(std::max(1, width())), double(std::max(1, height()))};
+}
+
+void CityView::applyCamera() {
+    const ClipRange clip = clipRangeOf(pose_, bounds_);
+    const ViewLens view = lens();
+    camera()->lens()->setPerspectiveProjection(float(viewDeg), float(view.widthPx / view.heightPx),
+                                               float(clip.nearM), float(clip.farM));
+    camera()->setPosition(vectorOf(eyeOf(pose_)));
+    camera()->setViewCenter(vectorOf(pose_.target));
+    camera()->setUpVector(vectorOf(upOf(pose_)));
+    ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
+}
+
+void CityView::resizeEvent(QResizeEvent* event) {
+    Qt3DWindow::resizeEvent(event);
+    applyCamera();
+}
+
+void CityView::capture(std::function<void(QImage)> done) {
+    Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();
+    connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [reply, done = std::move(done)] {
+        const QImage image = reply->image();
+        reply->deleteLater();
+        done(image);
+    });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QImage>
+#include <Qt3DExtras/Qt3DWindow>
+#include <functional>
+
+#include "render/city_arrays.h"
+#include "render/ground_picture.h"
+#include "render/outline_geometry.h"
+#include "render/view_ray.h"
+
+namespace Qt3DRender {
+class QRenderCapture;
+}
+
+namespace noonmark {
+
+class ShaderMaterial;
+
+/// The city on the screen: buildings, ground and lines over it. Draws only when something changed. Put it
+/// into a window with QWidget::createWindowContainer. Works with the OpenGL renderer of Qt3D: set
+/// QT3D_RENDERER=opengl before the application is made.
+class CityView final : public Qt3DExtras::Qt3DWindow {
+    Q_OBJECT
+public:
+    CityView();
+    ~CityView() override;
+
+    /// Replaces the city; picture and lines go.
+    void showCity(const CityArrays& arrays);
+    void showPicture(const GroundPicture& picture);
+    void clearPicture();
+    void showLines(const std::vector<GroundLine>& lines);
+
+    [[nodiscard]] const CameraPose& pose() const { return pose_; }
+    void setPose(const CameraPose& pose);
+    [[nodiscard]] const ViewBounds& viewBounds() const { return bounds_; }
+    [[nodiscard]] ViewLens lens() const;
+
+    /// The next frame as an image, in device pixels; called back in this thread.
+    void capture(std::function<void(QImage)> done);
+
+Q_SIGNALS:
+    void poseChanged();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void makeFrameGraph();
+    void makeMaterials();
+    void applyCamera();
+    Qt3DCore::QEntity* add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
+                           Qt3DCore::QEntity* parent);
+
+    CameraPose pose_;
+    ViewBounds bounds_;
+    Qt3DCore::QEntity* root_;
+    Qt3DCore::QEntity* city_ = nullptr;
+    Qt3DCore::QEntity* lines_ = nullptr;
+    ShaderMaterial* building_ = nullptr;
+    ShaderMaterial* edge_ = nullptr;
+    ShaderMaterial* ground_ = nullptr;
+    ShaderMaterial* ribbon_ = nullptr;
+    Qt3DCore::QNode* texture_ = nullptr;
+    Qt3DRender::QRenderCapture* capture_ = nullptr;
+};
+
+}  // namespace noonmark

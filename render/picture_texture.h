@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Qt3DRender/QTexture>
+
+#include "render/ground_picture.h"
+
+namespace noonmark {
+
+/// A new texture of a picture; its first row is at v = 0. Near by, cells are crisp; far away, averaged.
+Qt3DRender::QAbstractTexture* textureOf(const GroundPicture& picture, Qt3DCore::QNode* parent);
+
+}  // namespace noonmark

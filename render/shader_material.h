@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QString>
+#include <Qt3DRender/QMaterial>
+
+namespace Qt3DRender {
+class QRenderPass;
+}
+
+namespace noonmark {
+
+/// The shaders `name`.vert and `name`.frag of resources/shaders, drawn by the window's own frame graph.
+/// Values of uniforms are set by name.
+class ShaderMaterial final : public Qt3DRender::QMaterial {
+    Q_OBJECT
+public:
+    explicit ShaderMaterial(const QString& name, Qt3DCore::QNode* parent = nullptr);
+
+    void set(const QString& uniform, const QVariant& value);
+
+    void blend();          ///< by alpha, without writing depth
+    void alwaysVisible();  ///< drawn over what stands before it
+    void bothSides();      ///< faces are not culled
+
+private:
+    Qt3DRender::QRenderPass* pass_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+
+#include "render/camera_control.h"
+#include "render/city_view.h"
+#include "render/scene_picker.h"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace noonmark {
+
+/// Mouse and keys of a CityView. Left or middle drag turns, right drag (or shift) moves, the wheel zooms to
+/// the cursor; arrow keys move, + and - zoom, Home shows the whole city, N turns north up, T looks from
+/// above. Never below the ground.
+class ViewNavigator final : public QObject {
+    Q_OBJECT
+public:
+    explicit ViewNavigator(CityView& view);  ///< child of `view`
+
+    void setScene(ScenePicker scene) { scene_ = std::move(scene); }
+    [[nodiscard]] const ScenePicker& scene() const { return scene_; }
+
+    /// What lies under a pixel of the view; device-independent pixels from the top left corner.
+    [[nodiscard]] std::optional<Pick> pickAt(QPointF pixel) const;
+    [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF pixel) const;
+
+public Q_SLOTS:
+    void showWholeCity();
+    void turnNorthUp();
+    void lookFromAbove();
+    void show(const Box2& box);  ///< from above
+
+Q_SIGNALS:
+    void hovered(QPointF pixel);
+    void left();
+    void clicked(QPointF pixel);  ///< left button, without a drag
+    void doubleClicked(QPointF pixel);
+    void rightClicked(QPointF pixel);
+    void keyPressed(int key);  ///< a key that does not move the camera
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void press(const QMouseEvent& event);
+    void drag(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    void wheel(const QWheelEvent& event);
+    bool key(const QKeyEvent& event);
+    void zoomAt(QPointF pixel, double factor);
+    void go(const CameraPose& pose);
+
+    CityView& view_;
+    ScenePicker scene_;
+    QPointF pressedAt_;
+    QPointF last_;
+    bool dragging_ = false;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,16 @@
+#version 150 core
+// Flat faces: the normal comes from how the position changes between pixels, in eye space, where numbers are small near the eye.
+in vec3 eyeSpace;
+out vec4 colour;
+uniform mat4 inverseViewMatrix;
+uniform vec3 baseColour;
+uniform vec3 haze;
+uniform float hazeDistance;
+
+void main() {
+    vec3 normal = mat3(inverseViewMatrix) * normalize(cross(dFdx(eyeSpace), dFdy(eyeSpace)));
+    float sun = max(dot(normal, normalize(vec3(-0.55, -0.70, 0.62))), 0.0);
+    float sky = 0.5 + 0.5 * normal.z;
+    vec3 lit = baseColour * (vec3(0.56, 0.585, 0.63) + sky * vec3(0.20) + sun * vec3(0.27, 0.255, 0.225));
+    colour = vec4(mix(lit, haze, 0.75 * smoothstep(0.4, 1.0, length(eyeSpace) / hazeDistance)), 1.0);
+}

@@ -1,0 +1,10 @@
+#version 150 core
+in vec3 vertexPosition;
+out vec3 eyeSpace;
+uniform mat4 modelView;
+uniform mat4 mvp;
+
+void main() {
+    eyeSpace = vec3(modelView * vec4(vertexPosition, 1.0));
+    gl_Position = mvp * vec4(vertexPosition, 1.0);
+}
