@@ -6,9 +6,6 @@ namespace noonmark {
 
 namespace {
 
-TextBlock heading(const char* text) { return {TextKind::heading, QString::fromUtf8(text)}; }
-TextBlock body(const QString& text) { return {TextKind::body, text}; }
-
 QString engineWords(const Study& study) {
     QString words = QStringLiteral("Engine: %1.").arg(QString::fromStdString(study.field.engine));
     if (study.settings.engine == "ray")
@@ -53,7 +50,7 @@ QString sunWords(const Study& study) {
 }
 
 QString frameWords(const Study& study) {
-    return QStringLiteral("Frame: metres east and true north of %1 (WGS84), the CRS of shadow.tif: %2")
+    return QStringLiteral("Frame: metres to the east and true north of %1 (WGS84), the CRS of shadow.tif: %2")
         .arg(latLonWords(study.city.frame.origin()), QString::fromStdString(study.city.frame.projString()));
 }
 
@@ -93,9 +90,9 @@ TextBlocks definitionBlocks(const Study& study) {
 }
 
 std::vector<TextBlocks> methodSections(const Study& study) {
-    return {{heading("Method"), body(engineWords(study)), body(receiverWords(study)), body(stepWords(study)),
-             body(sunWords(study)), body(frameWords(study))},
-            {heading("Error"), body(engineErrorWords(study)), body(modelErrorWords())}};
+    return {{heading(QStringLiteral("Method")), body(engineWords(study)), body(receiverWords(study)),
+             body(stepWords(study)), body(sunWords(study)), body(frameWords(study))},
+            {heading(QStringLiteral("Error")), body(engineErrorWords(study)), body(modelErrorWords())}};
 }
 
 }  // namespace noonmark

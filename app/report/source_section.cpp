@@ -13,9 +13,6 @@ namespace {
 constexpr std::size_t mostInputs = 5;
 constexpr std::size_t mostWarnings = 7;
 
-TextBlock heading(const char* text) { return {TextKind::heading, QString::fromUtf8(text)}; }
-TextBlock body(const QString& text) { return {TextKind::body, text}; }
-
 void addInput(TextBlocks& blocks, const InputFile& input) {
     const QString name = QString::fromStdString(input.path.filename().string());
     if (input.sha256.empty()) {
@@ -27,7 +24,7 @@ void addInput(TextBlocks& blocks, const InputFile& input) {
 }
 
 TextBlocks inputsOf(const Study& study) {
-    TextBlocks blocks{heading("Inputs")};
+    TextBlocks blocks{heading(QStringLiteral("Inputs"))};
     const std::size_t shown = std::min(mostInputs, study.inputs.size());
     for (std::size_t i = 0; i < shown; ++i) addInput(blocks, study.inputs[i]);
     if (shown < study.inputs.size())
@@ -55,15 +52,20 @@ HeightCounts countHeights(const City& city) {
 
 QString heightWords(const Study& study) {
     const HeightCounts counts = countHeights(study.city);
-    const auto count = [&](HeightSource source) { return countWords(counts.bySource[std::size_t(source)]); };
-    return QStringLiteral(
-               "%1 buildings in %2 parts: %3 parts with a measured height, %4 from their levels × %5 m, %6 "
-               "assumed to be "
-               "%7 m high, %8 three-dimensional in the data.")
-        .arg(countWords(study.city.buildings.size()), countWords(counts.parts), count(HeightSource::measured),
-             count(HeightSource::levels), amountWords(study.reading.metresPerLevel, 2),
-             count(HeightSource::assumed), amountWords(study.reading.defaultHeightM, 2),
-             count(HeightSource::mesh));
+    QStringList words;
+    const auto add = [&](HeightSource source, const QString& meaning) {
+        const std::size_t parts = counts.bySource[std::size_t(source)];
+        if (parts > 0) words << countWords(parts) + u' ' + meaning;
+    };
+    add(HeightSource::measured, QStringLiteral("measured"));
+    add(HeightSource::levels,
+        QStringLiteral("from levels × %1 m").arg(amountWords(study.reading.metresPerLevel, 2)));
+    add(HeightSource::assumed, QStringLiteral("not in the data, assumed to be %1 m")
+                                   .arg(amountWords(study.reading.defaultHeightM, 2)));
+    add(HeightSource::mesh, QStringLiteral("three-dimensional in the data"));
+    return QStringLiteral("%1 buildings in %2 parts. Heights of the parts: %3.")
+        .arg(countWords(study.city.buildings.size()), countWords(counts.parts),
+             words.join(QStringLiteral("; ")));
 }
 
 QString groupWords(const WarningGroup& group) {
@@ -89,32 +91,37 @@ QString warningsWords(const Study& study) {
         .arg(warningWords(grouped(study.warnings)), countWords(study.warnings.size()));
 }
 
+QString skippedWords(const Cost& cost) {
+    QStringList words;
+    for (const auto& [reason, count] : cost.skipped)
+        if (count > 0) words << countWords(count) + u' ' + QString::fromStdString(reason);
+    return words.isEmpty() ? QStringLiteral("nothing") : words.join(QStringLiteral("; "));
+}
+
 QString costWords(const Study& study) {
     const Cost& cost = study.field.cost;
-    QStringList words{QStringLiteral("%1 of %2 buildings used")
-                          .arg(countWords(cost.buildingsUsed), countWords(study.city.buildings.size()))};
-    if (cost.rays > 0) words << QStringLiteral("%1 rays").arg(countWords(cost.rays));
-    for (const auto& [reason, count] : cost.skipped)
-        if (count > 0)
-            words << QStringLiteral("skipped %1 %2").arg(countWords(count), QString::fromStdString(reason));
+    QString words = QStringLiteral("%1 of %2 buildings used")
+                        .arg(countWords(cost.buildingsUsed), countWords(study.city.buildings.size()));
+    if (cost.rays > 0) words += QStringLiteral(", %1 rays").arg(countWords(cost.rays));
     const auto total = study.seconds.find("total");
-    if (total != study.seconds.end()) words << QStringLiteral("%1 s in all").arg(amountWords(total->second));
-    return words.join(QStringLiteral("; ")) + QStringLiteral(".");
+    if (total != study.seconds.end())
+        words += QStringLiteral(", %1 s in all").arg(amountWords(total->second));
+    return words + QStringLiteral(". Skipped: ") + skippedWords(cost) + u'.';
 }
 
 }  // namespace
 
 std::vector<TextBlocks> sourceSections(const Study& study) {
     return {inputsOf(study),
-            {heading("Heights"), body(heightWords(study))},
-            {heading("Warnings"), body(warningsWords(study))},
-            {heading("Computed and left undone"), body(costWords(study))}};
+            {heading(QStringLiteral("Heights")), body(heightWords(study))},
+            {heading(QStringLiteral("Warnings")), body(warningsWords(study))},
+            {heading(QStringLiteral("Computed and left undone")), body(costWords(study))}};
 }
 
 TextBlocks repeatBlocks(const Study& study) {
     QString command = QString::fromStdString(repeatCommand(study));
     command.replace(u'\n', QChar(QChar::LineSeparator));
-    TextBlocks blocks{heading("How to repeat it"), {TextKind::code, command}};
+    TextBlocks blocks{heading(QStringLiteral("How to repeat it")), {TextKind::code, command}};
     if (!boxTextOf(study.settings.region, study.city.frame))
         blocks.push_back(
             body(QStringLiteral("%1 lies beside this report.").arg(QString::fromUtf8(regionFileName))));

@@ -1,5 +1,6 @@
 #include "app/report/text_column.h"
 
+#include <QRegularExpression>
 #include <QTextLayout>
 #include <algorithm>
 #include <memory>
@@ -96,6 +97,14 @@ double paintUpTo(QPainter& painter, const std::vector<Paragraph>& paragraphs, co
 }
 
 }  // namespace
+
+TextBlock heading(const QString& text) { return {TextKind::heading, text}; }
+
+TextBlock body(QString text) {
+    static const QRegularExpression unit(
+        QStringLiteral("(?<=\\d) (?=(min|m|m²|h|s|hPa|°C|%|N|S|E|W)\\b|°C|%)"));
+    return {TextKind::body, text.replace(unit, QString(QChar::Nbsp))};
+}
 
 double heightOf(const Canvas& canvas, const TextBlocks& blocks, double width, double points) {
     return heightOf(broken(canvas, blocks, width, points));

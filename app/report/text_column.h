@@ -21,6 +21,9 @@ struct TextBlock {
 };
 using TextBlocks = std::vector<TextBlock>;
 
+TextBlock heading(const QString& text);
+TextBlock body(QString text);  ///< numbers keep to their units: "10 min" is never broken
+
 /// How high the blocks are in a column `width` wide, with body text of `points`. Lines break between words,
 /// and inside a word that is longer than a line: nothing is wider than the column.
 double heightOf(const Canvas& canvas, const TextBlocks& blocks, double width, double points);
