@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "core/accumulate/blank_field.h"
@@ -29,11 +30,17 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// One receiver and what it has seen so far.
-struct Watcher {
-    std::uint32_t cell = 0;
-    glm::vec3 origin;
-    RunCounter runs;
+float justBeyond(float coordinate) {
+    return std::max(coordinate + RayReferenceSettings::asideM,
+                    std::nextafter(coordinate, std::numeric_limits<float>::max()));
+}
+
+/// The receivers of one tile and what they have seen so far.
+struct Watchers {
+    std::vector<std::uint32_t> cells;
+    std::vector<glm::vec3> origins;
+    std::vector<std::uint32_t> blocked;  ///< by the packet at work
+    std::vector<RunCounter> runs;
 };
 
 /// Traces all receivers of a study, a tile at a time, on all threads of the arena it is called in.
@@ -52,44 +59,43 @@ public:
         const ReceiverTiles tiles(receivers_);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.count()), [&](const auto& range) {
             const FlushDenormals flush;
-            std::vector<std::uint32_t> cells;
+            Watchers watchers;
             for (std::size_t tile = range.begin(); tile < range.end() && !stop_.stop_requested(); ++tile) {
-                tiles.cellsOf(tile, cells);
-                traceTile(cells);
+                tiles.cellsOf(tile, watchers.cells);
+                traceTile(watchers);
             }
         });
     }
 
 private:
-    static constexpr std::size_t packetsBetweenChecks = 1024;  // x 16 rays: about a millisecond
+    static constexpr std::size_t packetsBetweenChecks = 16;  // x 64 receivers x 16 rays: under a millisecond
 
-    void traceTile(const std::vector<std::uint32_t>& cells) {
-        std::vector<Watcher> watchers;
-        watchers.reserve(cells.size());
-        for (const std::uint32_t cell : cells)
-            watchers.push_back({cell, rayOrigin(receivers_.position(cell)), {}});
+    void traceTile(Watchers& watchers) {
+        watchers.origins.clear();
+        for (const std::uint32_t cell : watchers.cells)
+            watchers.origins.push_back(rayOrigin(receivers_.position(cell)));
+        watchers.blocked.resize(watchers.cells.size());
+        watchers.runs.assign(watchers.cells.size(), {});
         trace(watchers);
         if (stop_.stop_requested()) return;
-        for (const Watcher& watcher : watchers) write(watcher);
-        report(cells.size());
+        for (std::size_t i = 0; i < watchers.cells.size(); ++i) write(watchers.cells[i], watchers.runs[i]);
+        report(watchers.cells.size());
     }
 
     // The same sixteen suns for one receiver after the other: they cross the same boxes.
-    void trace(std::vector<Watcher>& watchers) const {
-        std::size_t untilCheck = packetsBetweenChecks;
-        for (const SunPacket& packet : packets_)
-            for (Watcher& watcher : watchers) {
-                const std::uint32_t shadow = scene_.blockedLanes(watcher.origin, packet.directions);
-                watcher.runs.add(shadow, packet.starts, packet.directions.count);
-                if (--untilCheck != 0) continue;
-                if (stop_.stop_requested()) return;
-                untilCheck = packetsBetweenChecks;
-            }
+    void trace(Watchers& watchers) const {
+        for (std::size_t i = 0; i < packets_.size(); ++i) {
+            const SunPacket& packet = packets_[i];
+            if (i % packetsBetweenChecks == 0 && stop_.stop_requested()) return;
+            scene_.blockedLanes(watchers.origins, packet.directions, watchers.blocked);
+            for (std::size_t k = 0; k < watchers.runs.size(); ++k)
+                watchers.runs[k].add(watchers.blocked[k], packet.starts, packet.directions.count);
+        }
     }
 
-    void write(const Watcher& watcher) const {
-        field_.grossMin[watcher.cell] = float(watcher.runs.total() * field_.stepMinutes / field_.days);
-        field_.continuousMin[watcher.cell] = float(watcher.runs.longest() * field_.stepMinutes);
+    void write(std::uint32_t cell, const RunCounter& runs) const {
+        field_.grossMin[cell] = float(runs.total() * field_.stepMinutes / field_.days);
+        field_.continuousMin[cell] = float(runs.longest() * field_.stepMinutes);
     }
 
     void report(std::size_t cells) {
@@ -143,10 +149,10 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
 }  // namespace
 
 glm::vec3 rayOrigin(glm::vec3 receiver) {
-    // Beyond 8 km of the origin a float's grain passes half a millimetre, and the lift grows with it.
+    // A float's grain passes half a millimetre 8 km from the origin, and the lift grows with it from there.
     const float farthest = std::max(std::abs(receiver.x), std::abs(receiver.y));
-    receiver.z += RayReferenceSettings::liftM * std::max(1.0F, farthest / 8192.0F);
-    return receiver;
+    const float lift = RayReferenceSettings::liftM * std::max(1.0F, farthest / 8192.0F);
+    return {justBeyond(receiver.x), justBeyond(receiver.y), receiver.z + lift};
 }
 
 RayReference::RayReference(RayReferenceSettings settings) : settings_(settings) {}

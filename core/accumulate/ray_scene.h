@@ -32,10 +32,11 @@ struct Occluder {
 /// A city ready for rays: bounding volumes over every triangle of buildings and terrain. A flat ground is not
 /// in it. Immutable; cheap to copy; all queries may run on several threads at a time.
 ///
-/// The rule for touching: solids are closed, so a ray that meets an edge or corner is blocked, and a ray
-/// along a wall that two buildings share finds no gap. What lies within `nearestM` of the origin is not seen:
-/// a ray that starts on a wall and leaves it is free, one that starts on a wall and enters the building is
-/// blocked by what it meets on the way out.
+/// Touching: neighbouring triangles leave no gap, and neither do two buildings that share a wall. A ray that
+/// lies exactly in the plane of a wall, or only grazes an edge, is blocked or not by rounding: keep origins
+/// off such planes, as RayReference does. What lies within `nearestM` of the origin is not seen: a ray that
+/// starts on a wall and leaves it is free, one that starts on a wall and enters the building is blocked by
+/// what it meets on the way out.
 class RayScene {
 public:
     static constexpr float nearestM = 0.0001F;  ///< where rays begin, metres from their origin
@@ -50,8 +51,11 @@ public:
     /// Whether anything lies on the ray. `direction` need not have unit length. Some 0.1 us.
     [[nodiscard]] bool occluded(glm::vec3 origin, glm::vec3 direction) const;
 
-    /// The same for rays from one origin: bit k is set where direction k is blocked. The fast way.
-    [[nodiscard]] std::uint32_t blockedLanes(glm::vec3 origin, const DirectionPacket& directions) const;
+    /// The same from many origins in the same directions: bit k of blocked[i] is set where direction k is
+    /// blocked as seen from origins[i]. Both spans have the same size. The fast way, faster still where
+    /// origins are neighbours.
+    void blockedLanes(std::span<const glm::vec3> origins, const DirectionPacket& directions,
+                      std::span<std::uint32_t> blocked) const;
 
     [[nodiscard]] std::optional<RayHit> firstHit(glm::vec3 origin, glm::vec3 direction) const;
 
