@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace noonmark {
 
@@ -14,13 +16,18 @@ public:
     GdalCalls& operator=(const GdalCalls&) = delete;
 
     /// True once a call failed (GDAL's warnings do not count).
-    [[nodiscard]] bool failed() const { return failed_; }
+    [[nodiscard]] bool failed() const { return failures_ > 0; }
+    /// How often a call failed.
+    [[nodiscard]] std::size_t failures() const { return failures_; }
+    /// GDAL's words for every failure and warning, in order; the first 10,000.
+    [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
     /// GDAL's words for the first failure, or "no reason was given".
     [[nodiscard]] const std::string& why() const { return why_; }
 
 private:
-    friend void keepFailure(GdalCalls& calls, const char* words);
-    bool failed_ = false;
+    friend void keepComplaint(GdalCalls& calls, bool failure, const char* words);
+    std::size_t failures_ = 0;
+    std::vector<std::string> complaints_;
     std::string why_ = "no reason was given";
 };
 

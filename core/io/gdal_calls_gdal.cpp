@@ -7,15 +7,18 @@
 
 namespace noonmark {
 
-void keepFailure(GdalCalls& calls, const char* words) {
-    if (calls.failed_) return;
-    calls.failed_ = true;
-    if (words != nullptr && *words != '\0') calls.why_ = words;
+void keepComplaint(GdalCalls& calls, bool failure, const char* words) {
+    constexpr std::size_t most = 10000;
+    const std::string text = words != nullptr ? words : "";
+    if (calls.complaints_.size() < most) calls.complaints_.push_back(text);
+    if (!failure) return;
+    if (calls.failures_++ == 0 && !text.empty()) calls.why_ = text;
 }
 
 namespace {
 void CPL_STDCALL onComplaint(CPLErr kind, CPLErrorNum, const char* words) {
-    if (kind >= CE_Failure) keepFailure(*static_cast<GdalCalls*>(CPLGetErrorHandlerUserData()), words);
+    if (kind < CE_Warning) return;
+    keepComplaint(*static_cast<GdalCalls*>(CPLGetErrorHandlerUserData()), kind >= CE_Failure, words);
 }
 }  // namespace
 

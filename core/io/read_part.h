@@ -8,6 +8,9 @@ namespace noonmark {
 struct FilePiece {
     std::optional<Frame> frame;  ///< set when the reader chose it
     std::vector<std::shared_ptr<const Building>> buildings;
+    /// Local z of the ground that each building was put on; nothing where the file does not say it, so that
+    /// readCity() puts the building on the terrain. Empty: all z are the file's own and stay.
+    std::vector<std::optional<float>> groundM;
     std::shared_ptr<const Terrain> terrain;
     Warnings warnings;
     std::string format;
@@ -15,15 +18,19 @@ struct FilePiece {
     std::string attribution;
 };
 
-/// One reader per family of formats; each in a .cpp that bears its backend's name. `settings.frame` is set when an earlier file
-/// fixed it; otherwise the reader chooses the middle of its data.
-Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
+/// One reader per family of formats; each in a .cpp that bears its backend's name. `settings.frame` is set
+/// when an earlier file fixed it; otherwise the reader chooses the middle of its data.
+Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings,
+                                 Progress& progress,
                                  std::stop_token stop);  ///< read_footprints_gdal.cpp
-Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
+Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings,
+                               Progress& progress,
                                std::stop_token stop);  ///< read_cityjson.cpp
-Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
+Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
+                           Progress& progress,
                            std::stop_token stop);  ///< read_mesh_assimp.cpp
-Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
+Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
+                              Progress& progress,
                               std::stop_token stop);  ///< read_terrain_gdal.cpp
 
 }  // namespace noonmark

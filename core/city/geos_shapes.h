@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/city/footprint.h"
+
+// GEOS's own names, so that its header is needed only by files that bear its name.
+struct GEOSGeom_t;
+struct GEOSContextHandle_HS;
+
+namespace noonmark {
+
+/// A GEOS context that says nothing; its failures are null pointers. Cheap to make; not for two threads.
+/// Backend: geos_shapes_geos.cpp, like all here.
+class Geos {
+public:
+    Geos();
+    Geos(const Geos&) = delete;
+    Geos& operator=(const Geos&) = delete;
+    ~Geos();
+    operator GEOSContextHandle_HS*() const { return context_; }
+
+    struct Destroy {
+        GEOSContextHandle_HS* context;
+        void operator()(GEOSGeom_t* geometry) const;
+    };
+    using Geometry = std::unique_ptr<GEOSGeom_t, Destroy>;
+    [[nodiscard]] Geometry owned(GEOSGeom_t* geometry) const { return {geometry, Destroy{context_}}; }
+
+private:
+    GEOSContextHandle_HS* context_;
+};
+
+/// Polygons as GEOS has them, in one multipolygon that need not be valid; they may overlap. Takes `polygons`
+/// over.
+Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeom_t*> polygons);
+Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footprints);
+
+/// The union of a collection on a grid of 1 mm, without points on straight lines.
+Geos::Geometry unionGeometry(const Geos& geos, const Geos::Geometry& polygons);
+
+/// Every polygon in a geometry, oriented; points that fall together in float32 are one; polygons and holes
+/// under 0.01 m2 are left out.
+std::vector<Footprint> polygonsOf(const Geos& geos, const Geos::Geometry& geometry);
+
+/// Square metres; 0 for null.
+double areaOf(const Geos& geos, const Geos::Geometry& geometry);
+
+/// The grid that overlays snap to, metres: finer than any survey, coarse enough that nothing is left of
+/// rounding.
+inline constexpr double overlayGridM = 0.001;
+/// What is smaller is no piece of a building, m2.
+inline constexpr double sliverAreaM2 = 0.01;
+
+}  // namespace noonmark

@@ -1,0 +1,94 @@
+#include <geos_c.h>
+
+#include <algorithm>
+
+#include "core/city/geos_shapes.h"
+#include "core/city/plan_overlay.h"
+
+namespace noonmark {
+
+namespace {
+
+using Geometry = Geos::Geometry;
+using Boxes = std::vector<Box2>;
+
+// Whether something is left when the edge is worn away by half of `widthM`.
+bool isWide(const Geos& geos, const Footprint& footprint, double widthM) {
+    const Geometry whole = collection(geos, std::vector<Footprint>{footprint});
+    if (!whole) return false;
+    const Geometry core = geos.owned(GEOSBuffer_r(geos, whole.get(), -widthM / 2, 2));
+    return core && GEOSisEmpty_r(geos, core.get()) == 0;
+}
+
+GEOSGeometry* boxGeometry(const Geos& geos, const Box2& box) {
+    return GEOSGeom_createRectangle_r(geos, double(box.low.x), double(box.low.y), double(box.high.x),
+                                      double(box.high.y));
+}
+
+// GEOS's tree of boxes; an item is the address of a box in `boxes`.
+class BoxTree {
+public:
+    BoxTree(const Geos& geos, const Boxes& boxes) : geos_(geos), tree_(GEOSSTRtree_create_r(geos, 10)) {
+        for (const Box2& box : boxes) {
+            if (box.empty()) continue;
+            shapes_.push_back(geos.owned(boxGeometry(geos, box)));
+            GEOSSTRtree_insert_r(geos, tree_, shapes_.back().get(), const_cast<Box2*>(&box));
+        }
+    }
+    BoxTree(const BoxTree&) = delete;
+    BoxTree& operator=(const BoxTree&) = delete;
+    ~BoxTree() { GEOSSTRtree_destroy_r(geos_, tree_); }
+
+    [[nodiscard]] std::vector<const Box2*> meeting(const Box2& box) const {
+        std::vector<const Box2*> found;
+        const Geometry shape = geos_.owned(boxGeometry(geos_, box));
+        const auto keep = [](void* item, void* list) {
+            static_cast<std::vector<const Box2*>*>(list)->push_back(static_cast<const Box2*>(item));
+        };
+        GEOSSTRtree_query_r(geos_, tree_, shape.get(), keep, &found);
+        return found;
+    }
+
+private:
+    const Geos& geos_;
+    GEOSSTRtree* tree_;
+    std::vector<Geometry> shapes_;
+};
+
+}  // namespace
+
+std::vector<Footprint> piecesOutside(const std::vector<Footprint>& footprints,
+                                     const std::vector<Footprint>& others, LeastPiece least) {
+    const Geos geos;
+    const Geometry whole = unionGeometry(geos, collection(geos, footprints));
+    const Geometry cover = unionGeometry(geos, collection(geos, others));
+    if (!whole || !cover) return {};
+    auto pieces =
+        polygonsOf(geos, geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM)));
+    std::erase_if(pieces, [&](const Footprint& piece) {
+        return area(piece) < least.areaM2 || !isWide(geos, piece, least.widthM);
+    });
+    return pieces;
+}
+
+double sharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
+    const Geos geos;
+    const Geometry first = collection(geos, a);
+    const Geometry second = collection(geos, b);
+    if (!first || !second) return 0;
+    return areaOf(geos, geos.owned(GEOSIntersectionPrec_r(geos, first.get(), second.get(), overlayGridM)));
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> meetingBoxes(const Boxes& a, const Boxes& b) {
+    const Geos geos;
+    const BoxTree tree(geos, b);
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].empty()) continue;
+        for (const Box2* box : tree.meeting(a[i])) pairs.emplace_back(i, std::size_t(box - b.data()));
+    }
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
+}  // namespace noonmark

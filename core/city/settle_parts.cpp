@@ -1,0 +1,67 @@
+#include "core/city/settle_parts.h"
+
+#include <algorithm>
+
+#include "core/city/mesh_outline.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float sameHeightM = 0.01F;
+
+bool meet(const Box2& a, const Box2& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+using Parts = std::vector<const Part*>;
+
+Parts carriersOf(const Part& part, const Parts& standing, float reachM) {
+    Parts carriers;
+    const Box2 box = bounds(part.footprint);
+    for (const Part* lower : standing)
+        if (lower->topM >= part.bottomM - reachM && meet(box, bounds(lower->footprint)))
+            carriers.push_back(lower);
+    return carriers;
+}
+
+bool areCarrying(const Part& part, const Parts& carriers) {
+    if (carriers.empty()) return false;
+    std::vector<Footprint> footprints;
+    for (const Part* carrier : carriers) footprints.push_back(carrier->footprint);
+    return areaOutside(part.footprint, footprints) <= std::max(0.5, 0.05 * area(part.footprint));
+}
+
+float lowestTop(const Parts& carriers) {
+    return (*std::ranges::min_element(carriers, {}, [](const Part* part) { return part->topM; }))->topM;
+}
+
+void lower(Part& part, float bottomM, Warnings& warnings) {
+    part.bottomM = bottomM;
+    warnings.push_back({WarningKind::mended, "a low gap under a raised part was closed", part.sourceId});
+}
+
+void settle(Part& part, const Parts& standing, const SettleRules& rules, Warnings& warnings) {
+    if (part.bottomM <= rules.groundM + sameHeightM) return;
+    if (areCarrying(part, carriersOf(part, standing, sameHeightM))) return;
+    const Parts near = carriersOf(part, standing, rules.carryGapM);
+    if (areCarrying(part, near)) return lower(part, std::min(part.bottomM, lowestTop(near)), warnings);
+    if (part.bottomM <= rules.groundM + rules.groundGapM) return lower(part, rules.groundM, warnings);
+    part.hangs = true;
+}
+
+}  // namespace
+
+void settleParts(std::vector<Part>& parts, const SettleRules& rules, Warnings& warnings) {
+    std::vector<Part*> upward;
+    for (Part& part : parts)
+        if (!part.hangs) upward.push_back(&part);
+    std::ranges::stable_sort(upward, {}, [](const Part* part) { return part->bottomM; });
+    Parts standing;
+    for (Part* part : upward) {
+        settle(*part, standing, rules, warnings);
+        if (!part->hangs) standing.push_back(part);
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/io/feature_value.h"
+#include "core/io/height_reading.h"
+#include "core/warnings.h"
+
+namespace noonmark {
+
+/// What a feature is and how high, apart from its shape.
+struct FeatureFacts {
+    std::string id;  ///< "way 34633854", "feature 12"
+    std::string name;
+    std::string status;
+    std::string buildingId;  ///< features with the same one are one building; empty: not stated
+    bool outline = true;     ///< the outline of a whole building
+    bool part = false;       ///< building:part; a feature may be both
+    HeightReading heights;
+    std::optional<bool> hangs;  ///< where the file says it; else it is found by what is below
+};
+
+/// How the features of a layer are to be understood.
+struct LayerRules {
+    HeightRules heights;
+    bool tagged = false;  ///< OpenStreetMap tags: only what is tagged building or building:part counts
+    bool sayNoBuilding =
+        false;  ///< warn of features without such a tag (a file of buildings should have none)
+};
+
+/// Nothing for what is no building (no, or not tagged so) or lies underground (location=underground, layer
+/// below 0); the latter is a warning, as is a roof that is not flat (drawn flat at full height).
+std::optional<FeatureFacts> factsOf(const FeatureValues& values, const LayerRules& rules, std::string id,
+                                    Warnings& warnings);
+
+}  // namespace noonmark

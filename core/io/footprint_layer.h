@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geo/crs_to_lon_lat.h"
+#include "core/io/feature_facts.h"
+#include "core/io/field_roles.h"
+#include "core/io/ogr_polygons.h"
+#include "core/io/place_features.h"
+
+class OGRFeature;
+class OGRLayer;
+
+namespace noonmark {
+
+/// Whose word counts for a layer, and how to name it.
+struct LayerSource {
+    std::string file;      ///< its name, for messages
+    bool fromOsm = false;  ///< GDAL's OpenStreetMap driver
+    bool shapefile = false;
+    bool oneOfSeveral = false;  ///< feature ids then name their layer
+};
+
+/// Reads the features of one layer: fields, units and coordinate system are settled once. Backend:
+/// footprint_layer_gdal.cpp.
+class FootprintLayer {
+public:
+    /// Error: no coordinate system, or none that is known; the user's height field is not there.
+    static Result<FootprintLayer> of(OGRLayer& layer, const ReadSettings& settings, const LayerSource& source,
+                                     Warnings& warnings);
+
+    /// Adds the feature if it is a building and has a polygon that can be used; what cannot be used is a
+    /// warning.
+    void read(const OGRFeature& feature, std::vector<UnplacedFeature>& features, Warnings& warnings);
+
+    /// After all features. Error: most coordinates cannot be what the coordinate system says.
+    Result<void> finish(Warnings& warnings) const;
+
+    [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
+
+private:
+    FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings, LayerSource source);
+    [[nodiscard]] std::string idOf(const OGRFeature& feature, const FeatureValues& values) const;
+    [[nodiscard]] FeatureValues valuesOf(const OGRFeature& feature) const;
+    [[nodiscard]] std::optional<std::vector<LonLatPolygon>> lonLatOf(const std::vector<CrsPolygon>& polygons);
+
+    std::string name_;
+    LayerSource source_;
+    std::vector<KnownField> fields_;
+    int otherTags_ = -1;  // index of the field; -1 where there is none
+    int osmId_ = -1;
+    int osmWayId_ = -1;
+    LayerRules rules_;
+    CrsToLonLat toLonLat_;
+    bool publishedPlane_ = false;  // a projected system of a register, whose zero no city lies at
+    std::size_t polygonFeatures_ = 0;
+    std::size_t broken_ = 0;       // features with points that are nowhere
+    std::size_t implausible_ = 0;  // features outside the area their system is meant for
+    std::size_t nearZero_ = 0;     // features whose coordinates could be degrees
+    bool hasZ_ = false;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/footprint_layer.h"
+#include "core/io/other_tags.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr const char* crsAdvice = "State the coordinate reference system it is in: --crs EPSG:number";
+
+std::vector<std::string> fieldNames(const OGRFeatureDefn& definition) {
+    std::vector<std::string> names;
+    for (int i = 0; i < definition.GetFieldCount(); ++i)
+        names.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
+    return names;
+}
+
+// GeoPackage has systems that are there to say that nothing is known.
+bool isKnown(const OGRSpatialReference* system) {
+    if (system == nullptr || system->GetName() == nullptr) return false;
+    return !std::string_view(system->GetName()).starts_with("Undefined");
+}
+
+std::string wktOf(const OGRSpatialReference& system) {
+    char* text = nullptr;
+    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+    system.exportToWkt(&text, options);
+    std::string wkt = text != nullptr ? text : "";
+    CPLFree(text);
+    return wkt;
+}
+
+Result<CrsToLonLat> transformOf(OGRLayer& layer, const ReadSettings& settings, const std::string& where) {
+    if (settings.crs) return CrsToLonLat::of(*settings.crs);
+    const OGRSpatialReference* system = layer.GetSpatialRef();
+    if (!isKnown(system)) return failure("It does not say where its coordinates lie", where, crsAdvice);
+    auto transform = CrsToLonLat::of(wktOf(*system));
+    if (!transform)
+        return failure(
+            fmt::format("Its coordinate reference system, {}, is not one that is known", system->GetName()),
+            where, crsAdvice);
+    return transform;
+}
+
+// The system that counts: the user's, else the layer's.
+OGRSpatialReference systemOf(OGRLayer& layer, const ReadSettings& settings) {
+    OGRSpatialReference system;
+    if (settings.crs)
+        system.SetFromUserInput(settings.crs->c_str(),
+                                OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
+    else if (layer.GetSpatialRef() != nullptr)
+        system = *layer.GetSpatialRef();
+    return system;
+}
+
+bool isInFeet(const OGRSpatialReference& system) {
+    return system.IsProjected() != 0 && std::abs(system.GetLinearUnits() - 0.3048) < 1e-5;
+}
+
+bool isNumber(OGRFieldType type) { return type == OFTInteger || type == OFTInteger64 || type == OFTReal; }
+
+std::string trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == text.npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField& field) {
+    if (feature.IsFieldSetAndNotNull(field.index) == FALSE) return std::nullopt;
+    FeatureValue value{
+        field.meaning.role, field.name, trimmed(feature.GetFieldAsString(field.index)), {}, field.unit};
+    if (value.text.empty()) return std::nullopt;
+    if (isNumber(feature.GetFieldDefnRef(field.index)->GetType()))
+        value.number = feature.GetFieldAsDouble(field.index);
+    return value;
+}
+
+// What is tagged as OpenStreetMap does: by its own driver, by a converter, or with parts.
+bool isTagged(const std::vector<KnownField>& fields, const LayerSource& source, bool converted) {
+    if (source.fromOsm || hasRole(fields, FieldRole::buildingPart)) return true;
+    return converted && hasRole(fields, FieldRole::building);
+}
+
+bool couldBeDegrees(const std::vector<CrsPolygon>& polygons) {
+    return std::ranges::all_of(polygons, [](const CrsPolygon& polygon) {
+        return std::ranges::all_of(polygon.front(), [](glm::dvec2 point) {
+            return std::abs(point.x) <= 180 && std::abs(point.y) <= 90;
+        });
+    });
+}
+
+bool isSomewhere(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }
+
+}  // namespace
+
+Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& settings,
+                                          const LayerSource& source, Warnings& warnings) {
+    auto transform = transformOf(layer, settings, source.file);
+    if (!transform) return tl::make_unexpected(transform.error());
+    FootprintLayer made(layer, *std::move(transform), settings, source);
+    const std::vector<std::string> names = fieldNames(*layer.GetLayerDefn());
+    made.fields_ = knownFields(names, settings.heightField, source.shapefile);
+    if (!settings.heightField.empty() && !hasRole(made.fields_, FieldRole::height))
+        return failure(fmt::format("There is no field \"{}\"", settings.heightField), source.file,
+                       fmt::format("Its fields are: {}", fmt::join(names, ", ")));
+    const OGRSpatialReference system = systemOf(layer, settings);
+    made.publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
+    settleUnits(made.fields_, {settings.heightUnit, isInFeet(system)}, source.file, warnings);
+    const bool converted = made.otherTags_ >= 0 || made.osmWayId_ >= 0;
+    made.rules_.tagged = isTagged(made.fields_, source, converted);
+    made.rules_.sayNoBuilding = !source.fromOsm && !converted;
+    return made;
+}
+
+FootprintLayer::FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings,
+                               LayerSource source)
+    : name_(layer.GetName()), source_(std::move(source)), toLonLat_(std::move(toLonLat)) {
+    const OGRFeatureDefn& definition = *layer.GetLayerDefn();
+    otherTags_ = std::max(definition.GetFieldIndex("other_tags"), definition.GetFieldIndex("all_tags"));
+    osmId_ = definition.GetFieldIndex("osm_id");
+    osmWayId_ = definition.GetFieldIndex("osm_way_id");
+    rules_.heights = {settings.metresPerLevel, settings.defaultHeightM};
+}
+
+std::string FootprintLayer::idOf(const OGRFeature& feature, const FeatureValues& values) const {
+    const auto filled = [&](int field) { return field >= 0 && feature.IsFieldSetAndNotNull(field) != FALSE; };
+    if (osmWayId_ >= 0 && filled(osmWayId_))
+        return fmt::format("way {}", feature.GetFieldAsString(osmWayId_));
+    if (osmWayId_ >= 0 && filled(osmId_)) return fmt::format("relation {}", feature.GetFieldAsString(osmId_));
+    if (const FeatureValue* id = firstOf(values, FieldRole::id)) {
+        std::string text = id->text;
+        if (text.starts_with("way/") || text.starts_with("relation/")) std::ranges::replace(text, '/', ' ');
+        return text;
+    }
+    const std::string number = fmt::format("feature {}", feature.GetFID());
+    return source_.oneOfSeveral ? name_ + ": " + number : number;
+}
+
+FeatureValues FootprintLayer::valuesOf(const OGRFeature& feature) const {
+    FeatureValues values;
+    for (const KnownField& field : fields_)
+        if (auto value = valueOf(feature, field)) values.push_back(*std::move(value));
+    if (otherTags_ < 0 || feature.IsFieldSetAndNotNull(otherTags_) == FALSE) return values;
+    for (auto& [key, text] : tagsFromText(feature.GetFieldAsString(otherTags_)))
+        if (const auto meaning = meaningOf(key))
+            values.push_back(
+                {meaning->role, key, trimmed(text), {}, meaning->unit.value_or(LengthUnit::metres)});
+    return values;
+}
+
+std::optional<std::vector<LonLatPolygon>> FootprintLayer::lonLatOf(const std::vector<CrsPolygon>& polygons) {
+    std::vector<LonLatPolygon> places;
+    for (const CrsPolygon& polygon : polygons) {
+        LonLatPolygon& rings = places.emplace_back();
+        for (const auto& ring : polygon) {
+            rings.push_back(toLonLat_.lonLat(ring));
+            if (!std::ranges::all_of(rings.back(), isSomewhere)) return std::nullopt;
+        }
+    }
+    return places;
+}
+
+void FootprintLayer::read(const OGRFeature& feature, std::vector<UnplacedFeature>& features,
+                          Warnings& warnings) {
+    const FeatureValues values = valuesOf(feature);
+    const OGRGeometry* geometry = feature.GetGeometryRef();
+    const auto polygons = geometry != nullptr ? polygonsIn(*geometry) : std::vector<CrsPolygon>();
+    polygonFeatures_ += polygons.empty() ? 0 : 1;
+    auto facts = factsOf(values, rules_, idOf(feature, values), warnings);
+    if (!facts) return;
+    if (polygons.empty()) {
+        warnings.push_back({WarningKind::dropped, "has no polygon", facts->id});
+        return;
+    }
+    hasZ_ |= geometry->Is3D() != FALSE;
+    nearZero_ += couldBeDegrees(polygons) ? 1 : 0;
+    auto places = lonLatOf(polygons);
+    if (!places) {
+        ++broken_;
+        warnings.push_back(
+            {WarningKind::dropped, "has coordinates that lie nowhere on the earth", facts->id});
+        return;
+    }
+    implausible_ += toLonLat_.isPlausible(places->front().front().front()) ? 0 : 1;
+    features.push_back({*std::move(facts), *std::move(places)});
+}
+
+Result<void> FootprintLayer::finish(Warnings& warnings) const {
+    const auto most = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
+    if (most(broken_))
+        return failure(fmt::format("Its coordinates cannot be {}", toLonLat_.name()), source_.file,
+                       crsAdvice);
+    if (publishedPlane_ && most(nearZero_))
+        return failure(fmt::format("Its coordinates look like degrees, not like {}", toLonLat_.name()),
+                       source_.file,
+                       "State the coordinate reference system they are in, perhaps --crs EPSG:4326");
+    if (most(implausible_))
+        warnings.push_back(
+            {WarningKind::assumed,
+             fmt::format("its place is far outside the area that {} is meant for", toLonLat_.name()),
+             source_.file});
+    if (hasZ_)
+        warnings.push_back({WarningKind::leftOut, "the elevations in its polygons; only outlines are taken",
+                            source_.oneOfSeveral ? source_.file + ": " + name_ : source_.file});
+    return {};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/city/building.h"
+#include "core/io/feature_value.h"
+#include "core/warnings.h"
+
+namespace noonmark {
+
+/// How heights are made of what a feature says; the defaults are those of ReadSettings.
+struct HeightRules {
+    double metresPerLevel = 3.2;
+    double defaultHeightM = 9.6;
+};
+
+/// A feature's extent above its own ground, metres; 0 <= bottomM < topM.
+struct HeightReading {
+    double bottomM = 0;
+    double topM = 0;
+    HeightSource source = HeightSource::assumed;
+    bool byDefault = false;  ///< nothing in the data: topM is the default; the caller warns where it is used
+    bool slab = false;       ///< a canopy whose underside is not in the data
+    std::optional<double> groundElevationM;  ///< above the data's vertical datum
+};
+
+/// A canopy without min_height is drawn as a slab of this thickness under its top.
+constexpr double canopyThicknessM = 0.5;
+
+/// Height: the first height field that holds one; else storeys (and the roof's own height) x metres a storey;
+/// else the default, for a canopy (`canopy`: building=roof) one storey. The underside: min_height, else
+/// storeys below; else 0. Zero, negative and absurd heights (over 1,200 m) count as none. Where the underside
+/// is not below the top, a measured height is drawn from the ground, and a guessed one is put on the
+/// underside. Every value that was not taken as written is a warning (but see byDefault).
+HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,
+                          const std::string& featureId, Warnings& warnings);
+
+}  // namespace noonmark

@@ -1,0 +1,105 @@
+#include "core/io/place_features.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "core/city/repair_footprint.h"
+
+namespace noonmark {
+
+namespace {
+
+// On a sphere, and good enough to tell near from far. Works where the local plane does not: beyond the
+// horizon.
+double distanceM(LonLat a, LonLat b) {
+    constexpr double earthRadiusM = 6371000;
+    constexpr double radiansPerDegree = std::numbers::pi / 180;
+    const double latA = a.latDeg * radiansPerDegree;
+    const double latB = b.latDeg * radiansPerDegree;
+    const double dLat = std::sin((latB - latA) / 2);
+    const double dLon = std::sin((b.lonDeg - a.lonDeg) * radiansPerDegree / 2);
+    const double h = dLat * dLat + std::cos(latA) * std::cos(latB) * dLon * dLon;
+    return 2 * earthRadiusM * std::asin(std::min(1.0, std::sqrt(h)));
+}
+
+double medianOf(std::vector<double>& values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Longitudes are counted from `near`, so that data on both sides of 180 degrees stays together.
+LonLat centreOf(const UnplacedFeature& feature, double nearLonDeg) {
+    LonLat sum{};
+    const auto& ring = feature.polygons.front().front();
+    for (const LonLat place : ring) {
+        sum.lonDeg += nearLonDeg + std::remainder(place.lonDeg - nearLonDeg, 360.0);
+        sum.latDeg += place.latDeg;
+    }
+    return {sum.lonDeg / double(ring.size()), sum.latDeg / double(ring.size())};
+}
+
+bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
+    for (const LonLatPolygon& polygon : feature.polygons)
+        for (const auto& ring : polygon)
+            for (const LonLat place : ring)
+                if (!(distanceM(place, middle) <= farAwayM)) return false;
+    return true;
+}
+
+std::vector<RawRing> localRings(const LonLatPolygon& polygon, const Frame& frame) {
+    std::vector<RawRing> rings;
+    for (const auto& ring : polygon) {
+        RawRing& local = rings.emplace_back();
+        for (const LonLat place : ring) local.push_back(frame.localFromLonLat(place));
+    }
+    return rings;
+}
+
+std::vector<Footprint> repaired(const UnplacedFeature& feature, const Frame& frame, Warnings& warnings) {
+    std::vector<Footprint> pieces;
+    for (const LonLatPolygon& polygon : feature.polygons) {
+        RepairedFootprint result = repairFootprint(localRings(polygon, frame));
+        if (!result.what.empty()) warnings.push_back({result.kind, result.what, feature.facts.id});
+        std::ranges::move(result.pieces, std::back_inserter(pieces));
+    }
+    return pieces;
+}
+
+}  // namespace
+
+Frame frameOf(const std::vector<UnplacedFeature>& features) {
+    const double nearLonDeg = features.front().polygons.front().front().front().lonDeg;
+    std::vector<double> lons, lats, elevations;
+    for (const UnplacedFeature& feature : features) {
+        const LonLat centre = centreOf(feature, nearLonDeg);
+        lons.push_back(centre.lonDeg);
+        lats.push_back(centre.latDeg);
+        if (const auto ground = feature.facts.heights.groundElevationM) elevations.push_back(*ground);
+    }
+    const LonLat middle{std::remainder(medianOf(lons), 360.0), medianOf(lats)};
+    return Frame(middle, elevations.empty() ? 0 : medianOf(elevations));
+}
+
+std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
+                                         double farAwayM, Warnings& warnings) {
+    std::vector<PlacedFeature> placed;
+    for (UnplacedFeature& feature : features) {
+        if (!isNear(feature, frame.origin(), farAwayM)) {
+            warnings.push_back(
+                {WarningKind::leftOut,
+                 fmt::format("lies more than {:g} km from the middle of the city", farAwayM / 1000),
+                 feature.facts.id});
+            continue;
+        }
+        auto pieces = repaired(feature, frame, warnings);
+        if (!pieces.empty()) placed.push_back({std::move(feature.facts), std::move(pieces)});
+    }
+    return placed;
+}
+
+}  // namespace noonmark

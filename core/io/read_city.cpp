@@ -1,0 +1,164 @@
+#include "core/io/read_city.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "core/io/file_kind.h"
+#include "core/io/read_part.h"
+#include "core/io/stand_on_terrain.h"
+
+namespace noonmark {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+// One file's share of the whole progress.
+class FileProgress final : public Progress {
+public:
+    FileProgress(Progress& whole, std::size_t index, std::size_t count)
+        : whole_(whole), index_(index), count_(count) {}
+    void report(double fraction, std::string_view stage) override {
+        whole_.report((double(index_) + fraction) / double(count_), stage);
+    }
+
+private:
+    Progress& whole_;
+    std::size_t index_, count_;
+};
+
+struct InputFile {
+    Path path;
+    FileKind kind = FileKind::footprints;
+    FilePiece piece;
+};
+
+Result<std::vector<InputFile>> recognised(const std::vector<Path>& paths) {
+    if (paths.empty()) return failure("No file is named", {}, "Name at least one file of buildings");
+    std::vector<InputFile> files;
+    for (const Path& path : paths) {
+        const auto kind = fileKind(path);
+        if (!kind) return tl::make_unexpected(kind.error());
+        files.push_back({path, *kind, {}});
+    }
+    return files;
+}
+
+// Buildings fix the frame before terrain does, whose middle may lie far off; a mesh without a place comes
+// last.
+int turnOf(const InputFile& file, const ReadSettings& settings) {
+    if (file.kind == FileKind::terrain) return 1;
+    return file.kind == FileKind::mesh && !settings.meshAnchor ? 2 : 0;
+}
+
+Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings, Progress& progress,
+                            const std::stop_token& stop) {
+    switch (file.kind) {
+        case FileKind::footprints:
+            return readFootprints(file.path, settings, progress, stop);
+        case FileKind::cityJson:
+            return readCityJson(file.path, settings, progress, stop);
+        case FileKind::mesh:
+            return readMesh(file.path, settings, progress, stop);
+        case FileKind::terrain:
+            return readTerrain(file.path, settings, progress, stop);
+    }
+    return failure("It is of no kind that can be read", file.path.string());
+}
+
+// Fills in every file's piece; the first that chooses a frame fixes it for those after it.
+Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, Progress& progress,
+                         const std::stop_token& stop) {
+    std::vector<InputFile*> turns;
+    for (InputFile& file : files) turns.push_back(&file);
+    std::ranges::stable_sort(turns, {}, [&](const InputFile* file) { return turnOf(*file, settings); });
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        if (stop.stop_requested()) return cancelled();
+        FileProgress share(progress, i, turns.size());
+        auto piece = readPiece(*turns[i], settings, share, stop);
+        if (!piece) return tl::make_unexpected(piece.error());
+        if (!settings.frame) settings.frame = piece->frame;
+        turns[i]->piece = *std::move(piece);
+    }
+    if (settings.frame) return *settings.frame;
+    return failure("None of the files says where on the earth it lies", files.front().path.string(),
+                   "State where the model's origin stands: --anchor lon,lat");
+}
+
+void joinTerrain(CityRead& all, const InputFile& file) {
+    if (!file.piece.terrain) return;
+    if (all.city.terrain)
+        all.warnings.push_back(
+            {WarningKind::leftOut, "a second terrain; the first one counts", file.path.filename().string()});
+    else
+        all.city.terrain = file.piece.terrain;
+}
+
+// Buildings that say what ground they stand on, where there is no terrain to show it.
+void sayFlattened(CityRead& all, const InputFile& file) {
+    const auto isRaised = [](const std::optional<float>& ground) { return ground && *ground != 0; };
+    const auto count = std::ranges::count_if(file.piece.groundM, isRaised);
+    if (count > 0 && !all.city.terrain)
+        all.warnings.push_back(
+            {WarningKind::leftOut,
+             fmt::format("the ground elevations of {} buildings: there is no terrain, so the ground is flat",
+                         count),
+             file.path.filename().string()});
+}
+
+void joinBuildings(CityRead& all, const InputFile& file) {
+    const FilePiece& piece = file.piece;
+    sayFlattened(all, file);
+    for (std::size_t i = 0; i < piece.buildings.size(); ++i) {
+        if (piece.groundM.empty())
+            all.city.buildings.push_back(piece.buildings[i]);
+        else
+            all.city.buildings.push_back(std::make_shared<const Building>(
+                standing(*piece.buildings[i], piece.groundM[i], all.city.terrain.get())));
+    }
+}
+
+// With several files a warning says whose it is.
+void joinWarnings(CityRead& all, const InputFile& file, bool several) {
+    const std::string name = file.path.filename().string();
+    for (Warning warning : file.piece.warnings) {
+        if (several && !warning.where.starts_with(name)) warning.where = name + ": " + warning.where;
+        all.warnings.push_back(std::move(warning));
+    }
+}
+
+std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePiece::*text) {
+    std::vector<std::string> texts;
+    for (const InputFile& file : files) {
+        const std::string& one = file.piece.*text;
+        if (!one.empty() && std::ranges::find(texts, one) == texts.end()) texts.push_back(one);
+    }
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+}  // namespace
+
+Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
+                          std::stop_token stop) {
+    auto files = recognised(paths);
+    if (!files) return tl::make_unexpected(files.error());
+    const auto frame = readPieces(*files, settings, progress, stop);
+    if (!frame) return tl::make_unexpected(frame.error());
+    CityRead all;
+    all.city.frame = *frame;
+    for (const InputFile& file : *files) joinTerrain(all, file);
+    for (const InputFile& file : *files) {
+        joinBuildings(all, file);
+        joinWarnings(all, file, files->size() > 1);
+        all.features += file.piece.features;
+    }
+    all.format = joinedTexts(*files, &FilePiece::format);
+    all.attribution = joinedTexts(*files, &FilePiece::attribution);
+    return all;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,228 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/io/footprint_layer.h"
+#include "core/io/gdal_calls.h"
+#include "core/io/osm_configuration.h"
+#include "core/io/osm_semantics.h"
+#include "core/io/read_part.h"
+
+namespace noonmark {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr const char* osmLayer = "multipolygons";
+constexpr const char* osmCredit = "(c) OpenStreetMap contributors, ODbL";
+
+struct OpenFile {
+    GDALDatasetUniquePtr dataset;
+    std::string driver;  // "OSM"
+    [[nodiscard]] bool isOsm() const { return driver == "OSM"; }
+};
+
+Result<OpenFile> opened(const Path& file, const OsmConfiguration& configuration, const GdalCalls& calls) {
+    GDALDriverH driver = GDALIdentifyDriverEx(file.c_str(), GDAL_OF_VECTOR, nullptr, nullptr);
+    const std::string name = driver != nullptr ? GDALGetDescription(driver) : "";
+    const std::string option = "CONFIG_FILE=" + configuration.path();
+    const char* const osmOptions[] = {option.c_str(), nullptr};
+    OpenFile open{GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+                                                         nullptr, name == "OSM" ? osmOptions : nullptr)),
+                  name};
+    if (open.dataset) return open;
+    return failure("It cannot be read as a map (" + calls.why() + ")", file.string(),
+                   "Check that it is whole, or export it again");
+}
+
+std::string formatName(const OpenFile& open, const Path& file) {
+    if (open.isOsm()) return file.extension() == ".pbf" ? "OpenStreetMap PBF" : "OpenStreetMap XML";
+    if (open.driver == "GPKG") return "GeoPackage";
+    if (open.driver == "ESRI Shapefile") return "Shapefile";
+    return open.driver;
+}
+
+bool mayHavePolygons(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
+           type == wkbGeometryCollection;
+}
+
+// What writeCityGeoPackage() makes; other layers of such a file are no buildings.
+bool isOurOwn(OGRLayer& layer) {
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    return std::string_view(layer.GetName()) == "buildings" && fields.GetFieldIndex("building_id") >= 0 &&
+           fields.GetFieldIndex("height_source") >= 0;
+}
+
+std::vector<OGRLayer*> polygonLayers(const OpenFile& open) {
+    std::vector<OGRLayer*> layers;
+    for (OGRLayer* layer : open.dataset->GetLayers()) {
+        if (isOurOwn(*layer)) return {layer};
+        const bool wanted =
+            open.isOsm() ? std::string_view(layer->GetName()) == osmLayer : mayHavePolygons(*layer);
+        if (wanted) layers.push_back(layer);
+    }
+    return layers;
+}
+
+std::vector<std::string> layerNames(const OpenFile& open) {
+    std::vector<std::string> names;
+    for (OGRLayer* layer : open.dataset->GetLayers()) names.emplace_back(layer->GetName());
+    return names;
+}
+
+Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSettings& settings,
+                                            const Path& file, Warnings& warnings) {
+    if (!settings.layer.empty()) {
+        if (OGRLayer* layer = open.dataset->GetLayerByName(settings.layer.c_str())) return std::vector{layer};
+        return failure(fmt::format("There is no layer \"{}\"", settings.layer), file.string(),
+                       fmt::format("Its layers are: {}", fmt::join(layerNames(open), ", ")));
+    }
+    auto layers = polygonLayers(open);
+    if (layers.empty())
+        return failure("It holds no polygons", file.string(), "Export the building footprints as polygons");
+    if (layers.size() > 1)
+        for (OGRLayer* layer : layers)
+            warnings.push_back({WarningKind::assumed,
+                                "one of several polygon layers; all are taken as buildings",
+                                layer->GetName()});
+    return layers;
+}
+
+// Reads all layers, one feature at a time.
+class FileReader {
+public:
+    FileReader(const OpenFile& open, const Path& file, const ReadSettings& settings, Progress& progress,
+               std::stop_token stop)
+        : open_(open), file_(file), settings_(settings), progress_(progress), stop_(std::move(stop)) {}
+
+    Result<std::vector<UnplacedFeature>> read(const GdalCalls& calls) {
+        auto layers = chosenLayers(open_, settings_, file_, warnings);
+        if (!layers) return tl::make_unexpected(layers.error());
+        for (OGRLayer* layer : *layers)
+            if (auto done = readLayer(*layer, layers->size() > 1, calls); !done)
+                return tl::make_unexpected(done.error());
+        if (polygons_ == 0)
+            return failure("It holds no polygons", file_.string(),
+                           "Export the building footprints as polygons");
+        if (found_.empty())
+            return failure(fmt::format("None of its {} polygons can be used as a building", polygons_),
+                           file_.string(), whyNot());
+        return std::move(found_);
+    }
+
+    Warnings warnings;
+    std::size_t features = 0;
+
+private:
+    Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
+        const LayerSource source{file_.filename().string(), open_.isOsm(), open_.driver == "ESRI Shapefile",
+                                 oneOfSeveral};
+        auto reader = FootprintLayer::of(layer, settings_, source, warnings);
+        if (!reader) return tl::make_unexpected(reader.error());
+        if (auto done = readFeatures(layer, *reader, calls); !done) return done;
+        polygons_ += reader->polygonFeatures();
+        return reader->finish(warnings);
+    }
+
+    Result<void> readFeatures(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
+        layer.ResetReading();
+        readHere_ = 0;
+        countHere_ = open_.isOsm() ? 1 : double(std::max<GIntBig>(1, layer.GetFeatureCount()));
+        for (std::size_t failures = calls.failures();; failures = calls.failures()) {
+            const OGRFeatureUniquePtr feature = next(layer);
+            if (!feature && calls.failures() > failures)
+                return failure("It breaks off or is damaged (" + calls.complaints().back() + ")",
+                               file_.string(), "Download or export it again");
+            if (!feature) return {};
+            reader.read(*feature, found_, warnings);
+            if (++features % 256 != 0) continue;
+            if (stop_.stop_requested()) return cancelled();
+            progress_.report(share_, "reading " + file_.filename().string());
+        }
+    }
+
+    // OpenStreetMap's layers are filled side by side, in the order of the file.
+    OGRFeatureUniquePtr next(OGRLayer& layer) {
+        if (!open_.isOsm()) {
+            share_ = std::min(1.0, double(++readHere_) / countHere_);
+            return OGRFeatureUniquePtr(layer.GetNextFeature());
+        }
+        while (true) {
+            OGRLayer* from = nullptr;
+            OGRFeatureUniquePtr feature(open_.dataset->GetNextFeature(&from, &share_, nullptr, nullptr));
+            if (!feature || from == &layer) return feature;
+        }
+    }
+
+    [[nodiscard]] std::string whyNot() const {
+        const auto groups = grouped(warnings);
+        return groups.empty() ? "" : lineOf(groups.front());
+    }
+
+    const OpenFile& open_;
+    const Path& file_;
+    const ReadSettings& settings_;
+    Progress& progress_;
+    std::stop_token stop_;
+    std::vector<UnplacedFeature> found_;
+    std::size_t polygons_ = 0;
+    double share_ = 0;      // of the layer that is read
+    double countHere_ = 1;  // its features
+    std::size_t readHere_ = 0;
+};
+
+void keepComplaints(const GdalCalls& calls, const Path& file, Warnings& warnings) {
+    for (const std::string& words : calls.complaints())
+        warnings.push_back({WarningKind::mended, "the map library says: " + words, file.filename().string()});
+}
+
+void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, const Frame& frame) {
+    for (AssembledBuilding& made : buildings) {
+        std::optional<float> ground;
+        if (made.elevationM) ground = float(*made.elevationM - frame.originElevationM());
+        for (Part& part : made.building.parts) {
+            part.bottomM += ground.value_or(0);
+            part.topM += ground.value_or(0);
+        }
+        piece.groundM.push_back(ground);
+        piece.buildings.push_back(std::make_shared<const Building>(std::move(made.building)));
+    }
+}
+
+}  // namespace
+
+Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
+                                 std::stop_token stop) {
+    const GdalCalls calls;
+    const OsmConfiguration configuration;
+    auto open = opened(file, configuration, calls);
+    if (!open) return tl::make_unexpected(open.error());
+    FileReader reader(*open, file, settings, progress, stop);
+    auto features = reader.read(calls);
+    if (!features) return tl::make_unexpected(features.error());
+    FilePiece piece;
+    piece.warnings = std::move(reader.warnings);
+    keepComplaints(calls, file, piece.warnings);
+    piece.features = reader.features;
+    piece.format = formatName(*open, file);
+    if (open->isOsm()) piece.attribution = osmCredit;
+    if (!settings.frame) piece.frame = frameOf(*features);
+    const Frame frame = settings.frame ? *settings.frame : *piece.frame;
+    progress.report(1, "making buildings");
+    const auto placed = placeFeatures(*std::move(features), frame, settings.farAwayM, piece.warnings);
+    if (stop.stop_requested()) return cancelled();
+    addBuildings(piece, assembleBuildings(placed, settings.metresPerLevel, piece.warnings), frame);
+    if (piece.buildings.empty())
+        return failure("None of its polygons can be used as a building", file.string(),
+                       lineOf(grouped(piece.warnings).front()));
+    return piece;
+}
+
+}  // namespace noonmark
