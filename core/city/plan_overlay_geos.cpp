@@ -76,6 +76,8 @@ double sharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>&
     const Geometry first = collection(geos, a);
     const Geometry second = collection(geos, b);
     if (!first || !second) return 0;
+    const Geometry quick = geos.owned(GEOSIntersection_r(geos, first.get(), second.get()));
+    if (quick) return areaOf(geos, quick);
     return areaOf(geos, geos.owned(GEOSIntersectionPrec_r(geos, first.get(), second.get(), overlayGridM)));
 }
 

@@ -32,12 +32,12 @@ public:
     static Result<FootprintLayer> of(OGRLayer& layer, const ReadSettings& settings, const LayerSource& source,
                                      Warnings& warnings);
 
-    /// Adds the feature if it is a building and has a polygon that can be used; what cannot be used is a
-    /// warning.
-    void read(const OGRFeature& feature, std::vector<UnplacedFeature>& features, Warnings& warnings);
+    /// Keeps the feature if it is a building and has a polygon; what cannot be used is a warning.
+    void read(const OGRFeature& feature, Warnings& warnings);
 
-    /// After all features. Error: most coordinates cannot be what the coordinate system says.
-    Result<void> finish(Warnings& warnings) const;
+    /// After all features: adds those that were kept. Error: most coordinates cannot be what the coordinate
+    /// system says.
+    Result<void> finish(std::vector<UnplacedFeature>& features, Warnings& warnings);
 
     [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
 
@@ -45,7 +45,13 @@ private:
     FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings, LayerSource source);
     [[nodiscard]] std::string idOf(const OGRFeature& feature, const FeatureValues& values) const;
     [[nodiscard]] FeatureValues valuesOf(const OGRFeature& feature) const;
-    [[nodiscard]] std::optional<std::vector<LonLatPolygon>> lonLatOf(const std::vector<CrsPolygon>& polygons);
+    void transform(std::vector<UnplacedFeature>& features, Warnings& warnings);
+    Result<void> checkPlace(Warnings& warnings) const;
+
+    struct Kept {
+        FeatureFacts facts;
+        std::vector<CrsPolygon> polygons;
+    };
 
     std::string name_;
     LayerSource source_;
@@ -56,6 +62,7 @@ private:
     LayerRules rules_;
     CrsToLonLat toLonLat_;
     bool publishedPlane_ = false;  // a projected system of a register, whose zero no city lies at
+    std::vector<Kept> kept_;
     std::size_t polygonFeatures_ = 0;
     std::size_t broken_ = 0;       // features with points that are nowhere
     std::size_t implausible_ = 0;  // features outside the area their system is meant for

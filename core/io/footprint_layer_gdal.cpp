@@ -97,6 +97,23 @@ bool couldBeDegrees(const std::vector<CrsPolygon>& polygons) {
 
 bool isSomewhere(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }
 
+// Takes the next places for the points of the polygons; nothing if one of them lies nowhere.
+std::optional<std::vector<LonLatPolygon>> shapedLike(const std::vector<CrsPolygon>& polygons,
+                                                     std::vector<LonLat>::const_iterator& next) {
+    std::vector<LonLatPolygon> shaped;
+    bool somewhere = true;
+    for (const CrsPolygon& polygon : polygons) {
+        LonLatPolygon& rings = shaped.emplace_back();
+        for (const auto& ring : polygon) {
+            rings.emplace_back(next, next + std::ptrdiff_t(ring.size()));
+            next += std::ptrdiff_t(ring.size());
+            somewhere = somewhere && std::ranges::all_of(rings.back(), isSomewhere);
+        }
+    }
+    if (!somewhere) return std::nullopt;
+    return shaped;
+}
+
 }  // namespace
 
 Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& settings,
@@ -154,23 +171,10 @@ FeatureValues FootprintLayer::valuesOf(const OGRFeature& feature) const {
     return values;
 }
 
-std::optional<std::vector<LonLatPolygon>> FootprintLayer::lonLatOf(const std::vector<CrsPolygon>& polygons) {
-    std::vector<LonLatPolygon> places;
-    for (const CrsPolygon& polygon : polygons) {
-        LonLatPolygon& rings = places.emplace_back();
-        for (const auto& ring : polygon) {
-            rings.push_back(toLonLat_.lonLat(ring));
-            if (!std::ranges::all_of(rings.back(), isSomewhere)) return std::nullopt;
-        }
-    }
-    return places;
-}
-
-void FootprintLayer::read(const OGRFeature& feature, std::vector<UnplacedFeature>& features,
-                          Warnings& warnings) {
+void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
     const FeatureValues values = valuesOf(feature);
     const OGRGeometry* geometry = feature.GetGeometryRef();
-    const auto polygons = geometry != nullptr ? polygonsIn(*geometry) : std::vector<CrsPolygon>();
+    auto polygons = geometry != nullptr ? polygonsIn(*geometry) : std::vector<CrsPolygon>();
     polygonFeatures_ += polygons.empty() ? 0 : 1;
     auto facts = factsOf(values, rules_, idOf(feature, values), warnings);
     if (!facts) return;
@@ -180,18 +184,37 @@ void FootprintLayer::read(const OGRFeature& feature, std::vector<UnplacedFeature
     }
     hasZ_ |= geometry->Is3D() != FALSE;
     nearZero_ += couldBeDegrees(polygons) ? 1 : 0;
-    auto places = lonLatOf(polygons);
-    if (!places) {
-        ++broken_;
-        warnings.push_back(
-            {WarningKind::dropped, "has coordinates that lie nowhere on the earth", facts->id});
-        return;
-    }
-    implausible_ += toLonLat_.isPlausible(places->front().front().front()) ? 0 : 1;
-    features.push_back({*std::move(facts), *std::move(places)});
+    kept_.push_back({*std::move(facts), std::move(polygons)});
 }
 
-Result<void> FootprintLayer::finish(Warnings& warnings) const {
+// All points in one call: GDAL spends 0.1 ms on choosing a transformation for each call.
+void FootprintLayer::transform(std::vector<UnplacedFeature>& features, Warnings& warnings) {
+    std::vector<glm::dvec2> points;
+    for (const Kept& kept : kept_)
+        for (const CrsPolygon& polygon : kept.polygons)
+            for (const auto& ring : polygon) points.insert(points.end(), ring.begin(), ring.end());
+    const std::vector<LonLat> places = toLonLat_.lonLat(points);
+    auto next = places.begin();
+    for (Kept& kept : kept_) {
+        auto polygons = shapedLike(kept.polygons, next);
+        if (!polygons) {
+            ++broken_;
+            warnings.push_back(
+                {WarningKind::dropped, "has coordinates that lie nowhere on the earth", kept.facts.id});
+            continue;
+        }
+        implausible_ += toLonLat_.isPlausible(polygons->front().front().front()) ? 0 : 1;
+        features.push_back({std::move(kept.facts), *std::move(polygons)});
+    }
+    kept_.clear();
+}
+
+Result<void> FootprintLayer::finish(std::vector<UnplacedFeature>& features, Warnings& warnings) {
+    transform(features, warnings);
+    return checkPlace(warnings);
+}
+
+Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
     const auto most = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
     if (most(broken_))
         return failure(fmt::format("Its coordinates cannot be {}", toLonLat_.name()), source_.file,

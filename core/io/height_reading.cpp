@@ -93,10 +93,11 @@ private:
     }
 
     void readTop(HeightReading& reading, bool canopy) {
+        const auto storeys = fromLevels();  // asked first, so that what it cannot read is always said
         if (const auto height = measured()) {
             reading.topM = *height;
             reading.source = HeightSource::measured;
-        } else if (const auto storeys = fromLevels()) {
+        } else if (storeys) {
             reading.topM = *storeys;
             reading.source = HeightSource::levels;
         } else {

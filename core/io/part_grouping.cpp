@@ -1,6 +1,7 @@
 #include "core/io/part_grouping.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 #include <numeric>
 #include <string>
@@ -29,6 +30,11 @@ std::vector<Box2> boxesOf(const Features& features, const Indices& indices) {
     return boxes;
 }
 
+double sharedArea(const Box2& a, const Box2& b) {
+    const glm::dvec2 size = glm::dvec2(glm::min(a.high, b.high)) - glm::dvec2(glm::max(a.low, b.low));
+    return std::max(0.0, size.x) * std::max(0.0, size.y);
+}
+
 // Which outline a part belongs to, the best so far.
 struct Owner {
     std::size_t outline = none;
@@ -45,10 +51,14 @@ struct Owner {
 
 std::vector<Owner> ownersOf(const Features& features, const Indices& parts, const Indices& outlines) {
     std::vector<Owner> owners(parts.size());
-    for (const auto& [p, o] : meetingBoxes(boxesOf(features, parts), boxesOf(features, outlines))) {
+    const auto partBoxes = boxesOf(features, parts);
+    const auto outlineBoxes = boxesOf(features, outlines);
+    for (const auto& [p, o] : meetingBoxes(partBoxes, outlineBoxes)) {
         const auto& part = features[parts[p]].pieces;
         const auto& outline = features[outlines[o]].pieces;
-        owners[p].offer(outlines[o], sharedArea(part, outline) / areaOf(part), areaOf(outline));
+        const double partArea = areaOf(part);
+        if (2 * sharedArea(partBoxes[p], outlineBoxes[o]) < partArea) continue;  // cheap, and most pairs
+        owners[p].offer(outlines[o], sharedArea(part, outline) / partArea, areaOf(outline));
     }
     return owners;
 }

@@ -35,6 +35,7 @@ Result<OpenFile> opened(const Path& file, const OsmConfiguration& configuration,
     OpenFile open{GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                          nullptr, name == "OSM" ? osmOptions : nullptr)),
                   name};
+    if (open.dataset && open.isOsm()) open.dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
     if (open.dataset) return open;
     return failure("It cannot be read as a map (" + calls.why() + ")", file.string(),
                    "Check that it is whole, or export it again");
@@ -128,7 +129,7 @@ private:
         if (!reader) return tl::make_unexpected(reader.error());
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
         polygons_ += reader->polygonFeatures();
-        return reader->finish(warnings);
+        return reader->finish(found_, warnings);
     }
 
     Result<void> readFeatures(OGRLayer& layer, FootprintLayer& reader, const GdalCalls& calls) {
@@ -141,7 +142,7 @@ private:
                 return failure("It breaks off or is damaged (" + calls.complaints().back() + ")",
                                file_.string(), "Download or export it again");
             if (!feature) return {};
-            reader.read(*feature, found_, warnings);
+            reader.read(*feature, warnings);
             if (++features % 256 != 0) continue;
             if (stop_.stop_requested()) return cancelled();
             progress_.report(share_, "reading " + file_.filename().string());
