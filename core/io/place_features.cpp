@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "core/city/mesh_outline.h"
 #include "core/city/repair_footprint.h"
 
 namespace noonmark {
@@ -60,6 +61,22 @@ std::vector<RawRing> localRings(const LonLatPolygon& polygon, const Frame& frame
     return rings;
 }
 
+double areaOf(const std::vector<Footprint>& pieces) {
+    double sum = 0;
+    for (const Footprint& piece : pieces) sum += area(piece);
+    return sum;
+}
+
+// Polygons of one feature may overlap, or share a wall: then they are one.
+std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string& id, Warnings& warnings) {
+    constexpr double sameAreaM2 = 0.01;
+    auto joined = unionOf(pieces);
+    const bool same = joined.size() == pieces.size() && areaOf(pieces) - areaOf(joined) < sameAreaM2;
+    if (same || joined.empty()) return pieces;
+    warnings.push_back({WarningKind::mended, "its polygons overlapped or shared a wall and were joined", id});
+    return joined;
+}
+
 std::vector<Footprint> repaired(const UnplacedFeature& feature, const Frame& frame, Warnings& warnings) {
     std::vector<Footprint> pieces;
     for (const LonLatPolygon& polygon : feature.polygons) {
@@ -67,7 +84,7 @@ std::vector<Footprint> repaired(const UnplacedFeature& feature, const Frame& fra
         if (!result.what.empty()) warnings.push_back({result.kind, result.what, feature.facts.id});
         std::ranges::move(result.pieces, std::back_inserter(pieces));
     }
-    return pieces;
+    return pieces.size() > 1 ? disjoint(std::move(pieces), feature.facts.id, warnings) : pieces;
 }
 
 }  // namespace

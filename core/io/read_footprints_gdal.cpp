@@ -35,7 +35,8 @@ Result<OpenFile> opened(const Path& file, const OsmConfiguration& configuration,
     OpenFile open{GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                                          nullptr, name == "OSM" ? osmOptions : nullptr)),
                   name};
-    if (open.dataset && open.isOsm()) open.dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
+    if (open.dataset && open.isOsm())
+        open.dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
     if (open.dataset) return open;
     return failure("It cannot be read as a map (" + calls.why() + ")", file.string(),
                    "Check that it is whole, or export it again");

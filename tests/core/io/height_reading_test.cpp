@@ -1,0 +1,118 @@
+#include "core/io/height_reading.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace noonmark {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using enum FieldRole;
+
+FeatureValue value(FieldRole role, std::string text, std::string field = "field") {
+    return {role, std::move(field), std::move(text), {}, LengthUnit::metres};
+}
+
+class HeightReadingTest : public testing::Test {
+protected:
+    HeightReading read(const FeatureValues& values, bool canopy = false) {
+        warnings.clear();
+        return readHeights(values, {}, canopy, "way 7", warnings);
+    }
+    Warnings warnings;
+};
+
+TEST_F(HeightReadingTest, takesTheHeightBeforeTheStoreys) {
+    const auto reading = read({value(height, "86m"), value(levels, "10")});
+    EXPECT_DOUBLE_EQ(reading.topM, 86);
+    EXPECT_EQ(reading.source, HeightSource::measured);
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(HeightReadingTest, storeysAndRoofMakeAHeight) {
+    EXPECT_DOUBLE_EQ(read({value(levels, "10")}).topM, 32);
+    EXPECT_DOUBLE_EQ(read({value(levels, "10"), value(roofHeight, "4")}).topM, 36);
+    EXPECT_DOUBLE_EQ(read({value(levels, "10"), value(roofLevels, "2")}).topM, 38.4);
+    EXPECT_EQ(read({value(levels, "10")}).source, HeightSource::levels);
+}
+
+TEST_F(HeightReadingTest, elseTheDefaultWhichIsMarked) {
+    const auto reading = read({});
+    EXPECT_DOUBLE_EQ(reading.topM, 9.6);
+    EXPECT_EQ(reading.source, HeightSource::assumed);
+    EXPECT_TRUE(reading.byDefault);
+}
+
+TEST_F(HeightReadingTest, numbersTakeTheirFieldsUnit) {
+    FeatureValue feet{height, "HEIGHTROOF", "100", 100.0, LengthUnit::feet};
+    EXPECT_DOUBLE_EQ(read({feet}).topM, 30.48);
+}
+
+TEST_F(HeightReadingTest, unreadableTextIsSaidWithFeatureFieldAndText) {
+    const auto reading =
+        read({value(height, "237;16", "height"), value(levels, "concrete", "building:levels")});
+    EXPECT_DOUBLE_EQ(reading.topM, 9.6);
+    ASSERT_EQ(warnings.size(), 2U);
+    EXPECT_EQ(warnings[0].where, "way 7: building:levels = \"concrete\"");
+    EXPECT_EQ(warnings[1].where, "way 7: height = \"237;16\"");
+}
+
+TEST_F(HeightReadingTest, aBadHeightGivesWayToTheNextField) {
+    EXPECT_DOUBLE_EQ(read({value(height, "unknown"), value(height, "20")}).topM, 20);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(HeightReadingTest, zeroNegativeAndAbsurdHeightsAreNone) {
+    for (const char* text : {"0", "-1", "5000"}) {
+        EXPECT_DOUBLE_EQ(read({value(height, text), value(levels, "2")}).topM, 6.4) << text;
+        ASSERT_EQ(warnings.size(), 1U) << text;
+        EXPECT_THAT(warnings[0].what, HasSubstr("zero or less"));
+    }
+}
+
+TEST_F(HeightReadingTest, storeysThatAreNotReadAreSaidEvenBesideAHeight) {
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(levels, "concrete")}).topM, 20);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(HeightReadingTest, minHeightLifts) {
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "5")}).bottomM, 5);
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minLevel, "2")}).bottomM, 6.4);
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "5;5.5"), value(minLevel, "2")}).bottomM,
+                     6.4);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(HeightReadingTest, anUndersideAboveTheTopIsSaid) {
+    const auto measured = read({value(height, "48"), value(minHeight, "51")});
+    EXPECT_DOUBLE_EQ(measured.bottomM, 0);
+    EXPECT_DOUBLE_EQ(measured.topM, 48);
+    EXPECT_EQ(warnings.size(), 1U);
+    const auto guessed = read({value(levels, "2"), value(minHeight, "20")});
+    EXPECT_DOUBLE_EQ(guessed.bottomM, 20);
+    EXPECT_DOUBLE_EQ(guessed.topM, 26.4);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(HeightReadingTest, minHeightBelowTheGroundIsLeftOutAndSaid) {
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "-3")}).bottomM, 0);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(HeightReadingTest, groundMustBeOnEarth) {
+    EXPECT_EQ(read({value(groundElevation, "12.5"), value(height, "9")}).groundElevationM, 12.5);
+    EXPECT_EQ(read({value(groundElevation, "-99999"), value(height, "9")}).groundElevationM, std::nullopt);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(HeightReadingTest, aCanopyIsASlabUnderItsTop) {
+    const auto slab = read({value(height, "5")}, true);
+    EXPECT_DOUBLE_EQ(slab.bottomM, 4.5);
+    EXPECT_TRUE(slab.slab);
+    EXPECT_DOUBLE_EQ(read({value(height, "0.4")}, true).bottomM, 0.2);
+    EXPECT_FALSE(read({value(height, "5"), value(minHeight, "4")}, true).slab);
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,264 @@
+#include "core/io/osm_semantics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/io/read_part.h"
+#include "tests/core/io/osm_text.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+using tests::rectangle;
+
+class OsmSemantics : public testing::Test {
+protected:
+    FilePiece read() {
+        NoProgress quiet;
+        auto result = readFootprints(folder.file("test.osm", osm.xml()), settings, quiet, {});
+        EXPECT_TRUE(result) << result.error().text();
+        return result ? *std::move(result) : FilePiece();
+    }
+    Building only() {
+        piece = read();
+        EXPECT_EQ(piece.buildings.size(), 1U);
+        return piece.buildings.empty() ? Building() : *piece.buildings[0];
+    }
+    [[nodiscard]] std::vector<std::string> placesOf(std::string_view what) const {
+        std::vector<std::string> places;
+        for (const Warning& warning : piece.warnings)
+            if (warning.what.find(what) != std::string::npos) places.push_back(warning.where);
+        return places;
+    }
+
+    tests::TemporaryFolder folder;
+    tests::OsmText osm;
+    ReadSettings settings;
+    FilePiece piece;
+};
+
+std::vector<std::string> idsOf(const Building& building) {
+    std::vector<std::string> ids;
+    for (const Part& part : building.parts) ids.push_back(part.sourceId);
+    return ids;
+}
+
+const Part& partOf(const Building& building, const std::string& id) {
+    static const Part none;
+    const auto found = std::ranges::find(building.parts, id, &Part::sourceId);
+    EXPECT_NE(found, building.parts.end()) << id;
+    return found == building.parts.end() ? none : *found;
+}
+
+double areaOf(const Building& building, const std::string& id) {
+    double sum = 0;
+    for (const Part& part : building.parts)
+        if (part.sourceId == id) sum += area(part.footprint);
+    return sum;
+}
+
+TEST_F(OsmSemantics, aBuildingIsItsOutline) {
+    const auto way =
+        osm.way(rectangle(0, 0, 20, 10), {{"building", "yes"}, {"height", "30 ft"}, {"name", "Shed"}});
+    const Building building = only();
+    EXPECT_EQ(building.sourceId, way);
+    EXPECT_EQ(building.name, "Shed");
+    ASSERT_THAT(idsOf(building), ElementsAre(way));
+    EXPECT_NEAR(building.parts[0].topM, 9.144, 1e-4);
+    EXPECT_NEAR(area(building.parts[0].footprint), 200, 0.1);
+    EXPECT_EQ(building.parts[0].heightSource, HeightSource::measured);
+    EXPECT_FALSE(building.parts[0].hangs);
+    EXPECT_TRUE(piece.warnings.empty());
+    EXPECT_THAT(piece.attribution, HasSubstr("OpenStreetMap contributors"));
+    EXPECT_EQ(piece.format, "OpenStreetMap XML");
+}
+
+TEST_F(OsmSemantics, courtyardsStayOpen) {
+    const auto id = osm.relation(rectangle(0, 0, 40, 40), {rectangle(10, 10, 20, 20)}, {{"building", "yes"}});
+    const Building building = only();
+    EXPECT_EQ(building.sourceId, id);
+    EXPECT_NEAR(area(building.parts[0].footprint), 1200, 0.5);
+}
+
+TEST_F(OsmSemantics, partsReplaceTheirOutline) {
+    const auto outline = osm.way(rectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto low = osm.way(rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
+    const auto high = osm.way(rectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "90"}});
+    const Building building = only();
+    EXPECT_EQ(building.sourceId, outline);
+    EXPECT_THAT(idsOf(building), UnorderedElementsAre(low, high));
+    EXPECT_FLOAT_EQ(partOf(building, low).topM, 20);
+    EXPECT_FLOAT_EQ(partOf(building, high).topM, 90);
+}
+
+TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
+    const auto outline = osm.way(rectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "200"}});
+    osm.way(rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "200"}});
+    osm.way(rectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "25"}});
+    const Building building = only();
+    EXPECT_NEAR(areaOf(building, outline), 400, 0.5);
+    EXPECT_FLOAT_EQ(partOf(building, outline).topM, 25);
+    EXPECT_EQ(partOf(building, outline).heightSource, HeightSource::assumed);
+    EXPECT_THAT(placesOf("leave some of its outline uncovered"), ElementsAre(outline));
+}
+
+TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
+    const auto outline = osm.way(rectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "20"}});
+    osm.way(rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "120"}});
+    const Building building = only();
+    EXPECT_NEAR(areaOf(building, outline), 800, 0.5);
+    EXPECT_FLOAT_EQ(partOf(building, outline).topM, 20);
+    EXPECT_EQ(partOf(building, outline).heightSource, HeightSource::measured);
+    EXPECT_TRUE(placesOf("uncovered").empty());
+}
+
+TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
+    const auto podium = osm.way(rectangle(0, 0, 40, 40), {{"building", "yes"}, {"height", "20"}});
+    const auto tower = osm.way(rectangle(10, 10, 20, 20),
+                               {{"building:part", "yes"}, {"height", "100"}, {"min_height", "20"}});
+    const Building building = only();
+    EXPECT_NEAR(areaOf(building, podium), 1600, 0.5);
+    EXPECT_FALSE(partOf(building, tower).hangs);
+    EXPECT_FLOAT_EQ(partOf(building, tower).bottomM, 20);
+}
+
+TEST_F(OsmSemantics, sliversOfOutlineAreNoBuilding) {
+    osm.way(rectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto part = osm.way(rectangle(0, 0, 39.5F, 20), {{"building:part", "yes"}, {"height", "90"}});
+    EXPECT_THAT(idsOf(only()), ElementsAre(part));
+}
+
+TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
+    const auto both =
+        osm.way(rectangle(0, 0, 40, 40), {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
+    const auto tower = osm.way(rectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
+    const Building building = only();
+    EXPECT_THAT(idsOf(building), UnorderedElementsAre(both, tower));
+    EXPECT_NEAR(areaOf(building, both), 1600, 0.5);
+}
+
+TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
+    const auto base = osm.way(rectangle(0, 0, 60, 60), {{"building:part", "yes"}, {"height", "320"}});
+    const auto middle = osm.way(rectangle(10, 10, 40, 40),
+                                {{"building:part", "yes"}, {"min_height", "320"}, {"height", "390"}});
+    const auto mast = osm.way(rectangle(28, 28, 4, 4),
+                              {{"building:part", "yes"}, {"min_height", "390"}, {"height", "443.2"}});
+    const auto elsewhere = osm.way(rectangle(200, 0, 10, 10), {{"building:part", "yes"}, {"height", "10"}});
+    piece = read();
+    ASSERT_EQ(piece.buildings.size(), 2U);
+    EXPECT_EQ(piece.buildings[0]->sourceId, base);
+    EXPECT_THAT(idsOf(*piece.buildings[0]), ElementsAre(base, middle, mast));
+    EXPECT_FLOAT_EQ(topM(*piece.buildings[0]), 443.2F);
+    for (const Part& part : piece.buildings[0]->parts) EXPECT_FALSE(part.hangs);
+    EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(elsewhere));
+}
+
+TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
+    const auto west = osm.way(rectangle(0, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto east = osm.way(rectangle(10, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto westPart = osm.way(rectangle(0, 0, 10.02F, 20), {{"building:part", "yes"}, {"height", "15"}});
+    const auto eastPart = osm.way(rectangle(10, 0, 10, 20), {{"building:part", "yes"}, {"height", "25"}});
+    piece = read();
+    ASSERT_EQ(piece.buildings.size(), 2U);
+    EXPECT_EQ(piece.buildings[0]->sourceId, west);
+    EXPECT_THAT(idsOf(*piece.buildings[0]), ElementsAre(westPart));
+    EXPECT_EQ(piece.buildings[1]->sourceId, east);
+    EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(eastPart));
+}
+
+TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
+    osm.way(rectangle(0, 0, 100, 100), {{"building", "yes"}, {"height", "9"}});
+    const auto inner = osm.way(rectangle(20, 20, 30, 30), {{"building", "yes"}, {"height", "40"}});
+    const auto part = osm.way(rectangle(20, 20, 30, 30), {{"building:part", "yes"}, {"height", "50"}});
+    piece = read();
+    ASSERT_EQ(piece.buildings.size(), 2U);
+    EXPECT_EQ(piece.buildings[1]->sourceId, inner);
+    EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(part));
+}
+
+TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
+    osm.way(rectangle(0, 0, 30, 10), {{"building", "yes"}, {"height", "30"}});
+    const auto leg = osm.way(rectangle(0, 0, 10, 10), {{"building:part", "yes"}, {"height", "30"}});
+    const auto bridge = osm.way(rectangle(10, 0, 20, 10),
+                                {{"building:part", "yes"}, {"height", "30"}, {"building:min_level", "4"}});
+    const Building building = only();
+    EXPECT_FALSE(partOf(building, leg).hangs);
+    EXPECT_TRUE(partOf(building, bridge).hangs);
+    EXPECT_FLOAT_EQ(partOf(building, bridge).bottomM, 12.8F);
+}
+
+TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
+    const auto slab =
+        osm.way(rectangle(0, 0, 30, 10), {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
+    const auto top =
+        osm.way(rectangle(5, 0, 20, 10), {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
+    const Building building = only();
+    EXPECT_TRUE(partOf(building, slab).hangs);
+    EXPECT_TRUE(partOf(building, top).hangs);
+}
+
+TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
+    osm.way(rectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
+    const auto upper =
+        osm.way(rectangle(5, 5, 20, 20), {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
+    const Building building = only();
+    EXPECT_FLOAT_EQ(partOf(building, upper).bottomM, 17);
+    EXPECT_FALSE(partOf(building, upper).hangs);
+    EXPECT_THAT(placesOf("low gap"), ElementsAre(upper));
+}
+
+TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
+    osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}});
+    const auto station =
+        osm.way(rectangle(20, 0, 10, 10), {{"building", "train_station"}, {"location", "underground"}});
+    const auto cellar = osm.way(rectangle(40, 0, 10, 10), {{"building", "yes"}, {"layer", "-2"}});
+    only();
+    EXPECT_THAT(placesOf("underground"), ElementsAre(station, cellar));
+}
+
+TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
+    const auto canopy =
+        osm.way(rectangle(0, 0, 10, 10), {{"building", "roof"}, {"height", "5"}, {"layer", "1"}});
+    const auto bare = osm.way(rectangle(20, 0, 10, 10), {{"building", "roof"}});
+    const auto stated =
+        osm.way(rectangle(40, 0, 10, 10), {{"building", "roof"}, {"height", "4"}, {"min_height", "3"}});
+    piece = read();
+    ASSERT_EQ(piece.buildings.size(), 3U);
+    for (const auto& building : piece.buildings) EXPECT_TRUE(building->parts[0].hangs);
+    EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].bottomM, 4.5F);
+    EXPECT_FLOAT_EQ(piece.buildings[1]->parts[0].topM, 3.2F);
+    EXPECT_FLOAT_EQ(piece.buildings[2]->parts[0].bottomM, 3);
+    EXPECT_THAT(placesOf("slab"), ElementsAre(canopy, bare));
+}
+
+TEST_F(OsmSemantics, noMeansNo) {
+    const auto yes =
+        osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
+    const auto no = osm.way(rectangle(20, 0, 10, 10), {{"building", "no"}});
+    const auto noPart = osm.way(rectangle(40, 0, 10, 10), {{"building:part", "no"}});
+    EXPECT_THAT(idsOf(only()), ElementsAre(yes));
+    EXPECT_THAT(placesOf("no building"), ElementsAre(no, noPart));
+}
+
+TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
+    const auto gabled =
+        osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
+    osm.way(rectangle(20, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
+    piece = read();
+    EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 9);
+    EXPECT_THAT(placesOf("roof is not flat"), ElementsAre(gabled));
+}
+
+TEST_F(OsmSemantics, aBuildingInTheMakingSaysSo) {
+    osm.way(rectangle(0, 0, 10, 10), {{"building", "construction"}, {"height", "9"}});
+    EXPECT_EQ(only().status, "under construction");
+}
+
+}  // namespace
+}  // namespace noonmark
