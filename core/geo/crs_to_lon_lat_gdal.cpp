@@ -6,20 +6,13 @@
 #include <regex>
 
 #include "core/geo/crs_to_lon_lat.h"
+#include "core/io/gdal_calls.h"
 
 namespace noonmark {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// GDAL's messages are not for the user, who gets ours.
-struct QuietGdal {
-    QuietGdal() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-    QuietGdal(const QuietGdal&) = delete;
-    QuietGdal& operator=(const QuietGdal&) = delete;
-    ~QuietGdal() { CPLPopErrorHandler(); }
-};
 
 // The OGC's names of EPSG systems in every spelling, as the short one; other text as it is.
 std::string shortName(const std::string& crs) {
@@ -66,7 +59,7 @@ CrsToLonLat& CrsToLonLat::operator=(CrsToLonLat&&) noexcept = default;
 CrsToLonLat::~CrsToLonLat() = default;
 
 Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
-    const QuietGdal quiet;
+    const GdalCalls gdal;
     auto parts = std::make_unique<Parts>();
     if (!understand(parts->system, crs))
         return failure("\"" + crs + "\" is not a coordinate reference system that is known", {},
@@ -88,7 +81,7 @@ Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
 }
 
 std::vector<LonLat> CrsToLonLat::lonLat(std::span<const glm::dvec2> points) const {
-    const QuietGdal quiet;
+    const GdalCalls gdal;
     std::vector<double> x, y;
     for (const glm::dvec2 point : points) {
         x.push_back(point.x);

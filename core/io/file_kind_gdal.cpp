@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/io/file_kind.h"
+#include "core/io/gdal_calls.h"
 
 namespace noonmark {
 
@@ -14,11 +15,8 @@ constexpr const char* readFormats =
 
 // Whether GDAL opens the file in this way; its messages are not for the user, who gets ours.
 GDALDatasetUniquePtr openedQuietly(const std::filesystem::path& file, unsigned flags) {
-    GDALAllRegister();
-    CPLPushErrorHandler(CPLQuietErrorHandler);
-    GDALDatasetUniquePtr dataset(GDALDataset::Open(file.string().c_str(), flags | GDAL_OF_READONLY));
-    CPLPopErrorHandler();
-    return dataset;
+    const GdalCalls quiet;
+    return GDALDatasetUniquePtr(GDALDataset::Open(file.string().c_str(), flags | GDAL_OF_READONLY));
 }
 
 }  // namespace

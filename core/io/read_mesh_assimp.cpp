@@ -10,6 +10,7 @@
 #include "core/city/mesh_topology.h"
 #include "core/city/surface_mesher.h"
 #include "core/io/guarded_files.h"
+#include "core/io/height_text.h"
 #include "core/io/mesh_buildings.h"
 #include "core/io/mesh_file_check.h"
 #include "core/io/read_part.h"
@@ -26,7 +27,7 @@ constexpr const char* anchorAdvice =
 class Placement {
 public:
     Placement(const ReadSettings& settings, glm::dvec2 origin)
-        : metres_(metresPerUnit(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
+        : metres_(metresPer(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
         const double north = settings.meshNorthDeg * std::numbers::pi / 180;
         sin_ = std::sin(north);
         cos_ = std::cos(north);
@@ -40,17 +41,6 @@ public:
     }
 
 private:
-    static double metresPerUnit(LengthUnit unit) {
-        switch (unit) {
-            case LengthUnit::metres:
-                return 1;
-            case LengthUnit::feet:
-                return 0.3048;
-            case LengthUnit::usSurveyFeet:
-                return 1200.0 / 3937.0;
-        }
-        return 1;
-    }
     double metres_;
     bool yUp_;
     glm::dvec2 origin_;

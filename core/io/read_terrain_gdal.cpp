@@ -1,0 +1,265 @@
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/city/fill_gaps.h"
+#include "core/geo/crs_to_lon_lat.h"
+#include "core/io/gdal_calls.h"
+#include "core/io/height_text.h"
+#include "core/io/read_part.h"
+#include "core/io/terrain_grid.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr const char* crsAdvice = "Say which coordinate reference system it is in, as EPSG:number";
+
+// An open raster and what has to be known of it.
+struct Source {
+    GDALDatasetUniquePtr whole;    // of several bands, if it has them; `dataset` looks into it
+    GDALDatasetUniquePtr dataset;  // of one band
+    std::string file;
+    std::string crs;
+    double geoTransform[6];
+    double metresPerValue = 1;
+    std::string noData;  // to be taken as no data though the file does not say so; empty if none
+    Warnings warnings;
+
+    [[nodiscard]] GDALRasterBand& band() const { return *dataset->GetRasterBand(1); }
+    void warn(WarningKind kind, std::string what) { warnings.push_back({kind, std::move(what), file}); }
+    [[nodiscard]] glm::dvec2 at(glm::dvec2 pixel) const {
+        return {geoTransform[0] + pixel.x * geoTransform[1] + pixel.y * geoTransform[2],
+                geoTransform[3] + pixel.x * geoTransform[4] + pixel.y * geoTransform[5]};
+    }
+};
+
+std::string wktOf(const GDALDataset& dataset) {
+    const OGRSpatialReference* system = dataset.GetSpatialRef();
+    char* text = nullptr;
+    if (system != nullptr && !system->IsEmpty()) {
+        const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+        system->exportToWkt(&text, options);
+    }
+    std::string wkt = text != nullptr ? text : "";
+    CPLFree(text);
+    return wkt;
+}
+
+void keepFirstBand(Source& source) {
+    source.warn(WarningKind::assumed, "the first of several bands was taken as the elevation");
+    char** words = nullptr;
+    for (const char* word : {"-of", "VRT", "-b", "1"}) words = CSLAddString(words, word);
+    GDALTranslateOptions* options = GDALTranslateOptionsNew(words, nullptr);
+    CSLDestroy(words);
+    source.whole = std::move(source.dataset);
+    source.dataset.reset(GDALDataset::FromHandle(
+        GDALTranslate("", GDALDataset::ToHandle(source.whole.get()), options, nullptr)));
+    GDALTranslateOptionsFree(options);
+}
+
+Result<Source> opened(const std::filesystem::path& file, const ReadSettings& settings,
+                      const GdalCalls& gdal) {
+    Source source{.file = file.string()};
+    source.dataset.reset(GDALDataset::Open(file.string().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+    if (!source.dataset)
+        return failure(fmt::format("The terrain cannot be read ({})", gdal.why()), source.file,
+                       "Export or download it again");
+    if (source.dataset->GetRasterCount() < 1) return failure("The raster holds no band", source.file);
+    const bool picture =
+        source.dataset->GetRasterCount() >= 3 && source.band().GetRasterDataType() == GDT_Byte;
+    if (picture || source.band().GetColorTable() != nullptr)
+        return failure("This raster is a picture, not elevations", source.file,
+                       "Choose the elevation model itself");
+    if (source.dataset->GetRasterCount() > 1) keepFirstBand(source);
+    if (!source.dataset) return failure("The terrain's first band cannot be read", source.file);
+    source.crs = wktOf(*source.dataset);
+    if (source.crs.empty()) source.crs = settings.crs.value_or("");
+    if (source.crs.empty())
+        return failure("The terrain has no coordinate reference system", source.file, crsAdvice);
+    if (source.dataset->GetGeoTransform(source.geoTransform) != CE_None)
+        return failure("The raster does not say where it lies", source.file,
+                       "Export it as a GeoTIFF with its place");
+    return source;
+}
+
+double metresOfUnitName(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    const bool feet =
+        name.find("ft") != name.npos || name.find("foot") != name.npos || name.find("feet") != name.npos;
+    const bool us = name.find("us") != name.npos || name.find("survey") != name.npos;
+    if (feet) return metresPer(us ? LengthUnit::usSurveyFeet : LengthUnit::feet);
+    if (name == "cm" || name.starts_with("centim")) return 0.01;
+    return name == "m" || name.starts_with("met") ? 1 : 0;
+}
+
+// The unit by the band, else by the vertical system, else as the user states, else by the horizontal system.
+void learnUnit(Source& source, const CrsToLonLat& crs, const ReadSettings& settings) {
+    const std::string name = source.band().GetUnitType();
+    source.metresPerValue = metresOfUnitName(name);
+    if (source.metresPerValue > 0) return;
+    source.metresPerValue = crs.metresPerElevationUnit();
+    if (!name.empty()) source.warn(WarningKind::assumed, "unit \"" + name + "\" is not known");
+    if (crs.elevationUnitIsStated()) return;
+    if (settings.heightUnit) source.metresPerValue = metresPer(*settings.heightUnit);
+    if (!settings.heightUnit && source.metresPerValue != 1)
+        source.warn(
+            WarningKind::assumed,
+            "elevations have no unit; they were taken to be in the unit of the map, which is not metres");
+}
+
+// Values that stand for "no data" by custom where the file does not say which do. Looked for in a thinned
+// copy.
+void learnNoData(Source& source) {
+    int stated = 0;
+    source.band().GetNoDataValue(&stated);
+    if (stated != 0 || (source.band().GetMaskFlags() & GMF_ALL_VALID) == 0) return;
+    const int columns = std::min(1000, source.band().GetXSize());
+    const int rows = std::min(1000, source.band().GetYSize());
+    std::vector<float> sample(std::size_t(columns) * std::size_t(rows));
+    if (source.band().RasterIO(GF_Read, 0, 0, source.band().GetXSize(), source.band().GetYSize(),
+                               sample.data(), columns, rows, GDT_Float32, 0, 0, nullptr) != CE_None)
+        return;
+    for (const float custom :
+         {-9999.0F, -99999.0F, -32768.0F, -32767.0F, std::numeric_limits<float>::lowest()}) {
+        if (std::find(sample.begin(), sample.end(), custom) == sample.end()) continue;
+        source.noData = fmt::format("{:.9g}", custom);
+        source.warn(
+            WarningKind::assumed,
+            fmt::format("cells of {:g} were taken as empty, though the file does not say so", custom));
+        return;
+    }
+}
+
+RasterPlace placeOf(const Source& source) {
+    RasterPlace place;
+    const glm::dvec2 size(source.band().GetXSize(), source.band().GetYSize());
+    constexpr int perSide = 20;
+    for (const auto& [from, to] :
+         {std::pair(glm::dvec2(0, 0), glm::dvec2(1, 0)), std::pair(glm::dvec2(1, 0), glm::dvec2(1, 1)),
+          std::pair(glm::dvec2(1, 1), glm::dvec2(0, 1)), std::pair(glm::dvec2(0, 1), glm::dvec2(0, 0))})
+        for (int i = 0; i < perSide; ++i)
+            place.border.push_back(source.at((from + (to - from) * (double(i) / perSide)) * size));
+    place.middle = source.at(size / 2.0);
+    place.nextColumn = source.at(size / 2.0 + glm::dvec2(1, 0));
+    place.nextRow = source.at(size / 2.0 + glm::dvec2(0, 1));
+    return place;
+}
+
+using Options = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)>;
+
+Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALProgressFunc report,
+                    void* reportTo, const std::string& target) {
+    const auto number = [](double value) { return fmt::format("{:.6f}", value); };
+    constexpr double offM = 0.05;  // how far GDAL may put a cell beside its true place
+    std::vector<std::string> words{"-of",
+                                   "MEM",
+                                   "-s_srs",
+                                   source.crs,
+                                   "-t_srs",
+                                   target,
+                                   "-te",
+                                   number(grid.westM),
+                                   number(grid.southM),
+                                   number(grid.eastM()),
+                                   number(grid.northM()),
+                                   "-ts",
+                                   std::to_string(grid.columns),
+                                   std::to_string(grid.rows),
+                                   "-r",
+                                   coarser ? "average" : "bilinear",
+                                   "-ot",
+                                   "Float32",
+                                   "-dstnodata",
+                                   "nan",
+                                   "-novshift",
+                                   "-et",
+                                   number(std::min(0.125, offM / grid.cellM)),
+                                   "-wm",
+                                   "256"};
+    if (!source.noData.empty()) words.insert(words.end(), {"-srcnodata", source.noData});
+    char** list = nullptr;
+    for (const std::string& word : words) list = CSLAddString(list, word.c_str());
+    Options options(GDALWarpAppOptionsNew(list, nullptr), GDALWarpAppOptionsFree);
+    CSLDestroy(list);
+    if (options) GDALWarpAppOptionsSetProgress(options.get(), report, reportTo);
+    return options;
+}
+
+struct Watcher {
+    Progress& progress;
+    std::stop_token stop;
+    static int CPL_STDCALL report(double done, const char*, void* watcher) {
+        auto& self = *static_cast<Watcher*>(watcher);
+        self.progress.report(done, "resampling the terrain");
+        return self.stop.stop_requested() ? 0 : 1;
+    }
+};
+
+// Elevations in metres above the datum, grid order; NaN where there are none. Empty when GDAL failed or was
+// stopped.
+std::vector<float> resampled(Source& source, const Grid& grid, bool coarser, const std::string& target,
+                             Watcher& watcher) {
+    const Options options = warpOptions(source, grid, coarser, &Watcher::report, &watcher, target);
+    GDALDatasetH handle = GDALDataset::ToHandle(source.dataset.get());
+    const GDALDatasetUniquePtr warped(
+        GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &handle, options.get(), nullptr)));
+    if (!warped) return {};
+    std::vector<float> values(grid.size());
+    const std::ptrdiff_t rowBytes = std::ptrdiff_t(sizeof(float)) * grid.columns;
+    float* lastRow =
+        values.data() + std::size_t(grid.rows - 1) * std::size_t(grid.columns);  // GDAL begins in the north
+    if (warped->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, grid.columns, grid.rows, lastRow, grid.columns,
+                                           grid.rows, GDT_Float32, sizeof(float), -rowBytes,
+                                           nullptr) != CE_None)
+        return {};
+    const double scale = source.band().GetScale();
+    const double offset = source.band().GetOffset();
+    for (float& value : values) value = float((double(value) * scale + offset) * source.metresPerValue);
+    return values;
+}
+
+Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
+                       const std::stop_token& stop) {
+    const GdalCalls gdal;
+    Result<Source> source = opened(file, settings, gdal);
+    if (!source) return tl::make_unexpected(source.error());
+    const Result<CrsToLonLat> crs = CrsToLonLat::of(source->crs);
+    if (!crs) return failure(crs.error().what, source->file, crsAdvice);
+    learnUnit(*source, *crs, settings);
+    learnNoData(*source);
+    const Result<TerrainGrid> place = terrainGrid(placeOf(*source), *crs, settings, source->file);
+    if (!place) return tl::make_unexpected(place.error());
+    source->warnings.insert(source->warnings.end(), place->warnings.begin(), place->warnings.end());
+    Watcher watcher{progress, stop};
+    std::vector<float> elevations =
+        resampled(*source, place->grid, place->coarser, place->frame.projString(), watcher);
+    if (stop.stop_requested()) return cancelled();
+    if (elevations.empty())
+        return failure(fmt::format("The terrain cannot be resampled ({})", gdal.why()), source->file,
+                       "Export it as a GeoTIFF");
+    FilePiece piece{.warnings = std::move(source->warnings),
+                    .format = source->dataset->GetDriver()->GetMetadataItem(GDAL_DMD_LONGNAME)};
+    if (const auto finished = finishTerrain(*place, std::move(elevations), settings, source->file, piece);
+        !finished)
+        return tl::make_unexpected(finished.error());
+    return piece;
+}
+
+}  // namespace
+
+Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
+                              Progress& progress, std::stop_token stop) try {
+    return read(file, settings, progress, stop);
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The terrain cannot be read ({})", exception.what()), file.string(),
+                   "Export it again");
+}
+
+}  // namespace noonmark
