@@ -10,7 +10,7 @@ namespace noonmark {
 struct FootprintStyle {
     QColor fill;
     QColor line;
-    double linePt = 0.3;
+    double linePt = 0.25;
 };
 
 /// The footprints of all buildings that `view` sees, as vectors. Parts that stand on the ground are filled;

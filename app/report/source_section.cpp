@@ -11,7 +11,7 @@ namespace noonmark {
 namespace {
 
 constexpr std::size_t mostInputs = 5;
-constexpr std::size_t mostWarnings = 7;
+constexpr std::size_t mostWarnings = 6;
 
 void addInput(TextBlocks& blocks, const InputFile& input) {
     const QString name = QString::fromStdString(input.path.filename().string());
@@ -60,8 +60,9 @@ QString heightWords(const Study& study) {
     add(HeightSource::measured, QStringLiteral("measured"));
     add(HeightSource::levels,
         QStringLiteral("from levels × %1 m").arg(amountWords(study.reading.metresPerLevel, 2)));
-    add(HeightSource::assumed, QStringLiteral("not in the data, assumed to be %1 m")
-                                   .arg(amountWords(study.reading.defaultHeightM, 2)));
+    add(HeightSource::assumed,
+        QStringLiteral("not in the data, so that a default stands in (%1 m for a whole building)")
+            .arg(amountWords(study.reading.defaultHeightM, 2)));
     add(HeightSource::mesh, QStringLiteral("three-dimensional in the data"));
     return QStringLiteral("%1 buildings in %2 parts. Heights of the parts: %3.")
         .arg(countWords(study.city.buildings.size()), countWords(counts.parts),
@@ -75,20 +76,21 @@ QString groupWords(const WarningGroup& group) {
              QString::fromStdString(group.what));
 }
 
-QString warningWords(std::vector<WarningGroup> groups) {
+/// The most frequent kinds, one a line.
+TextBlocks warningsOf(const Study& study) {
+    TextBlocks blocks{heading(QStringLiteral("Warnings"))};
+    std::vector<WarningGroup> groups = grouped(study.warnings);
     std::ranges::stable_sort(groups, std::greater<>{},
                              [](const WarningGroup& group) { return group.where.size(); });
-    QStringList lines;
-    for (std::size_t i = 0; i < std::min(mostWarnings, groups.size()); ++i) lines << groupWords(groups[i]);
-    if (groups.size() > mostWarnings)
-        lines << QStringLiteral("%1 more kinds").arg(groups.size() - mostWarnings);
-    return lines.join(QStringLiteral("; "));
-}
-
-QString warningsWords(const Study& study) {
-    if (study.warnings.empty()) return QStringLiteral("None: every feature was taken as it is.");
-    return QStringLiteral("%1. Each of the %2, with its feature: see study.json.")
-        .arg(warningWords(grouped(study.warnings)), countWords(study.warnings.size()));
+    for (std::size_t i = 0; i < std::min(mostWarnings, groups.size()); ++i)
+        blocks.push_back(body(groupWords(groups[i])));
+    if (groups.empty())
+        blocks.push_back(body(QStringLiteral("None: every feature was taken as it is.")));
+    else
+        blocks.push_back(
+            body(QStringLiteral("%1 in all, of %2 kinds; each of them, with its feature, is in study.json.")
+                     .arg(countWords(study.warnings.size()), countWords(groups.size()))));
+    return blocks;
 }
 
 QString skippedWords(const Cost& cost) {
@@ -114,7 +116,7 @@ QString costWords(const Study& study) {
 std::vector<TextBlocks> sourceSections(const Study& study) {
     return {inputsOf(study),
             {heading(QStringLiteral("Heights")), body(heightWords(study))},
-            {heading(QStringLiteral("Warnings")), body(warningsWords(study))},
+            warningsOf(study),
             {heading(QStringLiteral("Computed and left undone")), body(costWords(study))}};
 }
 

@@ -21,7 +21,7 @@ constexpr QColor quiet{0x5c, 0x61, 0x6b};    ///< less important text; 6:1 on wh
 constexpr QColor line{0xc9, 0xcc, 0xd1};
 constexpr QColor paper{0xff, 0xff, 0xff};
 constexpr QColor building{0x9b, 0x9d, 0xa0};  ///< stands on the ground, in the region
-constexpr QColor buildingLine{0x6c, 0x6f, 0x74};
+constexpr QColor buildingLine{0x7c, 0x7f, 0x84};
 constexpr QColor context{0xe3, 0xe4, 0xe6};  ///< a building outside the region
 constexpr QColor contextLine{0xcf, 0xd1, 0xd4};
 }  // namespace ink
