@@ -1,6 +1,7 @@
 #include "render/camera_control.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,12 +13,38 @@ namespace {
 
 constexpr double degreesPerWidth = 180;
 constexpr double margin = 1.08;
+constexpr int framingRounds = 12;
 
 double tanHalfWidth(const ViewLens& lens) {
     return std::tan(glm::radians(lens.verticalDeg) / 2) * lens.widthPx / lens.heightPx;
 }
 
 double wrapped(double degrees) { return degrees - 360 * std::floor(degrees / 360); }
+
+// Few buildings of a city are as high as its highest: a part of that height is what the picture must hold.
+std::array<glm::dvec3, 8> cornersOf(const ViewBounds& bounds) {
+    std::array<glm::dvec3, 8> corners{};
+    const double highM = bounds.groundM + 0.35 * double(bounds.topM - bounds.groundM);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] = {i & 1 ? bounds.box.high.x : bounds.box.low.x,
+                      i & 2 ? bounds.box.high.y : bounds.box.low.y, i & 4 ? highM : double(bounds.groundM)};
+    return corners;
+}
+
+// One step towards a picture that the points fill: their middle to its middle, their extent to its size.
+CameraPose framed(const CameraPose& pose, const std::array<glm::dvec3, 8>& points, const ViewLens& lens) {
+    glm::dvec2 low(1e30);
+    glm::dvec2 high(-1e30);
+    for (const glm::dvec3 point : points) {
+        const auto pixel = pixelOf(pose, lens, point);
+        if (!pixel) return zoomed(pose, pose.target, 2);
+        low = glm::min(low, *pixel);
+        high = glm::max(high, *pixel);
+    }
+    const glm::dvec2 share = (high - low) / glm::dvec2(lens.widthPx, lens.heightPx);
+    const CameraPose middle = panned(pose, (low + high) / 2.0, {lens.widthPx / 2, lens.heightPx / 2}, lens);
+    return zoomed(middle, middle.target, std::clamp(margin * std::max(share.x, share.y), 0.5, 2.0));
+}
 
 bool eyeIsClear(const CameraPose& pose, const GroundHeight& ground) {
     const glm::dvec3 eye = eyeOf(pose);
@@ -38,15 +65,9 @@ CameraLimits limitsFor(const ViewBounds& bounds) {
 CameraPose wholeCity(const ViewBounds& bounds, const ViewLens& lens) {
     CameraPose pose;
     pose.target = {bounds.centre().x, bounds.centre().y, double(bounds.groundM)};
-    pose.pitchDeg = 38;
-    const glm::dvec2 half = glm::dvec2(bounds.box.high - bounds.box.low) / 2.0;
-    const double tanHalfHeight = std::tan(glm::radians(lens.verticalDeg) / 2);
-    // Width at the near edge of the box; height as the slanting view shortens it.
-    const double forWidth = half.x / tanHalfWidth(lens) + half.y * std::cos(glm::radians(pose.pitchDeg));
-    const double forHeight = half.y * std::sin(glm::radians(pose.pitchDeg)) / tanHalfHeight +
-                             half.y * std::cos(glm::radians(pose.pitchDeg));
-    pose.distanceM =
-        std::max({20.0, forWidth * 0.92, forHeight * 0.98, double(bounds.topM - bounds.groundM)});
+    pose.pitchDeg = 40;
+    pose.distanceM = 4 * bounds.radiusM();
+    for (int i = 0; i < framingRounds; ++i) pose = framed(pose, cornersOf(bounds), lens);
     return pose;
 }
 

@@ -33,6 +33,17 @@ QString filters() {
         "*.tif *.tiff *.asc *.vrt);;All files (*)");
 }
 
+// Docks may be lower than what they hold.
+QScrollArea* scrolled(QWidget* content, int leastWidth) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(leastWidth);
+    return scroll;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QSettings& settings)
@@ -43,7 +54,7 @@ MainWindow::MainWindow(QSettings& settings)
       study_(new StudyDock(workbench_.document())),
       results_(new ResultsDock),
       warnings_(new WarningsDock),
-      progress_(new ProgressStrip),
+      progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
@@ -69,15 +80,12 @@ void MainWindow::addDock(const QString& title, const char* name, QWidget* conten
 }
 
 void MainWindow::makeDocks() {
-    auto* scroll = new QScrollArea;
-    scroll->setWidget(study_);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    addDock(tr("Study"), "studyDock", scroll, Qt::LeftDockWidgetArea);
-    addDock(tr("Results"), "resultsDock", results_, Qt::RightDockWidgetArea);
+    addDock(tr("Study"), "studyDock", scrolled(study_, study_->minimumSizeHint().width() + 22),
+            Qt::LeftDockWidgetArea);
+    addDock(tr("Results"), "resultsDock", scrolled(results_, 270), Qt::RightDockWidgetArea);
     addDock(tr("Warnings"), "warningsDock", warnings_, Qt::RightDockWidgetArea);
-    scroll->setMinimumWidth(study_->minimumSizeHint().width() + 22);
+    const auto docks = findChildren<QDockWidget*>();
+    resizeDocks({docks[1], docks[2]}, {420, 300}, Qt::Vertical);
 }
 
 void MainWindow::makeStatusBar() {

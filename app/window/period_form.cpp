@@ -55,7 +55,7 @@ void PeriodForm::makeFields() {
     start_->setCalendarPopup(true);
     start_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
     start_->setDateRange(QDate(1900, 1, 2), QDate(2099, 12, 30));
-    days_ = wholeField(1, 3660, tr(" days"));
+    days_ = wholeField(1, 3660, {});
     from_ = new QTimeEdit;
     from_->setDisplayFormat(QStringLiteral("HH:mm"));
     hours_ = numberField(0, 24, 2, 0.5, tr(" h"));

@@ -1,6 +1,5 @@
 #include "app/window/progress_strip.h"
 
-#include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -9,7 +8,8 @@
 
 namespace noonmark {
 
-ProgressStrip::ProgressStrip(QWidget* parent) : QWidget(parent), label_(new QLabel), bar_(new QProgressBar) {
+ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
+    : QWidget(parent), label_(new QLabel), bar_(new QProgressBar) {
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setObjectName(QStringLiteral("cancel"));
     cancel->setToolTip(tr("Stop this work; what was there before stays"));
@@ -17,11 +17,12 @@ ProgressStrip::ProgressStrip(QWidget* parent) : QWidget(parent), label_(new QLab
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMinimumWidth(120);
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(label_, 0, 0, 1, 2);
-    grid->addWidget(bar_, 1, 0);
-    grid->addWidget(cancel, 1, 1);
+    bar_->setMaximumHeight(14);
+    auto* layout = new QBoxLayout(direction, this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label_);
+    layout->addWidget(bar_);
+    layout->addWidget(cancel);
     hide();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QBoxLayout>
 #include <QWidget>
 
 class QLabel;
@@ -13,7 +14,8 @@ class Job;
 class ProgressStrip final : public QWidget {
     Q_OBJECT
 public:
-    explicit ProgressStrip(QWidget* parent = nullptr);
+    /// Side by side, or above each other where there is little width.
+    explicit ProgressStrip(QBoxLayout::Direction direction, QWidget* parent = nullptr);
 
     void follow(const Job& job, const QString& what);
     void finish();

@@ -29,7 +29,10 @@ QGroupBox* groupOf(const QString& title, QWidget* content) {
 }  // namespace
 
 StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
-    : QWidget(parent), document_(document), period_(new PeriodForm), progress_(new ProgressStrip) {
+    : QWidget(parent),
+      document_(document),
+      period_(new PeriodForm),
+      progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
     run_ = new QPushButton(tr("Run study"));
     run_->setObjectName(QStringLiteral("run"));
     run_->setToolTip(tr("Compute the minutes of shadow of every cell of the region (Ctrl+R)"));

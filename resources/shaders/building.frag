@@ -11,6 +11,6 @@ void main() {
     vec3 normal = mat3(inverseViewMatrix) * normalize(cross(dFdx(eyeSpace), dFdy(eyeSpace)));
     float sun = max(dot(normal, normalize(vec3(-0.55, -0.70, 0.62))), 0.0);
     float sky = 0.5 + 0.5 * normal.z;
-    vec3 lit = baseColour * (vec3(0.56, 0.585, 0.63) + sky * vec3(0.20) + sun * vec3(0.27, 0.255, 0.225));
+    vec3 lit = baseColour * (vec3(0.59, 0.615, 0.66) + sky * vec3(0.23, 0.225, 0.215) + sun * vec3(0.31, 0.29, 0.255));
     colour = vec4(mix(lit, haze, 0.75 * smoothstep(0.4, 1.0, length(eyeSpace) / hazeDistance)), 1.0);
 }
