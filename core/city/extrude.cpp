@@ -1,6 +1,11 @@
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 #include "core/city/city.h"
 #include "core/city/triangulate.h"
@@ -20,27 +25,34 @@ void addCap(TriangleMesh& mesh, const Triangulation& cap, float z, bool facingUp
     }
 }
 
-// The caps list the rings' own points first and in order, so walls reuse them: the solid is closed by index.
-void addWalls(TriangleMesh& mesh, const Ring& ring, Index bottom, Index top) {
-    const Index count = Index(ring.size());
-    for (Index i = 0; i < count; ++i) {
-        const Index j = (i + 1) % count;
-        mesh.triangles.emplace_back(bottom + i, bottom + j, top + j);
-        mesh.triangles.emplace_back(bottom + i, top + j, top + i);
-    }
+using Edge = std::pair<Index, Index>;
+
+// Edges of the cap with a triangle on one side only, that triangle on their left. Not simply the rings'
+// edges: where a hole's corner touches the middle of an edge, the cap has two edges there, and walls must
+// have the same two for the solid to be closed.
+std::vector<Edge> outlineOf(const Triangulation& cap) {
+    std::vector<Edge> edges;
+    edges.reserve(cap.triangles.size() * 3);
+    for (const glm::uvec3 t : cap.triangles) edges.insert(edges.end(), {{t.x, t.y}, {t.y, t.z}, {t.z, t.x}});
+    std::sort(edges.begin(), edges.end());
+    const auto isInner = [&](Edge e) {
+        return std::binary_search(edges.begin(), edges.end(), Edge(e.second, e.first));
+    };
+    std::vector<Edge> outline;
+    std::copy_if(edges.begin(), edges.end(), std::back_inserter(outline), std::not_fn(isInner));
+    return outline;
 }
 
+// The walls use the caps' points, `top` apart: the solid is closed by index.
 TriangleMesh extruded(const Part& part) {
     TriangleMesh mesh;
     const Triangulation cap = triangulated(part.footprint);
     addCap(mesh, cap, part.bottomM, false);
     addCap(mesh, cap, part.topM, true);
     const Index top = Index(cap.points.size());
-    addWalls(mesh, part.footprint.outer, 0, top);
-    Index first = Index(part.footprint.outer.size());
-    for (const Ring& hole : part.footprint.holes) {
-        addWalls(mesh, hole, first, top + first);
-        first += Index(hole.size());
+    for (const auto& [from, to] : outlineOf(cap)) {
+        mesh.triangles.emplace_back(from, to, top + to);
+        mesh.triangles.emplace_back(from, top + to, top + from);
     }
     return mesh;
 }

@@ -19,8 +19,9 @@ struct RepairedFootprint {
     std::string what;  ///< empty when the polygon was valid as it stood; else what was wrong, for a Warning
 };
 
-/// Makes a polygon with holes usable: GEOS validity, MakeValid where it is not valid, slivers under 0.01 m2 left out, repeated points merged
-/// (float32 precision: points that fall together after rounding too), orientation put right. `rings[0]` is the outer ring, the others are holes.
+/// Makes a polygon with holes usable: GEOS validity, MakeValid where it is not valid, slivers under 0.01 m2
+/// left out, repeated points merged (float32 precision: points that fall together after rounding too),
+/// orientation put right. `rings[0]` is the outer ring, the others are holes.
 RepairedFootprint repairFootprint(const std::vector<RawRing>& rings);
 
 }  // namespace noonmark

@@ -9,7 +9,9 @@
 namespace noonmark {
 namespace {
 
-Ring square(float x, float y, float side) { return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}; }
+Ring square(float x, float y, float side) {
+    return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
 Ring reversed(Ring ring) { return {ring.rbegin(), ring.rend()}; }
 
 TEST(Footprint, areaOfASquareWithAHole) {
@@ -35,7 +37,8 @@ TEST(Footprint, holeIsOutside) {
 }
 
 TEST(Rasterize, agreesWithContainsOnEveryCell) {
-    const Footprint court{{{0.5F, 0.5F}, {20.5F, 3.25F}, {17, 18.5F}, {9, 9.5F}, {2.5F, 19}}, {reversed(square(5.5F, 4.5F, 2))}};
+    const Footprint court{{{0.5F, 0.5F}, {20.5F, 3.25F}, {17, 18.5F}, {9, 9.5F}, {2.5F, 19}},
+                          {reversed(square(5.5F, 4.5F, 2))}};
     const Grid grid{-3, -2, 1, 30, 25};
     std::vector<int> filled(grid.size());
     forEachRun(court, grid, [&](int row, int first, int end) {
