@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/report/cells_csv.h"
@@ -97,6 +98,11 @@ TEST(StudyFiles, AreAllThere) {
         std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator());
     EXPECT_EQ(std::size_t(entries), names.size()) << "nothing half done may stay behind";
     EXPECT_EQ(QImage(QString::fromStdString((out / "shadow.png").string())).width(), 1600);
+}
+
+TEST(StudyFiles, TheJsonSaysHowToRepeatIt) {
+    const auto json = nlohmann::json::parse(studyJson(tests::syntheticStudy()));
+    EXPECT_EQ(json["repeat"].get<std::string>().rfind("noonmark-cli study FILE --start 2026-03-21", 0), 0U);
 }
 
 TEST(StudyFiles, ARegionThatIsNoBoxComesAlong) {
