@@ -57,7 +57,7 @@ public:
     Ephemeris(Ephemeris&&) noexcept;
     Ephemeris& operator=(Ephemeris&&) noexcept;
 
-    /// `at` within the span. About 50 ns.
+    /// `at` within the span. About 100 ns.
     [[nodiscard]] SolarPosition at(Instant at) const;
 
     /// How far the sun is past the meridian at an instant within the span; west positive, -pi to pi.

@@ -40,7 +40,11 @@ struct SunSteps {
     [[nodiscard]] double sunlitMinutes() const { return double(steps.size()) * stepMinutes; }
 };
 
-/// A year at one minute takes some 20 ms. The sun is the one seen from `observer` over the whole city.
+/// The sun is the one seen from `observer` over the whole city. With fixed hours a day begins at `from` on
+/// the wall clock and lasts `hours` of elapsed time, over midnight and changes of DST too. A solar window
+/// begins with its first step; where the sun does not rise or set because it stays up, it begins or ends with
+/// the civil day. Error: a period or observer out of range, more than 50 million steps. A year of 8 h days at
+/// one minute takes some 40 ms of processor time, on all cores.
 Result<SunSteps> sunSteps(const Period& period, const Observer& observer);
 
 }  // namespace noonmark

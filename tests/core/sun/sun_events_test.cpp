@@ -108,7 +108,7 @@ TEST(SunEvents, kindsChangeInOrderThroughThePolarYear) {
 
 TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
     int half = 0;
-    for (double latitude = 66; latitude < 80; latitude += 0.05) {
+    for (double latitude = 66; latitude < 80; latitude += 0.1) {
         const auto ephemeris = Ephemeris::over(observerAt(latitude, 0), utc(2026, 3, 30), utc(2026, 6, 30));
         ASSERT_TRUE(ephemeris);
         for (int day = 90; day < 175; ++day) {
@@ -120,7 +120,7 @@ TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
             ++half;
         }
     }
-    EXPECT_GT(half, 10);
+    EXPECT_GT(half, 5);
 }
 
 TEST(SunEvents, survivesThePolesAndFarYears) {

@@ -222,6 +222,27 @@ TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
     EXPECT_EQ(sun.steps.front().at, utc(2026, 6, 20, 22));
 }
 
+TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
+    // Tromso in May: the days from the first night that stays bright.
+    Period period = periodIn("Europe/Oslo", 2026y / May / 10);
+    period.days = 20;
+    period.window = SolarWindow{90min, 90min};
+    const Observer tromso = observerAt(69.65, 18.96);
+    const SunSteps sun = stepsOf(period, tromso);
+    const Zone oslo = Zone::named(period.zone).value();
+    int half = 0;
+    for (const SunDay& day : sun.days) {
+        const SunEvents events = sunEvents(tromso, oslo.instantAt(day.date, 0min), SunriseRule::upperLimb);
+        if (!events.sunrise || events.sunset) continue;
+        ++half;
+        EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
+        EXPECT_LE(secondsBetween(sun.steps[day.first + day.count - 1].at, oslo.instantAt(day.date, 24h)),
+                  120);
+    }
+    EXPECT_EQ(half, 1);
+    EXPECT_EQ(sun.days.back().count, 1440);
+}
+
 TEST(SunSteps, sunStandsInTheNorthOfTheTropicsAndTheSouth) {
     Period period = periodIn("America/Bogota", 2026y / June / 21);
     for (const SunStep& step : stepsOf(period, observerAt(4.6, -74.08)).steps) EXPECT_GT(step.direction.y, 0);
