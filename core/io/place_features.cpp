@@ -33,15 +33,17 @@ double medianOf(std::vector<double>& values) {
     return *middle;
 }
 
-// Longitudes are counted from `near`, so that data on both sides of 180 degrees stays together.
+// Of the outer ring's box. Longitudes are counted from `near`, so that data on both sides of 180 degrees
+// stays together.
 LonLat centreOf(const UnplacedFeature& feature, double nearLonDeg) {
-    LonLat sum{};
-    const auto& ring = feature.polygons.front().front();
-    for (const LonLat place : ring) {
-        sum.lonDeg += nearLonDeg + std::remainder(place.lonDeg - nearLonDeg, 360.0);
-        sum.latDeg += place.latDeg;
+    LonLat low{1e9, 1e9};
+    LonLat high{-1e9, -1e9};
+    for (const LonLat place : feature.polygons.front().front()) {
+        const double lon = nearLonDeg + std::remainder(place.lonDeg - nearLonDeg, 360.0);
+        low = {std::min(low.lonDeg, lon), std::min(low.latDeg, place.latDeg)};
+        high = {std::max(high.lonDeg, lon), std::max(high.latDeg, place.latDeg)};
     }
-    return {sum.lonDeg / double(ring.size()), sum.latDeg / double(ring.size())};
+    return {(low.lonDeg + high.lonDeg) / 2, (low.latDeg + high.latDeg) / 2};
 }
 
 bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {

@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "core/io/read_part.h"
+#include "tests/core/io/osm_text.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/shared_data.h"
+
+namespace noonmark {
+namespace {
+
+// Whatever a file holds, reading it ends with a city or with an error that says something.
+void readAndJudge(const std::filesystem::path& file) {
+    NoProgress quiet;
+    const auto result = readFootprints(file, {}, quiet, {});
+    if (!result) {
+        EXPECT_FALSE(result.error().what.empty());
+        return;
+    }
+    for (const auto& building : result->buildings) {
+        ASSERT_FALSE(building->parts.empty());
+        for (const Part& part : building->parts) {
+            ASSERT_LT(part.bottomM, part.topM);
+            ASSERT_GE(part.footprint.outer.size(), 3U);
+        }
+    }
+}
+
+std::string osmText() {
+    tests::OsmText osm;
+    osm.way(tests::rectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
+    osm.way(tests::rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
+    osm.relation(tests::rectangle(60, 0, 40, 40), {tests::rectangle(70, 10, 10, 10)}, {{"building", "yes"}});
+    return osm.xml();
+}
+
+constexpr std::string_view geoJson =
+    R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"height":"12 m","num_floors":3},)"
+    R"("geometry":{"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.9799,40.75],[-73.9799,40.7501],[-73.98,40.75]]]}}]})";
+
+TEST(ReadBrokenFootprints, cutShortAtEveryLength) {
+    const tests::TemporaryFolder folder;
+    for (std::size_t length = 0; length <= geoJson.size(); ++length)
+        readAndJudge(folder.file("cut.geojson", geoJson.substr(0, length)));
+    const std::string osm = osmText();
+    for (std::size_t length = 0; length <= osm.size(); length += 41)
+        readAndJudge(folder.file("cut.osm", osm.substr(0, length)));
+}
+
+TEST(ReadBrokenFootprints, withBytesChanged) {
+    const tests::TemporaryFolder folder;
+    std::mt19937 random(20260321);
+    for (int round = 0; round < 200; ++round) {
+        std::string text = round % 2 == 0 ? std::string(geoJson) : osmText();
+        for (int i = 0; i < 3; ++i) text[random() % text.size()] = char(random() % 256);
+        readAndJudge(folder.file(round % 2 == 0 ? "odd.geojson" : "odd.osm", text));
+    }
+}
+
+TEST(ReadBrokenFootprints, aPbfCutShortAtManyLengths) {
+    const auto whole = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    if (!whole) GTEST_SKIP() << "the shared Midtown extract is missing";
+    const tests::TemporaryFolder folder;
+    std::ifstream stream(*whole, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << stream.rdbuf();
+    const std::string content = bytes.str();
+    std::mt19937 random(7);
+    for (int round = 0; round < 40; ++round)
+        readAndJudge(folder.file("cut.osm.pbf", content.substr(0, random() % (content.size() / 4))));
+}
+
+TEST(ReadBrokenFootprints, aPbfThatBreaksOffIsAnError) {
+    const auto whole = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    if (!whole) GTEST_SKIP() << "the shared Midtown extract is missing";
+    const tests::TemporaryFolder folder;
+    std::ifstream stream(*whole, std::ios::binary);
+    std::string content(1000000, '\0');
+    stream.read(content.data(), std::streamsize(content.size()));
+    NoProgress quiet;
+    const auto result = readFootprints(folder.file("cut.osm.pbf", content), {}, quiet, {});
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().text().find("cut.osm.pbf"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,66 @@
+#include "core/io/stand_on_terrain.h"
+
+#include <gtest/gtest.h>
+
+namespace noonmark {
+namespace {
+
+// A slope that rises one metre in ten to the east, with a pit in the middle of the map.
+Terrain slope() {
+    Terrain terrain{{-100, -100, 2, 100, 100}, {}};
+    for (int row = 0; row < 100; ++row)
+        for (int column = 0; column < 100; ++column) {
+            const glm::dvec2 centre = terrain.grid.centre(column, row);
+            const bool pit = std::abs(centre.x) < 3 && std::abs(centre.y) < 3;
+            terrain.elevationM.push_back(pit ? -20.0F : float(centre.x / 10));
+        }
+    return terrain;
+}
+
+Building tower(float west, float bottom, float top) {
+    Building building;
+    building.parts.push_back({.footprint = {{{west, -10}, {west + 20, -10}, {west + 20, 10}, {west, 10}}, {}},
+                              .bottomM = bottom,
+                              .topM = top});
+    return building;
+}
+
+TEST(StandOnTerrain, liftsByTheLowestGround) {
+    const Terrain terrain = slope();
+    const Building placed = standing(tower(40, 0, 30), std::nullopt, &terrain);
+    EXPECT_NEAR(placed.parts[0].bottomM, 4, 1e-3);
+    EXPECT_NEAR(placed.parts[0].topM, 34, 1e-3);
+}
+
+TEST(StandOnTerrain, findsThePitInsideTheOutline) {
+    const Terrain terrain = slope();
+    EXPECT_FLOAT_EQ(lowestGroundUnder(tower(-10, 0, 30), terrain), -20);
+}
+
+TEST(StandOnTerrain, aGroundOfItsOwnStaysAndWallsGoDown) {
+    const Terrain terrain = slope();
+    const Building placed = standing(tower(40, 7, 37), 7.0F, &terrain);
+    EXPECT_NEAR(placed.parts[0].bottomM, 4, 1e-3);
+    EXPECT_FLOAT_EQ(placed.parts[0].topM, 37);
+    Building hanging = tower(40, 12, 37);
+    hanging.parts[0].hangs = true;
+    EXPECT_FLOAT_EQ(standing(hanging, 7.0F, &terrain).parts[0].bottomM, 12);
+}
+
+TEST(StandOnTerrain, withoutTerrainTheGroundIsFlat) {
+    const Building placed = standing(tower(40, 7, 37), 7.0F, nullptr);
+    EXPECT_FLOAT_EQ(placed.parts[0].bottomM, 0);
+    EXPECT_FLOAT_EQ(placed.parts[0].topM, 30);
+    EXPECT_FLOAT_EQ(standing(tower(40, 0, 30), std::nullopt, nullptr).parts[0].topM, 30);
+}
+
+TEST(StandOnTerrain, aBuildingSmallerThanACellStandsToo) {
+    const Terrain terrain = slope();
+    Building shed;
+    shed.parts.push_back(
+        {.footprint = {{{50, 50}, {50.1F, 50}, {50.1F, 50.1F}}, {}}, .bottomM = 0, .topM = 3});
+    EXPECT_NEAR(standing(shed, std::nullopt, &terrain).parts[0].bottomM, 5, 0.01);
+}
+
+}  // namespace
+}  // namespace noonmark
