@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/samples/block_buildings.h"
+#include "core/samples/central_park_streets.h"
+#include "core/samples/central_park_towers.h"
+#include "core/samples/sample_city.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr std::uint32_t seed = 2017;  // the paper's year; any other would do
+
+// 60 m buildings in Midtown's middle, half of that far away; the avenues that look onto the park are higher.
+double medianHeight(glm::dvec2 place) {
+    const glm::dvec2 d = (place - glm::dvec2{-60, -470}) / 480.0;
+    const double share = d.x * d.x + d.y * d.y;
+    const StreetBox park = parkBox();
+    const bool onPark = place.y > park.south && place.x > park.west - 90 && place.x < park.east + 90;
+    return (onPark ? 44.0 : 26.0) + 40 / (1 + share * share);
+}
+
+StreetBox widened(const StreetBox& box, double byM) {
+    return {box.west - byM, box.south - byM, box.east + byM, box.north + byM};
+}
+
+std::vector<StreetBox> clearedBoxes() {
+    constexpr double clearM = 3;
+    std::vector<StreetBox> boxes{columbusCircle(), widened(timeWarnerPodium(), clearM)};
+    for (const NamedTower& tower : caseStudyTowers()) boxes.push_back(widened(tower.floor, clearM));
+    return boxes;
+}
+
+BlockSettings quarter(const SkewedAvenue& broadway) {
+    BlockSettings settings;
+    settings.widths = {.narrowestM = 9, .widestM = 36, .preferWide = 0.5};
+    settings.medianHeightM = medianHeight;
+    settings.lowestM = 20;
+    settings.highestM = 200;
+    settings.roundness = 8;
+    settings.avenues = {broadway};
+    settings.cleared = clearedBoxes();
+    return settings;
+}
+
+void add(City& city, Building building, std::string id) {
+    building.sourceId = std::move(id);
+    city.buildings.push_back(std::make_shared<const Building>(std::move(building)));
+}
+
+void addBlock(City& city, const BlockSettings& settings, Avenue avenue, int street) {
+    SampleRandom random(seed, int(avenue), street);
+    for (Building& building : buildingsOn(blockAt(avenue, street), settings, {}, random))
+        add(city, std::move(building), fmt::format("lot {}", city.buildings.size() + 1));
+}
+
+Building buildingOf(const NamedTower& tower) {
+    return {.name = tower.name,
+            .status = tower.status,
+            .parts = prismOn({cornersOf(tower.floor)}, 0, tower.heightM, {})};
+}
+
+Building timeWarnerCenter() {
+    Building center{.name = "Time Warner Center", .status = "built"};
+    center.parts = prismOn({cornersOf(timeWarnerPodium())}, 0, timeWarnerPodiumM, {});
+    for (const NamedTower& tower : timeWarnerTowers())
+        for (Part& part : prismOn({cornersOf(tower.floor)}, timeWarnerPodiumM, tower.heightM, {}))
+            center.parts.push_back(std::move(part));
+    return center;
+}
+
+void addMidtown(City& city) {
+    const BlockSettings settings = quarter(broadwaySouth());
+    for (int street = 49; street < 59; ++street)
+        for (int avenue = int(Avenue::tenth); avenue < int(Avenue::third); ++avenue)
+            addBlock(city, settings, Avenue(avenue), street);
+}
+
+void addParkSides(City& city) {
+    const BlockSettings settings = quarter(broadwayNorth());
+    for (int street = 59; street < 73; ++street)
+        for (const Avenue avenue :
+             {Avenue::tenth, Avenue::ninth, Avenue::fifth, Avenue::madison, Avenue::park, Avenue::lexington})
+            addBlock(city, settings, avenue, street);
+}
+
+}  // namespace
+
+City centralParkSouthSample() {
+    City city;
+    city.frame = centralParkFrame();
+    for (const NamedTower& tower : caseStudyTowers()) add(city, buildingOf(tower), tower.name);
+    add(city, timeWarnerCenter(), "Time Warner Center");
+    addMidtown(city);
+    addParkSides(city);
+    return city;
+}
+
+Region centralParkRegion(const City& city) {
+    const Frame frame = centralParkFrame();
+    Ring ring;
+    for (const glm::dvec2 corner : cornersOf(parkBox())) {
+        const LonLat place = frame.lonLatFromLocal(StreetAxes{}.localFromStreet(corner));
+        ring.emplace_back(city.frame.localFromLonLat(place));
+    }
+    return {"Central Park, 59th to 72nd Street", {Footprint{std::move(ring), {}}}};
+}
+
+}  // namespace noonmark

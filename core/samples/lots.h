@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "core/samples/sample_random.h"
+#include "core/samples/street_axes.h"
+
+namespace noonmark {
+
+/// A lot in a block. Its front is on the street to the south or to the north.
+struct Lot {
+    StreetBox box;
+    bool frontsNorth = false;
+    StreetPolygon ground;  ///< what a skewed avenue left of the box
+
+    [[nodiscard]] bool isWhole() const { return areaOf(ground) > 0.999 * box.width() * box.depth(); }
+};
+
+struct LotWidths {
+    double narrowestM = 7.5;
+    double widestM = 30;
+    double preferWide = 0;  ///< 0: narrow lots are common; 1: all widths alike
+};
+
+/// A block's lots: two rows back to back, side by side without gaps, together the block.
+std::vector<Lot> lotsOf(const StreetBox& block, const LotWidths& widths, SampleRandom& random);
+
+/// The lots with their ground cut by an avenue; those with less than 60 m2 left are left out.
+std::vector<Lot> cutBy(const SkewedAvenue& avenue, std::vector<Lot> lots);
+
+}  // namespace noonmark
