@@ -1,6 +1,7 @@
 #include "app/report/headline.h"
 
 #include <QFontMetricsF>
+#include <algorithm>
 
 #include "app/report/period_words.h"
 #include "app/report/study_words.h"
@@ -9,7 +10,13 @@ namespace noonmark {
 
 namespace {
 
-void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, const QString& text) {
+/// A line of text, its letters up to a quarter smaller where it is too long, and cut where that is not
+/// enough.
+void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, const QString& text,
+               double points, QFont::Weight weight = QFont::Normal) {
+    const double width = QFontMetricsF(textFont(canvas, points, weight)).horizontalAdvance(text);
+    const double shrunk = width > area.width() ? std::max(0.75, 0.99 * area.width() / width) : 1;
+    canvas.painter.setFont(textFont(canvas, points * shrunk, weight));
     const QString fitting =
         QFontMetricsF(canvas.painter.font()).elidedText(text, Qt::ElideRight, area.width());
     canvas.painter.drawText(QPointF(area.left(), area.top() + baselinePt * canvas.point), fitting);
@@ -24,20 +31,16 @@ Headline headlineOf(const Study& study, const QString& subject) {
     const QString name =
         hasName(region) ? QStringLiteral(": ") + QString::fromStdString(region.name) : QString();
     const QString sunlit = sunlitWords(study);
-    const QString when =
-        periodWords(study.settings.period) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);
-    return {subject + name, when, placeWords(study)};
+    const QString where = placeWords(study) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);
+    return {subject + name, periodWords(study.settings.period), where};
 }
 
 void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline) {
     canvas.painter.setPen(ink::text);
-    canvas.painter.setFont(textFont(canvas, 17, QFont::Bold));
-    paintLine(canvas, area, 15, headline.what);
-    canvas.painter.setFont(textFont(canvas, 9.5));
-    paintLine(canvas, area, 30, headline.when);
+    paintLine(canvas, area, 15, headline.what, 17, QFont::Bold);
+    paintLine(canvas, area, 30, headline.when, 9.5);
     canvas.painter.setPen(ink::quiet);
-    canvas.painter.setFont(textFont(canvas, 8.5));
-    paintLine(canvas, area, 42, headline.where);
+    paintLine(canvas, area, 42, headline.where, 8.5);
 }
 
 void paintSmallPrint(const Canvas& canvas, const QRectF& area, const Study& study) {

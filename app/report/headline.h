@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-/// What a picture or a page is about: the title, then when, then where.
+/// What a picture or a page is about: the title; when; where, and for how long the sun is up.
 struct Headline {
     QString what;
     QString when;
@@ -17,7 +17,8 @@ Headline headlineOf(const Study& study, const QString& subject);
 
 constexpr double headlineHeightPt = 50;
 
-/// From the top of `area`, headlineHeightPt high; lines that are too long end in an ellipsis.
+/// From the top of `area`, headlineHeightPt high; a line that is too long gets smaller letters, then an
+/// ellipsis.
 void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline);
 
 /// One line of small print across `area`: whose data it is at the left, what made it at the right.
