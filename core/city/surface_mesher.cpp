@@ -83,9 +83,30 @@ SurfaceMesher::Outcome SurfaceMesher::add(const Surface& surface) {
     const glm::dvec3 normal = areaNormal(clean[0], points_);
     const double doubledArea = glm::length(normal);
     if (!(doubledArea >= 2 * leastAreaM2)) return Outcome::degenerate;
+    if (clean.size() == 1 && clean[0].size() == 4 && addConvexQuad(clean[0], normal / doubledArea))
+        return Outcome::added;
     if (clean.size() > 1 || clean[0].size() > 3) return addTriangulated(clean, normal / doubledArea);
     mesh_.triangles.emplace_back(meshIndex(clean[0][0]), meshIndex(clean[0][1]), meshIndex(clean[0][2]));
     return Outcome::added;
+}
+
+// Most walls and roofs; false where a corner is not clearly convex.
+bool SurfaceMesher::addConvexQuad(const std::vector<std::uint32_t>& ring, glm::dvec3 normal) {
+    constexpr double clearlyM2 = 1e-4;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec3 before = points_[ring[(i + 3) % 4]];
+        const glm::dvec3 corner = points_[ring[i]];
+        const glm::dvec3 after = points_[ring[(i + 1) % 4]];
+        if (glm::dot(glm::cross(corner - before, after - corner), normal) < clearlyM2) return false;
+    }
+    const std::size_t first =
+        glm::distance(points_[ring[0]], points_[ring[2]]) <= glm::distance(points_[ring[1]], points_[ring[3]])
+            ? 0
+            : 1;
+    const auto corner = [&](std::size_t i) { return meshIndex(ring[(first + i) % 4]); };
+    mesh_.triangles.emplace_back(corner(0), corner(1), corner(2));
+    mesh_.triangles.emplace_back(corner(0), corner(2), corner(3));
+    return true;
 }
 
 SurfaceMesher::Outcome SurfaceMesher::addTriangulated(const Surface& surface, glm::dvec3 normal) {

@@ -36,6 +36,7 @@ public:
 
 private:
     std::uint32_t meshIndex(std::uint32_t point);
+    bool addConvexQuad(const std::vector<std::uint32_t>& ring, glm::dvec3 normal);
     Outcome addTriangulated(const Surface& surface, glm::dvec3 normal);
 
     std::span<const glm::dvec3> points_;
