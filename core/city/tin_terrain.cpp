@@ -34,16 +34,14 @@ Coverage coverageOf(const TriangleMesh& tin) {
     return coverage;
 }
 
-// The cell centres reach the box's edges, so that the grid covers all of it.
+// Twice as fine as the points; the outermost cell centres lie within the box, so that triangles reach them.
 Grid gridOver(const Coverage& coverage) {
     const glm::dvec2 size = glm::dvec2(coverage.box.high) - glm::dvec2(coverage.box.low);
     const double spacing =
         std::sqrt(coverage.areaM2 / double(std::max<std::size_t>(1, coverage.points.size())));
-    double cell = std::clamp(spacing, 0.5, 100.0);
+    double cell = std::clamp(spacing / 2, 0.5, 100.0);
     cell = std::max(cell, std::sqrt(size.x * size.y / mostCells));
-    Grid grid{.cellM = cell,
-              .columns = int(std::ceil(size.x / cell)) + 1,
-              .rows = int(std::ceil(size.y / cell)) + 1};
+    Grid grid{.cellM = cell, .columns = int(size.x / cell) + 1, .rows = int(size.y / cell) + 1};
     grid.westM = (double(coverage.box.low.x) + double(coverage.box.high.x) - grid.columns * cell) / 2;
     grid.southM = (double(coverage.box.low.y) + double(coverage.box.high.y) - grid.rows * cell) / 2;
     return grid;
