@@ -17,13 +17,19 @@ void say(const Console& console, std::string text) {
     console.err << "noonmark-cli: " << text << '\n';
 }
 
+// The parser only misses a command; a person wants to hear which word was none.
+std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc, const char* const* argv) {
+    if (!app.get_subcommands().empty() || argc < 2 || argv[1][0] == '-') return error.what();
+    return std::string("There is no command '") + argv[1] + "'";
+}
+
 int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv, const Console& console) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version
         return app.exit(asked, console.out, console.err);
     } catch (const CLI::ParseError& error) {
-        say(console, std::string(error.what()) + " (--help shows the options)");
+        say(console, reasonOf(error, app, argc, argv) + " (--help shows the options)");
         return exitUsage;
     }
     return run(console);

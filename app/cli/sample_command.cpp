@@ -6,8 +6,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/load_city.h"
-#include "app/cli/table.h"
 #include "app/cli/save_city.h"
+#include "app/cli/table.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {

@@ -31,7 +31,7 @@ void printJson(const City& city, const std::filesystem::path& file, const Warnin
 }  // namespace
 
 int saveCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
-              const Warnings& ofReading) {
+             const Warnings& ofReading) {
     const auto written = writeCityGeoPackage(file, city);
     if (!written) return fail(console, written.error(), exitFailed);
     Warnings warnings = ofReading;

@@ -137,6 +137,8 @@ void addSunCommand(CLI::App& app, Run& run) {
         "--centre", options->centre,
         "Sunrise is the sun's centre at 0 deg, not its upper limb seen on the horizon (-0.833 deg)");
     command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->footer(
+        "noonmark-cli sun --lat 40.75 --lon -73.98 --at 2026-03-21T09:00:00 --zone America/New_York");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runSun(*options, console); }; });
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/cli/command_line.h"
+
+namespace noonmark::cli::tests {
+
+/// What the program answered to a command line.
+struct Spoken {
+    int code = 0;
+    std::string out;
+    std::string err;
+
+    [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out); }
+};
+
+/// Runs the program in this process, as if nobody watched.
+inline Spoken noonmarkCli(const std::vector<std::string>& arguments) {
+    std::vector<const char*> argv{"noonmark-cli"};
+    for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code = runCommandLine(int(argv.size()), argv.data(), {out, err});
+    return {code, out.str(), err.str()};
+}
+
+}  // namespace noonmark::cli::tests

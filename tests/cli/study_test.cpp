@@ -1,0 +1,143 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::HasSubstr;
+
+// Two houses of 20 m and 30 m near Bryant Park; one says its height in feet.
+constexpr const char* twoHouses = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","id":1,"properties":{"name":"A","height":"20"},"geometry":{"type":"Polygon","coordinates":
+ [[[-73.9840,40.7530],[-73.9837,40.7530],[-73.9837,40.7532],[-73.9840,40.7532],[-73.9840,40.7530]]]}},
+{"type":"Feature","id":2,"properties":{"name":"B","height":"98.425 ft"},"geometry":{"type":"Polygon","coordinates":
+ [[[-73.9834,40.7530],[-73.9831,40.7530],[-73.9831,40.7532],[-73.9834,40.7532],[-73.9834,40.7530]]]}}]})";
+
+std::string contentOf(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    return content.str();
+}
+
+class StudyCommand : public testing::Test {
+protected:
+    Spoken study(const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"study",    city.string(),
+                                           "--start",  "2026-03-21",
+                                           "--from",   "09:00",
+                                           "--hours",  "6",
+                                           "--step",   "10",
+                                           "--zone",   "America/New_York",
+                                           "--region", "-73.9845,40.7527,-73.9826,40.7537",
+                                           "--cell",   "2",
+                                           "--out",    out.string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    noonmark::tests::TemporaryFolder folder;
+    std::filesystem::path city = folder.file("houses.geojson", twoHouses);
+    std::filesystem::path out = folder.path("made/out");
+};
+
+TEST_F(StudyCommand, leavesEverythingInTheFolder) {
+    const Spoken spoken = study({"--cells-csv"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_EQ(spoken.err, "");
+    for (const char* name : {"shadow.tif", "shadow.png", "report.pdf", "study.json", "cells.csv"}) {
+        EXPECT_GT(std::filesystem::file_size(out / name), 100U) << name;
+        EXPECT_THAT(spoken.out, HasSubstr((out / name).string()));
+    }
+    EXPECT_THAT(spoken.out, HasSubstr("m2"));
+}
+
+TEST_F(StudyCommand, standardOutputIsTheJsonFileAndNothingElse) {
+    const Spoken spoken = study({"--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_EQ(spoken.json(), nlohmann::json::parse(contentOf(out / "study.json")));
+    EXPECT_FALSE(std::filesystem::exists(out / "cells.csv"));
+}
+
+TEST_F(StudyCommand, figuresAndKeys) {
+    const auto json = study({"--json"}).json();
+    EXPECT_EQ(json["engine"], "ray");
+    EXPECT_EQ(json["steps"], 36);
+    EXPECT_EQ(json["buildings_used"], 2);
+    EXPECT_GT(json["receivers"], 3000);
+    EXPECT_GT(json["shadow_area_m2"], 0);
+    EXPECT_GT(json["mean_gross_min"], 0);
+    EXPECT_LE(json["mean_continuous_min"], json["mean_gross_min"]);
+    EXPECT_LE(json["max_continuous_min"], 360);
+    EXPECT_GE(json["seconds"]["total"], json["seconds"]["accumulate"]);
+    EXPECT_TRUE(json["seconds"].contains("read"));
+    EXPECT_TRUE(json["warnings"].is_array());
+    ASSERT_EQ(json["inputs"].size(), 1U);
+    EXPECT_EQ(json["inputs"][0]["sha256"].get<std::string>().size(), 64U);
+}
+
+TEST_F(StudyCommand, refractionCanBeLeftOut) {
+    EXPECT_EQ(study({"--json"}).json()["period"]["refraction"], true);
+    EXPECT_EQ(study({"--json", "--no-refraction"}).json()["period"]["refraction"], false);
+}
+
+TEST_F(StudyCommand, solarWindowNeedsNoZone) {
+    const Spoken spoken =
+        noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--window", "sunrise+1.5h..sunset-1.5h",
+                     "--step", "30", "--region", "-73.9845,40.7527,-73.9826,40.7537", "--cell", "5", "--out",
+                     out.string(), "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_EQ(spoken.json()["period"]["window"]["after_sunrise_min"], 90);
+}
+
+TEST_F(StudyCommand, aFolderThatCannotBeMadeIsAFailure) {
+    out = folder.file("in the way", "a file") / "out";
+    const Spoken spoken = study({});
+    EXPECT_EQ(spoken.code, exitFailed);
+    EXPECT_THAT(spoken.err, HasSubstr("in the way"));
+}
+
+TEST_F(StudyCommand, infoAgreesWithWhatIsThere) {
+    const Spoken spoken = noonmarkCli({"info", city.string(), "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["buildings"], 2);
+    EXPECT_EQ(json["parts"], 2);
+    EXPECT_EQ(json["triangles"], 24);
+    EXPECT_EQ(json["height_sources"]["measured"], 2);
+    EXPECT_NEAR(json["tallest_m"].get<double>(), 30, 0.001);
+    EXPECT_TRUE(json["warnings"].is_array());
+    EXPECT_THAT(noonmarkCli({"info", city.string()}).out, HasSubstr("30.0 m"));
+}
+
+TEST_F(StudyCommand, importedCityGivesTheSameAnswer) {
+    const auto before = study({"--json"}).json();
+    const auto copy = folder.path("copy.gpkg");
+    ASSERT_EQ(noonmarkCli({"import", city.string(), "--out", copy.string(), "--json"}).json()["buildings"],
+              2);
+    city = copy;
+    const auto after = study({"--json"}).json();
+    EXPECT_NEAR(after["shadow_area_m2"].get<double>(), before["shadow_area_m2"].get<double>(), 1);
+}
+
+TEST(SampleCommand, writesWhatInfoReads) {
+    const noonmark::tests::TemporaryFolder folder;
+    const std::string file = folder.path("grid.gpkg").string();
+    const Spoken written =
+        noonmarkCli({"sample", "grid", "--buildings", "200", "--seed", "3", "--out", file, "--json"});
+    ASSERT_EQ(written.code, exitOk) << written.err;
+    const auto info = noonmarkCli({"info", file, "--json"}).json();
+    EXPECT_EQ(info["buildings"], written.json()["buildings"]);
+    EXPECT_EQ(info["parts"], written.json()["parts"]);
+    EXPECT_EQ(noonmarkCli({"info", "sample:central-park-south", "--json"}).code, exitOk);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests

@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/spoken.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+const std::vector<std::string> golden{"sun",
+                                      "--lat",
+                                      "39.742476",
+                                      "--lon",
+                                      "-105.1786",
+                                      "--elevation",
+                                      "1830.14",
+                                      "--pressure",
+                                      "820",
+                                      "--temperature",
+                                      "11",
+                                      "--at",
+                                      "2003-10-17T12:30:30-07:00"};
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+// The example of the SPA report (NREL/TP-560-34302, table A5.1). Its day is UT's: the sunset that it prints,
+// 17:20:19, is the evening before; the one that follows this transit comes 87 s earlier.
+TEST(Sun, exampleOfTheSpaReport) {
+    const Spoken spoken = noonmarkCli(with(golden, {"--json"}));
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_NEAR(json["azimuth_deg"].get<double>(), 194.340241, 0.0003);
+    EXPECT_NEAR(json["altitude_apparent_deg"].get<double>(), 90 - 50.111622, 0.0005);
+    EXPECT_LT(json["altitude_true_deg"], json["altitude_apparent_deg"]);
+    EXPECT_EQ(json["day_kind"], "ordinary");
+    EXPECT_THAT(json["sunrise"].get<std::string>(), MatchesRegex("2003-10-17T06:12:4[23]-07:00"));
+    EXPECT_THAT(json["transit"].get<std::string>(), MatchesRegex("2003-10-17T11:46:0[345]-07:00"));
+    EXPECT_THAT(json["sunset"].get<std::string>(), MatchesRegex("2003-10-17T17:18:5[123]-07:00"));
+}
+
+TEST(Sun, aZoneChangesHowTimesAreWrittenOnly) {
+    const auto there = noonmarkCli(with(golden, {"--json", "--zone", "Europe/Berlin"})).json();
+    const auto here = noonmarkCli(with(golden, {"--json"})).json();
+    EXPECT_EQ(there["azimuth_deg"], here["azimuth_deg"]);
+    EXPECT_EQ(there["at"], "2003-10-17T21:30:30+02:00");
+}
+
+TEST(Sun, polarDaysHaveNoSunrise) {
+    const auto json =
+        noonmarkCli({"sun", "--lat", "78.2", "--lon", "15.6", "--at", "2026-06-21T12:00:00Z", "--json"})
+            .json();
+    EXPECT_TRUE(json["sunrise"].is_null());
+    EXPECT_TRUE(json["sunset"].is_null());
+    EXPECT_EQ(json["day_kind"], "polar day");
+    EXPECT_THAT(json["transit"].get<std::string>(), StartsWith("2026-06-21T1"));
+    EXPECT_THAT(json["transit"].get<std::string>(), HasSubstr("+00:00"));
+}
+
+TEST(Sun, theCentreRisesLaterThanTheUpperLimb) {
+    const auto limb = noonmarkCli(with(golden, {"--json"})).json();
+    const auto centre = noonmarkCli(with(golden, {"--json", "--centre"})).json();
+    EXPECT_LT(limb["sunrise"], centre["sunrise"]);
+    EXPECT_GT(limb["sunset"], centre["sunset"]);
+}
+
+TEST(Sun, tableForPeople) {
+    const Spoken spoken = noonmarkCli(golden);
+    EXPECT_EQ(spoken.code, exitOk);
+    EXPECT_THAT(spoken.out, HasSubstr("194.340"));
+    EXPECT_THAT(spoken.out, HasSubstr("sunrise"));
+    EXPECT_EQ(spoken.err, "");
+}
+
+TEST(Sun, wrongInput) {
+    EXPECT_EQ(noonmarkCli({"sun", "--lat", "95", "--lon", "0", "--at", "2026-06-21T12:00:00Z"}).code,
+              exitUsage);
+    const Spoken noOffset = noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "2026-06-21T12:00:00"});
+    EXPECT_EQ(noOffset.code, exitUsage);
+    EXPECT_THAT(noOffset.err, HasSubstr("--zone"));
+    EXPECT_EQ(noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "noon", "--zone", "UTC"}).code,
+              exitUsage);
+    EXPECT_EQ(noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "2026-06-31T12:00:00Z"}).code,
+              exitUsage);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests

@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using noonmark::tests::TemporaryFolder;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+void expectUsageError(const std::vector<std::string>& arguments, const std::string& about) {
+    const Spoken spoken = noonmarkCli(arguments);
+    EXPECT_EQ(spoken.code, exitUsage) << spoken.err;
+    EXPECT_EQ(spoken.out, "");
+    EXPECT_THAT(spoken.err, StartsWith("noonmark-cli: "));
+    EXPECT_THAT(spoken.err, HasSubstr(about));
+    EXPECT_EQ(std::ranges::count(spoken.err, '\n'), 1) << spoken.err;
+}
+
+std::vector<std::string> study(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"study",    "sample:central-park-south",
+                                       "--start",  "2026-03-21",
+                                       "--region", "-73.98,40.765,-73.979,40.766",
+                                       "--out",    "/nonexistent/out",
+                                       "--cell",   "5",
+                                       "--step",   "30"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+TEST(Usage, helpAndVersionAreAnswers) {
+    EXPECT_EQ(noonmarkCli({"--help"}).code, exitOk);
+    EXPECT_THAT(noonmarkCli({"--help"}).out, HasSubstr("study"));
+    EXPECT_THAT(noonmarkCli({"--version"}).out, HasSubstr("Noonmark 0."));
+    for (const char* command : {"sample", "info", "import", "sun", "study"}) {
+        const Spoken help = noonmarkCli({command, "--help"});
+        EXPECT_EQ(help.code, exitOk) << command;
+        EXPECT_THAT(help.out, HasSubstr("--json")) << command;
+        EXPECT_EQ(help.err, "");
+    }
+}
+
+TEST(Usage, wrongCommandLines) {
+    expectUsageError({}, "subcommand");
+    expectUsageError({"paint"}, "paint");
+    expectUsageError({"info"}, "files");
+    expectUsageError({"info", "city.gpkg", "--bright"}, "--bright");
+    expectUsageError({"info", "city.gpkg", "--height-unit", "cubits"}, "cubits");
+    expectUsageError({"info", "city.gpkg", "--default-height", "0"}, "--default-height");
+    expectUsageError({"info", "city.gpkg", "--mesh-anchor", "somewhere"}, "--mesh-anchor");
+    expectUsageError({"sample", "atlantis", "--out", "a.gpkg"}, "atlantis");
+    expectUsageError({"sample", "grid"}, "--out");
+    expectUsageError({"sample", "grid", "--out", "a.gpkg", "--buildings", "5"}, "--buildings");
+    expectUsageError({"sample", "central-park-south", "--out", "a.gpkg", "--seed", "5"}, "--seed");
+}
+
+TEST(Usage, wrongStudies) {
+    expectUsageError({"study", "sample:grid"}, "--start");
+    expectUsageError(study({}), "--zone");
+    expectUsageError(study({"--zone", "America/New_Yrok"}), "New_Yrok");
+    expectUsageError(study({"--zone", "UTC", "--engine", "magic"}), "magic");
+    expectUsageError(study({"--zone", "UTC", "--from", "25:99"}), "25:99");
+    expectUsageError(study({"--zone", "UTC", "--hours", "25"}), "--hours");
+    expectUsageError(study({"--zone", "UTC", "--days", "0"}), "--days");
+    expectUsageError(study({"--window", "sunrise..moonrise"}), "moonrise");
+    expectUsageError(study({"--window", "sunrise..sunset", "--hours", "6"}), "--window");
+}
+
+TEST(Usage, filesThatCannotBeRead) {
+    const TemporaryFolder folder;
+    expectUsageError({"info", folder.path("missing.gpkg").string()}, "missing.gpkg");
+    expectUsageError({"info", folder.file("words.geojson", "hello").string()}, "words.geojson");
+    expectUsageError({"info", "sample:atlantis"}, "atlantis");
+    expectUsageError({"info", "sample:grid", folder.file("empty.geojson", "").string()}, "alone");
+    expectUsageError({"study", "sample:grid", "--start", "2026-03-21", "--zone", "UTC", "--region",
+                      folder.path("none.geojson").string(), "--out", folder.path("out").string()},
+                     "none.geojson");
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
