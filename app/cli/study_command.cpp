@@ -79,7 +79,7 @@ void addCost(Table& table, const Study& study) {
     table.add("buildings", fmt::format("{} of {} can reach a receiver", withCommas(cost.buildingsUsed),
                                        withCommas(study.city.buildings.size())));
     for (const auto& [reason, count] : cost.skipped)
-        table.add("skipped", fmt::format("{} {}", withCommas(count), reason));
+        if (count > 0) table.add("skipped", fmt::format("{} {}", withCommas(count), reason));
     if (cost.rays > 0)
         table.add("rays",
                   fmt::format("{} ({:.1f} million/s)", withCommas(cost.rays),
@@ -105,9 +105,9 @@ void print(const Study& study, const std::vector<std::filesystem::path>& files, 
                                                figures.maxContinuousMin));
     addCost(table, study);
     table.print(out);
-    printWarnings(out, study.warnings);
     out << "\nFiles\n";
     for (const auto& file : files) out << "  " << file.string() << '\n';
+    printWarnings(out, study.warnings);
 }
 
 int runStudyCommand(const StudyOptions& options, const Console& console) {
