@@ -154,7 +154,7 @@ constexpr auto validLanes = [] {
 
 struct RayScene::Tree {
     RTCDevice device = rtcNewDevice(deviceConfig);
-    RTCScene scene = rtcNewScene(device);
+    RTCScene scene = device != nullptr ? rtcNewScene(device) : nullptr;
     std::vector<std::uint32_t> buildingOfTriangle;
     std::size_t triangles = 0;
 
@@ -162,14 +162,14 @@ struct RayScene::Tree {
     Tree(const Tree&) = delete;
     Tree& operator=(const Tree&) = delete;
     ~Tree() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
+        if (scene != nullptr) rtcReleaseScene(scene);
+        if (device != nullptr) rtcReleaseDevice(device);
     }
 
     /// False when Embree could not.
     bool build(const CityMesh& buildings, const TriangleMesh& terrain, const std::stop_token& stop) {
-        // With the coherent packets that are traced, robust also means closed: a ray that just touches an
-        // edge is blocked.
+        if (device == nullptr || scene == nullptr) return false;
+        // Robust: rays between triangles that share an edge find no gap, in boxes as in triangles.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         attach(device, scene, terrainId, terrain);
