@@ -1,8 +1,6 @@
 #pragma once
 
 #include <QWidget>
-#include <utility>
-#include <vector>
 
 #include "core/study/study.h"
 
@@ -10,15 +8,6 @@ class QFormLayout;
 class QLabel;
 
 namespace noonmark {
-
-/// A figure of a study as it is read: name, value with unit, and what it means.
-struct Figure {
-    QString name;
-    QString value;
-    QString meaning;
-};
-
-std::vector<Figure> figuresOf(const Study& study);
 
 /// The figures of the latest study.
 class ResultsDock final : public QWidget {

@@ -13,7 +13,7 @@
 #include "app/window/number_fields.h"
 #include "app/window/period_form.h"
 #include "app/window/progress_strip.h"
-#include "app/window/region_text.h"
+#include "app/window/region_words.h"
 #include "app/window/study_document.h"
 
 namespace noonmark {
@@ -116,7 +116,7 @@ void StudyDock::showDocument() {
     period_->show(settings.period);
     cell_->setValue(settings.receivers.cellM);
     engine_->setCurrentIndex(engine_->findData(QString::fromStdString(settings.engine)));
-    region_->setText(regionText(settings.region, settings.receivers.cellM));
+    region_->setText(regionWords(settings.region, settings.receivers.cellM));
 }
 
 void StudyDock::setDrawing(bool drawing) {

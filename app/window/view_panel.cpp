@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QVBoxLayout>
 
+#include "app/report/study_words.h"
 #include "app/window/field_picture.h"
 #include "app/window/ground_lines.h"
 #include "app/window/hover_text.h"
@@ -109,7 +110,7 @@ Region ViewPanel::visibleGround() const {
 }
 
 void ViewPanel::takePicture(std::function<void(QImage)> done) {
-    const QString credit = city_ ? QString::fromStdString(city_->loaded.read.attribution) : QString();
+    const QString credit = study_ ? dataWords(*study_) : QString();
     view_->capture([legend = legend_->legend(), credit, done = std::move(done)](const QImage& image) {
         done(viewPicture(image, legend, credit));
     });

@@ -1,4 +1,4 @@
-#include "app/window/region_text.h"
+#include "app/window/region_words.h"
 
 #include <QLocale>
 
@@ -14,7 +14,7 @@ QString areaText(double areaM2) {
 
 }  // namespace
 
-QString regionText(const Region& region, double cellM) {
+QString regionWords(const Region& region, double cellM) {
     if (region.polygons.empty()) return QStringLiteral("No region yet");
     double areaM2 = 0;
     for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);

@@ -7,6 +7,6 @@
 namespace noonmark {
 
 /// A region in words: name, size in metres, area, and about how many cells its box has.
-QString regionText(const Region& region, double cellM);
+QString regionWords(const Region& region, double cellM);
 
 }  // namespace noonmark
