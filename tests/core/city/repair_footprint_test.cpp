@@ -110,6 +110,19 @@ TEST(RepairFootprint, crossedOutlineBecomesItsTwoLobes) {
     EXPECT_EQ(repaired.what, "outline or holes crossed");
 }
 
+TEST(RepairFootprint, holeOutsideBecomesAPieceAndIsSaid) {
+    const auto repaired = repairFootprint({square(0, 0, 10), square(20, 0, 5)});
+    EXPECT_EQ(repaired.pieces.size(), 2U);
+    EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 125);
+    EXPECT_EQ(repaired.what, "a hole lay outside its outline");
+}
+
+TEST(RepairFootprint, holeThatSticksOutCutsOnlyTheInside) {
+    const auto repaired = repairFootprint({square(0, 0, 10), square(8, 2, 5)});
+    ASSERT_EQ(repaired.pieces.size(), 1U);
+    EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 90);
+}
+
 TEST(RepairFootprint, nothingUsableGivesNoPiecesAndAReason) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
