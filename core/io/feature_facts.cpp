@@ -17,9 +17,10 @@ bool isNo(std::string_view text) { return text == "no" || text == "false" || tex
 bool isYes(std::string_view text) { return text == "yes" || text == "true" || text == "1"; }
 bool isTagged(std::string_view text) { return !text.empty() && !isNo(text); }
 
-bool isUnderground(const FeatureValues& values) {
-    if (textOf(values, FieldRole::location) == "underground") return true;
+bool isUnderground(const FeatureValues& values, bool tagged) {
     if (isYes(textOf(values, FieldRole::underground))) return true;
+    if (!tagged) return false;  // elsewhere fields of these names mean other things
+    if (textOf(values, FieldRole::location) == "underground") return true;
     const std::string_view layer = textOf(values, FieldRole::layer);
     int number = 0;
     std::from_chars(layer.data(), layer.data() + layer.size(), number);
@@ -39,6 +40,12 @@ std::optional<HeightSource> sourceNamed(std::string_view text) {
     return std::nullopt;
 }
 
+// Placeholders for "no id" would make one building of many.
+std::string buildingIdOf(const FeatureValues& values) {
+    const std::string_view id = textOf(values, FieldRole::buildingId);
+    return id == "0" || id == "-1" ? "" : std::string(id);
+}
+
 std::string statusOf(const FeatureValues& values) {
     if (textOf(values, FieldRole::building) == "construction") return "under construction";
     return std::string(textOf(values, FieldRole::status));
@@ -55,7 +62,7 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
             warnings.push_back({WarningKind::leftOut, "says that it is no building", facts.id});
         return false;
     }
-    if (!isUnderground(values)) return true;
+    if (!isUnderground(values, rules.tagged)) return true;
     warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
     return false;
 }
@@ -69,7 +76,7 @@ std::optional<FeatureFacts> factsOf(const FeatureValues& values, const LayerRule
     if (!classify(facts, values, rules, warnings)) return std::nullopt;
     facts.name = textOf(values, FieldRole::name);
     facts.status = statusOf(values);
-    facts.buildingId = textOf(values, FieldRole::buildingId);
+    facts.buildingId = buildingIdOf(values);
     const bool canopy = rules.tagged && (textOf(values, FieldRole::building) == "roof" ||
                                          textOf(values, FieldRole::buildingPart) == "roof");
     facts.heights = readHeights(values, rules.heights, canopy, facts.id, warnings);

@@ -97,9 +97,10 @@ AssembledBuilding assemble(const BuildingGroup& group, const Features& features,
 }  // namespace
 
 std::vector<AssembledBuilding> assembleBuildings(const Features& features, double metresPerLevel,
-                                                 Warnings& warnings) {
+                                                 Warnings& warnings, const std::stop_token& stop) {
     std::vector<AssembledBuilding> buildings;
     for (const BuildingGroup& group : groupedIntoBuildings(features)) {
+        if (stop.stop_requested()) break;
         AssembledBuilding made = assemble(group, features, metresPerLevel, warnings);
         if (!made.building.parts.empty()) buildings.push_back(std::move(made));
     }

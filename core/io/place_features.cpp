@@ -105,9 +105,10 @@ Frame frameOf(const std::vector<UnplacedFeature>& features) {
 }
 
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
-                                         double farAwayM, Warnings& warnings) {
+                                         double farAwayM, Warnings& warnings, const std::stop_token& stop) {
     std::vector<PlacedFeature> placed;
     for (UnplacedFeature& feature : features) {
+        if (stop.stop_requested()) break;
         if (!isNear(feature, frame.origin(), farAwayM)) {
             warnings.push_back(
                 {WarningKind::leftOut,

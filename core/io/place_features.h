@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/geo/frame.h"
@@ -22,8 +23,9 @@ struct UnplacedFeature {
 Frame frameOf(const std::vector<UnplacedFeature>& features);
 
 /// Features in local metres, their outlines repaired. Left out with a warning: what has a point more than
-/// `farAwayM` from the frame's origin, and what nothing is left of. Empties `features`.
+/// `farAwayM` from the frame's origin, and what nothing is left of. Ends early when stopped.
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
-                                         double farAwayM, Warnings& warnings);
+                                         double farAwayM, Warnings& warnings,
+                                         const std::stop_token& stop = {});
 
 }  // namespace noonmark

@@ -97,6 +97,21 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
     return layers;
 }
 
+constexpr double shareOfReading = 0.8;  // of the progress; the rest is repair and semantics
+
+// GDAL asks this between blocks of the file, which may hold no feature of ours.
+int CPL_STDCALL goOn(double, const char*, void* stop) {
+    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
+}
+
+// What most features suffer from, for an error; empty without warnings.
+std::string commonest(const Warnings& warnings) {
+    const auto groups = grouped(warnings);
+    const auto most =
+        std::ranges::max_element(groups, {}, [](const WarningGroup& group) { return group.where.size(); });
+    return most == groups.end() ? "" : lineOf(*most);
+}
+
 // Reads all layers, one feature at a time.
 class FileReader {
 public:
@@ -115,7 +130,7 @@ public:
                            "Export the building footprints as polygons");
         if (found_.empty())
             return failure(fmt::format("None of its {} polygons can be used as a building", polygons_),
-                           file_.string(), whyNot());
+                           file_.string(), commonest(warnings));
         return std::move(found_);
     }
 
@@ -139,6 +154,7 @@ private:
         countHere_ = open_.isOsm() ? 1 : double(std::max<GIntBig>(1, layer.GetFeatureCount()));
         for (std::size_t failures = calls.failures();; failures = calls.failures()) {
             const OGRFeatureUniquePtr feature = next(layer);
+            if (!feature && stop_.stop_requested()) return cancelled();
             if (!feature && calls.failures() > failures)
                 return failure("It breaks off or is damaged (" + calls.complaints().back() + ")",
                                file_.string(), "Download or export it again");
@@ -146,7 +162,7 @@ private:
             reader.read(*feature, warnings);
             if (++features % 256 != 0) continue;
             if (stop_.stop_requested()) return cancelled();
-            progress_.report(share_, "reading " + file_.filename().string());
+            progress_.report(shareOfReading * share_, "reading " + file_.filename().string());
         }
     }
 
@@ -158,14 +174,9 @@ private:
         }
         while (true) {
             OGRLayer* from = nullptr;
-            OGRFeatureUniquePtr feature(open_.dataset->GetNextFeature(&from, &share_, nullptr, nullptr));
+            OGRFeatureUniquePtr feature(open_.dataset->GetNextFeature(&from, &share_, goOn, &stop_));
             if (!feature || from == &layer) return feature;
         }
-    }
-
-    [[nodiscard]] std::string whyNot() const {
-        const auto groups = grouped(warnings);
-        return groups.empty() ? "" : lineOf(groups.front());
     }
 
     const OpenFile& open_;
@@ -198,33 +209,41 @@ void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, co
     }
 }
 
+// The whole way from features to buildings.
+Result<void> build(FilePiece& piece, std::vector<UnplacedFeature> features, const ReadSettings& settings,
+                   Progress& progress, const std::stop_token& stop) {
+    if (!settings.frame) piece.frame = frameOf(features);
+    const Frame frame = settings.frame ? *settings.frame : *piece.frame;
+    progress.report(shareOfReading, "repairing outlines");
+    const auto placed = placeFeatures(std::move(features), frame, settings.farAwayM, piece.warnings, stop);
+    progress.report(0.9, "making buildings");
+    addBuildings(piece, assembleBuildings(placed, settings.metresPerLevel, piece.warnings, stop), frame);
+    if (stop.stop_requested()) return cancelled();
+    progress.report(1, "making buildings");
+    return {};
+}
+
 }  // namespace
 
 Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                  std::stop_token stop) {
     const GdalCalls calls;
-    const OsmConfiguration configuration;
+    const OsmConfiguration configuration(settings.heightField);
     auto open = opened(file, configuration, calls);
     if (!open) return tl::make_unexpected(open.error());
     FileReader reader(*open, file, settings, progress, stop);
     auto features = reader.read(calls);
     if (!features) return tl::make_unexpected(features.error());
-    FilePiece piece;
-    piece.warnings = std::move(reader.warnings);
+    FilePiece piece{.warnings = std::move(reader.warnings),
+                    .format = formatName(*open, file),
+                    .features = reader.features,
+                    .attribution = open->isOsm() ? osmCredit : ""};
     keepComplaints(calls, file, piece.warnings);
-    piece.features = reader.features;
-    piece.format = formatName(*open, file);
-    if (open->isOsm()) piece.attribution = osmCredit;
-    if (!settings.frame) piece.frame = frameOf(*features);
-    const Frame frame = settings.frame ? *settings.frame : *piece.frame;
-    progress.report(1, "making buildings");
-    const auto placed = placeFeatures(*std::move(features), frame, settings.farAwayM, piece.warnings);
-    if (stop.stop_requested()) return cancelled();
-    addBuildings(piece, assembleBuildings(placed, settings.metresPerLevel, piece.warnings), frame);
-    if (piece.buildings.empty())
-        return failure("None of its polygons can be used as a building", file.string(),
-                       lineOf(grouped(piece.warnings).front()));
-    return piece;
+    if (auto built = build(piece, *std::move(features), settings, progress, stop); !built)
+        return tl::make_unexpected(built.error());
+    if (!piece.buildings.empty()) return piece;
+    return failure("None of its polygons can be used as a building", file.string(),
+                   commonest(piece.warnings));
 }
 
 }  // namespace noonmark

@@ -255,6 +255,13 @@ TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
     EXPECT_THAT(placesOf("roof is not flat"), ElementsAre(gabled));
 }
 
+TEST_F(OsmSemantics, anyTagMayBeTheUsersHeight) {
+    osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"est:eaves", "70"}});
+    settings.heightField = "est:eaves";
+    settings.heightUnit = LengthUnit::feet;
+    EXPECT_NEAR(only().parts[0].topM, 21.336, 1e-4);
+}
+
 TEST_F(OsmSemantics, aBuildingInTheMakingSaysSo) {
     osm.way(rectangle(0, 0, 10, 10), {{"building", "construction"}, {"height", "9"}});
     EXPECT_EQ(only().status, "under construction");

@@ -257,6 +257,19 @@ TEST_F(ReadFootprints, featuresOfOneBuildingIdAreOneBuilding) {
     EXPECT_TRUE(piece.buildings[0]->parts[1].hangs);
 }
 
+TEST_F(ReadFootprints, aPlaceholderIsNoBuildingId) {
+    const FilePiece piece =
+        readGeoJson(feature(tests::rectangle(0, 0, 10, 10), R"("building_id":0,"height":9)") + "," +
+                    feature(tests::rectangle(50, 0, 10, 10), R"("building_id":0,"height":9)"));
+    EXPECT_EQ(piece.buildings.size(), 2U);
+}
+
+TEST_F(ReadFootprints, aDrawingsLayersAreNotStoreysOfTheEarth) {
+    const FilePiece piece = readGeoJson(
+        feature(tests::rectangle(0, 0, 10, 10), R"("layer":"-1","location":"underground","height":9)"));
+    EXPECT_EQ(piece.buildings.size(), 1U);
+}
+
 TEST_F(ReadFootprints, oneBadFeatureIsAWarning) {
     const FilePiece piece = readGeoJson(
         feature(tests::rectangle(0, 0, 10, 10), R"("height":9)") + "," +
