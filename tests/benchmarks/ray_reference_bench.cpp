@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <string>
 
 #include "core/accumulate/flush_denormals.h"
@@ -26,6 +25,7 @@
 #include "core/accumulate/reach.h"
 #include "core/accumulate/sun_packets.h"
 #include "core/io/read_city.h"
+#include "core/samples/sample_city.h"
 
 using namespace noonmark;
 
@@ -49,32 +49,19 @@ Seconds secondsOf(const auto& work) {
             double(std::clock() - processor) / CLOCKS_PER_SEC};
 }
 
-/// Round towers on a lattice of 24 m, 12 corners each: 44 triangles a building.
-City latticeCity(int buildings) {
-    std::mt19937 random(1);
-    std::exponential_distribution<float> height(1 / 25.0F);
-    City city;
-    const int side = int(std::ceil(std::sqrt(buildings)));
-    for (int i = 0; i < buildings; ++i) {
-        const glm::vec2 centre(24.0F * float(i % side - side / 2), 24.0F * float(i / side - side / 2));
-        Part part{.bottomM = 0, .topM = 6 + height(random)};
-        for (int corner = 0; corner < 12; ++corner) {
-            const float angle = float(corner) * std::numbers::pi_v<float> / 6;
-            part.footprint.outer.push_back(centre + 9.0F * glm::vec2(std::cos(angle), std::sin(angle)));
-        }
-        city.buildings.push_back(std::make_shared<const Building>(Building{.parts = {part}}));
-    }
-    return city;
+City taken(auto made, auto cityIn) {
+    if (made) return cityIn(std::move(*made));
+    fmt::print(stderr, "{}\n", made.error().text());
+    std::exit(EXIT_FAILURE);
 }
 
-/// A file of buildings, or a made city of so many.
+/// A file of buildings, or the grid sample with so many.
 City cityFrom(const std::string& argument) {
-    if (!std::filesystem::exists(argument)) return latticeCity(std::stoi(argument));
     NoProgress progress;
-    auto read = readCity({argument}, {}, progress, {});
-    if (read) return std::move(read->city);
-    fmt::print(stderr, "{}\n", read.error().text());
-    std::exit(EXIT_FAILURE);
+    if (std::filesystem::exists(argument))
+        return taken(readCity({argument}, {}, progress, {}),
+                     [](CityRead&& read) { return std::move(read.city); });
+    return taken(gridSample({.buildings = std::stoi(argument)}), [](City&& city) { return std::move(city); });
 }
 
 /// 800 m square around the middle.
