@@ -97,6 +97,7 @@ Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, Shader
 
 void CityView::showCity(const CityArrays& arrays) {
     delete city_;
+    faces_ = nullptr;
     showLines({});
     clearPicture();
     bounds_ = arrays.bounds;
@@ -110,7 +111,8 @@ void CityView::showCity(const CityArrays& arrays) {
         auto* buildings = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
         buildings->addPoints(position, arrays.points);
         buildings->setIndices(arrays.triangles);
-        add(buildings, building_, city_);
+        faces_ = add(buildings, building_, city_);
+        faces_->setEnabled(facesShown_);
     }
     if (!arrays.edges.empty()) {
         auto* edges = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Lines);
@@ -122,6 +124,11 @@ void CityView::showCity(const CityArrays& arrays) {
     for (ShaderMaterial* material : {building_, edge_, ground_})
         material->set(QStringLiteral("hazeDistance"), haze);
     setPose(wholeCity(bounds_, lens()));
+}
+
+void CityView::showFaces(bool shown) {
+    facesShown_ = shown;
+    if (faces_) faces_->setEnabled(shown);
 }
 
 void CityView::showPicture(const GroundPicture& given) {

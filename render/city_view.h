@@ -30,6 +30,8 @@ public:
     void showCity(const CityArrays& arrays);
     void showPicture(const GroundPicture& picture);
     void clearPicture();
+    /// Faces can be left out, so that only their edges stand before the ground.
+    void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
 
     [[nodiscard]] const CameraPose& pose() const { return pose_; }
@@ -57,7 +59,9 @@ private:
     ViewBounds bounds_;
     Qt3DCore::QEntity* root_;
     Qt3DCore::QEntity* city_ = nullptr;
+    Qt3DCore::QEntity* faces_ = nullptr;
     Qt3DCore::QEntity* lines_ = nullptr;
+    bool facesShown_ = true;
     ShaderMaterial* building_ = nullptr;
     ShaderMaterial* edge_ = nullptr;
     ShaderMaterial* ground_ = nullptr;

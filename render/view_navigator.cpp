@@ -145,6 +145,13 @@ void ViewNavigator::lookFromAbove() {
     go(pose);
 }
 
+void ViewNavigator::showSlanting(const Box2& box) {
+    ViewBounds part = view_.viewBounds();
+    part.box = box;
+    part.groundM = float(scene_.groundAt(glm::dvec2(box.low + box.high) / 2.0));
+    go(wholeCity(part, view_.lens()));
+}
+
 void ViewNavigator::show(const Box2& box) {
     const glm::dvec2 centre = glm::dvec2(box.low + box.high) / 2.0;
     go(fromAbove(box, scene_.groundAt(centre), view_.lens()));

@@ -32,7 +32,8 @@ public Q_SLOTS:
     void showWholeCity();
     void turnNorthUp();
     void lookFromAbove();
-    void show(const Box2& box);  ///< from above
+    void show(const Box2& box);          ///< from above
+    void showSlanting(const Box2& box);  ///< as the whole city, but this part of it
 
 Q_SIGNALS:
     void hovered(QPointF pixel);

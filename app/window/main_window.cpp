@@ -24,13 +24,21 @@ constexpr int layoutVersion = 1;
 const QString keyHelp = QStringLiteral(
     "Left or middle drag turns, right drag (or Shift) moves, the wheel zooms to the cursor.  Arrow keys "
     "move, + and - "
-    "zoom.  Home: whole city.  N: north up.  T: from above.  R: region.  Ctrl+R: run.");
+    "zoom.  Home: whole city.  N: north up.  T: from above.  R: region.  B: buildings as lines.  Ctrl+R: "
+    "run.");
 
 QString filters() {
     return QObject::tr(
         "Cities and terrain (*.geojson *.json *.gpkg *.shp *.osm *.pbf *.jsonl *.city.json *.obj *.ply "
         "*.gltf *.glb "
         "*.tif *.tiff *.asc *.vrt);;All files (*)");
+}
+
+// What the view opens with: the region and some of its neighbourhood.
+Box2 startView(const Region& region) {
+    const Box2 box = bounds(region);
+    const glm::vec2 border = (box.high - box.low) * 0.15F;
+    return {box.low - border, box.high + border};
 }
 
 // Docks may be lower than what they hold.
@@ -144,6 +152,7 @@ void MainWindow::connectViewMenu() {
         const Box2 box = bounds(workbench_.document().settings().region);
         if (!box.empty()) panel_->navigator().show(box);
     });
+    connect(menus_.faces, &QAction::toggled, &panel_->view(), &CityView::showFaces);
     connect(menus_.keys, &QAction::triggered, this, [this] { panel_->messages().showNote(keyHelp); });
 }
 
@@ -194,6 +203,7 @@ void MainWindow::showCity() {
     recent_.add(opening_);
     fillRecent();
     showDocument();
+    panel_->navigator().showSlanting(startView(workbench_.document().settings().region));
 }
 
 void MainWindow::showStudy() {

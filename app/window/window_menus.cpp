@@ -58,6 +58,10 @@ WindowMenus::WindowMenus(QMainWindow& window) {
     fromAbove = added(view, tr("From &above"), Qt::Key_T, {});
     region = added(view, tr("&Region"), Qt::Key_R, tr("The region of the study from above"));
     view.addSeparator();
+    faces = added(view, tr("&Solid buildings"), Qt::Key_B,
+                  tr("Off: edges only, so that the ground behind them can be read"));
+    faces->setCheckable(true);
+    faces->setChecked(true);
     docks = view.addMenu(tr("&Panels"));
 
     QMenu& help = *bar.addMenu(tr("&Help"));

@@ -29,6 +29,7 @@ struct WindowMenus {
     QAction* northUp;
     QAction* fromAbove;
     QAction* region;
+    QAction* faces;  ///< checkable
     QMenu* docks;
     QAction* keys;
 };

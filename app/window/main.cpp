@@ -1,0 +1,26 @@
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+
+#include "app/window/appearance.h"
+#include "app/window/main_window.h"
+
+int main(int argc, char** argv) {
+    noonmark::chooseRenderer();
+    QApplication application(argc, argv);
+    noonmark::applyAppearance(application);
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Measures the shadows of buildings on a city"));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("files"),
+                                 QStringLiteral("City files, or sample:central-park-south, sample:grid"));
+    parser.process(application);
+
+    QSettings settings;
+    noonmark::MainWindow window(settings);
+    window.show();
+    const QStringList files = parser.positionalArguments();
+    window.open(files.isEmpty() ? QStringList{QStringLiteral("sample:central-park-south")} : files);
+    return QApplication::exec();
+}

@@ -1,0 +1,73 @@
+#include "render/city_arrays.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "render/feature_edges.h"
+#include "render/ground_picture.h"
+#include "tests/gui/small_city.h"
+
+namespace noonmark {
+namespace {
+
+TEST(FeatureEdges, ABoxHasTwelve) {
+    Part box;
+    box.footprint = test::square({0, 0}, 10);
+    box.topM = 20;
+    EXPECT_EQ(featureEdges(meshOf(box)).size(), 2U * 12);
+}
+
+TEST(FeatureEdges, APlaneShowsItsBorderOnly) {
+    const TriangleMesh plane{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+    EXPECT_EQ(featureEdges(plane).size(), 2U * 4);
+}
+
+TEST(CityArrays, EdgesAreLeftOutAboveTheLimit) {
+    EXPECT_FALSE(arraysOf(test::smallCity()).edges.empty());
+    EXPECT_TRUE(arraysOf(test::smallCity(), 3).edges.empty());
+}
+
+TEST(CityArrays, GroundReachesFarBeyondTheCity) {
+    const CityArrays arrays = arraysOf(test::smallCity());
+    const auto [low, high] = std::ranges::minmax(arrays.groundPoints, {}, [](glm::vec3 p) { return p.x; });
+    EXPECT_LT(low.x, arrays.bounds.box.low.x - 1000);
+    EXPECT_GT(high.x, arrays.bounds.box.high.x + 1000);
+}
+
+TEST(CityArrays, AnEmptyCityStillHasAView) {
+    const ViewBounds view = viewBoundsOf(City{});
+    EXPECT_FALSE(view.box.empty());
+    EXPECT_GT(view.radiusM(), 100);
+}
+
+TEST(CityArrays, TerrainIsTheGround) {
+    City city;
+    Terrain terrain;
+    terrain.grid = {-50, -50, 10, 10, 10};
+    terrain.elevationM.assign(100, 7);
+    terrain.elevationM[55] = 42;
+    city.terrain = std::make_shared<const Terrain>(terrain);
+    const CityArrays arrays = arraysOf(city);
+    EXPECT_FLOAT_EQ(arrays.bounds.groundM, 7);
+    EXPECT_FLOAT_EQ(arrays.bounds.topM, 42);
+    EXPECT_EQ(arrays.groundTriangles.size(), 3U * (2 * 9 * 9 + 2));
+}
+
+TEST(GroundPicture, WhatFitsIsLeftAlone) {
+    const GroundPicture picture{{0, 0, 1, 3, 2}, std::vector<GroundPicture::Pixel>(6, {1, 2, 3, 4})};
+    EXPECT_EQ(fitted(picture, 3).pixels, picture.pixels);
+}
+
+TEST(GroundPicture, TooManyPixelsAreAveragedInPlace) {
+    using Pixel = GroundPicture::Pixel;
+    const GroundPicture picture{
+        {100, 200, 2, 3, 2},
+        {{0, 0, 0, 0}, {8, 8, 8, 8}, {40, 0, 0, 0}, {4, 4, 4, 4}, {4, 4, 4, 4}, {80, 0, 0, 0}}};
+    const GroundPicture small = fitted(picture, 2);
+    EXPECT_EQ(small.grid, (Grid{100, 200, 4, 2, 1}));
+    EXPECT_EQ(small.pixels, (std::vector<Pixel>{{4, 4, 4, 4}, {60, 0, 0, 0}}));
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "app/report/palette.h"
+#include "app/window/field_picture.h"
+#include "app/window/hover_text.h"
+#include "app/window/warnings_dock.h"
+#include "tests/gui/small_city.h"
+
+namespace noonmark {
+namespace {
+
+/// Four cells of 10 m in a row: sun, shadow, building, outside.
+struct FieldShown : ::testing::Test {
+    static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    ShadowField field;
+    Receivers receivers;
+
+    FieldShown() {
+        field.grid = receivers.grid = {0, 0, 10, 4, 1};
+        field.grossMin = {0, 60, nan, nan};
+        field.continuousMin = {0, 30, nan, nan};
+        field.sunlitMinutesPerDay = 360;
+        receivers.kind = {CellKind::ground, CellKind::ground, CellKind::building, CellKind::outside};
+    }
+    static GroundPicture::Pixel pixelOf(double share) {
+        const QColor colour = shadowColour(share);
+        return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue()), 255};
+    }
+};
+
+TEST_F(FieldShown, PictureHasTheReportsColours) {
+    const GroundPicture picture = fieldPicture(field, receivers, ShadowMeasure::gross, 60);
+    EXPECT_EQ(picture.pixels[0], pixelOf(0));
+    EXPECT_EQ(picture.pixels[1], pixelOf(1));
+    EXPECT_EQ(picture.pixels[2], pixelOf(1)) << "under a building: the colour of the ground beside it";
+    EXPECT_EQ(picture.pixels[3].a, 0) << "outside the region the ground keeps its own colour";
+    EXPECT_EQ(fieldPicture(field, receivers, ShadowMeasure::continuous, 60).pixels[1], pixelOf(0.5));
+}
+
+TEST_F(FieldShown, HoverSaysMinutesAndPlace) {
+    Study study;
+    study.city = test::smallCity();
+    study.field = field;
+    const auto textAt = [&study](double x) {
+        return hoverText({{x, 5, 0}, std::nullopt}, study.city, &study).toStdString();
+    };
+    EXPECT_NE(textAt(15).find("x 15.0 m, y 5.0 m"), std::string::npos) << textAt(15);
+    EXPECT_NE(textAt(15).find("gross 60.0 min a day, continuous 30.0 min"), std::string::npos) << textAt(15);
+    EXPECT_NE(textAt(25).find("not measured"), std::string::npos) << textAt(25);
+    EXPECT_EQ(textAt(95).find("min"), std::string::npos) << textAt(95);
+}
+
+TEST_F(FieldShown, HoverNamesTheBuilding) {
+    const std::string text = hoverText({{0, -40, 60}, 0U}, test::smallCity(), nullptr).toStdString();
+    EXPECT_NE(text.find("South House, 60.0 m high"), std::string::npos) << text;
+}
+
+TEST(WarningsDock, GroupsWithIds) {
+    WarningsDock dock;
+    dock.show({{WarningKind::mended, "outline crossed itself", "way 1"},
+               {WarningKind::leftOut, "underground", "way 2"},
+               {WarningKind::mended, "outline crossed itself", "way 3"}});
+    ASSERT_EQ(dock.topLevelItemCount(), 2);
+    EXPECT_TRUE(dock.topLevelItem(0)->text(0).startsWith(QStringLiteral("2 mended")));
+    EXPECT_EQ(dock.topLevelItem(0)->child(1)->text(0), QStringLiteral("way 3"));
+}
+
+TEST(WarningsDock, SaysHowManyItDoesNotShow) {
+    WarningsDock dock;
+    dock.show(Warnings(5000, {WarningKind::assumed, "height", "way"}));
+    const QTreeWidgetItem* group = dock.topLevelItem(0);
+    EXPECT_TRUE(group->child(group->childCount() - 1)->text(0).contains(QStringLiteral("and 3000 more")));
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <optional>
+
+#include "app/window/job_slot.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+using IntWork = std::function<Result<int>(Progress&, std::stop_token)>;
+using IntDone = std::function<void(Result<int>)>;
+
+// Works until it is stopped.
+IntWork endless(std::atomic<bool>& running) {
+    return [&running](Progress& progress, std::stop_token stop) -> Result<int> {
+        running = true;
+        while (!stop.stop_requested()) progress.report(0.5, "turning");
+        running = false;
+        return cancelled();
+    };
+}
+
+TEST(Job, HandsOverItsResultInTheMakersThread) {
+    std::optional<int> got;
+    std::thread::id where;
+    const auto job = runJob<int>([](Progress&, std::stop_token) -> Result<int> { return 42; },
+                                 [&](const Result<int>& result) {
+                                     got = *result;
+                                     where = std::this_thread::get_id();
+                                 });
+    ASSERT_TRUE(waitFor([&] { return got.has_value(); }));
+    EXPECT_EQ(*got, 42);
+    EXPECT_EQ(where, std::this_thread::get_id());
+}
+
+TEST(Job, DestroyedWhileRunningStopsAndDeliversNothing) {
+    std::atomic<bool> running = false;
+    bool delivered = false;
+    auto job = runJob<int>(endless(running), IntDone([&](const Result<int>&) { delivered = true; }));
+    ASSERT_TRUE(waitFor([&] { return running.load(); }));
+    job.reset();
+    EXPECT_FALSE(running) << "the destructor waits for the end of the work";
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(delivered);
+}
+
+TEST(Job, CancelDeliversCancelled) {
+    std::atomic<bool> running = false;
+    std::optional<Error> error;
+    auto job =
+        runJob<int>(endless(running), IntDone([&](const Result<int>& result) { error = result.error(); }));
+    ASSERT_TRUE(waitFor([&] { return running.load(); }));
+    job->cancel();
+    ASSERT_TRUE(waitFor([&] { return error.has_value(); }));
+    EXPECT_TRUE(isCancelled(*error));
+}
+
+TEST(Job, ReportsProgressUntilItIsDestroyed) {
+    std::atomic<bool> running = false;
+    int reports = 0;
+    auto job = runJob<int>(endless(running), IntDone([](const Result<int>&) {}));
+    QObject::connect(job.get(), &Job::progressed, [&](double fraction, const QString& stage) {
+        EXPECT_DOUBLE_EQ(fraction, 0.5);
+        EXPECT_EQ(stage, QStringLiteral("turning"));
+        ++reports;
+    });
+    ASSERT_TRUE(waitFor([&] { return reports > 2; }));
+    job.reset();
+    const int after = reports;
+    QCoreApplication::processEvents();
+    EXPECT_EQ(reports, after);
+}
+
+TEST(JobSlot, ASecondJobReplacesTheFirst) {
+    std::atomic<bool> running = false;
+    std::vector<int> got;
+    const IntDone note = [&](const Result<int>& result) { got.push_back(result.value_or(-1)); };
+    JobSlot slot;
+    slot.start<int>(QStringLiteral("first"), endless(running), note);
+    ASSERT_TRUE(waitFor([&] { return running.load(); }));
+    slot.start<int>(
+        QStringLiteral("second"), [](Progress&, std::stop_token) -> Result<int> { return 2; }, note);
+    ASSERT_TRUE(waitFor([&] { return !slot.busy(); }));
+    EXPECT_EQ(got, std::vector<int>{2});
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,14 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+
+#include "app/window/appearance.h"
+
+/// Widgets and the 3D view need a display; under ctest Xvfb gives one.
+int main(int argc, char** argv) {
+    noonmark::chooseRenderer();
+    QApplication application(argc, argv);
+    noonmark::applyAppearance(application);
+    ::testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}
