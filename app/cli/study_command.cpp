@@ -55,8 +55,15 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     return study;
 }
 
+// What Qt remarks about the machine (a missing runtime folder, say) is nothing to a user; what fails still
+// comes out.
+void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "{}\n", message.toStdString());
+}
+
 // Drawing text needs a QGuiApplication; it needs no display.
 Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const StudyOptions& options) {
+    qInstallMessageHandler(onQtMessage);
     std::unique_ptr<QGuiApplication> application;
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     int argc = 1;
