@@ -17,12 +17,13 @@ namespace noonmark {
 ///   ground_elevation  metres, of the ground under the building, in the city's vertical datum
 ///   height_source     "measured", "levels", "assumed" or "mesh"
 ///   hangs             0 or 1
-/// readCity() gives the same prisms back, coordinates to 1 mm.
+/// readCity() in the same frame gives the same prisms back, coordinates to 1 mm; those that stood on terrain
+/// stand on it again when its file is read along, and on flat ground otherwise.
 ///
 /// A layer of polygons cannot hold a mesh: a part with one is written as the prism of its footprint from
 /// bottomM to topM, keeps "mesh" as its height source, and is one `leftOut` warning of those returned.
-/// Terrain is not written. Written beside the target and renamed, so that a killed process leaves no half
-/// file. Error: the file cannot be written. Backend: write_city_gdal.cpp.
+/// Terrain is not written, and is a warning too. Written beside the target and renamed, so that a killed
+/// process leaves no half file. Error: the file cannot be written. Backend: write_city_gdal.cpp.
 Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city);
 
 }  // namespace noonmark

@@ -130,6 +130,9 @@ Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const Ci
         return failure("The GeoPackage could not be written: " + calls.why(), file.string(),
                        "Check that the folder exists, can be written to and has room");
     if (auto named = pending.commit(); !named) return tl::make_unexpected(named.error());
+    if (city.terrain)
+        warnings->push_back(
+            {WarningKind::leftOut, "terrain; keep its raster and read both files", file.filename().string()});
     return *std::move(warnings);
 }
 

@@ -123,6 +123,13 @@ TEST_F(WriteCity, aMeshIsWrittenAsAPrismAndSaid) {
     EXPECT_EQ(warnings[0].where, "dome 1");
 }
 
+TEST_F(WriteCity, terrainIsLeftOutAndSaid) {
+    const Terrain flat{{-1000, -1000, 1000, 3, 3}, std::vector<float>(9, 3)};
+    write({Frame({0, 0}), {towerOnPodium()}, std::make_shared<const Terrain>(flat)});
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_THAT(warnings[0].what, HasSubstr("terrain"));
+}
+
 TEST_F(WriteCity, replacesAnOldFileAndLeavesNothingElse) {
     write({Frame({0, 0}), {towerOnPodium(), towerOnPodium()}, nullptr});
     dataset.reset();
