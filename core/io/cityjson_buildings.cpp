@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 
@@ -148,6 +149,13 @@ private:
     const CityJsonObject& root_;
 };
 
+// CityJSON has the ground in the geometry: a building's walls begin on it.
+float lowestPoint(const Building& building) {
+    float lowest = std::numeric_limits<float>::max();
+    for (const Part& part : building.parts) lowest = std::min(lowest, part.bottomM);
+    return lowest;
+}
+
 }  // namespace
 
 void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece) {
@@ -189,7 +197,10 @@ bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const 
     });
     if (stop.stop_requested()) return false;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (buildings[i]) piece.buildings.push_back(std::move(buildings[i]));
+        if (buildings[i]) {
+            piece.groundM.push_back(lowestPoint(*buildings[i]));
+            piece.buildings.push_back(std::move(buildings[i]));
+        }
         std::move(warnings[i].begin(), warnings[i].end(), std::back_inserter(piece.warnings));
     }
     return true;

@@ -28,10 +28,18 @@ float lowestInside(const Footprint& footprint, const Terrain& terrain) {
     return lowest;
 }
 
+std::shared_ptr<const TriangleMesh> lifted(const TriangleMesh& mesh, float byM) {
+    auto moved = std::make_shared<TriangleMesh>(mesh);
+    for (glm::vec3& vertex : moved->vertices) vertex.z += byM;
+    return moved;
+}
+
 void lift(Building& building, float byM) {
+    if (byM == 0) return;
     for (Part& part : building.parts) {
         part.bottomM += byM;
         part.topM += byM;
+        if (part.mesh) part.mesh = lifted(*part.mesh, byM);
     }
 }
 
@@ -54,7 +62,8 @@ Building standing(Building building, std::optional<float> groundM, const Terrain
     const float lowest = lowestGroundUnder(building, *terrain);
     if (!groundM) lift(building, lowest);
     for (Part& part : building.parts)
-        if (groundM && !part.hangs && part.bottomM <= *groundM) part.bottomM = std::min(part.bottomM, lowest);
+        if (groundM && !part.hangs && !part.mesh && part.bottomM <= *groundM)
+            part.bottomM = std::min(part.bottomM, lowest);
     return building;
 }
 

@@ -73,6 +73,19 @@ TEST(ReadCityJson, oldVersionWithoutTransform) {
     expectClosedSolid(onlyPart(read(document)), 6000);
 }
 
+TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
+    // On a hillside: without terrain readCity() takes these elevations off, or light would shine through
+    // under the buildings.
+    CityJsonMaker maker;
+    maker.addBuilding("low", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
+    maker.addBuilding("high", maker.boxSolid({50, 0, 12}, {60, 20, 40}));
+    const auto piece = read(maker.document());
+    ASSERT_TRUE(piece.has_value());
+    ASSERT_EQ(piece->groundM.size(), 2U);
+    ASSERT_TRUE(piece->groundM[0] && piece->groundM[1]);
+    EXPECT_NEAR(std::abs(*piece->groundM[0] - *piece->groundM[1]), 12, 1e-3);
+}
+
 TEST(ReadCityJson, trueNorthIsUpAndMetresAreMetres) {
     // RD's north is 24' east of true north at Amsterdam's longitude west of the centre: a wall along it leans
     // by that much.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/city/city.h"
+
 namespace noonmark {
 namespace {
 
@@ -60,6 +62,20 @@ TEST(StandOnTerrain, aBuildingSmallerThanACellStandsToo) {
     shed.parts.push_back(
         {.footprint = {{{50, 50}, {50.1F, 50}, {50.1F, 50.1F}}, {}}, .bottomM = 0, .topM = 3});
     EXPECT_NEAR(standing(shed, std::nullopt, &terrain).parts[0].bottomM, 5, 0.01);
+}
+
+TEST(StandOnTerrain, aMeshMovesWithItsPart) {
+    Building building = tower(40, 7, 37);
+    building.parts[0].mesh = std::make_shared<const TriangleMesh>(meshOf(building.parts[0]));
+    const Terrain terrain = slope();
+    const Part onFlat = standing(building, 7.0F, nullptr).parts[0];
+    EXPECT_FLOAT_EQ(onFlat.bottomM, 0);
+    for (const glm::vec3 vertex : onFlat.mesh->vertices)
+        EXPECT_TRUE(vertex.z == 0 || vertex.z == 30) << vertex.z;
+    // On terrain it keeps its own elevations: its walls cannot be drawn out.
+    const Part onTerrain = standing(building, 7.0F, &terrain).parts[0];
+    EXPECT_FLOAT_EQ(onTerrain.bottomM, 7);
+    EXPECT_EQ(*onTerrain.mesh, *building.parts[0].mesh);
 }
 
 }  // namespace
