@@ -10,6 +10,6 @@ namespace noonmark::cli {
 
 /// Writes a city as a GeoPackage and says so, for `sample` and `import`. Returns an ExitCode.
 int saveCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
-              const Warnings& ofReading = {});
+             const Warnings& ofReading = {});
 
 }  // namespace noonmark::cli

@@ -53,7 +53,7 @@ struct Study {
         seconds;        ///< by stage: "read", "sun", "receivers", "accumulate"; and "total"
     Warnings warnings;  ///< of reading and of computing
     std::vector<InputFile> inputs;
-    ReadSettings reading;                   ///< how the inputs were read: a report says how to repeat it; set by who read them
+    ReadSettings reading;  ///< how the inputs were read: a report says how to repeat it; set by who read them
     std::string attribution;
 };
 
