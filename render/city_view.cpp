@@ -1,5 +1,6 @@
 #include "render/city_view.h"
 
+#include <QTimer>
 #include <QVector2D>
 #include <QVector4D>
 #include <Qt3DCore/QEntity>
@@ -27,6 +28,8 @@ constexpr QColor buildingColour{0xf7, 0xf5, 0xf1};
 constexpr QColor edgeColour{0x3a, 0x40, 0x4a};
 constexpr QColor lineColour{0xd6, 0x3c, 0x1e};
 constexpr double viewDeg = 40;
+constexpr std::size_t mostEdgesInMotion = 150'000;
+constexpr int restMs = 200;
 
 QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
 QVector3D vectorOf(const QColor& c) { return {float(c.redF()), float(c.greenF()), float(c.blueF())}; }
@@ -42,7 +45,11 @@ Qt3DRender::QTechniqueFilter* forwardFilter(Qt3DCore::QNode* parent) {
 
 }  // namespace
 
-CityView::CityView() : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL), root_(new Qt3DCore::QEntity) {
+CityView::CityView()
+    : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL), root_(new Qt3DCore::QEntity), rest_(new QTimer(this)) {
+    rest_->setSingleShot(true);
+    rest_->setInterval(restMs);
+    connect(rest_, &QTimer::timeout, this, &CityView::showEdges);
     makeFrameGraph();
     makeMaterials();
     renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
@@ -97,7 +104,7 @@ Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, Shader
 
 void CityView::showCity(const CityArrays& arrays) {
     delete city_;
-    faces_ = nullptr;
+    faces_ = edges_ = nullptr;
     showLines({});
     clearPicture();
     bounds_ = arrays.bounds;
@@ -118,8 +125,9 @@ void CityView::showCity(const CityArrays& arrays) {
         auto* edges = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Lines);
         edges->addPoints(position, arrays.points);
         edges->setIndices(arrays.edges);
-        add(edges, edge_, city_);
+        edges_ = add(edges, edge_, city_);
     }
+    manyEdges_ = arrays.edges.size() > mostEdgesInMotion;
     const auto haze = float(5 * bounds_.radiusM());
     for (ShaderMaterial* material : {building_, edge_, ground_})
         material->set(QStringLiteral("hazeDistance"), haze);
@@ -128,6 +136,7 @@ void CityView::showCity(const CityArrays& arrays) {
 
 void CityView::showFaces(bool shown) {
     facesShown_ = shown;
+    showEdges();
     if (faces_) faces_->setEnabled(shown);
 }
 
@@ -160,7 +169,17 @@ void CityView::showLines(const std::vector<GroundLine>& lines) {
 void CityView::setPose(const CameraPose& pose) {
     pose_ = pose;
     applyCamera();
+    // Lines are what costs most in software: a large city moves without them.
+    if (manyEdges_ && edges_ && facesShown_) {
+        edges_->setEnabled(false);
+        rest_->start();
+    }
     Q_EMIT poseChanged();
+}
+
+void CityView::showEdges() {
+    rest_->stop();
+    if (edges_) edges_->setEnabled(true);
 }
 
 ViewLens CityView::lens() const {
@@ -184,6 +203,7 @@ void CityView::resizeEvent(QResizeEvent* event) {
 }
 
 void CityView::capture(std::function<void(QImage)> done) {
+    showEdges();
     Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();
     connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [reply, done = std::move(done)] {
         const QImage image = reply->image();

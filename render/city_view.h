@@ -9,6 +9,8 @@
 #include "render/outline_geometry.h"
 #include "render/view_ray.h"
 
+class QTimer;
+
 namespace Qt3DRender {
 class QRenderCapture;
 }
@@ -52,6 +54,7 @@ private:
     void makeFrameGraph();
     void makeMaterials();
     void applyCamera();
+    void showEdges();
     Qt3DCore::QEntity* add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
                            Qt3DCore::QEntity* parent);
 
@@ -60,6 +63,9 @@ private:
     Qt3DCore::QEntity* root_;
     Qt3DCore::QEntity* city_ = nullptr;
     Qt3DCore::QEntity* faces_ = nullptr;
+    Qt3DCore::QEntity* edges_ = nullptr;
+    bool manyEdges_ = false;
+    QTimer* rest_;
     Qt3DCore::QEntity* lines_ = nullptr;
     bool facesShown_ = true;
     ShaderMaterial* building_ = nullptr;

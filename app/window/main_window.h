@@ -3,7 +3,8 @@
 #include <QMainWindow>
 #include <QSettings>
 
-#include "app/window/recent_files.h"
+#include "app/window/recent_menu.h"
+#include "app/window/window_docks.h"
 #include "app/window/window_menus.h"
 #include "app/window/workbench.h"
 
@@ -12,10 +13,7 @@ class QLabel;
 namespace noonmark {
 
 class ProgressStrip;
-class ResultsDock;
-class StudyDock;
 class ViewPanel;
-class WarningsDock;
 
 /// The window: view in the middle, docks around it. Connects them to the workbench; does no work itself.
 class MainWindow final : public QMainWindow {
@@ -35,31 +33,27 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
-    void makeDocks();
-    void addDock(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
     void makeStatusBar();
+    void connectJobs();
     void connectWorkbench();
-    void connectMenus();
+    void connectFileMenu();
+    void connectStudyMenu();
     void connectViewMenu();
-    void connectStudyDock();
+    void connectRegion();
+    void draw(bool on);
+    void changeRegion(const Region& region);
+    void takeWholeCity();
+    void readRegionFile();
     void showCity();
     void showStudy();
     void showDocument();
-    void changeRegion(const Region& region);
-    void fillRecent();
-    void askToOpen();
-    void askToSavePicture();
-    void askToExport();
-    void restoreLayout();
 
     QSettings& settings_;
-    RecentFiles recent_;
     Workbench workbench_;
     WindowMenus menus_;
+    RecentMenu recent_;
     ViewPanel* panel_;
-    StudyDock* study_;
-    ResultsDock* results_;
-    WarningsDock* warnings_;
+    WindowDocks docks_;
     ProgressStrip* progress_;
     QLabel* hover_;
     QStringList opening_;

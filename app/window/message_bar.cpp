@@ -2,11 +2,19 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 
 namespace noonmark {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel) {
+namespace {
+
+constexpr int noteMs = 12000;
+constexpr const char* noteColours = "background: #e4eef7; border-bottom: 1px solid #8fb2d1; color: #15324b;";
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel), leave_(new QTimer(this)) {
     setObjectName(QStringLiteral("messageBar"));
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);
@@ -20,6 +28,9 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel) {
     row->setContentsMargins(10, 5, 5, 5);
     row->addWidget(label_, 1);
     row->addWidget(close, 0, Qt::AlignTop);
+    leave_->setSingleShot(true);
+    leave_->setInterval(noteMs);
+    connect(leave_, &QTimer::timeout, this, &QWidget::hide);
     hide();
 }
 
@@ -29,14 +40,18 @@ void MessageBar::showError(const Error& error) {
 }
 
 void MessageBar::showNote(const QString& text) {
-    show(text, "background: #e4eef7; border-bottom: 1px solid #8fb2d1; color: #15324b;");
+    show(text, noteColours);
+    leave_->start();
 }
+
+void MessageBar::showHelp(const QString& text) { show(text, noteColours); }
 
 QString MessageBar::text() const { return isHidden() ? QString() : label_->text(); }
 
 void MessageBar::show(const QString& text, const char* colours) {
     setStyleSheet(QStringLiteral("#messageBar { %1 } #messageBar QLabel { border: none; }")
                       .arg(QLatin1String(colours)));
+    leave_->stop();
     label_->setText(text);
     QFrame::show();
 }

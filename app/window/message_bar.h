@@ -5,6 +5,7 @@
 #include "core/result.h"
 
 class QLabel;
+class QTimer;
 
 namespace noonmark {
 
@@ -15,12 +16,14 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showError(const Error& error);
-    void showNote(const QString& text);
+    void showNote(const QString& text);  ///< goes by itself after a while
+    void showHelp(const QString& text);  ///< stays
     [[nodiscard]] QString text() const;
 
 private:
     void show(const QString& text, const char* colours);
     QLabel* label_;
+    QTimer* leave_;
 };
 
 }  // namespace noonmark

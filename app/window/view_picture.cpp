@@ -1,5 +1,8 @@
 #include "app/window/view_picture.h"
 
+#include <QFontMetricsF>
+#include <algorithm>
+
 namespace noonmark {
 
 namespace {
@@ -8,11 +11,15 @@ constexpr double pointPx = 1.6;
 constexpr double marginPx = 16;
 constexpr double legendWidthPx = 560;
 
-void paintCredit(QPainter& painter, const QRectF& foot, const QString& credit) {
+// At the right; returns how much width is left for the legend.
+double paintCredit(QPainter& painter, const QRectF& foot, const QString& credit) {
     const Canvas canvas{painter, pointPx};
     painter.setFont(textFont(canvas, 7.5));
     painter.setPen(ink::quiet);
     painter.drawText(foot, Qt::AlignRight | Qt::AlignBottom, credit);
+    const double used =
+        credit.isEmpty() ? 0 : QFontMetricsF(painter.font()).horizontalAdvance(credit) + marginPx;
+    return std::max(foot.width() / 2, foot.width() - used);
 }
 
 }  // namespace
@@ -27,9 +34,8 @@ QImage viewPicture(const QImage& view, const std::optional<Legend>& legend, cons
     const QRectF foot =
         QRectF(0, view.height(), view.width(), footPx).adjusted(marginPx, marginPx, -marginPx, -marginPx);
     QRectF bar = foot;
-    bar.setWidth(std::min(foot.width(), legendWidthPx));
+    bar.setWidth(std::min(paintCredit(painter, foot, credit), legendWidthPx));
     paintLegend({painter, pointPx}, bar, *legend);
-    paintCredit(painter, foot, credit);
     return picture;
 }
 

@@ -47,6 +47,8 @@ WindowMenus::WindowMenus(QMainWindow& window) {
     cancel = added(study, tr("&Cancel"), QKeySequence(tr("Ctrl+.")), tr("Stop the study that is running"));
     drawRegion = added(study, tr("&Draw region"), QKeySequence(tr("Ctrl+D")),
                        tr("Click the corners on the ground; Enter finishes, Esc cancels"));
+    regionFile =
+        added(study, tr("Region from &file..."), {}, tr("The polygons of a file, in any coordinate system"));
     study.addSeparator();
     gross = added(study, tr("Show &gross shadow"), QKeySequence(tr("Ctrl+1")), tr("Minutes in shadow a day"));
     continuous = added(study, tr("Show c&ontinuous shadow"), QKeySequence(tr("Ctrl+2")),
@@ -66,6 +68,15 @@ WindowMenus::WindowMenus(QMainWindow& window) {
 
     QMenu& help = *bar.addMenu(tr("&Help"));
     keys = added(help, tr("&Mouse and keys"), QKeySequence::HelpContents, {});
+}
+
+QString mouseAndKeys() {
+    return tr(
+        "Left or middle drag turns, right drag (or Shift) moves, the wheel zooms to the cursor. Arrow keys "
+        "move, "
+        "+ and - zoom. Home: whole city. N: north up. T: from above. R: region. B: solid buildings or lines. "
+        "Ctrl+R: run. Drawing a region: click corners; double click, Enter or right click finish, Backspace "
+        "takes one back, Esc cancels.");
 }
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 class QAction;
 class QMainWindow;
@@ -23,6 +24,7 @@ struct WindowMenus {
     QAction* run;
     QAction* cancel;
     QAction* drawRegion;
+    QAction* regionFile;
     QAction* gross;
     QAction* continuous;
     QAction* wholeCity;
@@ -33,5 +35,8 @@ struct WindowMenus {
     QMenu* docks;
     QAction* keys;
 };
+
+/// How mouse and keys move the view and draw, in one line.
+QString mouseAndKeys();
 
 }  // namespace noonmark

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QStringList>
+
+class QWidget;
+
+namespace noonmark {
+
+/// The questions for file names; empty when the user changes their mind.
+QStringList askForCity(QWidget* parent);
+QString askForRegion(QWidget* parent);
+QString askForPicture(QWidget* parent);  ///< always with an ending
+QString askForFolder(QWidget* parent);
+
+}  // namespace noonmark

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/window/recent_files.h"
+
+class QMenu;
+
+namespace noonmark {
+
+/// The menu of what was opened lately.
+class RecentMenu final : public QObject {
+    Q_OBJECT
+public:
+    RecentMenu(QMenu& menu, QSettings& settings);  ///< both outlive it
+    void add(const QStringList& files);
+
+Q_SIGNALS:
+    void chosen(QStringList files);
+
+private:
+    void fill();
+    QMenu& menu_;
+    RecentFiles recent_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,50 @@
+#include "app/window/window_docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+
+#include "app/window/results_dock.h"
+#include "app/window/study_dock.h"
+#include "app/window/warnings_dock.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int sideWidth = 270;
+
+// Docks may be lower than what they hold.
+QScrollArea* scrolled(QWidget* content, int leastWidth) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(leastWidth);
+    return scroll;
+}
+
+QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QString::fromLatin1(name));  // the saved layout knows docks by name
+    dock->setWidget(content);
+    return dock;
+}
+
+}  // namespace
+
+void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
+    const int studyWidth = docks.study->minimumSizeHint().width() + 22;
+    QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", scrolled(docks.study, studyWidth));
+    QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
+    QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
+    window.addDockWidget(Qt::LeftDockWidgetArea, study);
+    window.addDockWidget(Qt::RightDockWidgetArea, results);
+    window.addDockWidget(Qt::RightDockWidgetArea, warnings);
+    window.resizeDocks({results, warnings}, {420, 300}, Qt::Vertical);
+    for (QDockWidget* dock : {study, results, warnings}) menu.addAction(dock->toggleViewAction());
+}
+
+}  // namespace noonmark

@@ -1,0 +1,22 @@
+#pragma once
+
+class QMainWindow;
+class QMenu;
+
+namespace noonmark {
+
+class ResultsDock;
+class StudyDock;
+class WarningsDock;
+
+/// What stands around the view. Belongs to the window.
+struct WindowDocks {
+    StudyDock* study;
+    ResultsDock* results;
+    WarningsDock* warnings;
+};
+
+/// Places the docks where they stand until the user moves them; `menu` shows and hides them.
+void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu);
+
+}  // namespace noonmark
