@@ -37,8 +37,12 @@ private:
 Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeom_t*> polygons);
 Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footprints);
 
-/// The union of a collection on a grid of 1 mm, without points on straight lines.
+/// The union of a collection, without points within 1 mm of straight lines. Null where GEOS fails even on a
+/// grid of 1 mm.
 Geos::Geometry unionGeometry(const Geos& geos, const Geos::Geometry& polygons);
+
+/// What `cover` leaves of `whole`; null where GEOS fails even on a grid of 1 mm, or is given null.
+Geos::Geometry differenceGeometry(const Geos& geos, const Geos::Geometry& whole, const Geos::Geometry& cover);
 
 /// Every polygon in a geometry, oriented; points that fall together in float32 are one; polygons and holes
 /// under 0.01 m2 are left out.

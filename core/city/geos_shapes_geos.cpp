@@ -79,11 +79,22 @@ Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footpr
     return collection(geos, std::move(polygons));
 }
 
+// In full precision first: snapping to a grid takes several times as long, and in GEOS 3.11 may move a corner
+// that two polygons share for one of them only.
 Geos::Geometry unionGeometry(const Geos& geos, const Geos::Geometry& polygons) {
     if (!polygons) return geos.owned(nullptr);
-    const Geos::Geometry joined = geos.owned(GEOSUnaryUnionPrec_r(geos, polygons.get(), overlayGridM));
-    if (!joined) return geos.owned(nullptr);
+    Geos::Geometry joined = geos.owned(GEOSUnaryUnion_r(geos, polygons.get()));
+    if (!joined) joined = geos.owned(GEOSUnaryUnionPrec_r(geos, polygons.get(), overlayGridM));
+    if (!joined) return joined;
     return geos.owned(GEOSTopologyPreserveSimplify_r(geos, joined.get(), overlayGridM));
+}
+
+Geos::Geometry differenceGeometry(const Geos& geos, const Geos::Geometry& whole,
+                                  const Geos::Geometry& cover) {
+    if (!whole || !cover) return geos.owned(nullptr);
+    Geos::Geometry rest = geos.owned(GEOSDifference_r(geos, whole.get(), cover.get()));
+    return rest ? std::move(rest)
+                : geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM));
 }
 
 std::vector<Footprint> polygonsOf(const Geos& geos, const Geos::Geometry& geometry) {

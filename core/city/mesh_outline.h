@@ -16,9 +16,9 @@ struct MeshOutline {
         false;  ///< the true outline could not be had (walls alone, say), and the hull stands in
 };
 
-/// The union of the triangles' projections, on a grid of 1 mm; points on straight lines and holes under 0.01
-/// m2 are left out. For a closed mesh the faces that look up are enough. O(n log n); about 1 s for 100,000
-/// triangles. Backend: mesh_outline_geos.cpp, like all here.
+/// The union of the triangles' projections; gaps under 1 cm that would part it are closed, points within 1 mm
+/// of straight lines and holes under 0.01 m2 left out. For a closed mesh the faces that look up are enough.
+/// O(n log n). Backend: mesh_outline_geos.cpp, like all here.
 MeshOutline outlineOf(const TriangleMesh& mesh, bool closed);
 
 /// Footprints that may overlap as disjoint ones.

@@ -79,13 +79,33 @@ std::vector<std::size_t> numberedByAppearance(std::vector<std::size_t>& parent) 
     return groups;
 }
 
+// Grown and shrunk again, corners kept: closes gaps of up to twice `widthM`, as between triangles that nearly
+// meet.
+Geometry withoutGaps(const Geos& geos, Geometry polygons, double widthM) {
+    constexpr int segments = 8;
+    constexpr double mitre = 5;
+    for (const double width : {widthM, -widthM})
+        if (polygons)
+            polygons = geos.owned(GEOSBufferWithStyle_r(geos, polygons.get(), width, segments,
+                                                        GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, mitre));
+    return polygons;
+}
+
+// In one piece if it can be.
+std::vector<Footprint> unionOfTriangles(const Geos& geos, const std::vector<Footprint>& triangles) {
+    constexpr double gapM = 0.005;
+    Geometry joined = unionGeometry(geos, collection(geos, triangles));
+    if (joined && GEOSGetNumGeometries_r(geos, joined.get()) > 1)
+        joined = unionGeometry(geos, withoutGaps(geos, std::move(joined), gapM));
+    return polygonsOf(geos, joined);
+}
+
 }  // namespace
 
 MeshOutline outlineOf(const TriangleMesh& mesh, bool closed) {
     const Geos geos;
     MeshOutline outline;
-    outline.pieces =
-        polygonsOf(geos, unionGeometry(geos, collection(geos, projectedTriangles(mesh, closed))));
+    outline.pieces = unionOfTriangles(geos, projectedTriangles(mesh, closed));
     if (!outline.pieces.empty() || mesh.triangles.empty()) return outline;
     outline.pieces = convexHullOf(geos, mesh);
     outline.convexHull = true;
@@ -101,8 +121,7 @@ double areaOutside(const Footprint& footprint, const std::vector<Footprint>& oth
     const Geos geos;
     const Geometry whole = collection(geos, std::vector<Footprint>{footprint});
     const Geometry cover = unionGeometry(geos, collection(geos, others));
-    if (!whole || !cover) return area(footprint);
-    const Geometry rest = geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM));
+    const Geometry rest = differenceGeometry(geos, whole, cover);
     return rest ? areaOf(geos, rest) : area(footprint);
 }
 

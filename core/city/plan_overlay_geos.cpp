@@ -62,9 +62,7 @@ std::vector<Footprint> piecesOutside(const std::vector<Footprint>& footprints,
     const Geos geos;
     const Geometry whole = unionGeometry(geos, collection(geos, footprints));
     const Geometry cover = unionGeometry(geos, collection(geos, others));
-    if (!whole || !cover) return {};
-    auto pieces =
-        polygonsOf(geos, geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM)));
+    auto pieces = polygonsOf(geos, differenceGeometry(geos, whole, cover));
     std::erase_if(pieces, [&](const Footprint& piece) {
         return area(piece) < least.areaM2 || !isWide(geos, piece, least.widthM);
     });

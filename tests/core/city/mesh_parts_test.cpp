@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "core/city/mesh_outline.h"
 #include "tests/core/city/mesh_fixtures.h"
 
@@ -31,6 +34,36 @@ TEST(MeshOutline, farFromTheOriginStaysSimple) {
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
     EXPECT_NEAR(area(outline.pieces[0]), 10.1 * 9.7, 0.1);
+}
+
+// A fan of triangles in float32 far out, where their corners fall between millimetres: still one outline.
+TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> place(-4000, 4000), radius(10, 20);
+    for (int trial = 0; trial < 500; ++trial) {
+        const glm::vec3 at(place(random), place(random), 10);
+        TriangleMesh roof{{at}, {}};
+        constexpr std::uint32_t corners = 12;
+        for (std::uint32_t i = 0; i < corners; ++i) {
+            const float angle = 6.2831853F * float(i) / corners;
+            roof.vertices.push_back(at + radius(random) * glm::vec3(std::cos(angle), std::sin(angle), 0));
+            roof.triangles.emplace_back(0, 1 + i, 1 + (i + 1) % corners);
+        }
+        const MeshOutline outline = outlineOf(roof, false);
+        ASSERT_EQ(outline.pieces.size(), 1U) << trial;
+        EXPECT_TRUE(outline.pieces[0].holes.empty());
+    }
+}
+
+TEST(MeshOutline, aHairlineGapDoesNotPartABuilding) {
+    const TriangleMesh halves = tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.004F, 0, 0}, {10, 10, 10}));
+    const MeshOutline outline = outlineOf(halves, true);
+    ASSERT_EQ(outline.pieces.size(), 1U);
+    EXPECT_NEAR(area(outline.pieces[0]), 100, 0.01);
+    EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
+    EXPECT_EQ(outlineOf(tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.1F, 0, 0}, {10, 10, 10})), true)
+                  .pieces.size(),
+              2U);
 }
 
 TEST(MeshOutline, wallsAloneHaveTheirHull) {
