@@ -6,10 +6,10 @@
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/load_city.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/study_options.h"
 #include "app/cli/table.h"
+#include "app/input/load_city.h"
 #include "app/report/study_files.h"
 #include "core/io/read_region.h"
 
@@ -28,16 +28,6 @@ tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
     return std::move(result).map_error([code](Error error) { return Failure{std::move(error), code}; });
 }
 
-// What reading took and found belongs to the study as much as what computing did.
-void addReading(Study& study, const ReadSettings& settings, LoadedCity loaded) {
-    study.reading = settings;
-    study.inputs = std::move(loaded.inputs);
-    study.attribution = loaded.read.attribution;
-    study.warnings.insert(study.warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
-    study.seconds["read"] = loaded.seconds;
-    study.seconds["total"] += loaded.seconds;
-}
-
 tl::expected<Study, Failure> computed(const StudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
@@ -45,13 +35,14 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     const auto period = orCode(periodFrom(options), exitUsage);
     if (!period) return tl::make_unexpected(period.error());
     settings.period = *period;
-    auto loaded = orCode(loadCity(options.read, progress, interrupt.token()), exitUsage);
+    auto loaded =
+        orCode(loadCity(options.read.files, options.read.settings, progress, interrupt.token()), exitUsage);
     if (!loaded) return tl::make_unexpected(loaded.error());
     auto region = orCode(readRegion(options.region, loaded->read.city.frame), exitUsage);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
     auto study = orCode(runStudy(loaded->read.city, settings, progress, interrupt.token()), exitFailed);
-    if (study) addReading(*study, options.read.settings, *std::move(loaded));
+    if (study) addReading(*study, *loaded);
     return study;
 }
 

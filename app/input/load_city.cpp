@@ -68,6 +68,15 @@ Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSet
     return LoadedCity{files, settings, *std::move(read), *std::move(inputs), took.count()};
 }
 
+void addReading(Study& study, const LoadedCity& loaded) {
+    study.reading = loaded.settings;
+    study.inputs = loaded.inputs;
+    study.attribution = loaded.read.attribution;
+    study.warnings.insert(study.warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
+    study.seconds["read"] = loaded.seconds;
+    study.seconds["total"] += loaded.seconds;
+}
+
 Region firstRegion(const LoadedCity& loaded, float mostM) {
     if (loaded.files.size() == 1 && loaded.files.front() == parkSample)
         return centralParkRegion(loaded.read.city);

@@ -21,6 +21,9 @@ struct LoadedCity {
 Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSettings& settings,
                             Progress& progress, std::stop_token stop);
 
+/// What reading took and found belongs to the study as much as what computing did.
+void addReading(Study& study, const LoadedCity& loaded);
+
 bool isSample(std::string_view file);
 
 /// The sample of a name ("central-park-south", "grid"), made with its defaults; error for an unknown name.

@@ -29,13 +29,7 @@ StudySettings firstSettings(const LoadedCity& loaded) {
 Result<Study> studyOf(const LoadedCity& loaded, const StudySettings& settings, Progress& progress,
                       std::stop_token stop) {
     auto study = runStudy(loaded.read.city, settings, progress, std::move(stop));
-    if (!study) return study;
-    study->inputs = loaded.inputs;
-    study->reading = loaded.settings;
-    study->attribution = loaded.read.attribution;
-    study->seconds["read"] = loaded.seconds;
-    study->seconds["total"] += loaded.seconds;
-    study->warnings.insert(study->warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
+    if (study) addReading(*study, loaded);
     return study;
 }
 
