@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/city/repair_footprint.h"
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark::tests {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/io/temporary_folder.h"
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {

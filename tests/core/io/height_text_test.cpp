@@ -6,7 +6,7 @@
 #include <fstream>
 #include <random>
 
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/io/read_part.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/io/write_city.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/city/building_ground.h"
 #include "core/io/read_part.h"
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {

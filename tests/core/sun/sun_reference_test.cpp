@@ -9,7 +9,7 @@
 
 #include "core/sun/solar_position.h"
 #include "core/sun/sun_events.h"
-#include "tests/core/shared_data.h"
+#include "tests/shared/shared_data.h"
 #include "tests/core/sun/sun_near.h"
 
 // Against tables of others: NREL SPA, JPL Horizons, USNO.

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace noonmark::tests {
+
+/// A file or folder of the shared data (not part of the project): under NOONMARK_SHARED_DATA, else beside the
+/// source folder. Nothing where it is missing: the test then skips and says so.
+std::optional<std::filesystem::path> sharedData(const std::string& relative);
+
+}  // namespace noonmark::tests
