@@ -121,6 +121,7 @@ Result<RayScene> buildScene(const City& city, const Receivers& receivers, const 
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
     cost.buildingsUsed = std::uint32_t(used.size());
     cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
+    if (stop.stop_requested()) return cancelled();
     auto scene = RayScene::over(city, used, stop);
     cost.seconds["build"] = secondsSince(start);
     return scene;
@@ -131,6 +132,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     ShadowField field = blankField(receivers, sun);
     field.engine = fmt::format("Ray reference, {}, robust, packets of {}", RayScene::backend(),
                                DirectionPacket::capacity);
+    if (stop.stop_requested()) return cancelled();
     progress.report(0, "building the ray scene");
     const auto scene = buildScene(city, receivers, sun, field.cost, stop);
     if (!scene) return tl::make_unexpected(scene.error());

@@ -90,7 +90,7 @@ void startFrom(RTCRay16& rays, glm::vec3 origin) {
 std::uint32_t blockedOf(const RTCRay16& rays) {
     std::uint32_t blocked = 0;
     for (unsigned lane = 0; lane < DirectionPacket::capacity; ++lane)
-        blocked |= std::uint32_t(rays.tfar[lane] < 0) << lane;
+        if (rays.tfar[lane] < 0) blocked |= 1U << lane;
     return blocked;
 }
 

@@ -37,16 +37,26 @@ void clip(double direction, double low, double high, double& from, double& to) {
 
 struct LowestGround {
     Box2 box;
-    float groundM = std::numeric_limits<float>::max();
+    float groundM = 0;
 };
 
+// Whole numbers first: a large region has tens of millions of cells.
 LowestGround lowestGround(const Receivers& receivers) {
-    LowestGround lowest;
+    if (receivers.cells.empty()) return {};
+    const Grid& grid = receivers.grid;
+    const auto columns = std::uint32_t(grid.columns);
+    std::uint32_t west = columns, east = 0;
     for (const std::uint32_t cell : receivers.cells) {
-        const glm::vec3 position = receivers.position(cell);
-        lowest.box.add(glm::vec2(position));
-        lowest.groundM = std::min(lowest.groundM, position.z);
+        west = std::min(west, cell % columns);
+        east = std::max(east, cell % columns);
     }
+    LowestGround lowest;
+    lowest.box.add(glm::vec2(grid.centre(int(west), int(receivers.cells.front() / columns))));
+    lowest.box.add(glm::vec2(grid.centre(int(east), int(receivers.cells.back() / columns))));
+    if (receivers.flat()) return lowest;
+    lowest.groundM = std::numeric_limits<float>::max();
+    for (const std::uint32_t cell : receivers.cells)
+        lowest.groundM = std::min(lowest.groundM, receivers.groundM[cell]);
     return lowest;
 }
 
