@@ -14,7 +14,7 @@ namespace noonmark {
 ///   name, status      text, of the building
 ///   height            metres from the ground to the part's top
 ///   min_height        metres from the ground to the part's underside; 0 where it stands on the ground
-///   ground_elevation  metres, of the ground under the building, in the city's vertical datum
+///   ground_elevation  metres, of the ground under the building, in the city's vertical datum; empty for a flat city at 0
 ///   height_source     "measured", "levels", "assumed" or "mesh"
 ///   hangs             0 or 1
 /// readCity() in the same frame gives the same prisms back, coordinates to 1 mm; those that stood on terrain

@@ -78,7 +78,10 @@ private:
         feature.SetField("status", building.status.c_str());
         feature.SetField("height", part.topM - groundM);
         feature.SetField("min_height", part.bottomM - groundM);
-        feature.SetField("ground_elevation", city_.frame.originElevationM() + groundM);
+        // A flat city at 0 knows no elevation; to state one would bury it under a terrain that is opened
+        // beside it.
+        const double elevation = city_.frame.originElevationM() + groundM;
+        if (city_.terrain || elevation != 0) feature.SetField("ground_elevation", elevation);
         feature.SetField("height_source", std::string(nameOf(part.heightSource)).c_str());
         feature.SetField("hangs", part.hangs ? 1 : 0);
         const OGRPolygon polygon = polygonOf(part.footprint, city_.frame);

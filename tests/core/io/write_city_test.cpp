@@ -76,6 +76,17 @@ TEST_F(WriteCity, everyPartIsAFeatureWithHeightsAboveTheGround) {
     EXPECT_TRUE(warnings.empty());
 }
 
+TEST_F(WriteCity, aCityThatKnowsNoElevationStatesNone) {
+    // A stated 0 would bury the buildings of a flat sample when a terrain is opened beside it.
+    City city{Frame({-73.98, 40.75}), {towerOnPodium()}, nullptr};
+    Building onGround = *city.buildings[0];
+    for (Part& part : onGround.parts) part.bottomM -= 3, part.topM -= 3;
+    city.buildings[0] = std::make_shared<const Building>(onGround);
+    write(city);
+    EXPECT_FALSE(feature(1)->IsFieldSetAndNotNull(layer->GetLayerDefn()->GetFieldIndex("ground_elevation")));
+    EXPECT_DOUBLE_EQ(feature(2)->GetFieldAsDouble("height"), 100);
+}
+
 TEST_F(WriteCity, outlinesKeepTheirPlaceTo1Millimetre) {
     const City city{Frame({15.6, 78.2}), {towerOnPodium()}, nullptr};
     write(city);
