@@ -13,63 +13,20 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
-#include <filesystem>
 #include <limits>
 #include <numbers>
-#include <string>
 
 #include "core/accumulate/flush_denormals.h"
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/accumulate/reach.h"
 #include "core/accumulate/sun_packets.h"
-#include "core/io/read_city.h"
-#include "core/samples/sample_city.h"
+#include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
+using namespace noonmark::bench;
 
 namespace {
-
-/// Wall time, and processor time of all threads: the one to look at where other programs run too.
-struct Seconds {
-    double wall = 1e9;
-    double processor = 1e9;
-    void keepBest(const Seconds& other) {
-        wall = std::min(wall, other.wall);
-        processor = std::min(processor, other.processor);
-    }
-};
-
-Seconds secondsOf(const auto& work) {
-    const auto start = std::chrono::steady_clock::now();
-    const std::clock_t processor = std::clock();
-    work();
-    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-            double(std::clock() - processor) / CLOCKS_PER_SEC};
-}
-
-City taken(auto made, auto cityIn) {
-    if (made) return cityIn(std::move(*made));
-    fmt::print(stderr, "{}\n", made.error().text());
-    std::exit(EXIT_FAILURE);
-}
-
-/// A file of buildings, or the grid sample with so many.
-City cityFrom(const std::string& argument) {
-    NoProgress progress;
-    if (std::filesystem::exists(argument))
-        return taken(readCity({argument}, {}, progress, {}),
-                     [](CityRead&& read) { return std::move(read.city); });
-    return taken(gridSample({.buildings = std::stoi(argument)}), [](City&& city) { return std::move(city); });
-}
-
-/// 800 m square around the middle.
-Region middleOf(const City& city) {
-    const Box2 box = bounds(city);
-    const glm::vec2 middle = (box.low + box.high) * 0.5F;
-    return regionFromLocalBox({middle - 400.0F, middle + 400.0F});
-}
 
 /// Six hours around noon at one minute, near 40 N in March.
 SunSteps sixHours() {

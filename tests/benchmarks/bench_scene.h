@@ -1,0 +1,59 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string>
+
+#include "core/io/read_city.h"
+#include "core/receivers/region.h"
+#include "core/samples/sample_city.h"
+
+/// What the benchmarks share: a city, the middle of it, and a clock.
+namespace noonmark::bench {
+
+/// Wall time, and processor time of all threads: the one to look at where other programs run too.
+struct Seconds {
+    double wall = 1e9;
+    double processor = 1e9;
+    void keepBest(const Seconds& other) {
+        wall = std::min(wall, other.wall);
+        processor = std::min(processor, other.processor);
+    }
+};
+
+inline Seconds secondsOf(const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
+    work();
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            double(std::clock() - processor) / CLOCKS_PER_SEC};
+}
+
+City taken(auto made, auto cityIn) {
+    if (made) return cityIn(std::move(*made));
+    fmt::print(stderr, "{}\n", made.error().text());
+    std::exit(EXIT_FAILURE);
+}
+
+/// A file of buildings, or the grid sample with so many.
+inline City cityFrom(const std::string& argument) {
+    NoProgress progress;
+    if (std::filesystem::exists(argument))
+        return taken(readCity({argument}, {}, progress, {}),
+                     [](CityRead&& read) { return std::move(read.city); });
+    return taken(gridSample({.buildings = std::stoi(argument)}), [](City&& city) { return std::move(city); });
+}
+
+/// 800 m square around the middle.
+inline Region middleOf(const City& city) {
+    const Box2 box = bounds(city);
+    const glm::vec2 middle = (box.low + box.high) * 0.5F;
+    return regionFromLocalBox({middle - 400.0F, middle + 400.0F});
+}
+
+}  // namespace noonmark::bench

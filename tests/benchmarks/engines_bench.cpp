@@ -1,0 +1,92 @@
+// Every engine of core against the ray reference on one day: the error first, then the time, in turn in one
+// run.
+//
+//     engines_bench [FILE or number of buildings] [rounds]
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "core/accumulate/accumulator.h"
+#include "core/measures/statistics.h"
+#include "tests/benchmarks/bench_scene.h"
+
+using namespace noonmark;
+using namespace noonmark::bench;
+
+namespace {
+
+struct Scene {
+    City city;
+    Receivers receivers;
+    SunSteps sun;
+};
+
+/// 800 x 800 cells of 1 m in the middle of a city; 21 March 2026, 9:00 to 15:00 in New York, every minute.
+Scene dayScene(const std::string& cityName) {
+    Scene scene;
+    scene.city = cityFrom(cityName);
+    scene.receivers = receiversOnGround(scene.city, middleOf(scene.city), {1}).value();
+    scene.sun = sunSteps({.zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
+    return scene;
+}
+
+ShadowField run(const Scene& scene, std::string_view engine) {
+    NoProgress progress;
+    auto field =
+        makeAccumulator(engine).value()->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
+    if (field) return std::move(*field);
+    fmt::print(stderr, "{}: {}\n", engine, field.error().text());
+    std::exit(EXIT_FAILURE);
+}
+
+struct CellError {
+    double areaPct = 0;   ///< difference of the shadow area over the receivers' area
+    double meanPct = 0;   ///< mean difference of gross minutes over the period
+    double worstMin = 0;  ///< largest difference of gross minutes
+};
+
+CellError errorOf(const Scene& scene, const ShadowField& field, const ShadowField& truth) {
+    CellError error;
+    for (const std::uint32_t cell : scene.receivers.cells) {
+        const double difference = std::abs(double(field.grossMin[cell]) - double(truth.grossMin[cell]));
+        error.meanPct += difference;
+        error.worstMin = std::max(error.worstMin, difference);
+    }
+    error.meanPct *= 100 / (double(scene.receivers.cells.size()) * field.sunlitMinutesPerDay);
+    const ShadowStatistics is = statisticsOf(field), should = statisticsOf(truth);
+    error.areaPct = 100 * (is.shadowAreaM2 - should.shadowAreaM2) / should.receiverAreaM2;
+    return error;
+}
+
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Scene scene = dayScene(argc > 1 ? argv[1] : "43000");
+    const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
+    const ShadowField truth = run(scene, "ray");
+    std::map<std::string_view, std::vector<double>> wall, processor;
+    for (int round = 0; round < rounds; ++round)
+        for (const EngineInfo& engine : engines()) {
+            const Seconds seconds = secondsOf([&] { run(scene, engine.key); });
+            wall[engine.key].push_back(seconds.wall);
+            processor[engine.key].push_back(seconds.processor);
+        }
+    fmt::print("{} receivers, {} steps, medians of {} rounds\n", scene.receivers.cells.size(),
+               scene.sun.steps.size(), rounds);
+    for (const EngineInfo& engine : engines()) {
+        const CellError error = errorOf(scene, run(scene, engine.key), truth);
+        fmt::print(
+            "{:10} {:7.3f} s wall {:7.3f} s processor {:6.1f} x rays | area {:+.4f} %, cell mean {:.5f} %, "
+            "worst {:.0f} min\n",
+            engine.key, median(wall[engine.key]), median(processor[engine.key]),
+            median(processor["ray"]) / median(processor[engine.key]), error.areaPct, error.meanPct,
+            error.worstMin);
+    }
+}
