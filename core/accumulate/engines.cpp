@@ -3,6 +3,7 @@
 
 #include "core/accumulate/accumulator.h"
 #include "core/accumulate/graph_accumulator.h"
+#include "core/accumulate/horizon_sweep.h"
 #include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
@@ -33,6 +34,10 @@ const std::vector<Engine>& all() {
         {{"projected", "Projected shadows",
           "Each building's shadow filled as polygons at every step: exact and fast on flat ground"},
          made<ProjectedShadows>},
+        {{"horizon", "Horizon sweep",
+          "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground, of "
+          "buildings that stand on it"},
+         made<HorizonSweep>},
         {{"iam", "Inverse accrual map",
           "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
           "once"},

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+// A function marked so is compiled for several instruction sets and the best one is picked when the program
+// starts. Contraction is off everywhere, so all give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define NOONMARK_PICKS_ISA
+#define NOONMARK_EVERY_ISA __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define NOONMARK_EVERY_ISA
+#endif
+
+namespace noonmark {
+
+/// 64 bytes at a time; where registers are shorter the compiler takes several.
+using Floats16 = float __attribute__((vector_size(64), may_alias));
+using Ints16 = std::int32_t __attribute__((vector_size(64), may_alias));
+using Shorts32 = std::int16_t __attribute__((vector_size(64), may_alias));
+
+/// Memory that starts on a cache line.
+template <class T>
+struct alignas(64) Line {
+    T values[64 / sizeof(T)] = {};
+};
+
+}  // namespace noonmark

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace noonmark {
+
+/// One wall as one line of a sheared tile sees it. `along` and q count from the line's own beginning.
+struct WallOnLine {
+    float along;        ///< of the wall where it meets the line's edge (fraction 0)
+    float slope;        ///< of `along` against the fraction
+    float lowQ, highQ;  ///< the fractions that it shades: lowQ <= fraction < highQ
+    float rise;         ///< height, such that rise / (distance in `along`) is the tangent of the horizon
+    int first, end;     ///< cells that it can shade, in `along`; 0 <= first <= end
+};
+
+/// Raises the horizons of a line's cells to those that the wall gives them. `fractions` and `horizons`
+/// (tangents, one a cell) start on a cache line and are padded to whole ones. Cells before the wall, or
+/// beside it, stay as they are; a cell on the wall gets a horizon above any sun. The same bits on every
+/// instruction set. About 1 ns a cell.
+void raiseLine(const WallOnLine& wall, const float* fractions, float* horizons);
+
+}  // namespace noonmark

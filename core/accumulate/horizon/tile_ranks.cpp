@@ -1,0 +1,99 @@
+#include "core/accumulate/horizon/tile_ranks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/accumulate/horizon/raise_line.h"
+
+namespace noonmark {
+
+namespace {
+// Lines that are swept before their cells are looked up: neighbours across lie on the same cache lines.
+constexpr int linesABlock = 16;
+
+WallOnLine onLine(const LineWall& wall, int line, int first, int end) {
+    const double low = wall.lowQ - line, high = wall.highQ - line;
+    const double along = wall.along0 - wall.slope * low;
+    const double atLow = along + wall.slope * std::max(low, 0.0),
+                 atHigh = along + wall.slope * std::min(high, 1.0);
+    const double from = std::ceil(std::min(atLow, atHigh) - 0.01),
+                 to = std::floor(std::max(atLow, atHigh) + double(wall.reach)) + 1;
+    return {.along = float(along),
+            .slope = float(wall.slope),
+            .lowQ = float(low),
+            .highQ = float(high),
+            .rise = wall.rise,
+            .first = int(std::clamp(from, double(first), double(end))),
+            .end = int(std::clamp(to, double(first), double(end)))};
+}
+
+}  // namespace
+
+TileReceivers::TileReceivers(const Receivers& receivers, const TileBox& box)
+    : box_(box), byRow_(std::size_t(box.columns) * std::size_t(box.rows), -1), byColumn_(byRow_) {
+    for (int row = 0; row < box.rows; ++row)
+        for (int column = 0; column < box.columns; ++column) {
+            const std::size_t cell = receivers.grid.index(box.firstColumn + column, box.firstRow + row);
+            if (receivers.kind[cell] != CellKind::ground) continue;
+            const auto number = std::int32_t(cells_.size());
+            byRow_[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)] = number;
+            byColumn_[std::size_t(column) * std::size_t(box.rows) + std::size_t(row)] = number;
+            cells_.push_back(std::uint32_t(cell));
+        }
+}
+
+TileRanks::TileRanks(std::size_t bins, std::size_t receivers)
+    : bins_(bins),
+      receivers_(receivers),
+      stride_(receivers),
+      ranks_(std::make_unique_for_overwrite<std::int16_t[]>(bins * receivers)) {}
+
+void TileRanks::copyBlock(std::size_t block, std::vector<BlockRanks>& ranks) const {
+    const std::size_t first = block * receiversABlock, count = std::min(receiversABlock, receivers_ - first);
+    ranks.resize(bins_);
+    for (std::size_t bin = 0; bin < bins_; ++bin) {
+        const std::int16_t* from = ranks_.get() + bin * stride_ + first;
+        std::copy(from, from + count, ranks[bin].values);
+        std::fill(ranks[bin].values + count, ranks[bin].values + receiversABlock, std::int16_t{0});
+    }
+}
+
+std::uint64_t BinSweep::sweep(const WallList& walls, const TileReceivers& receivers, const AzimuthBin& bin,
+                              double cellM, std::int16_t* ranks, const std::stop_token& stop) {
+    const ShearedTile tile(receivers.box(), bin.away());
+    walls_.find(walls, tile, cellM, bin.lowestTan());
+    stride_ = (std::size_t(tile.length()) + 15) / 16;
+    horizons_.resize(stride_ * linesABlock);
+    for (int first = 0; first < tile.lines() && !stop.stop_requested(); first += linesABlock) {
+        std::ranges::fill(horizons_, Line<float>{});
+        for (int line = first; line < std::min(first + linesABlock, tile.lines()); ++line)
+            raise(tile, line, horizons_[std::size_t(line - first) * stride_].values);
+        writeLines(tile, receivers, bin, first, ranks);
+    }
+    return walls_.prismsOutOfReach();
+}
+
+void BinSweep::raise(const ShearedTile& tile, int line, float* horizons) const {
+    const int first = tile.first(line), end = tile.end(line);
+    for (const std::uint32_t index : walls_.at(line)) {
+        const WallOnLine wall = onLine(walls_.wall(index), line, first, end);
+        if (wall.first < wall.end) raiseLine(wall, tile.fractions(), horizons);
+    }
+}
+
+void BinSweep::writeLines(const ShearedTile& tile, const TileReceivers& receivers, const AzimuthBin& bin,
+                          int firstLine, std::int16_t* ranks) const {
+    const float* horizons = horizons_.front().values;
+    for (int along = 0; along < tile.length(); ++along) {
+        const int across = tile.across(firstLine, along);
+        const int from = std::max(0, -across), to = std::min(linesABlock, tile.width() - across);
+        const std::int32_t* numbers = receivers.numbers(tile.rowAt(along), tile.swapped());
+        for (int line = from; line < to; ++line) {
+            const std::int32_t number = numbers[across + line];
+            if (number >= 0)
+                ranks[number] = bin.hidden(horizons[std::size_t(line) * stride_ * 16 + std::size_t(along)]);
+        }
+    }
+}
+
+}  // namespace noonmark

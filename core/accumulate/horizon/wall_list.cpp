@@ -1,0 +1,70 @@
+#include "core/accumulate/horizon/wall_list.h"
+
+#include <fmt/format.h>
+
+#include <glm/common.hpp>
+
+namespace noonmark {
+
+namespace {
+
+class WallBuilder {
+public:
+    explicit WallBuilder(const Grid& grid) : grid_(grid) {}
+
+    void add(const Part& part) {
+        StandingPrism prism{.firstWall = std::uint32_t(list_.walls.size()),
+                            .topM = part.topM,
+                            .low = glm::dvec2(1e30),
+                            .high = glm::dvec2(-1e30)};
+        addRing(part.footprint.outer, prism);
+        for (const Ring& hole : part.footprint.holes) addRing(hole, prism);
+        prism.wallCount = std::uint32_t(list_.walls.size()) - prism.firstWall;
+        list_.prisms.push_back(prism);
+    }
+
+    WallList take() { return std::move(list_); }
+
+private:
+    void addRing(const Ring& ring, StandingPrism& prism) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 a = cellsFromLocal(ring[i]);
+            list_.walls.push_back({a, cellsFromLocal(ring[(i + 1) % ring.size()])});
+            prism.low = glm::min(prism.low, a);
+            prism.high = glm::max(prism.high, a);
+        }
+    }
+
+    [[nodiscard]] glm::dvec2 cellsFromLocal(glm::vec2 local) const {
+        return {(double(local.x) - grid_.westM) / grid_.cellM - 0.5,
+                (double(local.y) - grid_.southM) / grid_.cellM - 0.5};
+    }
+
+    const Grid& grid_;
+    WallList list_;
+};
+
+tl::unexpected<Error> notStanding(const Building& building, const Part& part, std::string_view why) {
+    const std::string& where = part.sourceId.empty() ? building.sourceId : part.sourceId;
+    return failure(
+        fmt::format("The horizon sweep takes prisms that stand on the ground, and a part in reach {}", why),
+        where, "Choose projected shadows or the ray reference");
+}
+
+}  // namespace
+
+Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
+    WallBuilder builder(grid);
+    for (const std::uint32_t index : buildings) {
+        const Building& building = *city.buildings[index];
+        for (const Part& part : building.parts) {
+            if (part.topM <= 0) continue;
+            if (part.mesh) return notStanding(building, part, "is a general mesh");
+            if (part.hangs) return notStanding(building, part, "has open air below it");
+            builder.add(part);
+        }
+    }
+    return builder.take();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/receivers/grid.h"
+#include "core/result.h"
+
+namespace noonmark {
+
+/// A wall of a prism that stands on the ground. Cells of a grid: the centre of cell (column, row) is at
+/// (column, row).
+struct StandingWall {
+    glm::dvec2 a, b;  ///< left of a -> b is inside
+};
+
+/// Walls of one prism, all of one height.
+struct StandingPrism {
+    std::uint32_t firstWall = 0;  ///< into WallList::walls
+    std::uint32_t wallCount = 0;
+    float topM = 0;
+    glm::dvec2 low{}, high{};  ///< bounds, cells
+};
+
+struct WallList {
+    std::vector<StandingPrism> prisms;
+    std::vector<StandingWall> walls;
+
+    [[nodiscard]] std::span<const StandingWall> wallsOf(const StandingPrism& prism) const {
+        return std::span(walls).subspan(prism.firstWall, prism.wallCount);
+    }
+};
+
+/// The prisms of some buildings, each taken from the ground up. A part that starts on another of its building
+/// is taken so too: what is below it is solid. Error where a part hangs or is a general mesh: a horizon
+/// cannot say what it hides.
+Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
+
+}  // namespace noonmark

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/accumulate/accumulator.h"
+
+namespace noonmark {
+
+struct HorizonSweepSettings {
+    static constexpr double minBinDeg = 0.1;
+    static constexpr double maxBinDeg = 2;
+    /// Width of an azimuth bin, degrees, 0.1 to 2. Half the width: twice the time, and about half the error
+    /// or less.
+    double binDeg = 0.5;
+    bool operator==(const HorizonSweepSettings&) const = default;
+};
+
+/// Long periods on flat ground. All that a city which stands on the ground does to a receiver at one azimuth
+/// is one number, the slope of its horizon: the sun is hidden where the tangent of its altitude is below. The
+/// suns of a period are put into bins of azimuth; for each bin every wall that faces away from the sun raises
+/// the horizons behind it; then each receiver's gross and longest shadow are counted from its horizons, step
+/// by step and day by day.
+///
+/// Error: only that all suns of a bin are taken at their mean azimuth. Measured on a year of a dense city at
+/// 0.5 deg: see tests/benchmarks/horizon_bench.cpp. The answer does not depend on the number of threads.
+///
+/// Refused, with an error that names another engine: terrain; parts in reach that hang or are general meshes;
+/// a bin width out of range; days of more than 32,767 steps.
+///
+/// Cost, each shared by all cores: bins x cells x some 2 ns for the sweep, steps x receivers x some 20 ps for
+/// the counting. Memory: up to half a GiB.
+class HorizonSweep final : public Accumulator {
+public:
+    explicit HorizonSweep(HorizonSweepSettings settings = {});
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop) const override;
+
+private:
+    HorizonSweepSettings settings_;
+};
+
+}  // namespace noonmark

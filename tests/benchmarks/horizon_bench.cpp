@@ -1,0 +1,132 @@
+// The horizon sweep on a year of 8 h days at one minute, over 800 x 800 m in the middle of the grid sample
+// with a million triangles. First cells are compared with the ray reference on a sample of receivers, then
+// the sweep is timed; the ray reference's time for all receivers is worked out from the sample's.
+//
+//     horizon_bench [bin width in deg] [receivers in the sample] [rounds]
+#include <fmt/format.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "core/accumulate/horizon_sweep.h"
+#include "core/accumulate/ray_reference.h"
+#include "core/samples/sample_city.h"
+
+using namespace noonmark;
+
+namespace {
+
+struct Timed {
+    ShadowField field;
+    double seconds = 0;
+};
+
+template <class T>
+T taken(Result<T> made) {
+    if (made) return std::move(*made);
+    fmt::print(stderr, "{}\n", made.error().text());
+    std::exit(EXIT_FAILURE);
+}
+
+Timed timed(const Accumulator& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
+    NoProgress progress;
+    const auto start = std::chrono::steady_clock::now();
+    ShadowField field = taken(engine.accumulate(city, receivers, sun, progress, {}));
+    return {std::move(field),
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+Receivers middleOf(const City& city) {
+    const Box2 box = bounds(city);
+    const glm::vec2 middle = (box.low + box.high) * 0.5F;
+    return taken(receiversOnGround(city, regionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
+}
+
+SunSteps year(const City& city) {
+    Period period;
+    period.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}};
+    period.days = 365;
+    period.hours = 8;
+    period.zone = "America/New_York";
+    const LonLat place = city.frame.origin();
+    return taken(sunSteps(period, {place.lonDeg, place.latDeg}));
+}
+
+/// The same receivers, but for all that are not in the sample.
+Receivers sampleOf(Receivers receivers, std::size_t count) {
+    std::mt19937 random(7);
+    std::shuffle(receivers.cells.begin(), receivers.cells.end(), random);
+    for (std::size_t i = count; i < receivers.cells.size(); ++i)
+        receivers.kind[receivers.cells[i]] = CellKind::outside;
+    receivers.cells.resize(std::min(count, receivers.cells.size()));
+    std::ranges::sort(receivers.cells);
+    return receivers;
+}
+
+struct CellErrors {
+    double meanPct = 0;
+    double maxPct = 0;
+};
+
+CellErrors errorsOf(const std::vector<float>& minutes, const std::vector<float>& truth,
+                    const Receivers& sample, double wholeMinutes) {
+    CellErrors errors;
+    for (const std::uint32_t cell : sample.cells) {
+        const double percent = 100 * std::abs(double(minutes[cell]) - double(truth[cell])) / wholeMinutes;
+        errors.meanPct += percent / double(sample.cells.size());
+        errors.maxPct = std::max(errors.maxPct, percent);
+    }
+    return errors;
+}
+
+void printStages(const ShadowField& field) {
+    for (const auto& [stage, seconds] : field.cost.seconds) fmt::print("  {} {:.3f} s\n", stage, seconds);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
+    const double binDeg = argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;
+    const std::size_t sampleSize = argc > 2 ? std::stoul(argv[2]) : 300;
+    const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
+    const City city = taken(gridSample({.buildings = 43'000, .roundness = 7}));
+    const Receivers receivers = middleOf(city), sample = sampleOf(receivers, sampleSize);
+    const SunSteps sun = year(city);
+    fmt::print("{} triangles, {} receivers of {} cells, {} steps, {} threads\n",
+               meshOf(city).mesh.triangles.size(), receivers.cells.size(), receivers.grid.size(),
+               sun.steps.size(), tbb::info::default_concurrency());
+
+    const HorizonSweep sweep({.binDeg = binDeg});
+    const Timed truth = timed(RayReference(), city, sample, sun), first = timed(sweep, city, receivers, sun);
+    const CellErrors gross =
+        errorsOf(first.field.grossMin, truth.field.grossMin, sample, first.field.sunlitMinutesPerDay);
+    const CellErrors continuous =
+        errorsOf(first.field.continuousMin, truth.field.continuousMin, sample, 8 * 60);
+    fmt::print("{}\n", first.field.engine);
+    printStages(first.field);
+
+    std::vector<double> seconds;
+    for (int round = 0; round < rounds; ++round) {
+        Timed again = timed(sweep, city, receivers, sun);
+        printStages(again.field);
+        seconds.push_back(again.seconds);
+    }
+    std::ranges::sort(seconds);
+    const double sweepSeconds = seconds[seconds.size() / 2];
+    const double raySeconds =
+        truth.field.cost.seconds.at("trace") * double(receivers.cells.size()) / double(sample.cells.size());
+    fmt::print("ray reference {:.0f} s ({:.1f} M rays/s), sweep {:.3f} s\n", raySeconds,
+               1e-6 * double(truth.field.cost.rays) / truth.field.cost.seconds.at("trace"), sweepSeconds);
+    fmt::print("year_vs_ray {:.0f}\nyear_cell_error_mean_pct {:.4f}\nyear_cell_error_max_pct {:.4f}\n",
+               raySeconds / sweepSeconds, gross.meanPct, gross.maxPct);
+    fmt::print("continuous_error_mean_pct {:.4f}\ncontinuous_error_max_pct {:.4f}\n", continuous.meanPct,
+               continuous.maxPct);
+    return gross.meanPct <= 0.05 && gross.maxPct <= 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
