@@ -24,6 +24,16 @@ Extent extentOf(const StandingPrism& prism, const ShearedTile& tile) {
     return extent;
 }
 
+// Wide of the rounding of distances, cells.
+constexpr float onTheWall = 1e-3F;
+
+// A receiver on a wall counts as just east and north of it. So little behind that it is inside, it would be
+// no receiver.
+float nearestOf(const StandingWall& wall) {
+    const glm::dvec2 edge = wall.b - wall.a;
+    return edge.y > edge.x ? -onTheWall : onTheWall;
+}
+
 }  // namespace
 
 void LineWalls::find(const WallList& list, const ShearedTile& tile, double cellM, float lowestTan) {
@@ -48,11 +58,13 @@ void LineWalls::addPrism(const WallList& list, const StandingPrism& prism, const
     }
     for (const StandingWall& wall : list.wallsOf(prism)) {
         const ShearedTile::Point a = tile.from(wall.a), b = tile.from(wall.b);
-        if (tile.mirrored() ? a.q < b.q : b.q < a.q) a.q < b.q ? addWall(a, b) : addWall(b, a);
+        const bool facesAway = tile.mirrored() ? a.q < b.q : b.q < a.q;
+        if (!facesAway) continue;
+        a.q < b.q ? addWall(a, b, nearestOf(wall)) : addWall(b, a, nearestOf(wall));
     }
 }
 
-void LineWalls::addWall(const ShearedTile::Point& a, const ShearedTile::Point& b) {
+void LineWalls::addWall(const ShearedTile::Point& a, const ShearedTile::Point& b, float nearest) {
     if (b.q <= 0 || a.q >= lines_) return;
     if (std::min(a.along, b.along) > length_ || std::max(a.along, b.along) + double(reach_) < 0) return;
     walls_.push_back({.lowQ = a.q,
@@ -60,6 +72,7 @@ void LineWalls::addWall(const ShearedTile::Point& a, const ShearedTile::Point& b
                       .along0 = a.along,
                       .slope = (b.along - a.along) / (b.q - a.q),
                       .rise = rise_,
+                      .nearest = nearest,
                       .reach = reach_});
 }
 

@@ -15,7 +15,8 @@ struct LineWall {
     double along0;       ///< `along` of the wall at lowQ
     double slope;        ///< of `along` against q
     float rise;          ///< height, such that rise / (distance in `along`) is the tangent of the horizon
-    float reach;         ///< in `along`: beyond, the horizon is below the bin's lowest sun
+    float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it
+    float reach;    ///< in `along`: beyond, the horizon is below the bin's lowest sun
 };
 
 /// The walls that matter to a tile in one bin, and for each line of the tile those that cross it.
@@ -33,7 +34,7 @@ public:
 
 private:
     void addPrism(const WallList& list, const StandingPrism& prism, const ShearedTile& tile);
-    void addWall(const ShearedTile::Point& a, const ShearedTile::Point& b);
+    void addWall(const ShearedTile::Point& a, const ShearedTile::Point& b, float nearest);
     void sortIntoLines();
 
     float rise_ = 0, reach_ = 0;  // of the prism at hand

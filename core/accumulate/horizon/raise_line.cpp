@@ -5,15 +5,13 @@
 namespace noonmark {
 
 namespace {
-// Cells. A receiver so little before a wall stands on it: farther in it would be under the building.
-constexpr float onTheWall = 1e-3F;
-constexpr float nearest = 1e-6F;
+constexpr float leastDistance = 1e-6F;  // a cell on a wall has a horizon above any sun
 constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 }  // namespace
 
 NOONMARK_EVERY_ISA
 void raiseLine(const WallOnLine& wall, const float* fractions, float* horizons) {
-    const Floats16 none = Floats16{} + 0.0F, closest = none + nearest;
+    const Floats16 none = Floats16{} + 0.0F, closest = none + leastDistance;
     for (int along = wall.first & ~15; along < wall.end; along += 16) {
         const Floats16 fraction = *reinterpret_cast<const Floats16*>(fractions + along);
         Floats16& horizon = *reinterpret_cast<Floats16*>(horizons + along);
@@ -21,7 +19,7 @@ void raiseLine(const WallOnLine& wall, const float* fractions, float* horizons) 
         const Floats16 distance = place - (wall.along + wall.slope * fraction);
         const Floats16 slope = wall.rise / (distance > closest ? distance : closest);
         const Ints16 shaded =
-            (distance > -onTheWall) & (fraction >= wall.lowQ) & (fraction < wall.highQ) & (slope > horizon);
+            (distance > wall.nearest) & (fraction >= wall.lowQ) & (fraction < wall.highQ) & (slope > horizon);
         horizon = shaded ? slope : horizon;
     }
 }

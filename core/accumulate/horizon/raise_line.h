@@ -8,6 +8,7 @@ struct WallOnLine {
     float slope;        ///< of `along` against the fraction
     float lowQ, highQ;  ///< the fractions that it shades: lowQ <= fraction < highQ
     float rise;         ///< height, such that rise / (distance in `along`) is the tangent of the horizon
+    float nearest;      ///< it shades cells at a greater distance, below 0 too
     int first, end;     ///< cells that it can shade, in `along`; 0 <= first <= end
 };
 

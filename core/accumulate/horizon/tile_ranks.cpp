@@ -23,6 +23,7 @@ WallOnLine onLine(const LineWall& wall, int line, int first, int end) {
             .lowQ = float(low),
             .highQ = float(high),
             .rise = wall.rise,
+            .nearest = wall.nearest,
             .first = int(std::clamp(from, double(first), double(end))),
             .end = int(std::clamp(to, double(first), double(end)))};
 }
