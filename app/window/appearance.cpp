@@ -18,6 +18,8 @@ QPalette lightPalette() {
     palette.setColor(QPalette::Highlight, QColor(0x2f, 0x5f, 0x9e));
     palette.setColor(QPalette::HighlightedText, Qt::white);
     palette.setColor(QPalette::PlaceholderText, QColor(0x5c, 0x61, 0x6b));
+    for (const auto role : {QPalette::Text, QPalette::WindowText})
+        palette.setColor(QPalette::Disabled, role, QColor(0x9a, 0x9e, 0xa6));
     return palette;
 }
 

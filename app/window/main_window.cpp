@@ -7,11 +7,13 @@
 #include <QStatusBar>
 
 #include "app/window/file_dialogs.h"
+#include "app/window/open_options.h"
 #include "app/window/progress_strip.h"
 #include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
 #include "app/window/warnings_dock.h"
+#include "core/io/place_advice.h"
 #include "core/io/read_region.h"
 
 namespace noonmark {
@@ -27,6 +29,12 @@ Box2 startView(const Region& region) {
     return {box.low - border, box.high + border};
 }
 
+LonLat middleOf(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty()) return city.frame.origin();
+    return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
+}
+
 }  // namespace
 
 MainWindow::MainWindow(QSettings& settings)
@@ -36,7 +44,8 @@ MainWindow::MainWindow(QSettings& settings)
       panel_(new ViewPanel),
       docks_{new StudyDock(workbench_.document()), new ResultsDock, new WarningsDock},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
-      hover_(new QLabel) {
+      hover_(new QLabel),
+      options_(new OpenOptions(this)) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
@@ -45,6 +54,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectJobs();
     connectWorkbench();
     connectFileMenu();
+    connectOptions();
     connectStudyMenu();
     connectViewMenu();
     connectRegion();
@@ -98,6 +108,16 @@ void MainWindow::connectFileMenu() {
         if (!folder.isEmpty()) workbench_.exportStudy(folder.toStdString());
     });
     connect(menus_.quit, &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::connectOptions() {
+    connect(menus_.openWith, &QAction::triggered, this, [this] {
+        if (const QStringList files = askForCity(this); !files.isEmpty()) options_->ask(files, {});
+    });
+    connect(options_, &OpenOptions::chosen, this, &MainWindow::openWith);
+    connect(&workbench_, &Workbench::openFailed, this, &MainWindow::showOpenFailure);
+    connect(&panel_->messages(), &MessageBar::remedyChosen, this,
+            [this] { options_->ask(opening_, reading_); });
 }
 
 void MainWindow::connectStudyMenu() {
@@ -177,15 +197,27 @@ void MainWindow::readRegionFile() {
         panel_->messages().showError(region.error());
 }
 
-void MainWindow::open(const QStringList& files) {
+void MainWindow::open(const QStringList& files) { openWith(files, {}); }
+
+void MainWindow::openWith(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
+    panel_->messages().hide();  // what it offers is for the files before
     opening_ = files;
-    workbench_.open(files);
+    reading_ = reading;
+    workbench_.open(files, reading);
+}
+
+// A stated place that does not fit is mended where it was stated.
+void MainWindow::showOpenFailure(const Error& error) {
+    panel_->messages().showError(error);
+    if (asksForPlace(error) || reading_.crs || reading_.meshAnchor)
+        panel_->messages().offer(tr("Open with options..."));
 }
 
 void MainWindow::showCity() {
     panel_->messages().hide();
     panel_->showCity(workbench_.city());
+    options_->setMiddle(middleOf(workbench_.city()->city()));
     docks_.results->show(nullptr);
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
     setWindowTitle(tr("%1 - Noonmark").arg(RecentFiles::nameOf(opening_.join(QLatin1Char('\n')))));

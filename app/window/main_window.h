@@ -12,6 +12,7 @@ class QLabel;
 
 namespace noonmark {
 
+class OpenOptions;
 class ProgressStrip;
 class ViewPanel;
 
@@ -27,6 +28,7 @@ public:
     [[nodiscard]] ViewPanel& panel() { return *panel_; }
 
     void open(const QStringList& files);
+    void openWith(const QStringList& files, const ReadSettings& reading);
     void savePicture(const QString& file);  ///< PNG, or what the name's ending says
 
 protected:
@@ -37,6 +39,7 @@ private:
     void connectJobs();
     void connectWorkbench();
     void connectFileMenu();
+    void connectOptions();
     void connectStudyMenu();
     void connectViewMenu();
     void connectRegion();
@@ -45,6 +48,7 @@ private:
     void takeWholeCity();
     void readRegionFile();
     void showCity();
+    void showOpenFailure(const Error& error);
     void showStudy();
     void showDocument();
 
@@ -56,7 +60,9 @@ private:
     WindowDocks docks_;
     ProgressStrip* progress_;
     QLabel* hover_;
+    OpenOptions* options_;
     QStringList opening_;
+    ReadSettings reading_;    ///< of the files that were opened last
     StudySettings answered_;  ///< the settings of the study that is shown
 };
 

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
 
@@ -14,11 +15,14 @@ constexpr const char* noteColours = "background: #e4eef7; border-bottom: 1px sol
 
 }  // namespace
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel), leave_(new QTimer(this)) {
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), label_(new QLabel), remedy_(new QPushButton), leave_(new QTimer(this)) {
     setObjectName(QStringLiteral("messageBar"));
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    remedy_->setObjectName(QStringLiteral("remedy"));
+    connect(remedy_, &QPushButton::clicked, this, &MessageBar::remedyChosen);
     auto* close = new QToolButton;
     close->setText(QStringLiteral("\u2715"));
     close->setAutoRaise(true);
@@ -27,6 +31,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel), le
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 5, 5, 5);
     row->addWidget(label_, 1);
+    row->addWidget(remedy_, 0, Qt::AlignTop);
     row->addWidget(close, 0, Qt::AlignTop);
     leave_->setSingleShot(true);
     leave_->setInterval(noteMs);
@@ -37,6 +42,11 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel), le
 void MessageBar::showError(const Error& error) {
     show(QString::fromStdString(error.text()),
          "background: #fbe4df; border-bottom: 1px solid #d9806c; color: #5c1606;");
+}
+
+void MessageBar::offer(const QString& remedy) {
+    remedy_->setText(remedy);
+    remedy_->show();
 }
 
 void MessageBar::showNote(const QString& text) {
@@ -53,6 +63,7 @@ void MessageBar::show(const QString& text, const char* colours) {
                       .arg(QLatin1String(colours)));
     leave_->stop();
     label_->setText(text);
+    remedy_->hide();
     QFrame::show();
 }
 

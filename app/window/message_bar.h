@@ -5,6 +5,7 @@
 #include "core/result.h"
 
 class QLabel;
+class QPushButton;
 class QTimer;
 
 namespace noonmark {
@@ -18,11 +19,16 @@ public:
     void showError(const Error& error);
     void showNote(const QString& text);  ///< goes by itself after a while
     void showHelp(const QString& text);  ///< stays
+    void offer(const QString& remedy);   ///< a button beside the message that is shown, until another is
     [[nodiscard]] QString text() const;
+
+Q_SIGNALS:
+    void remedyChosen();
 
 private:
     void show(const QString& text, const char* colours);
     QLabel* label_;
+    QPushButton* remedy_;
     QTimer* leave_;
 };
 

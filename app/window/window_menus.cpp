@@ -27,6 +27,8 @@ WindowMenus::WindowMenus(QMainWindow& window) {
     QMenu& file = *bar.addMenu(tr("&File"));
     open = added(file, tr("&Open..."), QKeySequence::Open,
                  tr("Footprints, CityJSON, meshes, terrain; several files make one city"));
+    openWith = added(file, tr("Open &with options..."), QKeySequence(tr("Ctrl+Shift+O")),
+                     tr("For files that do not say their place, unit or heights"));
     QMenu& sample = *file.addMenu(tr("Open &sample"));
     openPark = added(sample, tr("&Central Park South"), {},
                      tr("The park, its streets and the towers of the case study"));

@@ -14,6 +14,7 @@ struct WindowMenus {
     explicit WindowMenus(QMainWindow& window);
 
     QAction* open;
+    QAction* openWith;  ///< with settings of how to read
     QAction* openPark;
     QAction* openGrid;
     QMenu* recent;

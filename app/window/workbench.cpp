@@ -20,19 +20,22 @@ std::vector<std::string> textsOf(const QStringList& files) {
 
 Workbench::Workbench(QObject* parent) : QObject(parent) {}
 
-void Workbench::open(const QStringList& files) {
+void Workbench::open(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
     running_.cancel();
     opening_.start<OpenCity>(
         tr("Opening %1").arg(QFileInfo(files.front()).fileName()),
-        [files = textsOf(files)](Progress& progress, std::stop_token stop) {
-            return openCity(files, {}, progress, std::move(stop));
+        [files = textsOf(files), reading](Progress& progress, std::stop_token stop) {
+            return openCity(files, reading, progress, std::move(stop));
         },
         [this](Result<OpenCity> opened) { takeCity(std::move(opened)); });
 }
 
 void Workbench::takeCity(Result<OpenCity> opened) {
-    if (!opened) return tell(opened.error());
+    if (!opened) {
+        if (!isCancelled(opened.error())) Q_EMIT openFailed(opened.error());
+        return;
+    }
     city_ = std::make_shared<const OpenCity>(*std::move(opened));
     study_.reset();
     document_.reset(firstSettings(city_->loaded));

@@ -17,8 +17,8 @@ class Workbench final : public QObject {
 public:
     explicit Workbench(QObject* parent = nullptr);
 
-    /// The city stays until another is read; then the study goes.
-    void open(const QStringList& files);
+    /// The city stays until another is read; then the study goes. `reading` says what the files do not.
+    void open(const QStringList& files, const ReadSettings& reading = {});
     /// Answers the document's question; the study before it stays until then.
     void run();
     /// Writes the files of the command line into a folder.
@@ -34,7 +34,8 @@ public:
 Q_SIGNALS:
     void cityOpened();
     void studyDone();
-    void failed(noonmark::Error error);  ///< work that was cancelled does not fail
+    void failed(noonmark::Error error);      ///< work that was cancelled does not fail
+    void openFailed(noonmark::Error error);  ///< the city that was there stays
     void noted(QString text);
 
 private:

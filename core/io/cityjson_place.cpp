@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/geo/crs_to_lon_lat.h"
+#include "core/io/place_advice.h"
 
 namespace noonmark {
 
@@ -132,9 +133,7 @@ void toLocal(CityJsonData& data, const Frame& frame) {
 
 Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file) {
     const std::string text = data.crs.empty() ? settings.crs.value_or("") : data.crs;
-    if (text.empty())
-        return failure("The city has no coordinate reference system", file,
-                       "Say which one it is in, as EPSG:number");
+    if (text.empty()) return failure("The city has no coordinate reference system", file, crsAdvice);
     const Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)

@@ -6,12 +6,11 @@
 
 #include "core/io/footprint_layer.h"
 #include "core/io/other_tags.h"
+#include "core/io/place_advice.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr const char* crsAdvice = "State the coordinate reference system it is in: --crs EPSG:number";
 
 std::vector<std::string> fieldNames(const OGRFeatureDefn& definition) {
     std::vector<std::string> names;
@@ -221,8 +220,7 @@ Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
                        crsAdvice);
     if (publishedPlane_ && most(nearZero_))
         return failure(fmt::format("Its coordinates look like degrees, not like {}", toLonLat_.name()),
-                       source_.file,
-                       "State the coordinate reference system they are in, perhaps --crs EPSG:4326");
+                       source_.file, std::string(crsAdvice) + ", perhaps EPSG:4326");
     if (most(implausible_))
         warnings.push_back(
             {WarningKind::assumed,

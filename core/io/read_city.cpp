@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/io/file_kind.h"
+#include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 #include "core/io/stand_on_terrain.h"
 
@@ -86,7 +87,7 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
     }
     if (settings.frame) return *settings.frame;
     return failure("None of the files says where on the earth it lies", files.front().path.string(),
-                   "State where the model's origin stands: --anchor lon,lat");
+                   anchorAdvice);
 }
 
 void joinTerrain(CityRead& all, const InputFile& file) {

@@ -13,15 +13,12 @@
 #include "core/io/height_text.h"
 #include "core/io/mesh_buildings.h"
 #include "core/io/mesh_file_check.h"
+#include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr const char* anchorAdvice =
-    "A mesh does not say where it stands: give the longitude and latitude of its origin, or open a file that "
-    "has a place first";
 
 // From the mesh's axes and unit to metres east, north and up of its origin.
 class Placement {

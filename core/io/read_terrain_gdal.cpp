@@ -11,14 +11,13 @@
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/height_text.h"
+#include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 #include "core/io/terrain_grid.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr const char* crsAdvice = "Say which coordinate reference system it is in, as EPSG:number";
 
 // An open raster and what has to be known of it.
 struct Source {
