@@ -68,6 +68,7 @@ void ReadingForm::makeFields() {
     longitude_ = numberField(-180, 180, 7, 0.001, tr("° east"));
     latitude_ = numberField(-90, 90, 7, 0.001, tr("° north"));
     toMiddle_ = new QPushButton(tr("Middle of the open city"));
+    toMiddle_->setAutoDefault(false);  // Enter opens
 }
 
 QGroupBox* ReadingForm::makeHeights() {
