@@ -44,6 +44,8 @@ void LineWalls::find(const WallList& list, const ShearedTile& tile, double cellM
     lines_ = tile.lines();
     length_ = tile.length();
     for (const StandingPrism& prism : list.prisms) addPrism(list, prism, tile);
+    // Near walls first: what they hide need not be looked at again.
+    std::ranges::sort(walls_, std::ranges::greater{}, &LineWall::along0);
     sortIntoLines();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/accumulate/horizon/raise_line.h"
 
@@ -10,6 +11,12 @@ namespace noonmark {
 namespace {
 // Lines that are swept before their cells are looked up: neighbours across lie on the same cache lines.
 constexpr int linesABlock = 16;
+
+Line<float> lineOf(float value) {
+    Line<float> line;
+    std::ranges::fill(line.values, value);
+    return line;
+}
 
 WallOnLine onLine(const LineWall& wall, int line, int first, int end) {
     const double low = wall.lowQ - line, high = wall.highQ - line;
@@ -22,6 +29,7 @@ WallOnLine onLine(const LineWall& wall, int line, int first, int end) {
             .slope = float(wall.slope),
             .lowQ = float(low),
             .highQ = float(high),
+            .farthest = float(std::max(atLow, atHigh)),
             .rise = wall.rise,
             .nearest = wall.nearest,
             .first = int(std::clamp(from, double(first), double(end))),
@@ -66,7 +74,7 @@ std::uint64_t BinSweep::sweep(const WallList& walls, const TileReceivers& receiv
     stride_ = (std::size_t(tile.length()) + 15) / 16;
     horizons_.resize(stride_ * linesABlock);
     for (int first = 0; first < tile.lines() && !stop.stop_requested(); first += linesABlock) {
-        std::ranges::fill(horizons_, Line<float>{});
+        clearLines(tile, receivers, first);
         for (int line = first; line < std::min(first + linesABlock, tile.lines()); ++line)
             raise(tile, line, horizons_[std::size_t(line - first) * stride_].values);
         writeLines(tile, receivers, bin, first, ranks);
@@ -74,11 +82,29 @@ std::uint64_t BinSweep::sweep(const WallList& walls, const TileReceivers& receiv
     return walls_.prismsOutOfReach();
 }
 
-void BinSweep::raise(const ShearedTile& tile, int line, float* horizons) const {
+// Cells that are no receivers get a horizon that no wall beats.
+void BinSweep::clearLines(const ShearedTile& tile, const TileReceivers& receivers, int firstLine) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    std::ranges::fill(horizons_, lineOf(none));
+    float* horizons = horizons_.front().values;
+    for (int along = 0; along < tile.length(); ++along) {
+        const int across = tile.across(firstLine, along);
+        const int from = std::max(0, -across), to = std::min(linesABlock, tile.width() - across);
+        const std::int32_t* numbers = receivers.numbers(tile.rowAt(along), tile.swapped());
+        for (int line = from; line < to; ++line)
+            horizons[std::size_t(line) * stride_ * 16 + std::size_t(along)] =
+                numbers[across + line] < 0 ? none : 0;
+    }
+}
+
+void BinSweep::raise(const ShearedTile& tile, int line, float* horizons) {
     const int first = tile.first(line), end = tile.end(line);
+    lowest_.resize(stride_);
+    for (std::size_t i = 0; i < stride_; ++i)
+        lowest_[i] = *std::min_element(horizons + i * 16, horizons + i * 16 + 16);
     for (const std::uint32_t index : walls_.at(line)) {
         const WallOnLine wall = onLine(walls_.wall(index), line, first, end);
-        if (wall.first < wall.end) raiseLine(wall, tile.fractions(), horizons);
+        if (wall.first < wall.end) raiseLine(wall, tile.fractions(), horizons, lowest_.data());
     }
 }
 

@@ -57,13 +57,15 @@ public:
                         double cellM, std::int16_t* ranks, const std::stop_token& stop);
 
 private:
-    void raise(const ShearedTile& tile, int line, float* horizons) const;
+    void clearLines(const ShearedTile& tile, const TileReceivers& receivers, int firstLine);
+    void raise(const ShearedTile& tile, int line, float* horizons);
     void writeLines(const ShearedTile& tile, const TileReceivers& receivers, const AzimuthBin& bin,
                     int firstLine, std::int16_t* ranks) const;
 
     LineWalls walls_;
     std::size_t stride_ = 0;  // cache lines of horizons_ for one line of the tile
     std::vector<Line<float>> horizons_;
+    std::vector<float> lowest_;  // of every 16 cells of the line at hand
 };
 
 }  // namespace noonmark
