@@ -4,10 +4,11 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <map>
+#include <span>
 
 #include "core/io/footprint_layer.h"
 #include "core/io/gdal_calls.h"
+#include "core/io/map_remarks.h"
 #include "core/io/osm_configuration.h"
 #include "core/io/osm_semantics.h"
 #include "core/io/read_part.h"
@@ -191,9 +192,19 @@ private:
     std::size_t readHere_ = 0;
 };
 
-void keepComplaints(const GdalCalls& calls, const Path& file, Warnings& warnings) {
-    for (const std::string& words : calls.complaints())
-        warnings.push_back({WarningKind::mended, "the map library says: " + words, file.filename().string()});
+// GDAL does not say whose trouble it was: one warning a kind, with its number. Some drivers go over the whole
+// file when they open it, and say it all again when it is read: `atOpening` remarks came before.
+void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::string& file, Warnings& warnings) {
+    const std::span said(calls.complaints());
+    const auto later = said.subspan(std::min(atOpening, said.size()));
+    Warnings remarks;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+        if (i < atOpening && std::ranges::find(later, said[i]) != later.end()) continue;
+        if (std::string what = mapRemark(said[i]); !what.empty())
+            remarks.push_back({WarningKind::mended, std::move(what), file});
+    }
+    for (const WarningGroup& group : grouped(remarks))
+        warnings.push_back({group.kind, group.what, fmt::format("{} ({})", file, group.where.size())});
 }
 
 void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, const Frame& frame) {
@@ -226,11 +237,12 @@ Result<void> build(FilePiece& piece, std::vector<UnplacedFeature> features, cons
 }  // namespace
 
 Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
-                                 std::stop_token stop) {
+                                 std::stop_token stop) try {
     const GdalCalls calls;
     const OsmConfiguration configuration(settings.heightField);
     auto open = opened(file, configuration, calls);
     if (!open) return tl::make_unexpected(open.error());
+    const std::size_t atOpening = calls.complaints().size();
     FileReader reader(*open, file, settings, progress, stop);
     auto features = reader.read(calls);
     if (!features) return tl::make_unexpected(features.error());
@@ -238,12 +250,15 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                     .format = formatName(*open, file),
                     .features = reader.features,
                     .attribution = open->isOsm() ? osmCredit : ""};
-    keepComplaints(calls, file, piece.warnings);
+    keepRemarks(calls, atOpening, file.filename().string(), piece.warnings);
     if (auto built = build(piece, *std::move(features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());
     if (!piece.buildings.empty()) return piece;
     return failure("None of its polygons can be used as a building", file.string(),
                    commonest(piece.warnings));
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
+                   "Check that it is whole, or export it again");
 }
 
 }  // namespace noonmark
