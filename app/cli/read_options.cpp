@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "app/cli/number_range.h"
+
 namespace noonmark::cli {
 
 namespace {
@@ -39,13 +41,13 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
             "Unit of bare numbers in it: m, ft or us-ft (default m)");
     command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
         ->capture_default_str()
-        ->check(CLI::Range(2.0, 6.0))
+        ->check(within(2.0, 6.0))
         ->type_name("M");
     command
         .add_option("--default-height", settings.defaultHeightM,
                     "Height of buildings without any, 1 to 1000 m")
         ->capture_default_str()
-        ->check(CLI::Range(1.0, 1000.0))
+        ->check(within(1.0, 1000.0))
         ->type_name("M");
 }
 
@@ -63,7 +65,7 @@ void addMeshOptions(CLI::App& command, ReadSettings& settings) {
         .add_option("--mesh-north", settings.meshNorthDeg,
                     "Meshes: azimuth of the mesh's north axis from true north, clockwise, degrees")
         ->capture_default_str()
-        ->check(CLI::Range(-360.0, 360.0))
+        ->check(within(-360.0, 360.0))
         ->type_name("DEG");
     command
         .add_option_function<std::string>(
@@ -87,6 +89,12 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         ->type_name("CRS");
     command.add_option("--lod", settings.lod, "CityJSON: level of detail (default: the highest)")
         ->type_name("LOD");
+    command
+        .add_option("--far-away", settings.farAwayM,
+                    "Leave out what lies further from the middle of the data, m")
+        ->capture_default_str()
+        ->check(within(100, 200000))
+        ->type_name("M");
     addMeshOptions(command, settings);
 }
 

@@ -1,13 +1,8 @@
-#include <fmt/format.h>
-
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <ostream>
 
 #include "app/cli/command.h"
-#include "app/cli/load_city.h"
 #include "app/cli/save_city.h"
-#include "app/cli/table.h"
+#include "app/input/load_city.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {

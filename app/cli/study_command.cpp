@@ -41,6 +41,8 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     auto region = orCode(readRegion(options.region, loaded->read.city.frame), exitUsage);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
+    if (auto folder = orCode(prepareStudyFolder(options.out), exitFailed); !folder)
+        return tl::make_unexpected(folder.error());
     auto study = orCode(runStudy(loaded->read.city, settings, progress, interrupt.token()), exitFailed);
     if (study) addReading(*study, *loaded);
     return study;

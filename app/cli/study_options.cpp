@@ -1,5 +1,6 @@
 #include "app/cli/study_options.h"
 
+#include "app/cli/number_range.h"
 #include "core/accumulate/accumulator.h"
 
 namespace noonmark::cli {
@@ -19,15 +20,23 @@ void addPeriodOptions(CLI::App& command, StudyOptions& options) {
     CLI::Option* hours =
         command.add_option("--hours", period.hours, "Hours a day, 0 to 24; 0 is one instant")
             ->capture_default_str()
-            ->check(CLI::Range(0.0, 24.0))
+            ->check(within(0.0, 24.0))
             ->type_name("H");
-    command.add_option("--window", options.window, "Hours counted from the sun: sunrise+1.5h..sunset-1.5h")
-        ->excludes(from)
-        ->excludes(hours)
-        ->type_name("WINDOW");
+    CLI::Option* window =
+        command
+            .add_option("--window", options.window, "Hours counted from the sun: sunrise+1.5h..sunset-1.5h")
+            ->excludes(from)
+            ->excludes(hours)
+            ->type_name("WINDOW");
+    command
+        .add_flag(
+            "--centre", options.centre,
+            "Sunrise and sunset of --window are the sun's centre at 0 deg, not its upper limb seen on the "
+            "horizon (-0.833 deg)")
+        ->needs(window);
     command.add_option("--step", period.stepMinutes, "Minutes from step to step")
         ->capture_default_str()
-        ->check(CLI::Range(1.0 / 60, 240.0))
+        ->check(within(1.0 / 60, 240.0))
         ->type_name("MIN");
     command.add_option("--zone", options.zone, "Zone of the wall clock: America/New_York")->type_name("ZONE");
     command.add_flag("--no-refraction", options.noRefraction, "The geometric sun, as rules on plans mean it");
@@ -60,6 +69,7 @@ Result<void> readTexts(const StudyOptions& options, Period& period) {
     const auto window = parseSolarWindow(options.window);
     if (!window) return tl::make_unexpected(window.error());
     period.window = *window;
+    if (options.centre) period.window->rule = SunriseRule::centre;
     return {};
 }
 
@@ -76,15 +86,15 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->type_name("W,S,E,N|FILE");
     command.add_option("--cell", settings.receivers.cellM, "Size of a cell, m")
         ->capture_default_str()
-        ->check(CLI::Range(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
+        ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
     command.add_option("--pressure", settings.pressureHPa, "Of the air, for refraction, hPa")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 1200.0))
+        ->check(within(0.0, 1200.0))
         ->type_name("HPA");
     command.add_option("--temperature", settings.temperatureC, "Of the air, for refraction, deg C")
         ->capture_default_str()
-        ->check(CLI::Range(-90.0, 60.0))
+        ->check(within(-90.0, 60.0))
         ->type_name("C");
     command.add_option("--engine", settings.engine, "How to compute")
         ->capture_default_str()

@@ -19,6 +19,7 @@ struct StudyOptions {
     std::string out;
     StudySettings settings;  ///< what needs no city and no second look
     bool noRefraction = false;
+    bool centre = false;  ///< sunrise rule of the window
     bool json = false;
     bool cellsCsv = false;
 };

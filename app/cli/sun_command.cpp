@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "app/cli/command.h"
+#include "app/cli/number_range.h"
 #include "app/cli/table.h"
 #include "app/cli/wall_clock.h"
 #include "core/sun/sun_events.h"
@@ -50,6 +51,8 @@ Result<SunReport> sunReport(const SunOptions& options) {
     if (!clock) return tl::make_unexpected(clock.error());
     const auto at = clock->instant(options.at);
     if (!at) return tl::make_unexpected(at.error());
+    if (const auto known = Ephemeris::over(options.observer, *at, *at); !known)
+        return tl::make_unexpected(known.error());
     const SunriseRule rule = options.centre ? SunriseRule::centre : SunriseRule::upperLimb;
     return SunReport{solarPosition(options.observer, *at),
                      sunEvents(options.observer, clock->midnightBefore(*at), rule), *clock, *at};
@@ -101,15 +104,15 @@ int runSun(const SunOptions& options, const Console& console) {
 void addAirOptions(CLI::App& command, Observer& observer) {
     command.add_option("--elevation", observer.elevationM, "Of the observer above the ellipsoid, m")
         ->capture_default_str()
-        ->check(CLI::Range(-500.0, 9000.0))
+        ->check(within(-500.0, 9000.0))
         ->type_name("M");
     command.add_option("--pressure", observer.pressureHPa, "Of the air, for refraction, hPa")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 1200.0))
+        ->check(within(0.0, 1200.0))
         ->type_name("HPA");
     command.add_option("--temperature", observer.temperatureC, "Of the air, for refraction, deg C")
         ->capture_default_str()
-        ->check(CLI::Range(-90.0, 60.0))
+        ->check(within(-90.0, 60.0))
         ->type_name("C");
 }
 
@@ -120,11 +123,11 @@ void addSunCommand(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand("sun", "Say where the sun is, and when it rises and sets");
     command->add_option("--lat", options->observer.place.latDeg, "Latitude, degrees, north positive")
         ->required()
-        ->check(CLI::Range(-90.0, 90.0))
+        ->check(within(-90.0, 90.0))
         ->type_name("DEG");
     command->add_option("--lon", options->observer.place.lonDeg, "Longitude, degrees, east positive")
         ->required()
-        ->check(CLI::Range(-180.0, 180.0))
+        ->check(within(-180.0, 180.0))
         ->type_name("DEG");
     command->add_option("--at", options->at, "2003-10-17T12:30:30-07:00; without an offset, in --zone")
         ->required()

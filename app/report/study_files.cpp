@@ -40,18 +40,11 @@ Write text(std::string content) {
     };
 }
 
-Result<void> madeFolder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!error && std::filesystem::is_directory(folder, error)) return {};
-    return failure("The folder could not be made" + (error ? ": " + error.message() : std::string()),
-                   folder.string(), "Choose a folder that you may write to");
-}
-
 /// The files of one study, one after the other; after the first error nothing more is written.
 class StudyFolder {
 public:
-    explicit StudyFolder(const std::filesystem::path& folder) : folder_(folder), state_(madeFolder(folder)) {}
+    explicit StudyFolder(const std::filesystem::path& folder)
+        : folder_(folder), state_(prepareStudyFolder(folder)) {}
 
     void add(const char* name, const Write& write) {
         add(name, [&](const std::filesystem::path& file) { return writeWhole(file, write); });
@@ -81,6 +74,18 @@ Result<void> writeRaster(const Study& study, const std::filesystem::path& file) 
 }
 
 }  // namespace
+
+Result<void> prepareStudyFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder, error))
+        return failure("The folder could not be made" + (error ? ": " + error.message() : std::string()),
+                       folder.string(), "Choose a folder that you may write to");
+    const PendingFile trial(folder / "study.json");  // removed again
+    if (QFile file(trial.path()); !file.open(QIODevice::WriteOnly))
+        return notWritten(folder, file.errorString());
+    return {};
+}
 
 Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                                                            const std::filesystem::path& folder,

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "core/io/file_kind.h"
 #include "core/io/place_advice.h"

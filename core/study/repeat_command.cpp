@@ -83,6 +83,7 @@ void addReading(CommandLine& line, const ReadSettings& reading) {
     line.unless(reading.layer.empty(), "--layer", reading.layer);
     if (reading.crs) line.option("--crs", *reading.crs);
     line.unless(reading.lod.empty(), "--lod", reading.lod);
+    line.unless(reading.farAwayM == usual.farAwayM, "--far-away", fmt::to_string(reading.farAwayM));
 }
 
 void addMesh(CommandLine& line, const ReadSettings& reading) {
@@ -106,6 +107,7 @@ void addPeriod(CommandLine& line, const Period& period) {
     line.option("--days", fmt::to_string(period.days));
     if (period.window) {
         line.option("--window", windowText(*period.window));
+        line.flag(period.window->rule == SunriseRule::centre, "--centre");
     } else {
         line.option("--from", fmt::format("{:02}:{:02}", period.from.count() / 60, period.from.count() % 60));
         line.option("--hours", fmt::to_string(period.hours));
@@ -129,7 +131,8 @@ void addSettings(CommandLine& line, const Study& study) {
 
 /// Read because another file needs it: not named on the command line.
 bool goesAlong(const std::filesystem::path& file) {
-    static constexpr std::array<std::string_view, 5> extensions{".dbf", ".shx", ".prj", ".cpg", ".bin"};
+    static constexpr std::array<std::string_view, 6> extensions{".dbf", ".shx", ".prj",
+                                                                ".cpg", ".bin", ".tfw"};
     return std::ranges::find(extensions, file.extension().string()) != extensions.end();
 }
 

@@ -24,7 +24,7 @@ struct InputFile {
 Result<InputFile> inputFile(const std::filesystem::path& path);
 
 /// The file, and the files that are read along with it: .dbf, .shx, .prj and .cpg of a shapefile, .bin of a
-/// glTF, .prj beside a raster. Those that are not there are left out; `path` itself must be there.
+/// glTF, .prj and .tfw of a raster. Those that are not there are left out; `path` itself must be there.
 Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path);
 
 /// What to compute over a city that is already there.

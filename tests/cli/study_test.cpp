@@ -95,11 +95,33 @@ TEST_F(StudyCommand, solarWindowNeedsNoZone) {
                      out.string(), "--json"});
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
     EXPECT_EQ(spoken.json()["period"]["window"]["after_sunrise_min"], 90);
+    EXPECT_EQ(spoken.json()["period"]["window"]["sunrise_altitude_deg"], -0.833);
+}
+
+TEST_F(StudyCommand, whatTheSettingsHoldCanBeSaidAndIsRepeated) {
+    const Spoken spoken =
+        noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--window", "sunrise..sunset",
+                     "--centre", "--far-away", "20000", "--step", "30", "--region",
+                     "-73.9845,40.7527,-73.9826,40.7537", "--cell", "5", "--out", out.string(), "--json"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_EQ(spoken.json()["period"]["window"]["sunrise_altitude_deg"], 0);
+    EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--centre"));
+    EXPECT_THAT(spoken.json()["repeat"].get<std::string>(), HasSubstr("--far-away 20000"));
 }
 
 TEST_F(StudyCommand, aFolderThatCannotBeMadeIsAFailure) {
     out = folder.file("in the way", "a file") / "out";
     const Spoken spoken = study({});
+    EXPECT_EQ(spoken.code, exitFailed);
+    EXPECT_THAT(spoken.err, HasSubstr("in the way"));
+}
+
+TEST_F(StudyCommand, theFolderIsTriedBeforeTheWork) {
+    out = folder.file("in the way", "a file");
+    // At night the work itself would fail: the folder is what must be heard of.
+    const Spoken spoken = noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--from", "22:00",
+                                       "--zone", "America/New_York", "--region",
+                                       "-73.9845,40.7527,-73.9826,40.7537", "--out", out.string()});
     EXPECT_EQ(spoken.code, exitFailed);
     EXPECT_THAT(spoken.err, HasSubstr("in the way"));
 }

@@ -87,6 +87,12 @@ TEST(Sun, wrongInput) {
               exitUsage);
     EXPECT_EQ(noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "2026-06-31T12:00:00Z"}).code,
               exitUsage);
+    EXPECT_EQ(noonmarkCli({"sun", "--lat", "nan", "--lon", "0", "--at", "2026-06-21T12:00:00Z"}).code,
+              exitUsage);
+    const Spoken antiquity =
+        noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "0001-01-01T12:00:00Z"});
+    EXPECT_EQ(antiquity.code, exitUsage);
+    EXPECT_THAT(antiquity.err, HasSubstr("1900 to 2100"));
 }
 
 }  // namespace

@@ -67,6 +67,11 @@ TEST(Usage, wrongStudies) {
     expectUsageError(study({"--zone", "UTC", "--from", "25:99"}), "25:99");
     expectUsageError(study({"--zone", "UTC", "--hours", "25"}), "--hours");
     expectUsageError(study({"--zone", "UTC", "--days", "0"}), "--days");
+    for (const char* option : {"--hours", "--temperature", "--pressure", "--far-away"})
+        expectUsageError(study({"--zone", "UTC", option, "nan"}), option);
+    expectUsageError({"study", "sample:grid", "--cell", "nan"},
+                     "--cell: nan is out of range: give 0.25 to 10");
+    expectUsageError(study({"--zone", "UTC", "--centre"}), "--window");
     expectUsageError(study({"--window", "sunrise..moonrise"}), "moonrise");
     expectUsageError(study({"--window", "sunrise..sunset", "--hours", "6"}), "--window");
 }
