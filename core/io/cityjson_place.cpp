@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/distance.h"
 #include "core/io/place_advice.h"
 
 namespace noonmark {
@@ -88,13 +88,12 @@ std::optional<LonLat> medianOf(const std::vector<PlaceBox>& boxes) {
 // Takes far objects out of the data and their boxes out of the list.
 void leaveOutFar(CityJsonData& data, std::vector<PlaceBox>& boxes, LonLat median, double farAwayM,
                  const std::string& file) {
-    const Frame frame(median);
     std::vector<PlaceBox> kept;
     std::size_t next = 0;
     for (CityJsonBlock& block : data.blocks)
         std::erase_if(block.objects, [&](const CityJsonObject& object) {
             const PlaceBox& box = boxes[next++];
-            const bool far = !box.empty() && glm::length(frame.localFromLonLat(box.middle())) > farAwayM;
+            const bool far = !box.empty() && greatCircleM(box.middle(), median) > farAwayM;
             if (far)
                 data.warnings.push_back(
                     {WarningKind::leftOut, "far from the middle of the data", file + ": " + object.id});

@@ -4,28 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 
 #include "core/city/mesh_outline.h"
 #include "core/city/repair_footprint.h"
+#include "core/geo/distance.h"
 
 namespace noonmark {
 
 namespace {
-
-// On a sphere, and good enough to tell near from far. Works where the local plane does not: beyond the
-// horizon.
-double distanceM(LonLat a, LonLat b) {
-    constexpr double earthRadiusM = 6371000;
-    constexpr double radiansPerDegree = std::numbers::pi / 180;
-    const double latA = a.latDeg * radiansPerDegree;
-    const double latB = b.latDeg * radiansPerDegree;
-    const double dLat = std::sin((latB - latA) / 2);
-    const double dLon = std::sin((b.lonDeg - a.lonDeg) * radiansPerDegree / 2);
-    const double h = dLat * dLat + std::cos(latA) * std::cos(latB) * dLon * dLon;
-    return 2 * earthRadiusM * std::asin(std::min(1.0, std::sqrt(h)));
-}
 
 double medianOf(std::vector<double>& values) {
     const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -50,7 +36,7 @@ bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
     for (const LonLatPolygon& polygon : feature.polygons)
         for (const auto& ring : polygon)
             for (const LonLat place : ring)
-                if (!(distanceM(place, middle) <= farAwayM)) return false;
+                if (!(greatCircleM(place, middle) <= farAwayM)) return false;
     return true;
 }
 

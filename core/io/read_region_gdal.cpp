@@ -14,6 +14,7 @@
 
 #include "core/city/repair_footprint.h"
 #include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/distance.h"
 #include "core/io/gdal_calls.h"
 
 namespace noonmark {
@@ -40,18 +41,8 @@ std::optional<LonLatBox> parseBox(std::string_view text) {
     return at == end ? std::optional(box) : std::nullopt;
 }
 
-// Great-circle distance; good to 0.5 %, which is enough to tell a wrong place.
-double metresBetween(LonLat a, LonLat b) {
-    constexpr double earthRadiusM = 6371000;
-    const auto radians = [](double degrees) { return Degrees{degrees}.radians().value; };
-    const double cosine =
-        std::sin(radians(a.latDeg)) * std::sin(radians(b.latDeg)) +
-        std::cos(radians(a.latDeg)) * std::cos(radians(b.latDeg)) * std::cos(radians(a.lonDeg - b.lonDeg));
-    return earthRadiusM * std::acos(std::clamp(cosine, -1.0, 1.0));
-}
-
 Result<void> checkedPlace(LonLat place, const Frame& frame, const std::string& where) {
-    const double metres = metresBetween(place, frame.origin());
+    const double metres = greatCircleM(place, frame.origin());
     if (metres <= farthestM) return {};
     return failure(fmt::format("The region lies {:.0f} km from the city", metres / 1000), where,
                    "Check the order of the numbers (west,south,east,north) and the CRS of the file");
@@ -89,7 +80,6 @@ public:
 
     Result<void> add(const OGRGeometry& geometry, Region& region) const {
         const std::unique_ptr<OGRGeometry> straight(geometry.getLinearGeometry());
-        straight->segmentize(longestSide_);
         const OGRwkbGeometryType type = wkbFlatten(straight->getGeometryType());
         if (type == wkbPolygon) return addPolygon(*straight->toPolygon(), region);
         if (!OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) return {};
@@ -105,7 +95,11 @@ private:
           frame_(frame),
           where_(std::move(where)) {}
 
-    Result<void> addPolygon(const OGRPolygon& polygon, Region& region) const {
+    Result<void> addPolygon(OGRPolygon& polygon, Region& region) const {
+        // Looked at before its sides are cut up: a point far off would make millions of pieces.
+        for (const OGRLinearRing* ring : polygon)
+            if (const auto near = localRing(*ring); !near) return tl::make_unexpected(near.error());
+        polygon.segmentize(longestSide_);
         std::vector<RawRing> rings;
         for (const OGRLinearRing* ring : polygon) {
             auto local = localRing(*ring);

@@ -126,6 +126,15 @@ TEST(ReadRegion, filesThatAreNoRegion) {
                 HasSubstr("no such file"));
 }
 
+TEST(ReadRegion, aPointFarOffIsSaidAtOnce) {
+    const tests::TemporaryFolder folder;
+    const auto file = folder.file(
+        "far.geojson",
+        collection(
+            feature("Polygon", "[[[-73.98,40.75],[1e9,40.75],[1e9,40.76],[-73.98,40.76],[-73.98,40.75]]]")));
+    EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("is not where"));
+}
+
 TEST(ReadRegion, fileWithoutCrs) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("plain.csv", "id,WKT\n1,\"POLYGON((0 0,10 0,10 10,0 0))\"\n");
