@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -36,13 +37,23 @@ private:
     std::jthread thread_;
 };
 
+/// What escapes the work (memory that runs out) becomes its Error: on a thread it would end the program.
+template <class T>
+Result<T> tried(const std::function<Result<T>(Progress&, std::stop_token)>& work, Progress& progress,
+                std::stop_token stop) try {
+    return work(progress, std::move(stop));
+} catch (const std::exception& exception) {
+    return failure(std::string("This could not be done (") + exception.what() + ")", {},
+                   "Close other programs, or choose a smaller region or file");
+}
+
 /// A job that computes a Result and hands it to `done`. `done` may not destroy the job itself; JobSlot may.
 template <class T>
 std::unique_ptr<Job> runJob(std::function<Result<T>(Progress&, std::stop_token)> work,
                             std::function<void(Result<T>)> done) {
     return std::make_unique<Job>([work = std::move(work), done = std::move(done)](
                                      Progress& progress, std::stop_token stop) -> Job::Deliver {
-        auto result = std::make_shared<Result<T>>(work(progress, std::move(stop)));
+        auto result = std::make_shared<Result<T>>(tried<T>(work, progress, std::move(stop)));
         return [result, done] { done(std::move(*result)); };
     });
 }

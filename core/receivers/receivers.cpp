@@ -32,10 +32,12 @@ void mark(Receivers& receivers, const Footprint& footprint, CellKind from, CellK
     });
 }
 
-void markBuildings(Receivers& receivers, const City& city) {
-    for (const auto& building : city.buildings)
+void markBuildings(Receivers& receivers, const City& city, const std::stop_token& stop) {
+    for (const auto& building : city.buildings) {
+        if (stop.stop_requested()) return;
         for (const Part& part : building->parts)
             if (!part.hangs) mark(receivers, part.footprint, CellKind::ground, CellKind::building);
+    }
 }
 
 void listGroundCells(Receivers& receivers) {
@@ -43,23 +45,25 @@ void listGroundCells(Receivers& receivers) {
         if (receivers.kind[i] == CellKind::ground) receivers.cells.push_back(std::uint32_t(i));
 }
 
-void sampleGround(Receivers& receivers, const City& city) {
+void sampleGround(Receivers& receivers, const City& city, const std::stop_token& stop) {
     if (!city.terrain) return;
     const Grid& grid = receivers.grid;
     receivers.groundM.resize(grid.size());
-    for (int row = 0; row < grid.rows; ++row)
+    for (int row = 0; row < grid.rows && !stop.stop_requested(); ++row)
         for (int column = 0; column < grid.columns; ++column)
             receivers.groundM[grid.index(column, row)] = elevationAt(*city.terrain, grid.centre(column, row));
 }
 
 Result<Grid> checkedGrid(const Region& region, double cellM) {
     if (!(cellM >= ReceiverSettings::minCellM && cellM <= ReceiverSettings::maxCellM))
-        return failure(fmt::format("A cell of {} m is out of range", cellM), "cell size", "Choose 0.25 to 10 m");
+        return failure(fmt::format("A cell of {} m is out of range", cellM), "cell size",
+                       "Choose 0.25 to 10 m");
     const Box2 box = bounds(region);
     if (box.empty()) return failure("The region has no area", region.name, "Draw a polygon with an inside");
     const Grid grid = gridOver(box, cellM);
     if (grid.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
-        return failure(fmt::format("The region has {:.1f} billion cells", double(grid.size()) * 1e-9), region.name,
+        return failure(fmt::format("The region has {:.1f} billion cells", double(grid.size()) * 1e-9),
+                       region.name,
                        "Choose larger cells or a smaller region; up to 2.1 billion cells can be numbered");
     return grid;
 }
@@ -72,15 +76,18 @@ glm::vec3 Receivers::position(std::uint32_t cell) const {
     return {glm::vec2(grid.centre(column, row)), flat() ? 0.0F : groundM[cell]};
 }
 
-Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings) {
+Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
+                                    const std::stop_token& stop) {
     const auto grid = checkedGrid(region, settings.cellM);
     if (!grid) return tl::make_unexpected(grid.error());
     Receivers receivers;
     receivers.grid = *grid;
     receivers.kind.assign(receivers.grid.size(), CellKind::outside);
-    for (const Footprint& polygon : region.polygons) mark(receivers, polygon, CellKind::outside, CellKind::ground);
-    markBuildings(receivers, city);
-    sampleGround(receivers, city);
+    for (const Footprint& polygon : region.polygons)
+        mark(receivers, polygon, CellKind::outside, CellKind::ground);
+    markBuildings(receivers, city, stop);
+    sampleGround(receivers, city, stop);
+    if (stop.stop_requested()) return cancelled();
     listGroundCells(receivers);
     return receivers;
 }
@@ -93,7 +100,8 @@ Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow) {
     const auto from = std::ptrdiff_t(receivers.grid.index(0, firstRow));
     const auto to = std::ptrdiff_t(receivers.grid.index(0, lastRow));
     tile.kind.assign(receivers.kind.begin() + from, receivers.kind.begin() + to);
-    if (!receivers.flat()) tile.groundM.assign(receivers.groundM.begin() + from, receivers.groundM.begin() + to);
+    if (!receivers.flat())
+        tile.groundM.assign(receivers.groundM.begin() + from, receivers.groundM.begin() + to);
     listGroundCells(tile);
     return tile;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "core/city/city.h"
@@ -33,9 +34,11 @@ struct ReceiverSettings {
     bool operator==(const ReceiverSettings&) const = default;
 };
 
-/// Cells of the region's bounding box, classified. West and south edges lie on multiples of the cell size, so that the
-/// same cells come back for an overlapping region. Memory 9 bytes a cell; refused above 2^31 cells.
-Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings);
+/// Cells of the region's bounding box, classified. West and south edges lie on multiples of the cell size, so
+/// that the same cells come back for an overlapping region. Memory 9 bytes a cell; refused above 2^31 cells.
+/// cancelled() when stopped.
+Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
+                                    const std::stop_token& stop = {});
 
 /// A copy of the cells of `receivers` in rows [firstRow, lastRow), for work in tiles.
 Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow);

@@ -1,6 +1,7 @@
 #include "core/study/study.h"
 
 #include <chrono>
+#include <new>
 #include <utility>
 
 #include "core/study/memory_need.h"
@@ -46,11 +47,11 @@ Result<void> checkSun(const Study& study) {
 Result<void> computed(Study& study, const Accumulator& engine, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
     return timed(study, "receivers", study.receivers, stop,
-                 [&] { return receiversOnGround(study.city, settings.region, settings.receivers); })
+                 [&] { return receiversOnGround(study.city, settings.region, settings.receivers, stop); })
         .and_then([&] { return checkReceivers(study); })
         .and_then([&] {
             return timed(study, "sun", study.sun, stop,
-                         [&] { return sunSteps(settings.period, observerOf(study)); });
+                         [&] { return sunSteps(settings.period, observerOf(study), stop); });
         })
         .and_then([&] { return checkSun(study); })
         .and_then([&] {
@@ -70,7 +71,7 @@ Observer observerOf(const Study& study) {
 }
 
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
-                       std::stop_token stop) {
+                       std::stop_token stop) try {
     const Stopwatch watch;
     const auto period = checked(settings.period);
     if (!period) return tl::make_unexpected(period.error());
@@ -85,6 +86,9 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     study.warnings = study.field.warnings;
     study.seconds["total"] = watch.seconds();
     return study;
+} catch (const std::bad_alloc&) {
+    return failure("There is not enough memory for this study", "",
+                   "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

@@ -93,9 +93,10 @@ private:
     double step_;
 };
 
-std::vector<Days::Steps> allDays(const Period& period, const Days& days) {
+std::vector<Days::Steps> allDays(const Period& period, const Days& days, const std::stop_token& stop) {
     std::vector<Days::Steps> made(std::size_t(period.days));
     tbb::parallel_for(std::size_t{0}, made.size(), [&](std::size_t i) {
+        if (stop.stop_requested()) return;
         made[i] = days.on(CivilDate{sys_days{period.start} + std::chrono::days{i}});
     });
     return made;
@@ -128,7 +129,7 @@ std::optional<Error> tooManySteps(const Period& period) {
 
 }  // namespace
 
-Result<SunSteps> sunSteps(const Period& period, const Observer& observer) {
+Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const std::stop_token& stop) {
     if (const auto good = checked(period); !good) return tl::make_unexpected(good.error());
     if (const auto trouble = tooManySteps(period)) return tl::make_unexpected(*trouble);
     const auto zone = Zone::named(period.zone);
@@ -137,7 +138,9 @@ Result<SunSteps> sunSteps(const Period& period, const Observer& observer) {
     const Instant last = zone->instantAt(period.start, days{period.days}) + days{2};
     auto sun = Ephemeris::over(observer, first, last);
     if (!sun) return tl::make_unexpected(sun.error());
-    return joined(allDays(period, Days(period, *zone, *sun)), stepMinutesOf(period));
+    auto days = allDays(period, Days(period, *zone, *sun), stop);
+    if (stop.stop_requested()) return cancelled();
+    return joined(std::move(days), stepMinutesOf(period));
 }
 
 }  // namespace noonmark

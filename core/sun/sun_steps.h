@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <stop_token>
 #include <vector>
 
-#include "core/progress.h"
 #include "core/sun/period.h"
 
 namespace noonmark {
@@ -43,8 +43,8 @@ struct SunSteps {
 /// The sun is the one seen from `observer` over the whole city. With fixed hours a day begins at `from` on
 /// the wall clock and lasts `hours` of elapsed time, over midnight and changes of DST too. A solar window
 /// begins with its first step; where the sun does not rise or set because it stays up, it begins or ends with
-/// the civil day. Error: a period or observer out of range, more than 50 million steps. A year of 8 h days at
-/// one minute takes some 40 ms of processor time, on all cores.
-Result<SunSteps> sunSteps(const Period& period, const Observer& observer);
+/// the civil day. Error: a period or observer out of range, more than 50 million steps, or cancelled(). A
+/// year of 8 h days at one minute takes some 40 ms of processor time, on all cores.
+Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const std::stop_token& stop = {});
 
 }  // namespace noonmark

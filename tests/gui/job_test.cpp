@@ -36,6 +36,14 @@ TEST(Job, HandsOverItsResultInTheMakersThread) {
     EXPECT_EQ(where, std::this_thread::get_id());
 }
 
+TEST(Job, WhatEscapesTheWorkIsAnError) {
+    std::optional<Error> error;
+    const IntWork work = [](Progress&, std::stop_token) -> Result<int> { throw std::bad_alloc(); };
+    const auto job = runJob<int>(work, IntDone([&](const Result<int>& result) { error = result.error(); }));
+    ASSERT_TRUE(waitFor([&] { return error.has_value(); }));
+    EXPECT_NE(error->what.find("bad_alloc"), std::string::npos);
+}
+
 TEST(Job, DestroyedWhileRunningStopsAndDeliversNothing) {
     std::atomic<bool> running = false;
     bool delivered = false;

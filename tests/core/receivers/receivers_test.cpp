@@ -121,5 +121,14 @@ TEST(Receivers, whatCannotBeIsRefusedInWords) {
     EXPECT_FALSE(receiversOnGround({}, absurd, {}).has_value());
 }
 
+TEST(Receivers, canBeStopped) {
+    std::stop_source stop;
+    stop.request_stop();
+    const auto receivers =
+        receiversOnGround({}, regionFromLocalBox({{0, 0}, {10, 10}}), {}, stop.get_token());
+    ASSERT_FALSE(receivers);
+    EXPECT_TRUE(isCancelled(receivers.error()));
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -65,6 +65,14 @@ TEST(SunSteps, standForHalfOpenIntervals) {
     EXPECT_EQ(sun.belowHorizon, 0);
 }
 
+TEST(SunSteps, canBeStopped) {
+    std::stop_source stop;
+    stop.request_stop();
+    const auto sun = sunSteps(periodIn("America/New_York", 2026y / March / 21), newYork, stop.get_token());
+    ASSERT_FALSE(sun);
+    EXPECT_TRUE(isCancelled(sun.error()));
+}
+
 TEST(SunSteps, areWhereTheSunIs) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.stepMinutes = 7;
