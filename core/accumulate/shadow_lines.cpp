@@ -38,7 +38,7 @@ public:
     void line(std::span<ShadowMask> lane, int start, float heightM) const {
         const float length = heightM * cellsPerMetre_;
         const int room = sign_ > 0 ? int(lane.size()) - 1 - start : start;
-        const int last = std::min(int(length + 0.5F), room);
+        const int last = int(std::min(length + 0.5F, float(room)));  // a low sun draws lines past any int
         const float scale = float(StepTable::size) / std::max(length, 1e-6F);
         int from = 0;
         for (int cell = 0; cell <= last; ++cell) {

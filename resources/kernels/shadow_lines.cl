@@ -33,7 +33,7 @@ kernel void draw_lanes(global const float* height_m,      // levels x cells, lev
             if (height <= 0) break;
             const float length = height * cells_per_metre;
             const int room = sign > 0 ? part.y - 1 - major : major - part.x;
-            const int last = min((int)(length + 0.5f), room);
+            const int last = (int)min(length + 0.5f, (float)room);
             const float scale = (float)TABLE_SIZE / fmax(length, 1e-6f);
             int from = 0;
             for (int k = 0; k <= last; ++k) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/city/mesh_topology.h"
 #include "core/city/triangulate.h"
 
 namespace noonmark {
@@ -65,11 +66,13 @@ private:
     }
 
     void addFaces(const TriangleMesh& mesh) {
+        const bool open = openEdges(mesh) > 0;
         for (const glm::uvec3 t : mesh.triangles) {
             const glm::vec3 a = mesh.vertices[t.x], b = mesh.vertices[t.y], c = mesh.vertices[t.z];
             ShadowCaster& caster = add(Kind::face, {glm::vec2(a), glm::vec2(b), glm::vec2(c)});
             caster.heights = {std::max(0.0F, a.z), std::max(0.0F, b.z), std::max(0.0F, c.z)};
             caster.topM = std::max({a.z, b.z, c.z});
+            caster.twoSided = open;
         }
     }
 
@@ -127,10 +130,14 @@ void sweepWall(std::span<const glm::dvec2> wall, glm::dvec2 near, glm::dvec2 far
     polygon = {wall[0] + near, wall[0] + far, wall[1] + far, wall[1] + near};
 }
 
-void project(std::span<const glm::dvec2> face, const std::array<float, 3>& heights, glm::dvec2 throwCells,
+void project(std::span<const glm::dvec2> face, const ShadowCaster& caster, glm::dvec2 throwCells,
              std::vector<glm::dvec2>& polygon) {
-    for (std::size_t i = 0; i < 3; ++i) polygon.push_back(face[i] + throwCells * double(heights[i]));
-    if (cross(polygon[1] - polygon[0], polygon[2] - polygon[0]) <= 0) polygon.clear();  // seen from behind
+    for (std::size_t i = 0; i < 3; ++i) polygon.push_back(face[i] + throwCells * double(caster.heights[i]));
+    const double turn = cross(polygon[1] - polygon[0], polygon[2] - polygon[0]);
+    if (turn < 0 && caster.twoSided)
+        std::swap(polygon[1], polygon[2]);
+    else if (turn <= 0)
+        polygon.clear();  // seen from behind: a face on the other side throws this shadow
 }
 
 }  // namespace
@@ -154,7 +161,7 @@ void shadowOf(const ShadowCasters& casters, const ShadowCaster& caster, glm::dve
         case Kind::flat:
             return sweep(points, near, near, polygon);
         case Kind::face:
-            return project(points, caster.heights, throwCells, polygon);
+            return project(points, caster, throwCells, polygon);
     }
 }
 

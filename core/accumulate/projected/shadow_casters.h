@@ -29,6 +29,7 @@ struct ShadowCaster {
     float bottomM = 0;
     float topM = 0;
     std::array<float, 3> heights{};  ///< of a face only
+    bool twoSided = false;           ///< a face of a mesh that is not closed: throws from behind, too
     std::uint32_t building = 0;      ///< index in City::buildings
     glm::dvec2 low{}, high{};        ///< bounds of the points, cells
 };
@@ -45,8 +46,9 @@ struct ShadowCasters {
 };
 
 /// A convex prism stays whole. Any other becomes its walls (those that face away from the sun throw all of
-/// its shadow that lies outside its footprint), and, where it hangs, its underside; a mesh becomes its faces.
-/// `buildings`: indices into the city, each on flat ground z = 0.
+/// its shadow that lies outside its footprint), and, where it hangs, its underside; a mesh becomes its faces,
+/// seen from both sides where it is not closed. `buildings`: indices into the city, each on flat ground z =
+/// 0.
 ShadowCasters shadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
 
 /// The shadow of one caster on the ground, as a convex counter-clockwise polygon in cells; empty when it

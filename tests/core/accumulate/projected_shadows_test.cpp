@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/accumulate/projected/convex_fill.h"
@@ -124,6 +125,25 @@ TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
     const ShadowField one = projected(whole, receivers, sun), two = projected(halves, receivers, sun);
     for (const std::uint32_t cell : receivers.cells)
         EXPECT_EQ(one.grossMin[cell], two.grossMin[cell]) << cell;
+}
+
+TEST(ProjectedShadows, aMeshThatIsNotClosedShadesFromBothSides) {
+    for (const glm::uvec3 triangle : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 1)}) {
+        const TriangleMesh sail{{{0, 0, 8}, {20, 0, 8}, {0, 20, 14}}, {triangle}};
+        Building building;
+        building.parts.push_back({.footprint = {{{0, 0}, {20, 0}, {0, 20}}, {}},
+                                  .bottomM = 8,
+                                  .topM = 14,
+                                  .hangs = true,
+                                  .mesh = std::make_shared<const TriangleMesh>(sail)});
+        City city;
+        city.buildings.push_back(std::make_shared<const Building>(std::move(building)));
+        const Receivers receivers = receiversOver(city, -40, -40, 60, 60);
+        const SunSteps sun = oneDay(arc(20, 50));
+        EXPECT_LE(differing(city, receivers, sun), 0.0001);
+        const ShadowField field = projected(city, receivers, sun);
+        EXPECT_GT(std::ranges::count_if(field.grossMin, [](float minutes) { return minutes > 0; }), 200);
+    }
 }
 
 TEST(ProjectedShadows, noSunAndNoCityGiveZeros) {

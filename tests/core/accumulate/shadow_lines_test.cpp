@@ -88,6 +88,17 @@ TEST(ShadowLines, aLineHasNoHoles) {
     for (int column = 10; column < 230; ++column) EXPECT_TRUE(columnSet(column)) << column;
 }
 
+TEST(ShadowLines, aSunOnTheHorizonDrawsToTheEdge) {
+    const Grid grid{0, 0, 1, 50, 1};
+    ShadowSources sources = noSources(grid, 1);
+    sources.heightM[0] = 300;
+    const ShadowMotion motion{{4e8, 0}, {0.0, 1e-10, 1.0}};  // 10^11 cells a second
+    std::vector<ShadowMask> masks(grid.size(), 0);
+    ASSERT_TRUE(makeShadowLineDrawer()->draw(grid, sources, motion, masks, {}));
+    EXPECT_NE(masks[0], 0U);
+    EXPECT_NE(masks[49], 0U);
+}
+
 TEST(ShadowLines, backwardIsForwardSeenFromTheOtherEnd) {
     const ShadowMotion forward = motionForward(morning);
     const ShadowMotion backward = motionBackward(morning);
