@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/io/read_part.h"
+#include "tests/core/io/temporary_folder.h"
+
 namespace noonmark::tests {
 
 using Json = nlohmann::json;
@@ -66,5 +69,16 @@ public:
         return root;
     }
 };
+
+/// What the reader makes of a file of this text.
+inline Result<FilePiece> readText(const std::string& text, const ReadSettings& settings = {}) {
+    const TemporaryFolder folder;
+    NoProgress progress;
+    return readCityJson(folder.file("city.json", text), settings, progress, {});
+}
+
+inline Result<FilePiece> read(const Json& document, const ReadSettings& settings = {}) {
+    return readText(document.dump(), settings);
+}
 
 }  // namespace noonmark::tests
