@@ -34,6 +34,12 @@ constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 }  // namespace
 
 NOONMARK_EVERY_ISA
+void lowestOfSixteens(const float* horizons, std::span<float> lowest) {
+    for (std::size_t i = 0; i < lowest.size(); ++i)
+        lowest[i] = lowestOf(*reinterpret_cast<const Floats16*>(horizons + i * 16));
+}
+
+NOONMARK_EVERY_ISA
 void raiseLine(const WallOnLine& wall, const float* fractions, float* horizons, float* lowest) {
     for (int sixteen = wall.first >> 4; sixteen < (wall.end + 15) >> 4; ++sixteen) {
         const int along = sixteen * 16;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 namespace noonmark {
 
 /// One wall as one line of a sheared tile sees it. `along` and q count from the line's own beginning.
@@ -18,5 +20,8 @@ struct WallOnLine {
 /// beside it, stay as they are; a cell on the wall gets a horizon above any sun. The same bits on every
 /// instruction set. About 1 ns a cell, less where skipped.
 void raiseLine(const WallOnLine& wall, const float* fractions, float* horizons, float* lowest);
+
+/// The lowest horizon of every 16 cells, to begin with. `horizons`: 16 for each of `lowest`, on a cache line.
+void lowestOfSixteens(const float* horizons, std::span<float> lowest);
 
 }  // namespace noonmark

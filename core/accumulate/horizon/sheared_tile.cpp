@@ -58,13 +58,4 @@ void ShearedTile::findEnds() {
     if (k_ <= 0) firsts_.swap(ends_);
 }
 
-ShearedTile::Point ShearedTile::from(glm::dvec2 cells) const {
-    const glm::dvec2 inside = cells - corner_;
-    const double across = swapped_ ? inside.y : inside.x;
-    double along = swapped_ ? inside.x : inside.y;
-    if (flipped_) along = alongs_ - 1 - along;
-    // Rounded as in shear(), so that a cell's centre and a corner at the same place agree.
-    return {across + (offset_ - k_ * along), along};
-}
-
 }  // namespace noonmark

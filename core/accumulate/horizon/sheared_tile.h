@@ -65,4 +65,14 @@ private:
     std::vector<int> shifts_, firsts_, ends_;
 };
 
+// Here, since it is called for every wall of every bin.
+inline ShearedTile::Point ShearedTile::from(glm::dvec2 cells) const {
+    const glm::dvec2 inside = cells - corner_;
+    const double across = swapped_ ? inside.y : inside.x;
+    double along = swapped_ ? inside.x : inside.y;
+    if (flipped_) along = alongs_ - 1 - along;
+    // Rounded as in shear(), so that a cell's centre and a corner at the same place agree.
+    return {across + (offset_ - k_ * along), along};
+}
+
 }  // namespace noonmark

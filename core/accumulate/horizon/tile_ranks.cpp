@@ -23,8 +23,8 @@ WallOnLine onLine(const LineWall& wall, int line, int first, int end) {
     const double along = wall.along0 - wall.slope * low;
     const double atLow = along + wall.slope * std::max(low, 0.0),
                  atHigh = along + wall.slope * std::min(high, 1.0);
-    const double from = std::ceil(std::min(atLow, atHigh) - 0.01),
-                 to = std::floor(std::max(atLow, atHigh) + double(wall.reach)) + 1;
+    // A cell too many at either end does no harm: raiseLine() looks at each.
+    const double from = std::min(atLow, atHigh) - 1, to = std::max(atLow, atHigh) + double(wall.reach) + 2;
     return {.along = float(along),
             .slope = float(wall.slope),
             .lowQ = float(low),
@@ -100,8 +100,7 @@ void BinSweep::clearLines(const ShearedTile& tile, const TileReceivers& receiver
 void BinSweep::raise(const ShearedTile& tile, int line, float* horizons) {
     const int first = tile.first(line), end = tile.end(line);
     lowest_.resize(stride_);
-    for (std::size_t i = 0; i < stride_; ++i)
-        lowest_[i] = *std::min_element(horizons + i * 16, horizons + i * 16 + 16);
+    lowestOfSixteens(horizons, lowest_);
     for (const std::uint32_t index : walls_.at(line)) {
         const WallOnLine wall = onLine(walls_.wall(index), line, first, end);
         if (wall.first < wall.end) raiseLine(wall, tile.fractions(), horizons, lowest_.data());
