@@ -72,6 +72,7 @@ void LineWalls::addWall(const ShearedTile::Point& a, const ShearedTile::Point& b
     walls_.push_back({.lowQ = a.q,
                       .highQ = b.q,
                       .along0 = a.along,
+                      .highAlong = std::max(a.along, b.along),
                       .slope = (b.along - a.along) / (b.q - a.q),
                       .rise = rise_,
                       .nearest = nearest,

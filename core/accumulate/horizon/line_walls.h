@@ -13,6 +13,7 @@ namespace noonmark {
 struct LineWall {
     double lowQ, highQ;  ///< it shades lowQ <= q < highQ
     double along0;       ///< `along` of the wall at lowQ
+    double highAlong;    ///< highest `along` of the wall
     double slope;        ///< of `along` against q
     float rise;          ///< height, such that rise / (distance in `along`) is the tangent of the horizon
     float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it

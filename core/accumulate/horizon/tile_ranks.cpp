@@ -11,6 +11,8 @@ namespace noonmark {
 namespace {
 // Lines that are swept before their cells are looked up: neighbours across lie on the same cache lines.
 constexpr int linesABlock = 16;
+// Walls that are raised before the lowest horizon of a line is looked for again.
+constexpr int wallsALook = 8;
 
 Line<float> lineOf(float value) {
     Line<float> line;
@@ -101,9 +103,16 @@ void BinSweep::raise(const ShearedTile& tile, int line, float* horizons) {
     const int first = tile.first(line), end = tile.end(line);
     lowest_.resize(stride_);
     lowestOfSixteens(horizons, lowest_);
+    float low = std::ranges::min(lowest_);                      // horizon of the line, or less
+    if (low == std::numeric_limits<float>::infinity()) return;  // no receivers
+    int sinceLow = 0;
     for (const std::uint32_t index : walls_.at(line)) {
-        const WallOnLine wall = onLine(walls_.wall(index), line, first, end);
-        if (wall.first < wall.end) raiseLine(wall, tile.fractions(), horizons, lowest_.data());
+        const LineWall& wall = walls_.wall(index);
+        if (wall.highAlong < first && wall.rise <= low * (float(first) - float(wall.highAlong))) continue;
+        const WallOnLine here = onLine(wall, line, first, end);
+        if (here.first >= here.end) continue;
+        raiseLine(here, tile.fractions(), horizons, lowest_.data());
+        if (++sinceLow % wallsALook == 0) low = std::ranges::min(lowest_);
     }
 }
 
