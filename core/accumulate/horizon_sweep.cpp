@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <new>
 
 #include "core/accumulate/blank_field.h"
@@ -54,10 +55,8 @@ std::vector<TimedStep> timedSteps(const SunSteps& sun, const BinnedSun& binned) 
 }
 
 int tileSide(std::size_t bins) {
-    int side = largestTile;
-    while (side > 64 && std::size_t(side) * std::size_t(side) * bins * sizeof(std::int16_t) > tileBytes)
-        side /= 2;
-    return side;
+    const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(std::int16_t));
+    return std::clamp(int(std::sqrt(cells)), 64, largestTile);
 }
 
 std::vector<TileBox> tilesOf(const Grid& grid, int side) {
