@@ -83,7 +83,9 @@ Region firstRegion(const LoadedCity& loaded, float mostM) {
     Box2 box = bounds(loaded.read.city);
     if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
     const glm::vec2 centre = (box.low + box.high) / 2.0F;
-    const glm::vec2 half = glm::min((box.high - box.low) / 2.0F, glm::vec2(mostM / 2));
+    // Some open ground around, or a single building would leave nothing to shade.
+    constexpr float borderM = 50;
+    const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(mostM / 2));
     Region region = regionFromLocalBox({centre - half, centre + half});
     region.name = "the middle of the city";
     return region;

@@ -29,8 +29,8 @@ bool isSample(std::string_view file);
 /// The sample of a name ("central-park-south", "grid"), made with its defaults; error for an unknown name.
 Result<City> sampleCity(const std::string& name);
 
-/// A region to begin with: the park of Central Park South; of other cities the middle, up to `mostM` metres
-/// along a side.
+/// A region to begin with: the park of Central Park South; of other cities the middle with 50 m around, up
+/// to `mostM` metres along a side.
 Region firstRegion(const LoadedCity& loaded, float mostM = 800);
 
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/city/ground_contact.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -35,8 +36,12 @@ void mark(Receivers& receivers, const Footprint& footprint, CellKind from, CellK
 void markBuildings(Receivers& receivers, const City& city, const std::stop_token& stop) {
     for (const auto& building : city.buildings) {
         if (stop.stop_requested()) return;
-        for (const Part& part : building->parts)
-            if (!part.hangs) mark(receivers, part.footprint, CellKind::ground, CellKind::building);
+        for (const Part& part : building->parts) {
+            const glm::vec2 corner =
+                part.footprint.outer.empty() ? glm::vec2(0) : part.footprint.outer.front();
+            for (const Footprint& contact : groundContact(part, groundAt(city, glm::dvec2(corner))))
+                mark(receivers, contact, CellKind::ground, CellKind::building);
+        }
     }
 }
 

@@ -13,7 +13,7 @@ namespace noonmark {
 
 enum class CellKind : std::uint8_t {
     outside,   ///< its centre is not in the region
-    building,  ///< its centre is in the footprint of a part that stands on the ground
+    building,  ///< its centre is where a part meets the ground (core/city/ground_contact.h)
     ground,    ///< a receiver
 };
 

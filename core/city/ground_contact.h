@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "core/city/building.h"
+
+namespace noonmark {
+
+/// Where a part meets the ground, as polygons: nobody stands there. A part that does not hang: its footprint.
+/// A prism that hangs: nothing. A mesh with open air below some of it (eaves, a passage, stilts): those of
+/// its faces that look down and lie within 0.5 m of the ground or below it; the whole footprint where it
+/// reaches the ground but has no such face (it is open below). `groundM`: local z.
+std::vector<Footprint> groundContact(const Part& part, float groundM);
+
+}  // namespace noonmark
