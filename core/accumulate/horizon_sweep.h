@@ -21,9 +21,9 @@ struct HorizonSweepSettings {
 ///
 /// Error: only that all suns of a bin are taken at their mean azimuth. On a year of 8 h days in a dense city
 /// at 0.5 deg gross shadow is off by 0.04 % of the period in the mean and 0.22 % at most. The longest run is
-/// off by 0.04 % of a day's hours in the mean, but where a short gap of light is missed or seen, two runs
-/// become one or one two: up to some per cent (tests/benchmarks/horizon_bench.cpp). The answer does not
-/// depend on the number of threads.
+/// off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of light is missed or seen two
+/// runs become one, or one two: single cells are off by up to a quarter (tests/benchmarks/horizon_bench.cpp).
+/// The answer does not depend on the number of threads.
 ///
 /// Refused, with an error that names another engine: terrain; parts in reach that hang or are general meshes;
 /// a bin width out of range; days of more than 32,767 steps.
