@@ -31,6 +31,9 @@ struct EngineInfo {
     std::string_view key;    ///< of --engine and the project file: "ray"
     std::string_view name;   ///< in the window: "Ray reference"
     std::string_view about;  ///< one line for a tooltip
+    /// Memory of the engine's own at its peak, bytes a cell of the region's box, beyond the field and the ray
+    /// scene.
+    double bytesPerCell = 0;
 };
 
 /// Every engine of core, in the order to show them. To add one: engines.cpp and nothing else.

@@ -128,10 +128,10 @@ Result<void> check(const SunSteps& sun, const DirectionGraphSettings& settings) 
     if (!(settings.boundDeg >= 0.1 && settings.boundDeg <= 20))
         return failure(fmt::format("A bin of {} degrees is out of range", settings.boundDeg),
                        "direction bound", "Choose 0.1 to 20 degrees");
-    if (!(settings.intervalMinutes >= 1 && settings.intervalMinutes <= 120))
+    if (!(settings.intervalMinutes >= 0.1 && settings.intervalMinutes <= 120))
         return failure(fmt::format("An interval of {} minutes is out of range", settings.intervalMinutes),
                        "interval",
-                       "Choose 1 to 120 minutes: beyond 2 hours the sun does not move in a straight line");
+                       "Choose 0.1 to 120 minutes: beyond 2 hours the sun does not move in a straight line");
     if (settings.intervalMinutes / sun.stepMinutes > maxMaskSteps + 1e-9)
         return failure(fmt::format("An interval of {} minutes has more than 64 steps of {} minutes",
                                    settings.intervalMinutes, sun.stepMinutes),

@@ -13,7 +13,7 @@ struct DirectionGraphSettings {
     /// Directions that share a bin are at most this far apart in azimuth arc and in altitude, degrees, 0.1
     /// to 20. Source of the default: paper, section 7.
     double boundDeg = 5;
-    double intervalMinutes = 60;  ///< 1 to 120
+    double intervalMinutes = 60;  ///< 0.1 to 120
     bool merge = true;            ///< false: every interval of every day is its own edge (no error from bins)
 };
 

@@ -32,15 +32,18 @@ const std::vector<Engine>& all() {
           "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
          made<RayReference>},
         {{"projected", "Projected shadows",
-          "Each building's shadow filled as polygons at every step: exact and fast on flat ground"},
+          "Each building's shadow filled as polygons at every step: exact and fast on flat ground", 16},
          made<ProjectedShadows>},
         {{"horizon", "Horizon sweep",
           "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground, of "
-          "buildings that stand on it"},
+          "buildings that stand on it",
+          24},
          made<HorizonSweep>},
         {{"iam", "Inverse accrual map",
           "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
-          "once"},
+          "once",
+          // Sources of two instants, masks, and some 30 maps of runs alive in a year.
+          200},
          inverseAccrual},
     };
     return list;

@@ -170,6 +170,12 @@ private:
     std::size_t shaded_ = 0;
 };
 
+// A step of less than a minute makes the intervals shorter: a mask holds 64 steps.
+DirectionGraphSettings fitting(DirectionGraphSettings settings, double stepMinutes) {
+    settings.intervalMinutes = std::min(settings.intervalMinutes, maxMaskSteps * stepMinutes);
+    return settings;
+}
+
 }  // namespace
 
 GraphAccumulator::GraphAccumulator(std::shared_ptr<const IntervalEngine> engine,
@@ -179,10 +185,10 @@ GraphAccumulator::GraphAccumulator(std::shared_ptr<const IntervalEngine> engine,
 Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const {
-    const auto graph = directionGraph(sun, settings_);
+    const auto graph = directionGraph(sun, fitting(settings_, sun.stepMinutes));
     if (!graph) return tl::make_unexpected(graph.error());
     const auto start = Clock::now();
-    auto scene = engine_->prepare(city, receivers, directionsOf(*graph));
+    auto scene = engine_->prepare(city, receivers, directionsOf(*graph), stop);
     if (!scene) return tl::make_unexpected(scene.error());
     const double build = secondsSince(start);
     GraphRun run(*graph, **scene, receivers.cells.size(), progress, stop);

@@ -49,8 +49,10 @@ public:
 
     /// `directions`: every direction of the intervals to come (only SunSteps::steps is read), so that what
     /// cannot matter is left out. City and receivers outlive the scene.
-    [[nodiscard]] virtual Result<std::unique_ptr<IntervalScene>> prepare(
-        const City& city, const Receivers& receivers, const SunSteps& directions) const = 0;
+    [[nodiscard]] virtual Result<std::unique_ptr<IntervalScene>> prepare(const City& city,
+                                                                         const Receivers& receivers,
+                                                                         const SunSteps& directions,
+                                                                         std::stop_token stop) const = 0;
 
     /// "Inverse accrual map, 3 levels, C++"
     [[nodiscard]] virtual std::string describe() const = 0;

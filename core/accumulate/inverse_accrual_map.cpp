@@ -138,12 +138,13 @@ Result<std::shared_ptr<const InverseAccrualMap>> InverseAccrualMap::make(
 
 Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& city,
                                                                   const Receivers& receivers,
-                                                                  const SunSteps& directions) const {
+                                                                  const SunSteps& directions,
+                                                                  std::stop_token stop) const {
     if (city.terrain || !receivers.flat())
         return failure("Inverse accrual maps draw shadows on flat ground only, and this city has terrain",
                        "engine", "Choose the ray reference");
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, directions);
-    auto scene = RayScene::over(city, used);
+    auto scene = RayScene::over(city, used, std::move(stop));
     if (!scene) return tl::make_unexpected(scene.error());
     return std::make_unique<InverseAccrualScene>(std::move(*scene), std::uint32_t(used.size()), receivers,
                                                  settings_, drawer_);

@@ -31,7 +31,8 @@ public:
     static Result<std::shared_ptr<const InverseAccrualMap>> make(const InverseAccrualSettings& settings);
 
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
-                                                                 const SunSteps& directions) const override;
+                                                                 const SunSteps& directions,
+                                                                 std::stop_token stop) const override;
     [[nodiscard]] std::string describe() const override;
 
 private:

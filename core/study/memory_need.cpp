@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -44,13 +45,18 @@ double stepCount(const Period& period) {
     return period.days * std::max(1.0, hours * 60 / period.stepMinutes);
 }
 
+double engineBytesPerCell(const std::string& key) {
+    const auto found = std::ranges::find(engines(), key, &EngineInfo::key);
+    return found == engines().end() ? 0 : found->bytesPerCell;
+}
+
 double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
 
 }  // namespace
 
 std::uint64_t memoryNeed(const City& city, const StudySettings& settings) {
-    const double bytes = cellCount(settings) * bytesPerCell + triangleCount(city) * bytesPerTriangle +
-                         stepCount(settings.period) * bytesPerStep;
+    const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(settings.engine)) +
+                         triangleCount(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
     constexpr double most = double(std::numeric_limits<std::int64_t>::max());
     return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
 }

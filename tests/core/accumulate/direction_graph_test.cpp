@@ -59,7 +59,8 @@ class PatternEngine final : public IntervalEngine {
 
 public:
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City&, const Receivers&,
-                                                                 const SunSteps&) const override {
+                                                                 const SunSteps&,
+                                                                 std::stop_token) const override {
         return std::make_unique<Scene>();
     }
     [[nodiscard]] std::string describe() const override { return "pattern"; }
@@ -148,6 +149,15 @@ TEST(GraphAccumulator, stitchesRunsAcrossIntervals) {
         EXPECT_NEAR(field->grossMin[i], gross / 3.0, 1.01) << i;
         EXPECT_NEAR(field->continuousMin[i], longest, 1.01) << i;
     }
+}
+
+TEST(GraphAccumulator, shortStepsMakeShorterIntervals) {
+    SunSteps sun = greatCircleDays(1, 200, 0);
+    sun.stepMinutes = 0.5;
+    const Receivers receivers = someReceivers(10);
+    NoProgress progress;
+    const GraphAccumulator engine(std::make_shared<PatternEngine>(), {});
+    EXPECT_TRUE(engine.accumulate({}, receivers, sun, progress, {}).has_value());
 }
 
 TEST(DirectionGraph, aGapInTheDayBreaksTheRun) {

@@ -24,6 +24,13 @@ TEST(MemoryNeed, growsWithTheCells) {
     EXPECT_GT(fine, 1e8 * 21);  // what Receivers and ShadowField hold of 10^8 cells
 }
 
+TEST(MemoryNeed, anEnginesOwnMemoryCounts) {
+    StudySettings settings = over(10000, 1);
+    const auto rays = memoryNeed({}, settings);
+    settings.engine = "iam";
+    EXPECT_GT(memoryNeed({}, settings), 3 * rays);
+}
+
 TEST(MemoryNeed, countsTrianglesAndSteps) {
     City city;
     Building building;
