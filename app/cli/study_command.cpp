@@ -35,6 +35,8 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     const auto period = orCode(periodFrom(options), exitUsage);
     if (!period) return tl::make_unexpected(period.error());
     settings.period = *period;
+    if (auto engine = orCode(makeAccumulator(settings.engine, settings.engineSettings), exitUsage); !engine)
+        return tl::make_unexpected(engine.error());
     auto loaded =
         orCode(loadCity(options.read.files, options.read.settings, progress, interrupt.token()), exitUsage);
     if (!loaded) return tl::make_unexpected(loaded.error());

@@ -1,7 +1,7 @@
 #include "app/cli/study_options.h"
 
+#include "app/cli/engine_options.h"
 #include "app/cli/number_range.h"
-#include "core/accumulate/accumulator.h"
 
 namespace noonmark::cli {
 
@@ -40,12 +40,6 @@ void addPeriodOptions(CLI::App& command, StudyOptions& options) {
         ->type_name("MIN");
     command.add_option("--zone", options.zone, "Zone of the wall clock: America/New_York")->type_name("ZONE");
     command.add_flag("--no-refraction", options.noRefraction, "The geometric sun, as rules on plans mean it");
-}
-
-CLI::Validator engineKey() {
-    std::vector<std::string> keys;
-    for (const EngineInfo& engine : engines()) keys.emplace_back(engine.key);
-    return CLI::IsMember(keys);
 }
 
 Result<std::string> zoneFrom(const StudyOptions& options) {
@@ -96,10 +90,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->capture_default_str()
         ->check(within(-90.0, 60.0))
         ->type_name("C");
-    command.add_option("--engine", settings.engine, "How to compute")
-        ->capture_default_str()
-        ->check(engineKey())
-        ->type_name("ENGINE");
+    addEngineOptions(command, settings);
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")
         ->required()
         ->type_name("DIR");

@@ -84,7 +84,7 @@ QWidget* StudyDock::makeCellGroup() {
     cell_->setToolTip(tr("Side of a cell of the ground, metres, 0.25 to 10"));
     engine_ = new QComboBox;
     engine_->setObjectName(QStringLiteral("engine"));
-    for (const EngineInfo& engine : engines()) {
+    for (const auto& [engine, make] : coreEngines()) {
         const auto text = [](std::string_view view) {
             return QString::fromUtf8(view.data(), qsizetype(view.size()));
         };

@@ -1,73 +1,104 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "core/accumulate/accumulator.h"
+#include "core/accumulate/engine_list.h"
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/horizon_sweep.h"
 #include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
+#include "core/accumulate/ray_scene.h"
 
 namespace noonmark {
 
 namespace {
 
-struct Engine {
-    EngineInfo info;
-    std::unique_ptr<Accumulator> (*make)();
-};
+using Made = Result<std::unique_ptr<Accumulator>>;
 
-template <class T>
-std::unique_ptr<Accumulator> made() {
-    return std::make_unique<T>();
+EngineOption levelsOption() {
+    const double usual = InverseAccrualSettings{}.levels;
+    return {"levels",
+            "Source levels",
+            "",
+            1,
+            RayScene::maxLevels,
+            usual,
+            true,
+            "How many occluders, nearest first, are followed from each cell"};
 }
 
-std::unique_ptr<Accumulator> inverseAccrual() {
-    return std::make_unique<GraphAccumulator>(InverseAccrualMap::make({}).value(), DirectionGraphSettings{});
+EngineOption intervalOption() {
+    return {"interval", "Interval",
+            "min",      0.1,
+            120,        DirectionGraphSettings{}.intervalMinutes,
+            false,      "How long the sun is taken to move in a straight line"};
 }
 
-const std::vector<Engine>& all() {
-    static const std::vector<Engine> list{
-        {{"ray", "Ray reference",
-          "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
-         made<RayReference>},
-        {{"projected", "Projected shadows",
-          "Each building's shadow filled as polygons at every step: exact and fast on flat ground", 16},
-         made<ProjectedShadows>},
-        {{"horizon", "Horizon sweep",
-          "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground, of "
-          "buildings that stand on it",
-          24},
-         made<HorizonSweep>},
-        {{"iam", "Inverse accrual map",
-          "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
-          "once",
-          // Sources of two instants, masks, and some 30 maps of runs alive in a year.
-          200},
-         inverseAccrual},
-    };
-    return list;
+EngineOption boundOption() {
+    return {"bound", "Direction bound",
+            "deg",   0.1,
+            20,      DirectionGraphSettings{}.boundDeg,
+            false,   "Hours whose sun is less than this apart are computed once"};
+}
+
+EngineOption binOption() {
+    return {
+        "bin",
+        "Azimuth bin",
+        "deg",
+        HorizonSweepSettings::minBinDeg,
+        HorizonSweepSettings::maxBinDeg,
+        HorizonSweepSettings{}.binDeg,
+        false,
+        "Suns whose azimuth is less than this apart share one horizon; half the width takes twice as long"};
+}
+
+Engine rayReference() {
+    return {{"ray", "Ray reference",
+             "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
+            [](const EngineSettings&) -> Made { return std::make_unique<RayReference>(); }};
+}
+
+Engine projectedShadows() {
+    return {{"projected", "Projected shadows",
+             "Each building's shadow filled as polygons at every step: exact and fast on flat ground", 16},
+            [](const EngineSettings&) -> Made { return std::make_unique<ProjectedShadows>(); }};
+}
+
+Engine horizonSweep() {
+    return {
+        {"horizon",
+         "Horizon sweep",
+         "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground, of "
+         "buildings that stand on it",
+         24,
+         {binOption()}},
+        [](const EngineSettings& settings) -> Made {
+            return std::make_unique<HorizonSweep>(HorizonSweepSettings{settings.at("bin")});
+        }};
+}
+
+Made inverseAccrual(const EngineSettings& settings) {
+    const auto map = InverseAccrualMap::make({.levels = int(settings.at("levels"))});
+    if (!map) return tl::make_unexpected(map.error());
+    return std::make_unique<GraphAccumulator>(
+        *map,
+        DirectionGraphSettings{.boundDeg = settings.at("bound"), .intervalMinutes = settings.at("interval")});
+}
+
+Engine inverseAccrualMap() {
+    return {{"iam",
+             "Inverse accrual map",
+             "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
+             "once",
+             // Sources of two instants, masks, and some 30 maps of runs alive in a year.
+             200,
+             {levelsOption(), intervalOption(), boundOption()}},
+            inverseAccrual};
 }
 
 }  // namespace
 
-const std::vector<EngineInfo>& engines() {
-    static const std::vector<EngineInfo> infos = [] {
-        std::vector<EngineInfo> list;
-        for (const Engine& engine : all()) list.push_back(engine.info);
-        return list;
-    }();
-    return infos;
-}
-
-Result<std::unique_ptr<Accumulator>> makeAccumulator(std::string_view key) {
-    std::vector<std::string_view> keys;
-    for (const Engine& engine : all()) {
-        if (engine.info.key == key) return engine.make();
-        keys.push_back(engine.info.key);
-    }
-    return failure(fmt::format("There is no engine '{}'", key), "engine",
-                   fmt::format("Choose one of: {}", fmt::join(keys, ", ")));
+const EngineList& coreEngines() {
+    static const EngineList list{rayReference(), projectedShadows(), horizonSweep(), inverseAccrualMap()};
+    return list;
 }
 
 }  // namespace noonmark

@@ -5,19 +5,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 #include "core/accumulate/blank_field.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 SunSteps directionsOf(const DirectionGraph& graph) {
     SunSteps directions;
@@ -187,10 +182,10 @@ Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receive
                                                  std::stop_token stop) const {
     const auto graph = directionGraph(sun, fitting(settings_, sun.stepMinutes));
     if (!graph) return tl::make_unexpected(graph.error());
-    const auto start = Clock::now();
+    const Stopwatch watch;
     auto scene = engine_->prepare(city, receivers, directionsOf(*graph), stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    const double build = secondsSince(start);
+    const double build = watch.seconds();
     GraphRun run(*graph, **scene, receivers.cells.size(), progress, stop);
     if (const auto done = run.run(); !done) return tl::make_unexpected(done.error());
 

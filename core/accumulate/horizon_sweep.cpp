@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <new>
 
@@ -16,15 +15,11 @@
 #include "core/accumulate/horizon/longest_runs.h"
 #include "core/accumulate/horizon/tile_ranks.h"
 #include "core/accumulate/reach.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // For the ranks of one tile, were all its cells receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
@@ -99,9 +94,9 @@ public:
 private:
     template <class Work>
     void timed(ShadowField& field, const char* stage, Work&& work) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         work();
-        field.cost.seconds[stage] += secondsSince(start);
+        field.cost.seconds[stage] += watch.seconds();
     }
 
     void sweep(const TileReceivers& tile, TileRanks& ranks) {
@@ -153,7 +148,7 @@ private:
 Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 double binDeg, Progress& progress, const std::stop_token& stop) {
     ShadowField field = blankField(receivers, sun);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
     const auto walls = standingWalls(city, used, receivers.grid);
     if (!walls) return tl::make_unexpected(walls.error());
@@ -167,7 +162,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
     Sweep sweep(*walls, receivers, sun, binned, progress, stop);
-    field.cost.seconds["build"] = secondsSince(start);
+    field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms whose shadow cannot reach a tile (prisms x azimuth bins)"] =
         sweep.outOfReach();

@@ -3,21 +3,16 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "core/accumulate/reach.h"
 #include "core/accumulate/shadow_lines_opencl.h"
 #include "core/accumulate/source_finder.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 Grid padded(const Grid& grid, int cells) {
     Grid wide = grid;
@@ -46,14 +41,14 @@ public:
                        std::stop_token stop) override {
         findSources(interval, stop);
         if (stop.stop_requested()) return cancelled();
-        const auto start = Clock::now();
+        const Stopwatch watch;
         std::ranges::fill(masks_, ShadowMask{0});
         if (const auto drawn = drawer_->draw(grid_, atFirst_, motionForward(interval), masks_, stop); !drawn)
             return drawn;
         if (const auto drawn = drawer_->draw(grid_, atLast_, motionBackward(interval), masks_, stop); !drawn)
             return drawn;
         takeReceivers(interval.steps, masks);
-        cost_.seconds["draw"] += secondsSince(start);
+        cost_.seconds["draw"] += watch.seconds();
         return {};
     }
 
@@ -62,14 +57,14 @@ public:
 private:
     // An interval often begins where the last one ended: its sources are there already.
     void findSources(const SunInterval& interval, const std::stop_token& stop) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         if (knownLast_ && *knownLast_ == interval.first)
             std::swap(atFirst_, atLast_);
         else
             find(interval.first, atFirst_, stop);
         find(interval.last, atLast_, stop);
         knownLast_ = interval.last;
-        cost_.seconds["trace"] += secondsSince(start);
+        cost_.seconds["trace"] += watch.seconds();
     }
 
     void find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) {

@@ -7,22 +7,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <new>
 
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/projected/shadow_events.h"
 #include "core/accumulate/projected/step_filler.h"
 #include "core/accumulate/reach.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Steps that share a list of the casters in reach, and the least that one task fills.
 constexpr std::size_t stepsATask = 15;
@@ -71,9 +66,9 @@ public:
 private:
     template <class Work>
     void timed(ShadowField& field, const char* stage, Work&& work) {
-        const auto start = Clock::now();
+        const Stopwatch watch;
         work();
-        field.cost.seconds[stage] += secondsSince(start);
+        field.cost.seconds[stage] += watch.seconds();
     }
 
     void fill(std::size_t first, std::size_t end) {
@@ -119,13 +114,13 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     ShadowField field = blankField(receivers, sun);
     field.engine =
         "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground";
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
     const ShadowCasters casters = shadowCasters(city, used, receivers.grid);
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
-    field.cost.seconds["build"] = secondsSince(start);
+    field.cost.seconds["build"] = watch.seconds();
     Projection projection(casters, receivers, sun, progress, stop);
     if (const auto done = projection.run(field); !done) return tl::make_unexpected(done.error());
     const FillCount total = projection.total();

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -19,16 +18,11 @@
 #include "core/accumulate/reach.h"
 #include "core/accumulate/receiver_tiles.h"
 #include "core/accumulate/run_counter.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 float justBeyond(float coordinate) {
     return std::max(coordinate + RayReferenceSettings::asideM,
@@ -117,13 +111,13 @@ private:
 
 Result<RayScene> buildScene(const City& city, const Receivers& receivers, const SunSteps& sun, Cost& cost,
                             const std::stop_token& stop) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
     cost.buildingsUsed = std::uint32_t(used.size());
     cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
     if (stop.stop_requested()) return cancelled();
     auto scene = RayScene::over(city, used, stop);
-    cost.seconds["build"] = secondsSince(start);
+    cost.seconds["build"] = watch.seconds();
     return scene;
 }
 
@@ -136,13 +130,13 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     progress.report(0, "building the ray scene");
     const auto scene = buildScene(city, receivers, sun, field.cost, stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const std::vector<SunPacket> packets = sunPackets(sun);
     const int cores = tbb::info::default_concurrency();
     tbb::task_arena arena(threads > 0 ? std::min(threads, cores) : cores);
     arena.execute([&] { Tracer(*scene, receivers, packets, field, progress, stop).run(); });
     if (stop.stop_requested()) return cancelled();
-    field.cost.seconds["trace"] = secondsSince(start);
+    field.cost.seconds["trace"] = watch.seconds();
     field.cost.rays = std::uint64_t(receivers.cells.size()) * sun.steps.size();
     progress.report(1, "tracing rays");
     return field;

@@ -45,17 +45,17 @@ double stepCount(const Period& period) {
     return period.days * std::max(1.0, hours * 60 / period.stepMinutes);
 }
 
-double engineBytesPerCell(const std::string& key) {
-    const auto found = std::ranges::find(engines(), key, &EngineInfo::key);
-    return found == engines().end() ? 0 : found->bytesPerCell;
+double engineBytesPerCell(const EngineList& engines, const std::string& key) {
+    const Engine* engine = findEngine(engines, key);
+    return engine == nullptr ? 0 : engine->info.bytesPerCell;
 }
 
 double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
 
 }  // namespace
 
-std::uint64_t memoryNeed(const City& city, const StudySettings& settings) {
-    const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(settings.engine)) +
+std::uint64_t memoryNeed(const City& city, const StudySettings& settings, const EngineList& engines) {
+    const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(engines, settings.engine)) +
                          triangleCount(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
     constexpr double most = double(std::numeric_limits<std::int64_t>::max());
     return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
@@ -71,10 +71,10 @@ std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminf
     return std::nullopt;
 }
 
-Result<void> checkMemory(const City& city, const StudySettings& settings) {
+Result<void> checkMemory(const City& city, const StudySettings& settings, const EngineList& engines) {
     std::uint64_t limit = settings.memoryLimit;
     if (limit == 0) limit = availableMemory().value_or(std::numeric_limits<std::uint64_t>::max()) / 4 * 3;
-    const std::uint64_t need = memoryNeed(city, settings);
+    const std::uint64_t need = memoryNeed(city, settings, engines);
     if (need <= limit) return {};
     return failure(fmt::format("The study would need {:.2f} GB of memory; {:.2f} GB may be used",
                                gigabytes(need), gigabytes(limit)),

@@ -10,7 +10,8 @@ namespace noonmark {
 
 /// Bytes that a study will take at its peak, from the sizes of its parts; within some 30 % for the ray
 /// engine. O(parts).
-std::uint64_t memoryNeed(const City& city, const StudySettings& settings);
+std::uint64_t memoryNeed(const City& city, const StudySettings& settings,
+                         const EngineList& engines = coreEngines());
 
 /// Memory that programs can still take without swapping, bytes: MemAvailable of Linux. Nothing where the
 /// system does not say.
@@ -18,6 +19,7 @@ std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminf
 
 /// Error, with the size it would need, when the study is larger than settings.memoryLimit (0: 3/4 of what is
 /// available).
-Result<void> checkMemory(const City& city, const StudySettings& settings);
+Result<void> checkMemory(const City& city, const StudySettings& settings,
+                         const EngineList& engines = coreEngines());
 
 }  // namespace noonmark

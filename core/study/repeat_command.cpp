@@ -127,6 +127,8 @@ void addSettings(CommandLine& line, const Study& study) {
     line.option("--region", boxTextOf(settings.region, study.city.frame).value_or(regionFileName));
     line.option("--cell", fmt::format("{}", study.field.grid.cellM));
     line.option("--engine", settings.engine);
+    for (const auto& [key, value] : settings.engineSettings)
+        line.option("--option", fmt::format("{}={}", key, value));
 }
 
 /// Read because another file needs it: not named on the command line.

@@ -1,24 +1,14 @@
 #include "core/study/study.h"
 
-#include <chrono>
 #include <new>
 #include <utility>
 
+#include "core/stopwatch.h"
 #include "core/study/memory_need.h"
 
 namespace noonmark {
 
 namespace {
-
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
 
 // Runs one stage into its place and notes how long it took.
 template <class T, class Stage>
@@ -71,13 +61,13 @@ Observer observerOf(const Study& study) {
 }
 
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
-                       std::stop_token stop) try {
+                       std::stop_token stop, const EngineList& engines) try {
     const Stopwatch watch;
     const auto period = checked(settings.period);
     if (!period) return tl::make_unexpected(period.error());
-    const auto engine = makeAccumulator(settings.engine);
+    const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
-    if (auto fits = checkMemory(city, settings); !fits) return tl::make_unexpected(fits.error());
+    if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};
     if (auto done = computed(study, **engine, progress, stop); !done)

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/accumulate/accumulator.h"
+#include "core/accumulate/engine_list.h"
 #include "core/io/read_city.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
@@ -33,7 +33,8 @@ struct StudySettings {
     ReceiverSettings receivers;
     Period period;
     std::string engine = "ray";
-    double pressureHPa = 1010;  ///< for refraction
+    EngineSettings engineSettings;  ///< what differs from the engine's usual settings
+    double pressureHPa = 1010;      ///< for refraction
     double temperatureC = 10;
     /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
     /// 3/4 of what is free.
@@ -57,12 +58,12 @@ struct Study {
     std::string attribution;
 };
 
-/// Receivers, sun and engine over `city`; the sun is the one seen from the middle of the region. Fills
-/// everything of Study but `inputs`, `attribution` and what reading adds to `seconds` and `warnings`. Error:
-/// a setting out of range, an unknown engine, a region without open ground, a sun that never rises in the
-/// period, or more memory than the limit. Stops with cancelled() within 0.2 s.
+/// Receivers, sun and engine (one of `engines`) over `city`; the sun is the one seen from the middle of the
+/// region. Fills everything of Study but `inputs`, `attribution` and what reading adds to `seconds` and
+/// `warnings`. Error: a setting out of range, an unknown engine, a region without open ground, a sun that
+/// never rises in the period, or more memory than the limit. Stops with cancelled() within 0.2 s.
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
-                       std::stop_token stop);
+                       std::stop_token stop, const EngineList& engines = coreEngines());
 
 /// Where the sun of a study is seen from: the middle of its region, at the frame's elevation, in the air of
 /// its settings.

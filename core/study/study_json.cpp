@@ -122,6 +122,7 @@ std::string studyJson(const Study& study) {
     Json json;
     json["program"] = std::string("Noonmark ") + std::string(version());
     json["engine"] = study.settings.engine;
+    json["engine_options"] = study.settings.engineSettings;
     json["engine_settings"] = study.field.engine;
     json["period"] = periodJson(study.settings.period, study.sun);
     json["steps"] = study.sun.steps.size();

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "core/accumulate/accumulator.h"
+#include "core/accumulate/engine_list.h"
 #include "core/measures/statistics.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -73,14 +73,14 @@ int main(int argc, char** argv) {
     const ShadowField truth = run(scene, "ray");
     std::map<std::string_view, std::vector<double>> wall, processor;
     for (int round = 0; round < rounds; ++round)
-        for (const EngineInfo& engine : engines()) {
+        for (const auto& [engine, make] : coreEngines()) {
             const Seconds seconds = secondsOf([&] { run(scene, engine.key); });
             wall[engine.key].push_back(seconds.wall);
             processor[engine.key].push_back(seconds.processor);
         }
     fmt::print("{} receivers, {} steps, medians of {} rounds\n", scene.receivers.cells.size(),
                scene.sun.steps.size(), rounds);
-    for (const EngineInfo& engine : engines()) {
+    for (const auto& [engine, make] : coreEngines()) {
         const CellError error = errorOf(scene, run(scene, engine.key), truth);
         fmt::print(
             "{:10} {:7.3f} s wall {:7.3f} s processor {:6.1f} x rays | area {:+.4f} %, cell mean {:.5f} %, "

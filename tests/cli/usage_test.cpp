@@ -45,6 +45,13 @@ TEST(Usage, helpAndVersionAreAnswers) {
     }
 }
 
+TEST(Usage, enginesNameTheirOptions) {
+    const Spoken engines = noonmarkCli({"engines"});
+    EXPECT_EQ(engines.code, exitOk);
+    EXPECT_THAT(engines.out, HasSubstr("ray"));
+    EXPECT_THAT(engines.out, HasSubstr("--option levels=3  1 to 8"));
+}
+
 TEST(Usage, wrongCommandLines) {
     expectUsageError({}, "subcommand");
     expectUsageError({"paint"}, "paint");
@@ -53,6 +60,12 @@ TEST(Usage, wrongCommandLines) {
     expectUsageError({"info", "city.gpkg", "--height-unit", "cubits"}, "cubits");
     expectUsageError({"info", "city.gpkg", "--default-height", "0"}, "--default-height");
     expectUsageError({"info", "city.gpkg", "--mesh-anchor", "somewhere"}, "--mesh-anchor");
+    expectUsageError(study({"--zone", "UTC", "--engine", "magic"}), "magic");
+    expectUsageError(study({"--zone", "UTC", "--engine", "iam", "--option", "levels"}), "levels=4");
+    expectUsageError(study({"--zone", "UTC", "--engine", "iam", "--option", "levels=0"}), "1 to 8");
+    expectUsageError(study({"--zone", "UTC", "--engine", "iam", "--option", "interval=121"}), "120 min");
+    expectUsageError(study({"--zone", "UTC", "--engine", "iam", "--option", "bound=0"}), "0.1 to 20 deg");
+    expectUsageError(study({"--zone", "UTC", "--engine", "ray", "--option", "levels=3"}), "Leave it out");
     expectUsageError({"sample", "atlantis", "--out", "a.gpkg"}, "atlantis");
     expectUsageError({"sample", "grid"}, "--out");
     expectUsageError({"sample", "grid", "--out", "a.gpkg", "--buildings", "5"}, "--buildings");

@@ -80,7 +80,7 @@ TEST(StudyDock, OffersEveryEngine) {
     StudyDocument document;
     const StudyDock dock(document);
     const auto* engine = dock.findChild<QComboBox*>(QStringLiteral("engine"));
-    ASSERT_EQ(std::size_t(engine->count()), engines().size());
+    ASSERT_EQ(std::size_t(engine->count()), coreEngines().size());
     EXPECT_EQ(engine->currentData().toString().toStdString(), document.settings().engine);
 }
 

@@ -348,13 +348,5 @@ TEST(RayReference, progressRunsFromNothingToAll) {
     EXPECT_GE(progress.fractions.size(), 50);
 }
 
-TEST(Engines, everyKeyMakesAnEngine) {
-    ASSERT_FALSE(engines().empty());
-    for (const EngineInfo& info : engines()) EXPECT_TRUE(makeAccumulator(info.key)) << info.key;
-    const auto unknown = makeAccumulator("magic");
-    ASSERT_FALSE(unknown);
-    EXPECT_NE(unknown.error().text().find("ray"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace noonmark::tests

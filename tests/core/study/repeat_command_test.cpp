@@ -75,6 +75,8 @@ TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
     study.settings.region = {"triangle", {{{{0, 0}, {100, 0}, {100, 100}}, {}}}};
     study.settings.period.window = SolarWindow{90min, 30min};
     study.settings.period.refraction = false;
+    study.settings.engine = "iam";
+    study.settings.engineSettings = {{"levels", 4}, {"bound", 2.5}};
     study.reading.heightField = "roof height";
     study.reading.heightUnit = LengthUnit::feet;
     EXPECT_EQ(
@@ -82,7 +84,7 @@ TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
         "noonmark-cli study 'it'\\''s.gpkg' ./-x.shp sample:grid --height-field 'roof height' --height-unit "
         "ft --start 2026-03-21 "
         "--days 1 --window sunrise+90m..sunset-30m --step 1 --zone America/New_York --no-refraction --region "
-        "region.geojson --cell 1 --engine ray --out repeated");
+        "region.geojson --cell 1 --engine iam --option bound=2.5 --option levels=4 --out repeated");
 }
 
 TEST(RepeatCommand, LongLinesGoOnAfterABackslash) {

@@ -1,0 +1,56 @@
+#include "core/accumulate/engine_list.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace noonmark::tests {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(Engines, EveryKeyMakesAnEngine) {
+    ASSERT_FALSE(coreEngines().empty());
+    for (const Engine& engine : coreEngines())
+        EXPECT_TRUE(makeAccumulator(engine.info.key)) << engine.info.key;
+}
+
+TEST(Engines, AnUnknownKeyNamesTheKnownOnes) {
+    const auto unknown = makeAccumulator("magic");
+    ASSERT_FALSE(unknown);
+    EXPECT_THAT(unknown.error().text(), HasSubstr("ray"));
+}
+
+TEST(Engines, BothEndsOfEveryRangeAreTakenAndNothingBeyond) {
+    for (const Engine& engine : coreEngines())
+        for (const EngineOption& option : engine.info.options) {
+            const auto made = [&](double value) {
+                return makeAccumulator(engine.info.key, {{std::string(option.key), value}});
+            };
+            EXPECT_TRUE(made(option.lowest)) << option.key;
+            EXPECT_TRUE(made(option.highest)) << option.key;
+            EXPECT_TRUE(made(option.usual)) << option.key;
+            for (const double wrong :
+                 {option.lowest - 1, option.highest + 1, std::numeric_limits<double>::quiet_NaN()}) {
+                const auto refused = made(wrong);
+                ASSERT_FALSE(refused) << option.key << ' ' << wrong;
+                EXPECT_THAT(refused.error().text(), HasSubstr("Choose"));
+            }
+        }
+}
+
+TEST(Engines, ACountTakesNoFraction) {
+    const auto refused = makeAccumulator("iam", {{"levels", 2.5}});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("1 to 8, whole numbers"));
+}
+
+TEST(Engines, AnUnknownOptionNamesTheKnownOnes) {
+    const auto refused = makeAccumulator("iam", {{"level", 2}});
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("levels"));
+    EXPECT_THAT(makeAccumulator("ray", {{"levels", 2}}).error().text(), HasSubstr("Leave it out"));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
