@@ -1,0 +1,68 @@
+#include "core/receivers/visible_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "tests/core/accumulate/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+constexpr int width = 64, height = 48;
+
+// One box of 20 m on a plane, seen from the south and above.
+struct View {
+    City city = cityOf({{{-10, -10, 0}, {10, 10, 20}}});
+    PixelCamera camera = cameraLooking({0, -100, 60}, {0, 0, 10}, 40, width, height);
+    VisibleSurface surface = visibleSurface(RayScene::over(city).value(), true, camera).value();
+};
+
+TEST(VisibleSurface, pointsLieOnTheirPixelsRaysAndFaceTheEye) {
+    const View view;
+    for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
+        const glm::dvec3 way = glm::dvec3(view.surface.points.positions[i]) - view.camera.eye;
+        const int pixel = int(view.surface.pixel[i]);
+        const glm::dvec3 ray = directionThrough(view.camera, pixel % width, pixel / width);
+        EXPECT_LT(glm::length(glm::cross(glm::normalize(way), glm::normalize(ray))), 1e-6);
+        EXPECT_LT(glm::dot(glm::vec3(way), view.surface.points.normals[i]), 0);
+        EXPECT_NEAR(glm::length(view.surface.points.normals[i]), 1, 1e-5);
+    }
+}
+
+TEST(VisibleSurface, seesRoofFacadeAndGround) {
+    const View view;
+    int roof = 0, facade = 0, ground = 0;
+    for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
+        const glm::vec3 p = view.surface.points.positions[i], n = view.surface.points.normals[i];
+        const bool inside = std::abs(p.x) <= 10.001F && std::abs(p.y) <= 10.001F;
+        if (std::abs(p.z - 20) < 1e-3F && inside && n.z > 0.99F) ++roof;
+        if (std::abs(p.y + 10) < 1e-3F && p.z < 20 && n.y < -0.99F) ++facade;
+        if (p.z == 0 && !inside && n.z == 1) ++ground;
+    }
+    EXPECT_GT(roof, 20);
+    EXPECT_GT(facade, 50);
+    EXPECT_EQ(std::size_t(roof + facade + ground), view.surface.points.size());
+}
+
+TEST(VisibleSurface, skyHasNoPoint) {
+    const View view;
+    const PixelCamera level = cameraLooking({0, -100, 5}, {0, 0, 5}, 40, width, height);
+    const auto surface = visibleSurface(RayScene::over(view.city).value(), true, level).value();
+    EXPECT_LT(surface.points.size(), std::size_t(width * height) * 3 / 4);
+    EXPECT_GT(surface.points.size(), std::size_t(width * height) / 3);
+    const auto nothing = visibleSurface(RayScene::over(view.city).value(), false,
+                                        cameraLooking({0, -100, 5}, {0, -200, 5}, 40, width, height));
+    EXPECT_EQ(nothing->points.size(), 0U);
+}
+
+TEST(VisibleSurface, refusesPicturesOutOfRange) {
+    const RayScene scene = RayScene::over(City{}).value();
+    EXPECT_FALSE(visibleSurface(scene, true, cameraLooking({0, 0, 9}, {0, 0, 0}, 40, 0, 10)));
+    EXPECT_FALSE(visibleSurface(scene, true, cameraLooking({0, 0, 9}, {0, 0, 0}, 180, 10, 10)));
+}
+
+}  // namespace
+}  // namespace noonmark
