@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/city/footprint.h"
+#include "core/city/repair_footprint.h"
 
 // GEOS's own names, so that its header is needed only by files that bear its name.
 struct GEOSGeom_t;
@@ -32,6 +33,10 @@ private:
     GEOSContextHandle_HS* context_;
 };
 
+/// An outline, then its holes, as they are, valid or not; each of at least three points. Null where GEOS
+/// fails.
+Geos::Geometry polygonGeometry(const Geos& geos, const std::vector<RawRing>& rings);
+
 /// Polygons as GEOS has them, in one multipolygon that need not be valid; they may overlap. Takes `polygons`
 /// over.
 Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeom_t*> polygons);
@@ -45,8 +50,8 @@ Geos::Geometry unionGeometry(const Geos& geos, const Geos::Geometry& polygons);
 Geos::Geometry differenceGeometry(const Geos& geos, const Geos::Geometry& whole, const Geos::Geometry& cover);
 
 /// Every polygon in a geometry, oriented; points that fall together in float32 are one; polygons and holes
-/// under 0.01 m2 are left out.
-std::vector<Footprint> polygonsOf(const Geos& geos, const Geos::Geometry& geometry);
+/// under 0.01 m2 are left out, and `sliver`, where given, becomes true then.
+std::vector<Footprint> polygonsOf(const Geos& geos, const Geos::Geometry& geometry, bool* sliver = nullptr);
 
 /// Square metres; 0 for null.
 double areaOf(const Geos& geos, const Geos::Geometry& geometry);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/city/geos_shapes.h"
 
@@ -13,20 +14,20 @@ void Geos::Destroy::operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_
 
 namespace {
 
-GEOSGeometry* ringGeometry(const Geos& geos, const Ring& ring) {
+GEOSGeometry* ringGeometry(const Geos& geos, const auto& ring) {
     GEOSCoordSequence* points = GEOSCoordSeq_create_r(geos, unsigned(ring.size() + 1), 2);
     for (std::size_t i = 0; i <= ring.size(); ++i) {
-        const glm::vec2 point = ring[i % ring.size()];
+        const auto point = ring[i % ring.size()];
         GEOSCoordSeq_setXY_r(geos, points, unsigned(i), double(point.x), double(point.y));
     }
     return GEOSGeom_createLinearRing_r(geos, points);
 }
 
-GEOSGeometry* polygonGeometry(const Geos& geos, const Footprint& footprint) {
+template <class Points>
+GEOSGeometry* polygonFrom(const Geos& geos, const Points& outer, std::span<const Points> inner) {
     std::vector<GEOSGeometry*> holes;
-    for (const Ring& hole : footprint.holes) holes.push_back(ringGeometry(geos, hole));
-    return GEOSGeom_createPolygon_r(geos, ringGeometry(geos, footprint.outer), holes.data(),
-                                    unsigned(holes.size()));
+    for (const auto& hole : inner) holes.push_back(ringGeometry(geos, hole));
+    return GEOSGeom_createPolygon_r(geos, ringGeometry(geos, outer), holes.data(), unsigned(holes.size()));
 }
 
 // Points that fall together in float32 are one; the way it runs is put right.
@@ -45,28 +46,47 @@ Ring ringOf(const Geos& geos, const GEOSGeometry* geometry, bool counterClockwis
     return ring;
 }
 
-bool isSliver(const Ring& ring) { return ring.size() < 3 || std::abs(signedArea(ring)) < sliverAreaM2; }
+/// Picks the polygons out of a geometry.
+class PolygonCollector {
+public:
+    explicit PolygonCollector(const Geos& geos) : geos_(geos) {}
 
-void collectPolygons(const Geos& geos, const GEOSGeometry* geometry, std::vector<Footprint>& footprints) {
-    if (geometry == nullptr) return;
-    if (GEOSGeomTypeId_r(geos, geometry) != GEOS_POLYGON) {
-        const int count =
-            GEOSGeomTypeId_r(geos, geometry) >= GEOS_MULTIPOINT ? GEOSGetNumGeometries_r(geos, geometry) : 0;
-        for (int i = 0; i < count; ++i)
-            collectPolygons(geos, GEOSGetGeometryN_r(geos, geometry, i), footprints);
-        return;
+    void collect(const GEOSGeometry* geometry) {
+        if (geometry == nullptr) return;
+        if (GEOSGeomTypeId_r(geos_, geometry) == GEOS_POLYGON) return add(geometry);
+        if (GEOSGeomTypeId_r(geos_, geometry) < GEOS_MULTIPOINT) return;  // no inside
+        for (int i = 0; i < GEOSGetNumGeometries_r(geos_, geometry); ++i)
+            collect(GEOSGetGeometryN_r(geos_, geometry, i));
     }
-    if (GEOSisEmpty_r(geos, geometry) != 0) return;
-    Footprint footprint{ringOf(geos, GEOSGetExteriorRing_r(geos, geometry), true), {}};
-    if (isSliver(footprint.outer)) return;
-    for (int i = 0; i < GEOSGetNumInteriorRings_r(geos, geometry); ++i) {
-        Ring hole = ringOf(geos, GEOSGetInteriorRingN_r(geos, geometry, i), false);
-        if (!isSliver(hole)) footprint.holes.push_back(std::move(hole));
+
+    std::vector<Footprint> footprints;
+    bool sliver = false;  ///< something was too small
+
+private:
+    void add(const GEOSGeometry* polygon) {
+        if (GEOSisEmpty_r(geos_, polygon) != 0) return;
+        Footprint footprint{ringOf(geos_, GEOSGetExteriorRing_r(geos_, polygon), true), {}};
+        for (int i = 0; i < GEOSGetNumInteriorRings_r(geos_, polygon); ++i) {
+            Ring hole = ringOf(geos_, GEOSGetInteriorRingN_r(geos_, polygon, i), false);
+            if (!left(hole)) footprint.holes.push_back(std::move(hole));
+        }
+        if (!left(footprint.outer)) footprints.push_back(std::move(footprint));
     }
-    footprints.push_back(std::move(footprint));
-}
+
+    bool left(const Ring& ring) {
+        const bool small = ring.size() < 3 || std::abs(signedArea(ring)) < sliverAreaM2;
+        sliver = sliver || small;
+        return small;
+    }
+
+    const Geos& geos_;
+};
 
 }  // namespace
+
+Geos::Geometry polygonGeometry(const Geos& geos, const std::vector<RawRing>& rings) {
+    return geos.owned(polygonFrom(geos, rings.front(), std::span<const RawRing>(rings).subspan(1)));
+}
 
 Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeometry*> polygons) {
     return geos.owned(
@@ -75,7 +95,8 @@ Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeometry*> polygons)
 
 Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footprints) {
     std::vector<GEOSGeometry*> polygons;
-    for (const Footprint& footprint : footprints) polygons.push_back(polygonGeometry(geos, footprint));
+    for (const Footprint& footprint : footprints)
+        polygons.push_back(polygonFrom(geos, footprint.outer, std::span<const Ring>(footprint.holes)));
     return collection(geos, std::move(polygons));
 }
 
@@ -97,10 +118,11 @@ Geos::Geometry differenceGeometry(const Geos& geos, const Geos::Geometry& whole,
                 : geos.owned(GEOSDifferencePrec_r(geos, whole.get(), cover.get(), overlayGridM));
 }
 
-std::vector<Footprint> polygonsOf(const Geos& geos, const Geos::Geometry& geometry) {
-    std::vector<Footprint> footprints;
-    collectPolygons(geos, geometry.get(), footprints);
-    return footprints;
+std::vector<Footprint> polygonsOf(const Geos& geos, const Geos::Geometry& geometry, bool* sliver) {
+    PolygonCollector collector(geos);
+    collector.collect(geometry.get());
+    if (sliver != nullptr) *sliver = collector.sliver;
+    return std::move(collector.footprints);
 }
 
 double areaOf(const Geos& geos, const Geos::Geometry& geometry) {

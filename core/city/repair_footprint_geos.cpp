@@ -1,90 +1,49 @@
-// The reentrant interface only: GEOS objects belong to a context, and every call of repairFootprint() has its
-// own.
-#define GEOS_USE_ONLY_R_API
 #include <fmt/format.h>
 #include <geos_c.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
+#include <string>
 #include <string_view>
 
+#include "core/city/geos_shapes.h"
 #include "core/city/repair_footprint.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double smallestAreaM2 = 0.01;
 constexpr double largestCoordinateM =
     1e8;  // twice round the earth: beyond it, a unit or a field was mistaken
 constexpr std::size_t fewestPoints = 3;
 
-/// Owns a GEOS context and gives out geometries that free themselves. Failures of GEOS come back as null,
-/// never as exceptions.
-class Geos {
-public:
-    struct Free {
-        GEOSContextHandle_t context;
-        void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
-        void operator()(char* text) const { GEOSFree_r(context, text); }
-    };
-    using Geometry = std::unique_ptr<GEOSGeometry, Free>;
-    using Text = std::unique_ptr<char, Free>;
+using Geometry = Geos::Geometry;
 
-    Geos() : context_(GEOS_init_r()) {}
-    ~Geos() { GEOS_finish_r(context_); }
-    Geos(const Geos&) = delete;
-    Geos& operator=(const Geos&) = delete;
+bool isValid(const Geos& geos, const Geometry& geometry) { return GEOSisValid_r(geos, geometry.get()) == 1; }
 
-    [[nodiscard]] GEOSContextHandle_t context() const { return context_; }
-    [[nodiscard]] Geometry own(GEOSGeometry* geometry) const { return {geometry, Free{context_}}; }
+// "Self-intersection", without the place that GEOS adds: the same text for the same trouble.
+std::string reasonOf(const Geos& geos, const Geometry& geometry) {
+    char* reason = GEOSisValidReason_r(geos, geometry.get());
+    const std::string_view text = reason != nullptr ? reason : "";
+    std::string withoutPlace(text.substr(0, text.find('[')));
+    GEOSFree_r(geos, reason);
+    return withoutPlace;
+}
 
-    [[nodiscard]] Geometry polygon(const std::vector<RawRing>& rings) const {
-        GEOSGeometry* outer = ring(rings.front());
-        std::vector<GEOSGeometry*> holes;
-        for (std::size_t i = 1; i < rings.size(); ++i) holes.push_back(ring(rings[i]));
-        return own(GEOSGeom_createPolygon_r(context_, outer, holes.data(), unsigned(holes.size())));
-    }
+// The outline's inside less the holes' insides; a hole wholly outside becomes a piece of its own.
+Geometry madeValid(const Geos& geos, const Geometry& geometry) {
+    GEOSMakeValidParams* params = GEOSMakeValidParams_create_r(geos);
+    GEOSMakeValidParams_setMethod_r(geos, params, GEOS_MAKE_VALID_STRUCTURE);
+    GEOSGeometry* valid = GEOSMakeValidWithParams_r(geos, geometry.get(), params);
+    GEOSMakeValidParams_destroy_r(geos, params);
+    return geos.owned(valid);
+}
 
-    [[nodiscard]] bool isValid(const Geometry& geometry) const {
-        return GEOSisValid_r(context_, geometry.get()) == 1;
-    }
-
-    /// "Self-intersection", without the place that GEOS adds: the same text for the same trouble.
-    [[nodiscard]] std::string reasonOf(const Geometry& geometry) const {
-        const Text reason{GEOSisValidReason_r(context_, geometry.get()), Free{context_}};
-        const std::string_view text = reason ? reason.get() : "";
-        return std::string(text.substr(0, text.find('[')));
-    }
-
-    /// The outline's inside less the holes' insides; a hole wholly outside becomes a piece of its own.
-    [[nodiscard]] Geometry madeValid(const Geometry& geometry) const {
-        GEOSMakeValidParams* params = GEOSMakeValidParams_create_r(context_);
-        GEOSMakeValidParams_setMethod_r(context_, params, GEOS_MAKE_VALID_STRUCTURE);
-        GEOSGeometry* valid = GEOSMakeValidWithParams_r(context_, geometry.get(), params);
-        GEOSMakeValidParams_destroy_r(context_, params);
-        return own(valid);
-    }
-
-    /// Snap rounding: all points on multiples of the step, and still valid.
-    [[nodiscard]] Geometry snapped(const Geometry& geometry, double stepM) const {
-        return own(GEOSGeom_setPrecision_r(context_, geometry.get(), stepM, 0));
-    }
-
-private:
-    [[nodiscard]] GEOSGeometry* ring(const RawRing& points) const {
-        GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context_, unsigned(points.size() + 1), 2);
-        for (unsigned i = 0; i <= points.size(); ++i) {
-            const glm::dvec2 point = points[i % points.size()];
-            GEOSCoordSeq_setXY_r(context_, sequence, i, point.x, point.y);
-        }
-        return GEOSGeom_createLinearRing_r(context_, sequence);
-    }
-
-    GEOSContextHandle_t context_;
-};
+// Snap rounding: all points on multiples of the step, and still valid.
+Geometry snapped(const Geos& geos, const Geometry& geometry, double stepM) {
+    return geos.owned(GEOSGeom_setPrecision_r(geos, geometry.get(), stepM, 0));
+}
 
 // --- Rings before GEOS sees them
 
@@ -137,52 +96,6 @@ double floatStep(const std::vector<RawRing>& rings) {
     return std::ldexp(1.0, std::max(-20, std::ilogb(largest) + 1 - floatBits));
 }
 
-// --- Pieces out of what GEOS gives back
-
-Ring ringOf(const Geos& geos, const GEOSGeometry* geometry, bool counterClockwise) {
-    const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos.context(), geometry);
-    unsigned count = 0;
-    GEOSCoordSeq_getSize_r(geos.context(), sequence, &count);
-    Ring ring;
-    for (unsigned i = 0; i + 1 < count; ++i) {
-        glm::dvec2 point{};
-        GEOSCoordSeq_getXY_r(geos.context(), sequence, i, &point.x, &point.y);
-        ring.emplace_back(point);
-    }
-    if ((signedArea(ring) > 0) != counterClockwise) std::reverse(ring.begin(), ring.end());
-    return ring;
-}
-
-Footprint footprintOf(const Geos& geos, const GEOSGeometry* polygon, bool& sliver) {
-    Footprint footprint{ringOf(geos, GEOSGetExteriorRing_r(geos.context(), polygon), true), {}};
-    const int holes = GEOSGetNumInteriorRings_r(geos.context(), polygon);
-    for (int i = 0; i < holes; ++i) {
-        Ring hole = ringOf(geos, GEOSGetInteriorRingN_r(geos.context(), polygon, i), false);
-        if (-signedArea(hole) >= smallestAreaM2)
-            footprint.holes.push_back(std::move(hole));
-        else
-            sliver = true;
-    }
-    return footprint;
-}
-
-void collectPieces(const Geos& geos, const GEOSGeometry* geometry, std::vector<Footprint>& pieces,
-                   bool& sliver) {
-    if (GEOSGeomTypeId_r(geos.context(), geometry) == GEOS_POLYGON) {
-        if (GEOSisEmpty_r(geos.context(), geometry) != 0) return;
-        Footprint footprint = footprintOf(geos, geometry, sliver);
-        if (area(footprint) >= smallestAreaM2)
-            pieces.push_back(std::move(footprint));
-        else
-            sliver = true;
-        return;
-    }
-    if (GEOSGeomTypeId_r(geos.context(), geometry) < GEOS_MULTIPOINT)
-        return;  // a point or line has no inside
-    for (int i = 0; i < GEOSGetNumGeometries_r(geos.context(), geometry); ++i)
-        collectPieces(geos, GEOSGetGeometryN_r(geos.context(), geometry, i), pieces, sliver);
-}
-
 std::string inWords(const std::string& reason) {
     static const std::map<std::string, std::string, std::less<>> words{
         {"Self-intersection", "outline or holes crossed"},
@@ -202,20 +115,20 @@ void say(RepairedFootprint& result, const std::string& what) {
 }
 
 // Valid polygons whose points are all float32; null where GEOS fails.
-Geos::Geometry mended(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
+Geometry mended(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
     auto inFloat = rings;
     for (RawRing& ring : inFloat) ring = rounded(ring);
     const auto isRing = [](const RawRing& ring) { return ring.size() >= fewestPoints; };
     if (std::all_of(inFloat.begin(), inFloat.end(), isRing)) {
-        auto polygon = geos.polygon(inFloat);
-        if (polygon && geos.isValid(polygon)) return polygon;
+        auto polygon = polygonGeometry(geos, inFloat);
+        if (polygon && isValid(geos, polygon)) return polygon;
     }
-    auto polygon = geos.polygon(rings);
-    if (polygon && !geos.isValid(polygon)) {
-        say(result, inWords(geos.reasonOf(polygon)));
-        polygon = geos.madeValid(polygon);
+    auto polygon = polygonGeometry(geos, rings);
+    if (polygon && !isValid(geos, polygon)) {
+        say(result, inWords(reasonOf(geos, polygon)));
+        polygon = madeValid(geos, polygon);
     }
-    return polygon ? geos.snapped(polygon, floatStep(rings)) : std::move(polygon);
+    return polygon ? snapped(geos, polygon, floatStep(rings)) : std::move(polygon);
 }
 
 }  // namespace
@@ -231,7 +144,7 @@ RepairedFootprint repairFootprint(const std::vector<RawRing>& rings) {
     const Geos geos;
     const auto geometry = mended(geos, good, result);
     bool sliver = false;
-    if (geometry) collectPieces(geos, geometry.get(), result.pieces, sliver);
+    result.pieces = polygonsOf(geos, geometry, &sliver);
     if (sliver) say(result, "slivers under 0.01 m2 left out");
     if (!result.pieces.empty()) return result;
     if (result.what.empty()) result.what = "outline had no inside";
