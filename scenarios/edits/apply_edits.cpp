@@ -1,0 +1,152 @@
+#include "scenarios/edits/apply_edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/city/building_ground.h"
+#include "core/io/stand_on_terrain.h"
+
+namespace noonmark {
+
+namespace {
+
+using Shared = std::shared_ptr<const Building>;
+
+double lowestGround(const Building& building, const City& city) {
+    return city.terrain ? double(lowestGroundUnder(building, *city.terrain)) : 0.0;
+}
+
+// A city while edits are made to it; it keeps the account of what came and went.
+class CityInWork {
+public:
+    explicit CityInWork(const City& city) : edited_{city, {}} {}
+
+    Result<void> operator()(const Demolish& edit) {
+        return with(edit.building, [&](std::size_t i) -> Result<void> {
+            take(buildings()[i]);
+            buildings().erase(buildings().begin() + std::ptrdiff_t(i));
+            return {};
+        });
+    }
+
+    Result<void> operator()(const Replace& edit) {
+        return with(edit.building, [&](std::size_t i) {
+            return fresh(*edit.with, edit.building).map([&](Building building) {
+                put(i, std::move(building));
+            });
+        });
+    }
+
+    Result<void> operator()(const AddBuilding& edit) { return add(*edit.building); }
+
+    Result<void> operator()(const ImportMesh& edit) {
+        const double scale = edit.placement.scale;
+        if (!(scale >= 0.001 && scale <= 1000))
+            return failure(fmt::format("A mesh cannot be scaled by {:g}", scale), edit.file,
+                           "Give a scale of 0.001 to 1000");
+        return add(placed(*edit.shape, edit.placement));
+    }
+
+    Result<void> operator()(const ChangeHeight& edit) {
+        return with(edit.building, [&](std::size_t i) {
+            const Building& old = *buildings()[i];
+            return withHeight(old, double(groundUnder(old, edited_.city)), edit.heightM)
+                .map([&](Building building) { put(i, std::move(building)); });
+        });
+    }
+
+    Result<void> operator()(const Move& edit) { return relocate(edit.building, {.byM = edit.byM}); }
+
+    Result<void> operator()(const Rotate& edit) {
+        return with(edit.building, [&](std::size_t i) {
+            return relocate(edit.building,
+                            {.about = middleOf(*buildings()[i]), .clockwiseDeg = edit.clockwiseDeg});
+        });
+    }
+
+    EditedCity take() && { return std::move(edited_); }
+
+private:
+    std::vector<Shared>& buildings() { return edited_.city.buildings; }
+
+    template <class Change>
+    Result<void> with(const std::string& id, Change&& change) {
+        const auto is = [&](const Shared& building) { return building->sourceId == id; };
+        const auto found = std::ranges::find_if(buildings(), is);
+        if (found == buildings().end())
+            return failure("There is no such building", id, "It may have been demolished by an earlier edit");
+        if (std::find_if(found + 1, buildings().end(), is) != buildings().end())
+            return failure("Two buildings have this id", id, "Give every building an id of its own");
+        return change(std::size_t(found - buildings().begin()));
+    }
+
+    // A new building on its ground; `leaving` is the id that becomes free.
+    Result<Building> fresh(const Building& shape, const std::string& leaving) {
+        if (shape.parts.empty()) return failure("The new building has no parts", shape.sourceId);
+        if (shape.sourceId.empty()) return failure("The new building has no id", shape.name);
+        const auto clashes = [&](const Shared& other) {
+            return other->sourceId == shape.sourceId && other->sourceId != leaving;
+        };
+        if (std::ranges::any_of(buildings(), clashes))
+            return failure("Another building has this id", shape.sourceId, "Choose another name");
+        return lifted(shape, lowestGround(shape, edited_.city));
+    }
+
+    Result<void> add(const Building& shape) {
+        return fresh(shape, {}).map([&](Building building) {
+            buildings().push_back(std::make_shared<const Building>(std::move(building)));
+            edited_.changes.added.push_back(buildings().back());
+        });
+    }
+
+    Result<void> relocate(const std::string& id, const Placement& placement) {
+        const auto finite = [](double value) { return std::abs(value) <= 1e6; };
+        if (!finite(placement.byM.x) || !finite(placement.byM.y) || !finite(placement.clockwiseDeg))
+            return failure("It cannot be moved that far", id, "Give metres, or degrees");
+        return with(id, [&](std::size_t i) -> Result<void> {
+            const Building& old = *buildings()[i];
+            const Building there = placed(old, placement);
+            const City& city = edited_.city;
+            put(i, lifted(there, lowestGround(there, city) - lowestGround(old, city)));
+            return {};
+        });
+    }
+
+    void put(std::size_t i, Building building) {
+        take(buildings()[i]);
+        buildings()[i] = std::make_shared<const Building>(std::move(building));
+        edited_.changes.added.push_back(buildings()[i]);
+    }
+
+    void take(const Shared& building) {
+        if (std::erase(edited_.changes.added, building) == 0) edited_.changes.removed.push_back(building);
+    }
+
+    EditedCity edited_;
+};
+
+}  // namespace
+
+Result<EditedCity> applied(const City& city, std::span<const Edit> edits) {
+    CityInWork work(city);
+    for (std::size_t i = 0; i < edits.size(); ++i)
+        if (const auto done = std::visit(work, edits[i]); !done)
+            return failure(done.error().what,
+                           fmt::format("edit {} ({}): {}", i + 1, textOf(edits[i]), done.error().where),
+                           done.error().advice);
+    return std::move(work).take();
+}
+
+ChangedVolume volumeOf(const CityChanges& changes) {
+    ChangedVolume volume;
+    for (const auto* list : {&changes.removed, &changes.added})
+        for (const auto& building : *list) {
+            volume.box.add(bounds(*building));
+            volume.topM = std::max(volume.topM, topM(*building));
+        }
+    return volume;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,41 @@
+#include "scenarios/edits/edit.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace noonmark {
+
+namespace {
+
+struct Words {
+    std::string operator()(const Demolish& edit) const { return "Demolish " + edit.building; }
+    std::string operator()(const Replace& edit) const {
+        return fmt::format("Replace {} with {}", edit.building, edit.with->sourceId);
+    }
+    std::string operator()(const AddBuilding& edit) const { return "Build " + edit.building->sourceId; }
+    std::string operator()(const ChangeHeight& edit) const {
+        return fmt::format("Make {} {:.1f} m high", edit.building, edit.heightM);
+    }
+    std::string operator()(const Move& edit) const {
+        return fmt::format("Move {} by {:.1f} m east, {:.1f} m north", edit.building, edit.byM.x, edit.byM.y);
+    }
+    std::string operator()(const Rotate& edit) const {
+        return fmt::format("Turn {} by {:.1f} degrees", edit.building, edit.clockwiseDeg);
+    }
+    std::string operator()(const ImportMesh& edit) const {
+        return fmt::format("Import {} from {}", edit.shape->sourceId, edit.file);
+    }
+};
+
+}  // namespace
+
+std::string textOf(const Edit& edit) { return std::visit(Words{}, edit); }
+
+std::string_view kindOf(const Edit& edit) {
+    constexpr std::array<std::string_view, std::variant_size_v<Edit>> kinds{
+        "demolish", "replace", "add", "height", "move", "rotate", "import"};
+    return kinds[edit.index()];
+}
+
+}  // namespace noonmark

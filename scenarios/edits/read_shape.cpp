@@ -1,0 +1,44 @@
+#include "scenarios/edits/read_shape.h"
+
+#include <algorithm>
+
+#include "core/io/file_kind.h"
+
+namespace noonmark {
+
+namespace {
+
+Building joined(const City& city, const std::string& id) {
+    Building whole{.sourceId = id, .name = id};
+    for (const auto& building : city.buildings)
+        whole.parts.insert(whole.parts.end(), building->parts.begin(), building->parts.end());
+    return whole;
+}
+
+double lowestM(const Building& building) {
+    float lowest = 1e30F;
+    for (const Part& part : building.parts) lowest = std::min(lowest, part.bottomM);
+    return double(lowest);
+}
+
+}  // namespace
+
+Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
+                             const ReadSettings& settings, const Frame& frame, Warnings& warnings,
+                             Progress& progress, std::stop_token stop) {
+    const auto kind = fileKind(file);
+    if (!kind) return tl::make_unexpected(kind.error());
+    ReadSettings here = settings;
+    here.frame = frame;
+    if (*kind == FileKind::mesh) here.meshAnchor.reset();  // the user places it
+    auto read = readCity({file}, here, progress, std::move(stop));
+    if (!read) return tl::make_unexpected(read.error());
+    std::ranges::move(read->warnings, std::back_inserter(warnings));
+    Building whole = joined(read->city, id);
+    if (whole.parts.empty())
+        return failure("It holds no building", file.string(), "Export the building as a closed solid");
+    if (*kind != FileKind::mesh) whole = lifted(std::move(whole), -lowestM(whole));
+    return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
+}
+
+}  // namespace noonmark

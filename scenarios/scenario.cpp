@@ -1,0 +1,74 @@
+#include "scenarios/scenario.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace noonmark {
+
+namespace {
+
+tl::unexpected<Error> unknown(const std::vector<Scenario>& scenarios, const std::string& name) {
+    std::vector<std::string> names{existingCity};
+    for (const Scenario& scenario : scenarios) names.push_back(scenario.name);
+    return failure("There is no such scenario", fmt::format("scenario '{}'", name),
+                   fmt::format("The scenarios are: {}", fmt::join(names, ", ")));
+}
+
+// From the scenario down to the one that starts from the existing city.
+Result<std::vector<const Scenario*>> lineage(const std::vector<Scenario>& scenarios, std::string name) {
+    std::vector<const Scenario*> line;
+    while (!name.empty() && name != existingCity) {
+        const Scenario* scenario = findScenario(scenarios, name);
+        if (scenario == nullptr) return unknown(scenarios, name);
+        if (std::ranges::find(line, scenario) != line.end())
+            return failure("The scenario starts from itself", fmt::format("scenario '{}'", name),
+                           "Let one of its bases start from the existing city");
+        line.push_back(scenario);
+        name = scenario->base;
+    }
+    return line;
+}
+
+}  // namespace
+
+const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::string& name) {
+    const auto found = std::ranges::find(scenarios, name, &Scenario::name);
+    return found == scenarios.end() ? nullptr : &*found;
+}
+
+Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const std::string& name) {
+    if (name.empty()) return unknown(scenarios, name);
+    const auto line = lineage(scenarios, name);
+    if (!line) return tl::make_unexpected(line.error());
+    std::vector<Edit> edits;
+    for (auto scenario = line->rbegin(); scenario != line->rend(); ++scenario)
+        edits.insert(edits.end(), (*scenario)->edits.begin(), (*scenario)->edits.end());
+    return edits;
+}
+
+Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& scenarios,
+                          const std::string& name) {
+    const auto edits = editsOf(scenarios, name);
+    if (!edits) return tl::make_unexpected(edits.error());
+    return applied(existing, *edits).map_error([&](Error error) {
+        error.where = fmt::format("scenario '{}', {}", name, error.where);
+        return error;
+    });
+}
+
+Result<void> checked(const std::vector<Scenario>& scenarios) {
+    for (const Scenario& scenario : scenarios) {
+        if (scenario.name.empty() || scenario.name == existingCity)
+            return failure(fmt::format("A scenario cannot be called '{}'", scenario.name), "scenarios",
+                           "Give it a name of its own");
+        if (std::ranges::count(scenarios, scenario.name, &Scenario::name) > 1)
+            return failure("Two scenarios have this name", scenario.name, "Rename one");
+        if (const auto line = lineage(scenarios, scenario.name); !line)
+            return tl::make_unexpected(line.error());
+    }
+    return {};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,172 @@
+#include "scenarios/edits/apply_edits.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/city/mesh_topology.h"
+#include "scenarios/edits/building_ids.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+EditedCity edited(const City& city, const std::vector<Edit>& edits) { return applied(city, edits).value(); }
+
+std::string errorOf(const City& city, const std::vector<Edit>& edits) {
+    const auto made = applied(city, edits);
+    return made ? "" : made.error().text();
+}
+
+NewShape tower(const std::string& id, float topM = 50) {
+    return shared(house(id, box(100, 0, 120, 20), topM));
+}
+
+TEST(ApplyEdits, NothingToDoSharesEverything) {
+    const City city = threeHouses();
+    const EditedCity same = edited(city, {});
+    EXPECT_EQ(same.city.buildings, city.buildings);
+    EXPECT_TRUE(same.changes.none());
+    EXPECT_TRUE(volumeOf(same.changes).box.empty());
+}
+
+TEST(ApplyEdits, DemolitionTakesOneAndSharesTheOthers) {
+    const City city = threeHouses();
+    const EditedCity less = edited(city, {Demolish{"b"}});
+    EXPECT_THAT(less.city.buildings, ElementsAre(city.buildings[0], city.buildings[2]));
+    EXPECT_THAT(less.changes.removed, ElementsAre(city.buildings[1]));
+    EXPECT_THAT(less.changes.added, IsEmpty());
+    EXPECT_EQ(volumeOf(less.changes).box, bounds(*city.buildings[1]));
+    EXPECT_EQ(volumeOf(less.changes).topM, 20);
+}
+
+TEST(ApplyEdits, ReplacementStandsInTheSamePlaceOfTheList) {
+    const City city = threeHouses();
+    const EditedCity changed = edited(city, {Replace{"b", tower("new")}});
+    EXPECT_EQ(changed.city.buildings[1]->sourceId, "new");
+    EXPECT_EQ(changed.city.buildings[2], city.buildings[2]);
+    EXPECT_THAT(changed.changes.added, ElementsAre(changed.city.buildings[1]));
+    EXPECT_EQ(volumeOf(changed.changes).topM, 50);
+}
+
+TEST(ApplyEdits, ReplacementMayKeepTheId) {
+    EXPECT_EQ(edited(threeHouses(), {Replace{"b", tower("b", 77)}}).city.buildings[1]->parts[0].topM, 77);
+}
+
+TEST(ApplyEdits, WhatCameAndWentIsNoChange) {
+    const City city = threeHouses();
+    const EditedCity same =
+        edited(city, {AddBuilding{tower("new")}, ChangeHeight{"new", 80}, Demolish{"new"}});
+    EXPECT_EQ(same.city.buildings, city.buildings);
+    EXPECT_TRUE(same.changes.none());
+}
+
+TEST(ApplyEdits, ABuildingChangedTwiceIsOneChange) {
+    const City city = threeHouses();
+    const EditedCity changed = edited(city, {ChangeHeight{"c", 40}, Move{"c", {5, 0}}});
+    EXPECT_THAT(changed.changes.removed, ElementsAre(city.buildings[2]));
+    ASSERT_EQ(changed.changes.added.size(), 1U);
+    EXPECT_EQ(changed.changes.added[0]->parts[0].topM, 40);
+    EXPECT_EQ(bounds(*changed.changes.added[0]).low.x, 65);
+}
+
+TEST(ApplyEdits, LoweringCutsAndRaisingLiftsTheTopOnly) {
+    City city = threeHouses();
+    Building tiers = house("tiers", box(0, 50, 20, 70), 10);
+    tiers.parts.push_back(house("upper", box(5, 55, 15, 65), 40, 10).parts[0]);
+    city.buildings.push_back(shared(tiers));
+    const EditedCity higher = edited(city, {ChangeHeight{"tiers", 60}});
+    EXPECT_EQ(higher.city.buildings[3]->parts[0].topM, 10);
+    EXPECT_EQ(higher.city.buildings[3]->parts[1].topM, 60);
+    const EditedCity lower = edited(city, {ChangeHeight{"tiers", 8}});
+    ASSERT_EQ(lower.city.buildings[3]->parts.size(), 1U);
+    EXPECT_EQ(lower.city.buildings[3]->parts[0].topM, 8);
+}
+
+TEST(ApplyEdits, AMeshIsStretchedToItsHeight) {
+    City city;
+    Building solid = house("solid", box(0, 0, 10, 10), 10);
+    solid.parts[0].mesh = std::make_shared<const TriangleMesh>(meshOf(solid.parts[0]));
+    city.buildings = {shared(solid)};
+    const auto tall = edited(city, {ChangeHeight{"solid", 25}}).city.buildings[0];
+    EXPECT_EQ(boxOf(*tall->parts[0].mesh).high.z, 25);
+    EXPECT_EQ(topM(*tall), 25);
+}
+
+TEST(ApplyEdits, RotationKeepsTheMiddleAndTheArea) {
+    City city = threeHouses();
+    city.buildings[0] = shared(house("a", box(0, 0, 30, 10), 10));
+    const auto turned = edited(city, {Rotate{"a", 90}}).city.buildings[0];
+    const Box2 box = bounds(*turned);
+    EXPECT_NEAR(box.low.x, 10, 1e-4);
+    EXPECT_NEAR(box.low.y, -10, 1e-4);
+    EXPECT_NEAR(area(turned->parts[0].footprint), 300, 1e-3);
+}
+
+TEST(ApplyEdits, ClockwiseIsSeenFromAbove) {
+    City city = threeHouses();
+    Building corner = house("a", {{{0, 0}, {10, 0}, {0, 4}}, {}}, 10);
+    const Building turned = placed(corner, {.clockwiseDeg = 90});
+    // East becomes south.
+    EXPECT_NEAR(bounds(turned).low.y, -10, 1e-4);
+    EXPECT_NEAR(bounds(turned).high.x, 4, 1e-4);
+}
+
+TEST(ApplyEdits, ImportIsScaledTurnedAndMoved) {
+    const Edit import = ImportMesh{shared(house("mesh", box(-1, -1, 1, 1), 3)),
+                                   {.scale = 10, .clockwiseDeg = 45, .byM = {200, 100}},
+                                   "mesh.obj"};
+    const auto building = edited(threeHouses(), {import}).city.buildings[3];
+    EXPECT_EQ(topM(*building), 30);
+    EXPECT_NEAR(area(building->parts[0].footprint), 400, 1e-2);
+    EXPECT_NEAR(middleOf(*building).x, 200, 1e-3);
+    EXPECT_NEAR(bounds(*building).high.y, 100 + 10 * std::sqrt(2.0), 1e-3);
+}
+
+TEST(ApplyEdits, NewAndMovedBuildingsStandOnTheTerrain) {
+    City city = threeHouses();
+    city.terrain = slope();
+    const EditedCity changed = edited(city, {AddBuilding{tower("new")}, Move{"a", {50, 0}}});
+    EXPECT_NEAR(changed.city.buildings[3]->parts[0].bottomM, 10, 0.01);  // x = 100: 10 m up
+    EXPECT_NEAR(changed.city.buildings[3]->parts[0].topM, 60, 0.01);
+    EXPECT_NEAR(changed.city.buildings[0]->parts[0].topM, 15, 0.01);  // went 5 m up
+}
+
+TEST(ApplyEdits, ErrorsNameTheEditAndWhatIsWrong) {
+    const City city = threeHouses();
+    EXPECT_THAT(errorOf(city, {Demolish{"a"}, ChangeHeight{"a", 5}}),
+                testing::AllOf(HasSubstr("edit 2"), HasSubstr("There is no such building"), HasSubstr("a")));
+    EXPECT_THAT(errorOf(city, {AddBuilding{tower("a")}}), HasSubstr("Another building has this id"));
+    EXPECT_THAT(errorOf(city, {Replace{"a", tower("b")}}), HasSubstr("Another building has this id"));
+    EXPECT_THAT(errorOf(city, {ChangeHeight{"a", 0}}), HasSubstr("0.1 to 2000 m"));
+    EXPECT_THAT(errorOf(city, {ChangeHeight{"a", std::nan("")}}), HasSubstr("0.1 to 2000 m"));
+    EXPECT_THAT(errorOf(city, {Move{"a", {std::nan(""), 0}}}), HasSubstr("cannot be moved"));
+    EXPECT_THAT(errorOf(city, {ImportMesh{tower("m"), {.scale = 0}, "m.obj"}}), HasSubstr("0.001 to 1000"));
+}
+
+TEST(BuildingIds, EveryBuildingGetsItsOwn) {
+    City city = threeHouses();
+    city.buildings.push_back(shared(house("a", box(0, 50, 10, 60), 10)));
+    city.buildings.push_back(shared(house("", box(20, 50, 30, 60), 10)));
+    EXPECT_THAT(errorOf(city, {Demolish{"a"}}), HasSubstr("Two buildings have this id"));
+    const City unique = withUniqueIds(city);
+    EXPECT_EQ(unique.buildings[0], city.buildings[0]);
+    EXPECT_EQ(unique.buildings[3]->sourceId, "a (2)");
+    EXPECT_EQ(unique.buildings[4]->sourceId, "building");
+}
+
+TEST(BuildingIds, AreFoundByNameToo) {
+    City city = threeHouses();
+    Building named = house("lot 7", box(0, 50, 10, 60), 10);
+    named.name = "One57";
+    city.buildings.push_back(shared(named));
+    EXPECT_EQ(findBuilding(city, "One57").value(), 3U);
+    EXPECT_EQ(findBuilding(city, "lot 7").value(), 3U);
+    EXPECT_THAT(findBuilding(city, "One58").error().advice, HasSubstr("One57"));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
