@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/city/footprint.h"
+#include "core/result.h"
+
+namespace noonmark {
+
+/// The straight skeleton of a polygon with holes (Aichholzer and others, 1995): made once, it gives the
+/// polygon inset by any distance, walls parallel to the old ones, holes grown. Backend:
+/// straight_skeleton_cgal.cpp.
+class StraightSkeleton {
+public:
+    /// Some 0.1 ms for ten points, O(n^2 log n) at worst. Error: no simple polygon.
+    static Result<StraightSkeleton> of(const Footprint& footprint);
+
+    StraightSkeleton(StraightSkeleton&&) noexcept;
+    StraightSkeleton& operator=(StraightSkeleton&&) noexcept;
+    ~StraightSkeleton();
+
+    /// What is left at `distanceM` (>= 0) from the outline: none, one or several polygons, simple and
+    /// oriented.
+    [[nodiscard]] std::vector<Footprint> inset(double distanceM) const;
+
+    /// The distance at which nothing is left, metres.
+    [[nodiscard]] double deepestM() const { return deepestM_; }
+
+private:
+    struct Skeleton;
+    StraightSkeleton(std::unique_ptr<Skeleton> skeleton, double deepestM);
+    std::unique_ptr<Skeleton> skeleton_;
+    double deepestM_ = 0;
+};
+
+}  // namespace noonmark

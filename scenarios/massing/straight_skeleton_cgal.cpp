@@ -1,0 +1,98 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/create_offset_polygons_2.h>
+#include <CGAL/create_straight_skeleton_from_polygon_with_holes_2.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "core/city/repair_footprint.h"
+#include "scenarios/massing/straight_skeleton.h"
+
+namespace noonmark {
+
+namespace {
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Polygon = CGAL::Polygon_2<Kernel>;
+using PolygonWithHoles = CGAL::Polygon_with_holes_2<Kernel>;
+using CgalSkeleton = CGAL::Straight_skeleton_2<Kernel>;
+
+Polygon polygonOf(const Ring& ring, bool counterClockwise) {
+    Polygon polygon;
+    for (const glm::vec2 point : ring) polygon.push_back({double(point.x), double(point.y)});
+    if (polygon.is_counterclockwise_oriented() != counterClockwise) polygon.reverse_orientation();
+    return polygon;
+}
+
+RawRing ringOf(const Polygon& polygon) {
+    RawRing ring;
+    for (const auto& point : polygon.vertices()) ring.emplace_back(point.x(), point.y());
+    return ring;
+}
+
+bool isSimple(const Footprint& footprint) {
+    if (footprint.outer.size() < 3 || !polygonOf(footprint.outer, true).is_simple()) return false;
+    return std::ranges::all_of(footprint.holes, [](const Ring& hole) {
+        return hole.size() >= 3 && polygonOf(hole, false).is_simple();
+    });
+}
+
+tl::unexpected<Error> notSimple() {
+    return failure("The outline cannot be inset: it crosses or touches itself", "massing",
+                   "Draw the lot as a simple polygon");
+}
+}  // namespace
+
+struct StraightSkeleton::Skeleton {
+    Footprint outline;
+    boost::shared_ptr<CgalSkeleton> cgal;
+};
+
+StraightSkeleton::StraightSkeleton(std::unique_ptr<Skeleton> skeleton, double deepestM)
+    : skeleton_(std::move(skeleton)), deepestM_(deepestM) {}
+StraightSkeleton::StraightSkeleton(StraightSkeleton&&) noexcept = default;
+StraightSkeleton& StraightSkeleton::operator=(StraightSkeleton&&) noexcept = default;
+StraightSkeleton::~StraightSkeleton() = default;
+
+Result<StraightSkeleton> StraightSkeleton::of(const Footprint& footprint) try {
+    if (!isSimple(footprint)) return notSimple();
+    PolygonWithHoles polygon(polygonOf(footprint.outer, true));
+    for (const Ring& hole : footprint.holes) polygon.add_hole(polygonOf(hole, false));
+    auto skeleton = std::make_unique<Skeleton>();
+    skeleton->outline = footprint;
+    skeleton->cgal = CGAL::create_interior_straight_skeleton_2(polygon, Kernel());
+    if (!skeleton->cgal) return notSimple();
+    double deepest = 0;
+    for (auto vertex = skeleton->cgal->vertices_begin(); vertex != skeleton->cgal->vertices_end(); ++vertex)
+        deepest = std::max(deepest, CGAL::to_double(vertex->time()));
+    return StraightSkeleton(std::move(skeleton), deepest);
+} catch (const std::exception&) {
+    return notSimple();
+}
+
+std::vector<Footprint> StraightSkeleton::inset(double distanceM) const try {
+    if (!(distanceM > 0)) return {skeleton_->outline};
+    if (distanceM >= deepestM_) return {};
+    const auto rings = CGAL::create_offset_polygons_2<Polygon>(distanceM, *skeleton_->cgal);
+    // Outlines come counter-clockwise, holes clockwise; a hole belongs to the outline that holds it.
+    std::vector<std::vector<RawRing>> polygons;
+    for (const auto& ring : rings)
+        if (ring->is_counterclockwise_oriented()) polygons.push_back({ringOf(*ring)});
+    for (const auto& ring : rings) {
+        if (ring->is_counterclockwise_oriented()) continue;
+        for (auto& polygon : polygons) {
+            Polygon outline;
+            for (const glm::dvec2 point : polygon.front()) outline.push_back({point.x, point.y});
+            if (outline.has_on_unbounded_side(*ring->vertices_begin())) continue;
+            polygon.push_back(ringOf(*ring));
+            break;
+        }
+    }
+    std::vector<Footprint> pieces;
+    for (const auto& polygon : polygons)
+        for (Footprint& piece : repairFootprint(polygon).pieces) pieces.push_back(std::move(piece));
+    return pieces;
+} catch (const std::exception&) {
+    return {};
+}
+
+}  // namespace noonmark
