@@ -43,7 +43,9 @@ private:
 Job::Job(Work work) : reporter_(std::make_unique<Reporter>(*this)) {
     thread_ = std::jthread([this, work = std::move(work)](std::stop_token stop) {
         // A call that waits in a destroyed object's queue is dropped: nothing is delivered too late.
-        QMetaObject::invokeMethod(this, work(*reporter_, std::move(stop)), Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, result = work(*reporter_, std::move(stop))] { deliver(result); },
+            Qt::QueuedConnection);
     });
 }
 
@@ -53,5 +55,17 @@ Job::~Job() {
 }
 
 void Job::cancel() { thread_.request_stop(); }
+
+void Job::leave(std::unique_ptr<Job> job, QObject& keeper) {
+    job->cancel();
+    job->disconnect();
+    job->left_ = true;
+    job.release()->setParent(&keeper);
+}
+
+void Job::deliver(const Deliver& result) {
+    if (left_) return deleteLater();
+    result();  // may destroy this job
+}
 
 }  // namespace noonmark

@@ -28,11 +28,18 @@ public:
     void
     cancel();  ///< asks the work to stop; it still delivers, as a rule an Error for which isCancelled() holds
 
+    /// Cancels without waiting: nothing is reported or delivered any more. The job destroys itself when its
+    /// work has ended, or goes with `keeper` if that is earlier.
+    static void leave(std::unique_ptr<Job> job, QObject& keeper);
+
 Q_SIGNALS:
     void progressed(double fraction, QString stage);
 
 private:
     class Reporter;
+    void deliver(const Deliver& result);
+
+    bool left_ = false;
     std::unique_ptr<Reporter> reporter_;
     std::jthread thread_;
 };

@@ -4,7 +4,8 @@
 
 namespace noonmark {
 
-/// Room for one job at a time. Starting another cancels the one before and waits for its end.
+/// Room for one job at a time. Starting another cancels the one before, which ends by itself while the new
+/// one already works; nobody waits. Destroying the slot waits for all.
 class JobSlot final : public QObject {
     Q_OBJECT
 public:
@@ -17,7 +18,7 @@ public:
     template <class T>
     void start(const QString& what, std::function<Result<T>(Progress&, std::stop_token)> work,
                std::function<void(Result<T>)> done) {
-        job_.reset();
+        drop();
         job_ = runJob<T>(std::move(work), [this, done = std::move(done)](Result<T> result) {
             end();
             done(std::move(result));
@@ -27,6 +28,11 @@ public:
 
     void cancel() {
         if (job_) job_->cancel();
+    }
+
+    /// The job, if any, ends unheard; `ended` is not told.
+    void drop() {
+        if (job_) Job::leave(std::move(job_), *this);
     }
 
 Q_SIGNALS:

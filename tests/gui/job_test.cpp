@@ -95,5 +95,30 @@ TEST(JobSlot, ASecondJobReplacesTheFirst) {
     EXPECT_EQ(got, std::vector<int>{2});
 }
 
+TEST(JobSlot, AJobThatWillNotStopYetHoldsNobodyUp) {
+    std::atomic<bool> released = false;
+    std::atomic<bool> running = false;
+    const IntWork stubborn = [&](Progress&, const std::stop_token&) -> Result<int> {
+        running = true;
+        released.wait(false);
+        return 1;
+    };
+    std::vector<int> got;
+    const IntDone note = [&](const Result<int>& result) { got.push_back(result.value_or(-1)); };
+    JobSlot slot;
+    slot.start<int>(QStringLiteral("stubborn"), stubborn, note);
+    ASSERT_TRUE(waitFor([&] { return running.load(); }));
+    slot.start<int>(
+        QStringLiteral("second"), [](Progress&, const std::stop_token&) -> Result<int> { return 2; }, note);
+    ASSERT_TRUE(waitFor([&] { return !slot.busy(); })) << "the second is done while the first still works";
+    released = true;
+    released.notify_all();
+    ASSERT_TRUE(waitFor([&] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return slot.findChildren<Job*>().empty();
+    }));
+    EXPECT_EQ(got, std::vector<int>{2}) << "what was overtaken delivers nothing";
+}
+
 }  // namespace
 }  // namespace noonmark
