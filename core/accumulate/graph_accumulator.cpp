@@ -1,13 +1,13 @@
 #include "core/accumulate/graph_accumulator.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
 
 #include "core/accumulate/blank_field.h"
+#include "core/accumulate/interval_tally.h"
+#include "core/accumulate/partial_field.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
@@ -51,78 +51,20 @@ private:
     std::size_t most_ = 0;
 };
 
-/// Gross and continuous of every receiver, in steps.
-class Tally {
-public:
-    explicit Tally(std::size_t receivers) : gross_(receivers), longest_(receivers) {}
-
-    struct PathLeg {
-        std::span<const MaskRuns> runs;
-        int steps = 0;
-        bool breaksRun = false;
-    };
-
-    /// The runs of one edge's masks, its gross shadow counted for every interval that takes it.
-    std::vector<MaskRuns> addEdge(std::span<const ShadowMask> masks, const DirectionGraph::Edge& edge) {
-        std::vector<MaskRuns> runs(masks.size());
-        forReceivers([&](std::size_t i) {
-            runs[i] = runsOf(masks[i], edge.sun.steps);
-            gross_[i] += std::uint64_t(runs[i].gross) * edge.weight;
-        });
-        return runs;
-    }
-
-    void addPath(const std::vector<PathLeg>& legs) {
-        forReceivers([&](std::size_t i) { longest_[i] = std::max(longest_[i], longestAlong(legs, i)); });
-    }
-
-    [[nodiscard]] double gross(std::size_t i) const { return double(gross_[i]); }
-    [[nodiscard]] double longest(std::size_t i) const { return double(longest_[i]); }
-
-private:
-    template <class Body>
-    void forReceivers(const Body& body) {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, gross_.size(), 8192), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-        });
-    }
-
-    // Runs that cross from one leg to the next are the suffix of one and the prefix of the other.
-    static std::uint32_t longestAlong(const std::vector<PathLeg>& legs, std::size_t i) {
-        std::uint32_t longest = 0;
-        std::uint32_t run = 0;
-        for (const PathLeg& leg : legs) {
-            const MaskRuns runs = leg.runs[i];
-            if (leg.breaksRun) run = 0;
-            longest = std::max({longest, std::uint32_t(runs.longest), run + runs.prefix});
-            run = runs.suffix == leg.steps ? run + runs.suffix : runs.suffix;
-        }
-        return longest;
-    }
-
-    std::vector<std::uint64_t> gross_;
-    std::vector<std::uint32_t> longest_;
-};
-
-void fill(ShadowField& field, const Receivers& receivers, const Tally& tally) {
-    for (std::size_t i = 0; i < receivers.cells.size(); ++i) {
-        field.grossMin[receivers.cells[i]] = float(tally.gross(i) * field.stepMinutes / field.days);
-        field.continuousMin[receivers.cells[i]] = float(tally.longest(i) * field.stepMinutes);
-    }
-}
-
-/// One run over the graph.
+/// One run over the graph, into a blank field.
 class GraphRun {
 public:
-    GraphRun(const DirectionGraph& graph, IntervalScene& scene, std::size_t receivers, Progress& progress,
-             std::stop_token stop)
+    GraphRun(const DirectionGraph& graph, IntervalScene& scene, const Receivers& receivers,
+             ShadowField& field, Progress& progress, std::stop_token stop)
         : graph_(graph),
           scene_(scene),
+          receivers_(receivers),
+          field_(field),
           progress_(progress),
           stop_(std::move(stop)),
           maps_(graph),
-          tally_(receivers),
-          masks_(receivers) {}
+          tally_(receivers.cells.size()),
+          masks_(receivers.cells.size()) {}
 
     Result<void> run() {
         for (std::size_t path = 0; path < graph_.paths.size(); ++path) {
@@ -130,19 +72,22 @@ public:
             maps_.dropAfter(path);
             if (stop_.stop_requested()) return cancelled();
         }
+        tally_.writeTo(field_, receivers_, {});
+        if (PartialSink* sink = progress_.partials()) sink->take(partial({}));
         return {};
     }
 
-    [[nodiscard]] const Tally& tally() const { return tally_; }
     [[nodiscard]] std::size_t mostLiveMaps() const { return maps_.most(); }
 
 private:
     Result<void> addPath(const DirectionGraph::Path& path) {
-        std::vector<Tally::PathLeg> legs;
+        std::vector<PathLeg> legs;
         for (const auto& leg : path) {
-            if (!maps_.has(leg.edge))
+            const bool known = maps_.has(leg.edge);
+            if (!known)
                 if (const auto done = shade(leg.edge); !done) return done;
             legs.push_back({maps_.of(leg.edge), graph_.edges[leg.edge].sun.steps, leg.breaksRun});
+            if (!known) show(legs);
         }
         tally_.addPath(legs);
         return {};
@@ -155,12 +100,28 @@ private:
         return {};
     }
 
+    // `path`: the legs so far of the day at work.
+    void show(const std::vector<PathLeg>& path) {
+        PartialSink* sink = progress_.partials();
+        if (sink && sink->wants()) sink->take(partial(path));
+    }
+
+    [[nodiscard]] PartialField partial(const std::vector<PathLeg>& path) const {
+        PartialField partial{field_, double(tally_.intervals()) / double(graph_.intervals), {}};
+        tally_.writeTo(partial.field, receivers_, path);
+        partial.field.sunlitMinutesPerDay = double(tally_.steps()) * field_.stepMinutes / field_.days;
+        partial.part = fmt::format("{} of {} sun intervals", tally_.intervals(), graph_.intervals);
+        return partial;
+    }
+
     const DirectionGraph& graph_;
     IntervalScene& scene_;
+    const Receivers& receivers_;
+    ShadowField& field_;
     Progress& progress_;
     std::stop_token stop_;
     LiveMaps maps_;
-    Tally tally_;
+    IntervalTally tally_;
     std::vector<ShadowMask> masks_;  // of the edge at work
     std::size_t shaded_ = 0;
 };
@@ -186,12 +147,11 @@ Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receive
     auto scene = engine_->prepare(city, receivers, directionsOf(*graph), stop);
     if (!scene) return tl::make_unexpected(scene.error());
     const double build = watch.seconds();
-    GraphRun run(*graph, **scene, receivers.cells.size(), progress, stop);
-    if (const auto done = run.run(); !done) return tl::make_unexpected(done.error());
-
     ShadowField field = blankField(receivers, sun);
     const Cost untouched = field.cost;
-    fill(field, receivers, run.tally());
+    GraphRun run(*graph, **scene, receivers, field, progress, stop);
+    if (const auto done = run.run(); !done) return tl::make_unexpected(done.error());
+
     field.cost = (*scene)->cost();
     field.cost.skipped.insert(untouched.skipped.begin(), untouched.skipped.end());
     field.cost.seconds["build"] += build;

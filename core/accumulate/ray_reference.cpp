@@ -13,6 +13,7 @@
 #include <new>
 
 #include "core/accumulate/blank_field.h"
+#include "core/accumulate/finished_tiles.h"
 #include "core/accumulate/flush_denormals.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/accumulate/reach.h"
@@ -47,24 +48,24 @@ public:
           packets_(packets),
           field_(field),
           progress_(progress),
-          stop_(stop) {}
+          stop_(stop),
+          tiles_(receivers),
+          finished_(tiles_, field, progress.partials()) {}
 
     void run() {
-        const ReceiverTiles tiles(receivers_);
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles.count()), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count()), [&](const auto& range) {
             const FlushDenormals flush;
             Watchers watchers;
-            for (std::size_t tile = range.begin(); tile < range.end() && !stop_.stop_requested(); ++tile) {
-                tiles.cellsOf(tile, watchers.cells);
-                traceTile(watchers);
-            }
+            for (std::size_t turn = range.begin(); turn < range.end() && !stop_.stop_requested(); ++turn)
+                traceTile(finished_.tileAt(turn), watchers);
         });
     }
 
 private:
     static constexpr std::size_t packetsBetweenChecks = 16;  // x 64 receivers x 16 rays: under a millisecond
 
-    void traceTile(Watchers& watchers) {
+    void traceTile(std::size_t tile, Watchers& watchers) {
+        tiles_.cellsOf(tile, watchers.cells);
         watchers.origins.clear();
         for (const std::uint32_t cell : watchers.cells)
             watchers.origins.push_back(rayOrigin(receivers_.position(cell)));
@@ -73,6 +74,7 @@ private:
         trace(watchers);
         if (stop_.stop_requested()) return;
         for (std::size_t i = 0; i < watchers.cells.size(); ++i) write(watchers.cells[i], watchers.runs[i]);
+        finished_.finish(tile);
         report(watchers.cells.size());
     }
 
@@ -106,6 +108,8 @@ private:
     ShadowField& field_;
     Progress& progress_;
     const std::stop_token& stop_;
+    ReceiverTiles tiles_;
+    FinishedTiles finished_;
     std::atomic<std::size_t> done_{0};
 };
 

@@ -1,0 +1,138 @@
+#include "core/accumulate/partial_field.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/accumulate/graph_accumulator.h"
+#include "core/accumulate/inverse_accrual_map.h"
+#include "tests/core/accumulate/scenes.h"
+
+namespace noonmark::tests {
+namespace {
+
+/// Looks at everything that it can get, or only at what comes unasked.
+class Onlooker final : public Progress, public PartialSink {
+public:
+    explicit Onlooker(bool curious = true) : curious_(curious) {}
+    void report(double, std::string_view) override {}
+    PartialSink* partials() override { return this; }
+    [[nodiscard]] bool wants() const override { return curious_; }
+    void take(PartialField partial) override { seen.push_back(std::move(partial)); }
+    std::vector<PartialField> seen;
+
+private:
+    bool curious_;
+};
+
+struct Partials : ::testing::Test {
+    City city = cityOf({{{20, 20, 0}, {30, 34, 25}}, {{50, 10, 0}, {58, 30, 40}}});
+    Receivers receivers = receiversOver(city, 0, 0, 100, 80);
+    SunSteps sun;
+
+    void SetUp() override {
+        for (const double lift : {0.0, 6.0, 12.0}) {
+            std::vector<Sun> suns;
+            for (int k = 0; k < 150; ++k) suns.push_back({120 + 0.8 * k, 12 + lift + 0.1 * k});
+            addDay(sun, suns);
+        }
+    }
+
+    [[nodiscard]] ShadowField fieldOf(const Accumulator& engine, Progress& progress) const {
+        return engine.accumulate(city, receivers, sun, progress, {}).value();
+    }
+};
+
+bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+// Receivers whose value is known; every one of them must have the value of `truth`.
+std::size_t knownAndTrue(const std::vector<float>& part, const std::vector<float>& truth) {
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        if (std::isnan(part[i])) continue;
+        EXPECT_EQ(part[i], truth[i]) << i;
+        ++known;
+    }
+    return known;
+}
+
+void expectSame(const std::vector<float>& a, const std::vector<float>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        ASSERT_TRUE(same(a[i], b[i])) << i << ": " << a[i] << " " << b[i];
+}
+
+TEST_F(Partials, ofTheRayReferenceHoldFinalValues) {
+    Onlooker onlooker;
+    const ShadowField field = fieldOf(RayReference(), onlooker);
+    ASSERT_GT(onlooker.seen.size(), 20U);
+    double share = 0;
+    for (const PartialField& partial : onlooker.seen) {
+        EXPECT_GE(partial.share, share);
+        share = partial.share;
+        const std::size_t known = knownAndTrue(partial.field.grossMin, field.grossMin);
+        EXPECT_EQ(known, knownAndTrue(partial.field.continuousMin, field.continuousMin));
+        EXPECT_NEAR(double(known) / double(receivers.cells.size()), share, 0.12);
+        EXPECT_EQ(partial.field.sunlitMinutesPerDay, field.sunlitMinutesPerDay);
+    }
+}
+
+TEST_F(Partials, lastIsTheResult) {
+    const GraphAccumulator graph(InverseAccrualMap::make({}).value(), {});
+    const RayReference rays;
+    for (const Accumulator* engine : std::initializer_list<const Accumulator*>{&graph, &rays}) {
+        Onlooker onlooker(false);
+        const ShadowField field = fieldOf(*engine, onlooker);
+        ASSERT_EQ(onlooker.seen.size(), 1U) << "nobody wanted more";
+        EXPECT_EQ(onlooker.seen.back().share, 1);
+        expectSame(onlooker.seen.back().field.grossMin, field.grossMin);
+        expectSame(onlooker.seen.back().field.continuousMin, field.continuousMin);
+        EXPECT_EQ(onlooker.seen.back().field.sunlitMinutesPerDay, field.sunlitMinutesPerDay);
+    }
+}
+
+TEST_F(Partials, ofTheRayReferenceFillTheWholeRegionEarly) {
+    Onlooker onlooker;
+    const ShadowField field = fieldOf(RayReference({.threads = 1}), onlooker);
+    const auto early = std::find_if(onlooker.seen.begin(), onlooker.seen.end(),
+                                    [](const PartialField& partial) { return partial.share > 0.15; });
+    std::array<int, 4> known{};
+    for (const std::uint32_t cell : receivers.cells)
+        if (!std::isnan(early->field.grossMin[cell]))
+            ++known[std::size_t((cell % 100 >= 50 ? 1 : 0) + (cell >= 40 * 100 ? 2 : 0))];
+    for (const int quarter : known) EXPECT_GT(quarter, 64) << "cells known of a quarter of the region";
+    EXPECT_NE(early->part.find(" of 130 tiles"), std::string::npos) << early->part;
+}
+
+// The first `intervals` intervals of an hour and what is left over, of days of 150 minutes.
+SunSteps beginningOf(const SunSteps& sun, std::size_t intervals) {
+    SunSteps part = sun;
+    for (SunDay& day : part.days) {
+        const std::size_t whole = std::min<std::size_t>(intervals, 3);
+        intervals -= whole;
+        day.count = std::min<std::uint32_t>(150, std::uint32_t(whole) * 60);
+    }
+    return part;
+}
+
+TEST_F(Partials, ofADirectionGraphAreTrueForTheIntervalsDone) {
+    // Without merging, intervals are shaded in the order of time: a partial is the study of a shorter period.
+    const GraphAccumulator engine(InverseAccrualMap::make({}).value(), {.merge = false});
+    Onlooker onlooker;
+    static_cast<void>(fieldOf(engine, onlooker));
+    ASSERT_EQ(onlooker.seen.size(), 10U) << "after each of nine intervals, and at the end";
+    for (std::size_t done = 1; done <= 9; ++done) {
+        const PartialField& partial = onlooker.seen[done - 1];
+        NoProgress progress;
+        const SunSteps part = beginningOf(sun, done);
+        const ShadowField truth = engine.accumulate(city, receivers, part, progress, {}).value();
+        expectSame(partial.field.grossMin, truth.grossMin);
+        expectSame(partial.field.continuousMin, truth.continuousMin);
+        EXPECT_EQ(partial.part, std::to_string(done) + " of 9 sun intervals");
+        EXPECT_DOUBLE_EQ(partial.share, double(done) / 9);
+    }
+}
+
+}  // namespace
+}  // namespace noonmark::tests
