@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <glm/geometric.hpp>
 #include <new>
 
@@ -14,15 +13,11 @@
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/accumulate/run_counter.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // Bit k: the surface faces the sun of lane k.
 std::uint32_t facing(glm::vec3 normal, const DirectionPacket& sun) {
@@ -102,15 +97,15 @@ Result<SurfaceShadow> traced(const City& city, const SurfacePoints& points, cons
     auto shadow = blankSurfaceShadow(points, sun);
     if (!shadow) return shadow;
     progress.report(0, "building the ray scene");
-    auto start = Clock::now();
+    const Stopwatch build;
     const auto scene = RayScene::over(city, stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    shadow->cost.seconds["build"] = secondsSince(start);
-    start = Clock::now();
+    shadow->cost.seconds["build"] = build.seconds();
+    const Stopwatch trace;
     SurfaceTracer tracer(*scene, points, sun, *shadow, progress, stop);
     tracer.run();
     if (stop.stop_requested()) return cancelled();
-    shadow->cost.seconds["trace"] = secondsSince(start);
+    shadow->cost.seconds["trace"] = trace.seconds();
     shadow->cost.buildingsUsed = std::uint32_t(city.buildings.size());
     shadow->cost.skipped["rays from surfaces turned away from the sun"] = tracer.turnedAway();
     shadow->cost.rays = std::uint64_t(points.size()) * sun.steps.size() - tracer.turnedAway();

@@ -1,95 +1,13 @@
 #include "core/accumulate/projected/convex_fill.h"
 
-#include <algorithm>
-#include <cmath>
+#include "core/accumulate/projected/convex_spans.h"
 
 namespace noonmark {
 
-namespace {
-
-// Columns as 32.32 fixed point: a row costs one addition, and the error after a thousand rows is below 1e-6
-// of a cell.
-using Fixed = std::int64_t;
-constexpr double fixedOne = 4294967296.0;
-
-Fixed fixedFrom(double columns) { return Fixed(std::clamp(columns, -1e9, 1e9) * fixedOne); }
-int firstColumnAtOrBeyond(Fixed x, int columns) {
-    return int(std::clamp<Fixed>((x + Fixed(fixedOne) - 1) >> 32, 0, columns));
-}
-
-int firstRowAtOrBeyond(double y, int rows) { return int(std::ceil(std::clamp(y, 0.0, double(rows)))); }
-
-/// One side of the polygon, walked upwards edge by edge.
-class Side {
-public:
-    Side(std::span<const glm::dvec2> polygon, std::size_t lowest, bool counterClockwise)
-        : polygon_(polygon), at_(lowest), forward_(counterClockwise), edgesLeft_(polygon.size()) {}
-
-    /// Moves on to the edge that crosses `row`; false above the last.
-    bool reach(int row, int rows) {
-        while (end_ <= row) {
-            if (edgesLeft_-- == 0) return false;
-            const glm::dvec2 a = polygon_[at_];
-            at_ = next();
-            const glm::dvec2 b = polygon_[at_];
-            if (b.y > a.y) start(a, b, row, rows);
-        }
-        return true;
-    }
-
-    [[nodiscard]] int end() const { return end_; }
-    [[nodiscard]] Fixed x() const { return x_; }
-    [[nodiscard]] Fixed slope() const { return slope_; }
-    void moveUp(int rows) { x_ += slope_ * rows; }
-
-private:
-    [[nodiscard]] std::size_t next() const {
-        if (forward_) return at_ + 1 == polygon_.size() ? 0 : at_ + 1;
-        return at_ == 0 ? polygon_.size() - 1 : at_ - 1;
-    }
-
-    void start(glm::dvec2 a, glm::dvec2 b, int row, int rows) {
-        end_ = firstRowAtOrBeyond(b.y, rows);
-        const double slope = (b.x - a.x) / (b.y - a.y);
-        slope_ = fixedFrom(slope);
-        x_ = fixedFrom(a.x + (double(row) - a.y) * slope);
-    }
-
-    std::span<const glm::dvec2> polygon_;
-    std::size_t at_;
-    bool forward_;
-    std::size_t edgesLeft_;
-    int end_ = -1;  // first row beyond the edge
-    Fixed x_ = 0;   // at the row last reached
-    Fixed slope_ = 0;
-};
-
-void fillRows(std::uint64_t* row, const BitLayout& layout, const Side& left, const Side& right, int count) {
-    Fixed west = left.x(), east = right.x();
-    for (int i = 0; i < count; ++i, west += left.slope(), east += right.slope(), row += layout.wordsPerRow) {
-        const int first = firstColumnAtOrBeyond(west, layout.columns),
-                  end = firstColumnAtOrBeyond(east, layout.columns);
-        if (first < end) setRun(row, first, end);
-    }
-}
-
-}  // namespace
-
 int fillConvex(std::span<const glm::dvec2> polygon, const BitLayout& layout,
                std::span<std::uint64_t> raster) {
-    const auto [low, high] = std::ranges::minmax_element(polygon, {}, &glm::dvec2::y);
-    const std::size_t lowest = std::size_t(low - polygon.begin());
-    Side left(polygon, lowest, false), right(polygon, lowest, true);
-    const int first = firstRowAtOrBeyond(low->y, layout.rows), top = firstRowAtOrBeyond(high->y, layout.rows);
-    int row = first;
-    while (row < top && left.reach(row, layout.rows) && right.reach(row, layout.rows)) {
-        const int count = std::min({left.end(), right.end(), top}) - row;
-        fillRows(layout.row(raster, row), layout, left, right, count);
-        left.moveUp(count);
-        right.moveUp(count);
-        row += count;
-    }
-    return row - first;
+    return forEachSpan(polygon, layout.columns, layout.rows,
+                       [&](int row, int first, int end) { setRun(layout.row(raster, row), first, end); });
 }
 
 }  // namespace noonmark
