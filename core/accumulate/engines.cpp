@@ -5,6 +5,7 @@
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
+#include "core/accumulate/shadow_accrual_map.h"
 
 namespace noonmark {
 
@@ -22,6 +23,29 @@ EngineOption levelsOption() {
             usual,
             true,
             "How many occluders, nearest first, are followed from each cell"};
+}
+
+EngineOption mapOption() {
+    return {"map",
+            "Map size",
+            "texels",
+            AccrualSettings::minMapSize,
+            AccrualSettings::maxMapSize,
+            double(AccrualSettings{}.mapSize),
+            true,
+            "Texels along a side of the depth map that is stretched over the region; no more than cells are "
+            "used"};
+}
+
+EngineOption biasOption() {
+    return {"bias",
+            "Bias",
+            "m",
+            0,
+            double(AccrualSettings::maxBiasM),
+            double(AccrualSettings{}.biasM),
+            false,
+            "How high above the ground something must be to shade it"};
 }
 
 EngineOption intervalOption() {
@@ -94,10 +118,31 @@ Engine inverseAccrualMap() {
             inverseAccrual};
 }
 
+Made shadowAccrual(const EngineSettings& settings) {
+    const auto map =
+        ShadowAccrualMap::make({.mapSize = int(settings.at("map")), .biasM = float(settings.at("bias"))});
+    if (!map) return tl::make_unexpected(map.error());
+    return std::make_unique<GraphAccumulator>(
+        *map,
+        DirectionGraphSettings{.boundDeg = settings.at("bound"), .intervalMinutes = settings.at("interval")});
+}
+
+Engine shadowAccrualMap() {
+    return {{"sam",
+             "Shadow accrual map",
+             "A depth map of each step of an hour, drawn from a city placed once; hours that look alike "
+             "computed once",
+             // Texels, bits, masks, and some 30 maps of runs alive in a year.
+             160,
+             {mapOption(), biasOption(), intervalOption(), boundOption()}},
+            shadowAccrual};
+}
+
 }  // namespace
 
 const EngineList& coreEngines() {
-    static const EngineList list{rayReference(), projectedShadows(), horizonSweep(), inverseAccrualMap()};
+    static const EngineList list{rayReference(), projectedShadows(), horizonSweep(), shadowAccrualMap(),
+                                 inverseAccrualMap()};
     return list;
 }
 

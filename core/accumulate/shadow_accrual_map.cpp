@@ -5,7 +5,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <atomic>
+#include <new>
 
 #include "core/accumulate/accrual/ground_lookup.h"
 #include "core/accumulate/accrual/interval_casters.h"
@@ -46,6 +46,22 @@ public:
 
     Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                        std::stop_token stop) override {
+        if (auto ok = checkSteps(interval.steps); !ok) return ok;
+        try {
+            return shaded(interval, masks, stop);
+        } catch (const std::bad_alloc&) {
+            return failure(fmt::format("There is not enough memory for maps of {} x {} texels",
+                                       frame_.columns, frame_.rows),
+                           "map size", "Choose a smaller map");
+        }
+    }
+
+    [[nodiscard]] Cost cost() const override { return cost_; }
+    void startWith(Cost cost) { cost_ = std::move(cost); }
+
+private:
+    Result<void> shaded(const SunInterval& interval, std::span<ShadowMask> masks,
+                        const std::stop_token& stop) {
         const Stopwatch place;
         const IntervalCasters casters =
             castersOf(faces_, placed_, frame_, interval, settings_.side, extent());
@@ -59,10 +75,6 @@ public:
         return {};
     }
 
-    [[nodiscard]] Cost cost() const override { return cost_; }
-    void startWith(Cost cost) { cost_ = std::move(cost); }
-
-private:
     // The grid's cells from metres of its plane.
     [[nodiscard]] ReceiverExtent extent() const {
         return {double(settings_.biasM), [this](glm::dvec2 low, glm::dvec2 high) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/accumulate/shadow_mask.h"
+
 namespace noonmark {
 
 namespace {
@@ -26,6 +28,11 @@ Result<void> check(const AccrualSettings& settings) {
         return outOfRange(fmt::format("A slope bias of {} texels", settings.slopeBias), "slope bias", 0,
                           double(S::maxSlopeBias), " texels");
     return {};
+}
+
+Result<void> checkSteps(int steps) {
+    if (steps >= 1 && steps <= maxMaskSteps) return {};
+    return outOfRange(fmt::format("An interval of {} steps", steps), "interval", 1, maxMaskSteps, " steps");
 }
 
 }  // namespace noonmark

@@ -24,7 +24,7 @@ struct AccrualSettings {
     int mapSize = 1024;
     /// How much nearer to the sun than a receiver something must be to shade it: metres along the normal of
     /// the map's plane, 0 to 10.
-    float biasM = 0.01F;
+    float biasM = 0.001F;
     /// More of it for surfaces that the sun grazes: texels that the bias makes good, 0 to 16. 0.5 is just
     /// enough for a plane not to shade itself.
     float slopeBias = 0;
@@ -38,5 +38,8 @@ struct AccrualSettings {
 
 /// Error naming the range of the first setting that is outside of it.
 Result<void> check(const AccrualSettings& settings);
+
+/// Error naming the range when an interval has less than 1 or more than 64 steps: a mask has a bit for each.
+Result<void> checkSteps(int steps);
 
 }  // namespace noonmark
