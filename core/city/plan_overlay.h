@@ -20,6 +20,9 @@ struct LeastPiece {
 std::vector<Footprint> piecesOutside(const std::vector<Footprint>& footprints,
                                      const std::vector<Footprint>& others, LeastPiece least);
 
+/// What both cover, simple and oriented, without pieces under 0.01 m2. Empty also where the overlay fails.
+std::vector<Footprint> sharedPieces(const std::vector<Footprint>& a, const std::vector<Footprint>& b);
+
 /// Square metres that both cover; 0 where the overlay fails.
 double sharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b);
 

@@ -55,6 +55,16 @@ private:
     std::vector<Geometry> shapes_;
 };
 
+// Null where GEOS fails even on a grid of 1 mm.
+Geometry sharedGeometry(const Geos& geos, const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
+    const Geometry first = collection(geos, a);
+    const Geometry second = collection(geos, b);
+    if (!first || !second) return geos.owned(nullptr);
+    Geometry quick = geos.owned(GEOSIntersection_r(geos, first.get(), second.get()));
+    return quick ? std::move(quick)
+                 : geos.owned(GEOSIntersectionPrec_r(geos, first.get(), second.get(), overlayGridM));
+}
+
 }  // namespace
 
 std::vector<Footprint> piecesOutside(const std::vector<Footprint>& footprints,
@@ -69,14 +79,14 @@ std::vector<Footprint> piecesOutside(const std::vector<Footprint>& footprints,
     return pieces;
 }
 
+std::vector<Footprint> sharedPieces(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
+    const Geos geos;
+    return polygonsOf(geos, sharedGeometry(geos, a, b));
+}
+
 double sharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
     const Geos geos;
-    const Geometry first = collection(geos, a);
-    const Geometry second = collection(geos, b);
-    if (!first || !second) return 0;
-    const Geometry quick = geos.owned(GEOSIntersection_r(geos, first.get(), second.get()));
-    if (quick) return areaOf(geos, quick);
-    return areaOf(geos, geos.owned(GEOSIntersectionPrec_r(geos, first.get(), second.get(), overlayGridM)));
+    return areaOf(geos, sharedGeometry(geos, a, b));
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> meetingBoxes(const Boxes& a, const Boxes& b) {

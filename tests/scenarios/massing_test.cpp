@@ -1,0 +1,209 @@
+#include "scenarios/massing/massing.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/city/city.h"
+#include "core/city/mesh_topology.h"
+#include "scenarios/massing/floor_plate.h"
+#include "scenarios/massing/same_floor_area.h"
+#include "scenarios/massing/straight_skeleton.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+Footprint withCourtyard() {
+    Footprint lot = box(0, 0, 60, 40);
+    lot.holes.push_back({{20, 10}, {20, 30}, {40, 30}, {40, 10}});
+    return lot;
+}
+
+Footprint lShape() { return {{{0, 0}, {40, 0}, {40, 15}, {15, 15}, {15, 40}, {0, 40}}, {}}; }
+
+std::string refusal(const Footprint& lot, const MassingSettings& settings) {
+    const auto massing = massingOn(lot, settings);
+    return massing ? "" : massing.error().text();
+}
+
+double volumeOf(const Building& building) {
+    double volume = 0;
+    for (const Part& part : building.parts) {
+        const TriangleMesh mesh = meshOf(part);
+        EXPECT_EQ(openEdges(mesh), 0U);
+        EXPECT_GT(signedVolume(mesh), 0);
+        volume += signedVolume(mesh);
+    }
+    return volume;
+}
+
+TEST(StraightSkeleton, InsetsARectangleByHand) {
+    const auto skeleton = StraightSkeleton::of(box(0, 0, 40, 20)).value();
+    EXPECT_NEAR(skeleton.deepestM(), 10, 1e-9);
+    const auto inset = skeleton.inset(3);
+    ASSERT_EQ(inset.size(), 1U);
+    EXPECT_EQ(bounds(inset[0]), (Box2{{3, 3}, {37, 17}}));
+    EXPECT_TRUE(skeleton.inset(10).empty());
+    EXPECT_EQ(skeleton.inset(0), std::vector<Footprint>{box(0, 0, 40, 20)});
+}
+
+TEST(StraightSkeleton, CourtyardsGrow) {
+    const auto inset = StraightSkeleton::of(withCourtyard()).value().inset(2);
+    ASSERT_EQ(inset.size(), 1U);
+    ASSERT_EQ(inset[0].holes.size(), 1U);
+    EXPECT_NEAR(area(inset[0]), 56 * 36 - 24 * 24, 1e-3);
+}
+
+TEST(StraightSkeleton, AWaistParts) {
+    // Two squares of 20 m joined by a neck 4 m wide.
+    const Footprint dumbbell{{{0, 0},
+                              {20, 0},
+                              {20, 8},
+                              {40, 8},
+                              {40, 0},
+                              {60, 0},
+                              {60, 20},
+                              {40, 20},
+                              {40, 12},
+                              {20, 12},
+                              {20, 20},
+                              {0, 20}},
+                             {}};
+    EXPECT_EQ(StraightSkeleton::of(dumbbell).value().inset(1).size(), 1U);
+    EXPECT_EQ(StraightSkeleton::of(dumbbell).value().inset(3).size(), 2U);
+}
+
+TEST(StraightSkeleton, WhatCrossesItselfIsRefused) {
+    EXPECT_FALSE(StraightSkeleton::of({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}));
+    EXPECT_FALSE(StraightSkeleton::of({{{0, 0}, {10, 10}}, {}}));
+}
+
+TEST(Massing, StatesItsFigures) {
+    const Massing massing = massingOn(box(0, 0, 40, 25), {.storeyHeightM = 3.5, .storeys = 20}).value();
+    EXPECT_NEAR(massing.figures.lotM2, 1000, 1e-6);
+    EXPECT_NEAR(massing.figures.grossFloorM2, 20000, 1e-3);
+    EXPECT_NEAR(massing.figures.floorAreaRatio, 20, 1e-6);
+    EXPECT_NEAR(massing.figures.coverage, 1, 1e-6);
+    EXPECT_EQ(massing.figures.heightM, 70);
+    EXPECT_EQ(massing.figures.storeys, 20);
+    EXPECT_NEAR(volumeOf(buildingOf(massing, "tower").value()), 70000, 1);
+}
+
+TEST(Massing, ATotalHeightGivesWholeStoreys) {
+    const Massing massing = massingOn(box(0, 0, 40, 25), {.storeyHeightM = 4, .heightM = 30}).value();
+    EXPECT_EQ(massing.figures.storeys, 7);
+    EXPECT_EQ(massing.figures.heightM, 30);
+    EXPECT_NEAR(massing.figures.grossFloorM2, 7000, 1e-3);
+}
+
+TEST(Massing, PodiumTowerAndSetbacks) {
+    MassingSettings settings{.storeyHeightM = 4, .storeys = 30, .plate = {.shareOfLot = 0.5}};
+    settings.podium = Podium{.storeys = 5, .plate = {.areaM2 = 900}};
+    settings.setbacks = {{.aboveM = 60, .insetM = 2}, {.aboveM = 100, .insetM = 3}};
+    const Massing massing = massingOn(box(0, 0, 40, 25), settings).value();
+    ASSERT_EQ(massing.tiers.size(), 4U);
+    EXPECT_NEAR(massing.tiers[0].areaM2, 900, 0.1);
+    EXPECT_NEAR(massing.tiers[1].areaM2, 500, 0.1);
+    // The plate of half the lot is the inset by x: (40 - 2x)(25 - 2x) = 500.
+    const double x = (65 - std::sqrt(65.0 * 65 - 4 * 500)) / 4;
+    EXPECT_NEAR(massing.tiers[2].areaM2, (40 - 2 * x - 4) * (25 - 2 * x - 4), 0.1);
+    EXPECT_NEAR(massing.tiers[3].areaM2, (40 - 2 * x - 10) * (25 - 2 * x - 10), 0.1);
+    EXPECT_EQ(massing.tiers[0].storeys, 5);
+    EXPECT_EQ(massing.tiers[1].storeys, 10);
+    EXPECT_EQ(massing.tiers[2].storeys, 10);
+    EXPECT_EQ(massing.tiers[3].storeys, 5);
+    EXPECT_NEAR(massing.figures.coverage, 0.9, 1e-4);
+    const double floors = 900 * 5 + 500 * 10 + massing.tiers[2].areaM2 * 10 + massing.tiers[3].areaM2 * 5;
+    EXPECT_NEAR(massing.figures.grossFloorM2, floors, 1);
+    EXPECT_NEAR(volumeOf(buildingOf(massing, "tower").value()), floors * 4, 10);
+}
+
+TEST(Massing, CourtyardsAreKept) {
+    const Massing massing = massingOn(withCourtyard(), {.storeys = 6, .plate = {.shareOfLot = 0.7}}).value();
+    ASSERT_EQ(massing.tiers[0].plate[0].holes.size(), 1U);
+    EXPECT_NEAR(massing.figures.grossFloorM2, 6 * 0.7 * 2000, 1);
+    EXPECT_NEAR(volumeOf(buildingOf(massing, "court").value()), 6 * 3.5 * 1400, 5);
+}
+
+TEST(Massing, ATowerIsTurnedOnItsLot) {
+    const Massing massing =
+        massingOn(box(0, 0, 40, 40), {.storeys = 10, .plate = {.shareOfLot = 0.25}, .clockwiseDeg = 45})
+            .value();
+    const Box2 across = bounds(massing.tiers[0].plate[0]);
+    EXPECT_NEAR(across.high.x - across.low.x, 20 * std::sqrt(2.0), 1e-2);
+    EXPECT_NEAR(massing.figures.grossFloorM2, 4000, 1);
+}
+
+TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
+    const Footprint lot = box(0, 0, 40, 20);
+    EXPECT_THAT(refusal(lot, {}), HasSubstr("either storeys or a total height"));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("stated twice"));
+    EXPECT_THAT(refusal(lot, {.heightM = -20}), HasSubstr("at most 2000 m"));
+    EXPECT_THAT(refusal(lot, {.storeys = -1}), HasSubstr("1 to 500"));
+    EXPECT_THAT(refusal(lot, {.storeyHeightM = 1, .storeys = 5}), HasSubstr("2 to 10"));
+    EXPECT_THAT(refusal(lot, {.heightM = std::nan("")}), HasSubstr("2000"));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .plate = {.areaM2 = 900}}),
+                AllOf(HasSubstr("900 m2 does not fit"), HasSubstr("800 m2")));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .plate = {.shareOfLot = 1.2}}), HasSubstr("up to 100 %"));
+    EXPECT_THAT(refusal(lot, {.storeys = 30, .setbacks = {{50, 12}}}),
+                AllOf(HasSubstr("leaves nothing"), HasSubstr("less than 10.0 m")));
+    EXPECT_THAT(refusal(lot, {.storeys = 10, .setbacks = {{50, 2}}}), HasSubstr("between 0 and 35 m"));
+    EXPECT_THAT(refusal(lot, {.storeys = 10, .plate = {.shareOfLot = 0.9}, .clockwiseDeg = 90}),
+                AllOf(HasSubstr("leaves the lot"), HasSubstr("% of the lot")));
+    MassingSettings podium{.storeys = 3, .podium = Podium{.storeys = 3}};
+    EXPECT_THAT(refusal(lot, podium), HasSubstr("not lower than the whole"));
+    podium = {.storeys = 9, .podium = Podium{.storeys = 3, .plate = {.shareOfLot = 0.5}}};
+    EXPECT_THAT(refusal(lot, podium), HasSubstr("stands out over its podium"));
+    EXPECT_THAT(refusal(box(0, 0, 2, 2), {.storeys = 5}), HasSubstr("too small"));
+}
+
+TEST(Massing, HostileLotsGiveClosedSolidsOrAWord) {
+    for (const Footprint& lot : {lShape(), withCourtyard()})
+        for (const double share : {0.05, 0.3, 0.6, 0.95, 1.0}) {
+            const auto massing = massingOn(lot, {.storeys = 12, .plate = {.shareOfLot = share}});
+            ASSERT_TRUE(massing) << massing.error().text();
+            EXPECT_NEAR(massing->figures.grossFloorM2, 12 * share * area(lot), 0.002 * 12 * area(lot));
+            EXPECT_TRUE(liesOn(massing->tiers[0].plate, {lot}));
+            EXPECT_TRUE(buildingOf(*massing, "x"));
+        }
+}
+
+TEST(SameFloorArea, TheDoublePlateIsHalfAsHigh) {
+    const Footprint lot = box(0, 0, 60, 60);
+    const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
+    EXPECT_NEAR(given.grossFloorM2, 40000, 1e-3);
+    const Massing wide = sameFloorArea(lot, given, 2).value();
+    EXPECT_EQ(wide.figures.storeys, 50);
+    EXPECT_NEAR(wide.figures.grossFloorM2, 40000, 20);
+    EXPECT_NEAR(wide.figures.heightM, 175, 1e-9);
+    EXPECT_TRUE(buildingOf(wide, "wide"));
+}
+
+TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
+    const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the plate 20 x 20 m
+    const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
+    const Massing widest = sameFloorArea(lot, given, largestPlate).value();
+    EXPECT_EQ(widest.figures.storeys, 28);  // 40000 / 1440 = 27.8
+    EXPECT_NEAR(widest.figures.grossFloorM2, 40000, 20);
+    EXPECT_TRUE(liesOn(widest.tiers[0].plate, {lot}));
+    const Massing five = sameFloorArea(lot, given, 5).value();
+    EXPECT_EQ(five.figures.storeys, 28);
+}
+
+TEST(SameFloorArea, SlimmerIsTaller) {
+    const Footprint lot = box(0, 0, 60, 60);
+    const GivenMass given = givenBy(massingOn(lot, {.storeys = 40, .plate = {.shareOfLot = 0.5}}).value());
+    const Massing slim = sameFloorArea(lot, given, 0.5).value();
+    EXPECT_EQ(slim.figures.storeys, 80);
+    EXPECT_NEAR(slim.figures.grossFloorM2, given.grossFloorM2, 0.001 * given.grossFloorM2);
+    EXPECT_THAT(sameFloorArea(lot, given, 0.01).error().text(), HasSubstr("or more: 500 storeys"));
+    EXPECT_FALSE(sameFloorArea(lot, given, 0));
+    EXPECT_THAT(sameFloorArea(box(100, 0, 160, 60), given, 2).error().text(),
+                HasSubstr("does not stand on the lot"));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
