@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -13,7 +14,11 @@ namespace noonmark {
 /// straight_skeleton_cgal.cpp.
 class StraightSkeleton {
 public:
-    /// Some 0.1 ms for ten points, O(n^2 log n) at worst. Error: no simple polygon.
+    /// More points than any lot has: beyond it CGAL takes seconds, and cannot be stopped.
+    static constexpr std::size_t mostPoints = 300;
+
+    /// Some 0.1 ms for ten points; grows with the square of their number, or worse. Error: no simple polygon,
+    /// or more than mostPoints.
     static Result<StraightSkeleton> of(const Footprint& footprint);
 
     StraightSkeleton(StraightSkeleton&&) noexcept;

@@ -2,6 +2,8 @@
 #include <CGAL/create_offset_polygons_2.h>
 #include <CGAL/create_straight_skeleton_from_polygon_with_holes_2.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 
@@ -16,11 +18,17 @@ using Polygon = CGAL::Polygon_2<Kernel>;
 using PolygonWithHoles = CGAL::Polygon_with_holes_2<Kernel>;
 using CgalSkeleton = CGAL::Straight_skeleton_2<Kernel>;
 
-Polygon polygonOf(const Ring& ring, bool counterClockwise) {
+Polygon polygonOf(const Ring& ring) {
     Polygon polygon;
     for (const glm::vec2 point : ring) polygon.push_back({double(point.x), double(point.y)});
-    if (polygon.is_counterclockwise_oriented() != counterClockwise) polygon.reverse_orientation();
     return polygon;
+}
+
+// Only simple rings have an orientation.
+void orient(PolygonWithHoles& polygon) {
+    if (polygon.outer_boundary().is_clockwise_oriented()) polygon.outer_boundary().reverse_orientation();
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+        if (hole->is_counterclockwise_oriented()) hole->reverse_orientation();
 }
 
 RawRing ringOf(const Polygon& polygon) {
@@ -29,16 +37,40 @@ RawRing ringOf(const Polygon& polygon) {
     return ring;
 }
 
-bool isSimple(const Footprint& footprint) {
-    if (footprint.outer.size() < 3 || !polygonOf(footprint.outer, true).is_simple()) return false;
-    return std::ranges::all_of(footprint.holes, [](const Ring& hole) {
-        return hole.size() >= 3 && polygonOf(hole, false).is_simple();
+bool touch(const Polygon& a, const Polygon& b) {
+    return std::any_of(a.edges_begin(), a.edges_end(), [&](const auto& edge) {
+        return std::any_of(b.edges_begin(), b.edges_end(),
+                           [&](const auto& other) { return CGAL::do_intersect(edge, other); });
     });
 }
 
+// Rings that touch would keep CGAL busy for ever.
+bool isSimple(const PolygonWithHoles& polygon) {
+    const auto& outer = polygon.outer_boundary();
+    if (!outer.is_simple()) return false;
+    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) {
+        if (!hole->is_simple() || touch(*hole, outer) || outer.has_on_unbounded_side((*hole)[0]))
+            return false;
+        for (auto other = polygon.holes_begin(); other != hole; ++other)
+            if (touch(*hole, *other)) return false;
+    }
+    return true;
+}
+
+bool hasRings(const Footprint& footprint) {
+    const auto isRing = [](const Ring& ring) { return ring.size() >= 3; };
+    return isRing(footprint.outer) && std::ranges::all_of(footprint.holes, isRing);
+}
+
+std::size_t pointsOf(const Footprint& footprint) {
+    std::size_t points = footprint.outer.size();
+    for (const Ring& hole : footprint.holes) points += hole.size();
+    return points;
+}
+
 tl::unexpected<Error> notSimple() {
-    return failure("The outline cannot be inset: it crosses or touches itself", "massing",
-                   "Draw the lot as a simple polygon");
+    return failure("The outline cannot be inset: it crosses or touches itself, or its courtyards touch",
+                   "massing", "Draw the lot as a simple polygon, its courtyards inside");
 }
 }  // namespace
 
@@ -54,9 +86,14 @@ StraightSkeleton& StraightSkeleton::operator=(StraightSkeleton&&) noexcept = def
 StraightSkeleton::~StraightSkeleton() = default;
 
 Result<StraightSkeleton> StraightSkeleton::of(const Footprint& footprint) try {
-    if (!isSimple(footprint)) return notSimple();
-    PolygonWithHoles polygon(polygonOf(footprint.outer, true));
-    for (const Ring& hole : footprint.holes) polygon.add_hole(polygonOf(hole, false));
+    if (pointsOf(footprint) > mostPoints)
+        return failure(fmt::format("The outline has {} points", pointsOf(footprint)), "massing",
+                       fmt::format("Draw it with {} or fewer", mostPoints));
+    if (!hasRings(footprint)) return notSimple();
+    PolygonWithHoles polygon(polygonOf(footprint.outer));
+    for (const Ring& hole : footprint.holes) polygon.add_hole(polygonOf(hole));
+    if (!isSimple(polygon)) return notSimple();
+    orient(polygon);
     auto skeleton = std::make_unique<Skeleton>();
     skeleton->outline = footprint;
     skeleton->cgal = CGAL::create_interior_straight_skeleton_2(polygon, Kernel());

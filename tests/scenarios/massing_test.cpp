@@ -8,6 +8,7 @@
 #include "scenarios/massing/floor_plate.h"
 #include "scenarios/massing/same_floor_area.h"
 #include "scenarios/massing/straight_skeleton.h"
+#include "tests/core/city/hostile_polygons.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -79,6 +80,11 @@ TEST(StraightSkeleton, AWaistParts) {
 TEST(StraightSkeleton, WhatCrossesItselfIsRefused) {
     EXPECT_FALSE(StraightSkeleton::of({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}));
     EXPECT_FALSE(StraightSkeleton::of({{{0, 0}, {10, 10}}, {}}));
+    Footprint touching = box(0, 0, 20, 20);
+    touching.holes.push_back({{0, 10}, {5, 12}, {5, 8}});
+    EXPECT_FALSE(StraightSkeleton::of(touching));
+    touching.holes = {{{30, 10}, {35, 12}, {35, 8}}};
+    EXPECT_FALSE(StraightSkeleton::of(touching));
 }
 
 TEST(Massing, StatesItsFigures) {
@@ -169,6 +175,24 @@ TEST(Massing, HostileLotsGiveClosedSolidsOrAWord) {
             EXPECT_TRUE(liesOn(massing->tiers[0].plate, {lot}));
             EXPECT_TRUE(buildingOf(*massing, "x"));
         }
+}
+
+TEST(Massing, EveryHostileOutlineGivesClosedSolidsOrAWord) {
+    const auto polygons = hostilePolygons();
+    if (polygons.empty()) GTEST_SKIP() << "the shared data are not here";
+    int built = 0;
+    for (const HostilePolygon& polygon : polygons)
+        for (const Footprint& lot : repairFootprint(polygon.rings).pieces) {
+            const auto massing = massingOn(lot, {.storeys = 12, .plate = {.shareOfLot = 0.5}});
+            if (!massing) {
+                EXPECT_FALSE(massing.error().advice.empty()) << polygon.name;
+                continue;
+            }
+            EXPECT_NEAR(massing->figures.grossFloorM2, 6 * area(lot), 0.01 * area(lot)) << polygon.name;
+            EXPECT_TRUE(buildingOf(*massing, polygon.name)) << polygon.name;
+            ++built;
+        }
+    EXPECT_GT(built, 40);
 }
 
 TEST(SameFloorArea, TheDoublePlateIsHalfAsHigh) {

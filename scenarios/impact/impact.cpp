@@ -1,0 +1,151 @@
+#include "scenarios/impact/impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <unordered_set>
+
+#include "core/study/memory_need.h"
+#include "scenarios/progress_share.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<float> difference(const std::vector<float>& before, const std::vector<float>& after) {
+    std::vector<float> change(before.size());
+    for (std::size_t i = 0; i < before.size(); ++i) change[i] = after[i] - before[i];  // NaN stays NaN
+    return change;
+}
+
+CellChange changeOf(CellKind before, CellKind after) {
+    if (before == CellKind::ground && after == CellKind::building) return CellChange::becameBuilding;
+    if (before == CellKind::building && after == CellKind::ground) return CellChange::becameGround;
+    return CellChange::none;
+}
+
+// Where the buildings of `after` lie that `before` does not share.
+std::vector<std::size_t> newBuildings(const City& before, const City& after) {
+    std::unordered_set<const Building*> known;
+    for (const auto& building : before.buildings) known.insert(building.get());
+    std::vector<std::size_t> fresh;
+    for (std::size_t i = 0; i < after.buildings.size(); ++i)
+        if (!known.contains(after.buildings[i].get())) fresh.push_back(i);
+    return fresh;
+}
+
+// One question asked of several cities.
+class Comparison {
+public:
+    Comparison(const ImpactSettings& settings, Progress& progress, std::stop_token stop)
+        : settings_(settings), progress_(progress), stop_(std::move(stop)) {}
+
+    Result<ImpactStudy> run(const City& before, const City& after) {
+        if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
+        const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};
+        fields_ = 2 + fresh.size();
+        ImpactStudy study{.sun = sun_};
+        auto first = fieldOf(before);
+        if (!first) return tl::make_unexpected(first.error());
+        auto second = fieldOf(after);
+        if (!second) return tl::make_unexpected(second.error());
+        study.before = *std::move(first);
+        study.after = *std::move(second);
+        study.total = differenceOf(study.before, study.after, common_.change);
+        for (const std::size_t i : fresh)
+            if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
+        return study;
+    }
+
+private:
+    Result<void> prepare(const City& before, const City& after) {
+        const StudySettings& study = settings_.study;
+        auto engine = makeAccumulator(study.engine);
+        if (!engine) return tl::make_unexpected(engine.error());
+        engine_ = *std::move(engine);
+        if (auto fits = checkMemory(after, study); !fits) return fits;
+        auto common = commonReceivers(before, after, study.region, study.receivers, stop_);
+        if (!common) return tl::make_unexpected(common.error());
+        common_ = *std::move(common);
+        if (common_.receivers.cells.empty())
+            return failure("No cell of the region is open ground in both cities", study.region.name,
+                           "Choose a larger region, or smaller cells");
+        return checked(study.period).and_then([&](const Period& period) {
+            return sunSteps(period, observerOf(Study{.city = after, .settings = study}), stop_)
+                .and_then([&](SunSteps sun) { return keep(std::move(sun)); });
+        });
+    }
+
+    Result<void> keep(SunSteps sun) {
+        sun_ = std::move(sun);
+        if (!sun_.steps.empty()) return {};
+        return failure("The sun is below the horizon all the time", textOf(settings_.study.period),
+                       "Choose other hours or days");
+    }
+
+    Result<ShadowField> fieldOf(const City& city) {
+        ProgressShare share(progress_, done_++, fields_);
+        return engine_->accumulate(city, common_.receivers, sun_, share, stop_);
+    }
+
+    Result<void> addBuilding(const City& after, std::size_t i, ImpactStudy& study) {
+        City without = after;
+        without.buildings.erase(without.buildings.begin() + std::ptrdiff_t(i));
+        auto field = fieldOf(without);
+        if (!field) return tl::make_unexpected(field.error());
+        const Building& building = *after.buildings[i];
+        study.byBuilding.push_back(
+            {building.sourceId, building.name, differenceOf(*field, study.after, common_.change)});
+        return {};
+    }
+
+    const ImpactSettings& settings_;
+    Progress& progress_;
+    std::stop_token stop_;
+    std::unique_ptr<Accumulator> engine_;
+    CommonReceivers common_;
+    SunSteps sun_;
+    std::size_t fields_ = 2;
+    std::size_t done_ = 0;
+};
+
+}  // namespace
+
+Result<CommonReceivers> commonReceivers(const City& before, const City& after, const Region& region,
+                                        const ReceiverSettings& settings, const std::stop_token& stop) {
+    const auto old = receiversOnGround(before, region, settings, stop);
+    if (!old) return tl::make_unexpected(old.error());
+    auto made = receiversOnGround(after, region, settings, stop);
+    if (!made) return tl::make_unexpected(made.error());
+    CommonReceivers common{*std::move(made), {}};
+    common.change.resize(common.receivers.kind.size());
+    for (std::size_t i = 0; i < common.change.size(); ++i) {
+        common.change[i] = changeOf(old->kind[i], common.receivers.kind[i]);
+        if (common.change[i] == CellChange::becameGround) common.receivers.kind[i] = CellKind::building;
+    }
+    std::erase_if(common.receivers.cells,
+                  [&](std::uint32_t cell) { return common.receivers.kind[cell] != CellKind::ground; });
+    return common;
+}
+
+Impact differenceOf(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change) {
+    Impact impact{.grid = after.grid};
+    impact.grossMin = difference(before.grossMin, after.grossMin);
+    impact.continuousMin = difference(before.continuousMin, after.continuousMin);
+    impact.change = std::move(change);
+    impact.sunlitMinutesPerDay = after.sunlitMinutesPerDay;
+    impact.stepMinutes = after.stepMinutes;
+    impact.engine = after.engine;
+    impact.warnings = after.warnings;
+    return impact;
+}
+
+Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
+                              Progress& progress, std::stop_token stop) try {
+    return Comparison(settings, progress, std::move(stop)).run(before, after);
+} catch (const std::bad_alloc&) {
+    return failure("There is not enough memory for this comparison", "",
+                   "Choose larger cells, a smaller region or fewer steps");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,81 @@
+#include "scenarios/impact/impact_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/receivers/rasterize.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double noChangeMin = 1e-3;
+
+// Cells counted and minutes summed of one measure.
+class Sum {
+public:
+    explicit Sum(double thresholdMin) : thresholdMin_(std::max(noChangeMin, thresholdMin)) {}
+
+    void add(double change) {
+        figures_.gainedM2 += change > thresholdMin_;
+        figures_.lostM2 += change < -thresholdMin_;
+        figures_.touchedM2 += change > noChangeMin;
+        figures_.easedM2 += change < -noChangeMin;
+        figures_.meanMin += change;
+        figures_.mostGainedMin = std::max(figures_.mostGainedMin, change);
+        figures_.mostLostMin = std::max(figures_.mostLostMin, -change);
+    }
+
+    [[nodiscard]] ChangeFigures figures(double cellM2, double receivers) const {
+        ChangeFigures figures = figures_;
+        for (double* areaM2 : {&figures.gainedM2, &figures.lostM2, &figures.touchedM2, &figures.easedM2})
+            *areaM2 *= cellM2;
+        figures.meanMin = receivers > 0 ? figures.meanMin / receivers : 0;
+        return figures;
+    }
+
+private:
+    double thresholdMin_;
+    ChangeFigures figures_;  // areas in cells until figures()
+};
+
+template <class IsCounted>
+ImpactFigures counted(const Impact& impact, double thresholdMin, IsCounted&& isCounted) {
+    const double cellM2 = impact.grid.cellAreaM2();
+    ImpactFigures figures{.thresholdMin = thresholdMin};
+    Sum gross(thresholdMin), continuous(thresholdMin);
+    double receivers = 0;
+    for (std::size_t i = 0; i < impact.grossMin.size(); ++i) {
+        if (!isCounted(i)) continue;
+        figures.becameBuildingM2 += impact.change[i] == CellChange::becameBuilding ? cellM2 : 0;
+        figures.becameGroundM2 += impact.change[i] == CellChange::becameGround ? cellM2 : 0;
+        if (std::isnan(impact.grossMin[i])) continue;
+        gross.add(double(impact.grossMin[i]));
+        continuous.add(double(impact.continuousMin[i]));
+        ++receivers;
+    }
+    figures.receiverAreaM2 = receivers * cellM2;
+    figures.gross = gross.figures(cellM2, receivers);
+    figures.continuous = continuous.figures(cellM2, receivers);
+    if (impact.sunlitMinutesPerDay > 0)
+        figures.shadowAreaChangeM2 =
+            figures.gross.meanMin / impact.sunlitMinutesPerDay * figures.receiverAreaM2;
+    return figures;
+}
+
+}  // namespace
+
+ImpactFigures figuresOf(const Impact& impact, double thresholdMin) {
+    return counted(impact, thresholdMin, [](std::size_t) { return true; });
+}
+
+ImpactFigures figuresOf(const Impact& impact, const Region& region, double thresholdMin) {
+    std::vector<bool> inside(impact.grid.size(), false);
+    for (const Footprint& polygon : region.polygons)
+        forEachRun(polygon, impact.grid, [&](int row, int first, int end) {
+            for (int column = first; column < end; ++column) inside[impact.grid.index(column, row)] = true;
+        });
+    return counted(impact, thresholdMin, [&](std::size_t i) { return inside[i]; });
+}
+
+}  // namespace noonmark

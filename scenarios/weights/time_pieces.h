@@ -1,0 +1,23 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/sun/sun_steps.h"
+#include "scenarios/weights/time_weights.h"
+
+namespace noonmark {
+
+/// The steps of a period that lie in one month and in one interval of a table.
+struct TimePiece {
+    std::chrono::year_month month;
+    std::optional<std::size_t> interval;  ///< index; nothing: none holds them
+    SunSteps sun;                         ///< its days are those that have steps here
+};
+
+/// All steps, each in just one piece, in the order in which the pieces begin. O(steps x intervals).
+std::vector<TimePiece> piecesOf(const SunSteps& sun, const Zone& zone, const TimeWeights& weights);
+
+}  // namespace noonmark
