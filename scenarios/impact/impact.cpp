@@ -37,8 +37,9 @@ std::vector<std::size_t> newBuildings(const City& before, const City& after) {
 // One question asked of several cities.
 class Comparison {
 public:
-    Comparison(const ImpactSettings& settings, Progress& progress, std::stop_token stop)
-        : settings_(settings), progress_(progress), stop_(std::move(stop)) {}
+    Comparison(const ImpactSettings& settings, const EngineList& engines, Progress& progress,
+               std::stop_token stop)
+        : settings_(settings), engines_(engines), progress_(progress), stop_(std::move(stop)) {}
 
     Result<ImpactStudy> run(const City& before, const City& after) {
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
@@ -60,10 +61,10 @@ public:
 private:
     Result<void> prepare(const City& before, const City& after) {
         const StudySettings& study = settings_.study;
-        auto engine = makeAccumulator(study.engine);
+        auto engine = makeAccumulator(study.engine, study.engineSettings, engines_);
         if (!engine) return tl::make_unexpected(engine.error());
         engine_ = *std::move(engine);
-        if (auto fits = checkMemory(after, study); !fits) return fits;
+        if (auto fits = checkMemory(after, study, engines_); !fits) return fits;
         auto common = commonReceivers(before, after, study.region, study.receivers, stop_);
         if (!common) return tl::make_unexpected(common.error());
         common_ = *std::move(common);
@@ -100,6 +101,7 @@ private:
     }
 
     const ImpactSettings& settings_;
+    const EngineList& engines_;
     Progress& progress_;
     std::stop_token stop_;
     std::unique_ptr<Accumulator> engine_;
@@ -141,8 +143,8 @@ Impact differenceOf(const ShadowField& before, const ShadowField& after, std::ve
 }
 
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
-                              Progress& progress, std::stop_token stop) try {
-    return Comparison(settings, progress, std::move(stop)).run(before, after);
+                              Progress& progress, std::stop_token stop, const EngineList& engines) try {
+    return Comparison(settings, engines, progress, std::move(stop)).run(before, after);
 } catch (const std::bad_alloc&) {
     return failure("There is not enough memory for this comparison", "",
                    "Choose larger cells, a smaller region or fewer steps");

@@ -63,6 +63,7 @@ struct ImpactStudy {
 /// (its pointer): both cities come from one project. Error: as of runStudy, or no cell is open ground in
 /// both. Costs two fields, and one for each new building.
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
-                              Progress& progress, std::stop_token stop);
+                              Progress& progress, std::stop_token stop,
+                              const EngineList& engines = coreEngines());
 
 }  // namespace noonmark

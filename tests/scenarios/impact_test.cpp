@@ -1,0 +1,145 @@
+#include "scenarios/impact/impact.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scenarios/impact/impact_figures.h"
+#include "scenarios/scenario.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+namespace {
+
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
+ImpactSettings morning(const std::string& engine = "ray") {
+    ImpactSettings settings;
+    settings.study.region = regionFromLocalBox({{-60, -40}, {160, 120}});
+    settings.study.receivers.cellM = 2;
+    settings.study.period = {.hours = 6, .stepMinutes = 10, .zone = "America/New_York"};
+    settings.study.engine = engine;
+    return settings;
+}
+
+ImpactStudy impactOf(const City& before, const City& after, const ImpactSettings& settings = morning()) {
+    NoProgress progress;
+    return runImpact(before, after, settings, progress, {}).value();
+}
+
+City with(const City& city, const std::vector<Edit>& edits) { return applied(city, edits).value().city; }
+
+Edit tower(const std::string& id, float west, float topM) {
+    return AddBuilding{shared(house(id, box(west, 40, west + 20, 60), topM))};
+}
+
+TEST(Impact, OfNothingIsNothing) {
+    const ImpactFigures figures = figuresOf(impactOf(threeHouses(), threeHouses()).total, 0);
+    EXPECT_GT(figures.receiverAreaM2, 30000);
+    EXPECT_EQ(figures.gross.touchedM2, 0);
+    EXPECT_EQ(figures.gross.easedM2, 0);
+    EXPECT_EQ(figures.shadowAreaChangeM2, 0);
+    EXPECT_EQ(figures.becameBuildingM2, 0);
+}
+
+TEST(Impact, OfATowerInTheOpenIsItsShadow) {
+    City empty = threeHouses();
+    empty.buildings.clear();
+    const ImpactStudy study = impactOf(empty, with(empty, {tower("t", 0, 60)}));
+    for (std::size_t i = 0; i < study.after.grossMin.size(); ++i) {
+        if (std::isnan(study.after.grossMin[i])) continue;
+        ASSERT_EQ(study.total.grossMin[i], study.after.grossMin[i]);
+        ASSERT_EQ(study.total.continuousMin[i], study.after.continuousMin[i]);
+    }
+    const ImpactFigures figures = figuresOf(study.total);
+    EXPECT_EQ(figures.becameBuildingM2, 400);
+    EXPECT_GT(figures.gross.gainedM2, 0);
+    EXPECT_LT(figures.gross.gainedM2, figures.gross.touchedM2);
+    EXPECT_EQ(figures.gross.lostM2, 0);
+}
+
+TEST(Impact, ThereAndBackAgainIsTheSameWithTheOtherSign) {
+    const City before = threeHouses();
+    const City after = with(before, {tower("t", 0, 60), Demolish{"c"}});
+    const ImpactStudy there = impactOf(before, after), back = impactOf(after, before);
+    for (std::size_t i = 0; i < there.total.grossMin.size(); ++i) {
+        if (std::isnan(there.total.grossMin[i]))
+            ASSERT_TRUE(std::isnan(back.total.grossMin[i]));
+        else
+            ASSERT_EQ(there.total.grossMin[i], -back.total.grossMin[i]);
+    }
+    const ImpactFigures to = figuresOf(there.total), fro = figuresOf(back.total);
+    EXPECT_EQ(to.gross.gainedM2, fro.gross.lostM2);
+    EXPECT_EQ(to.becameBuildingM2, fro.becameGroundM2);
+    EXPECT_EQ(to.becameGroundM2, 100);
+    EXPECT_EQ(to.becameBuildingM2, 400);
+}
+
+TEST(Impact, OfTowersFarApartAddsUp) {
+    City empty = threeHouses();
+    empty.buildings.clear();
+    ImpactSettings settings = morning();
+    settings.byBuilding = true;
+    settings.study.region = regionFromLocalBox({{-100, 0}, {1200, 200}});
+    const City after = with(empty, {tower("t", 0, 20), tower("u", 1000, 20)});
+    const ImpactStudy study = impactOf(empty, after, settings);
+    ASSERT_EQ(study.byBuilding.size(), 2U);
+    EXPECT_EQ(study.byBuilding[0].id, "t");
+    const double t = figuresOf(study.byBuilding[0].impact).shadowAreaChangeM2;
+    const double u = figuresOf(study.byBuilding[1].impact).shadowAreaChangeM2;
+    EXPECT_GT(t, 100);
+    EXPECT_NEAR(t + u, figuresOf(study.total).shadowAreaChangeM2, 1e-6 * (t + u));
+}
+
+TEST(Impact, FiguresOfAFieldByHand) {
+    Impact impact{.grid = {.cellM = 2, .columns = 3, .rows = 2}};
+    impact.grossMin = {none, 40, 30, -31, -5, 0};
+    impact.continuousMin = {none, 10, 0, 0, -70, 0};
+    impact.change.assign(6, CellChange::none);
+    impact.change[0] = CellChange::becameBuilding;
+    impact.sunlitMinutesPerDay = 340;
+    const ImpactFigures figures = figuresOf(impact);
+    EXPECT_EQ(figures.receiverAreaM2, 20);
+    EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 is not more than 30
+    EXPECT_EQ(figures.gross.lostM2, 4);
+    EXPECT_EQ(figures.gross.touchedM2, 8);
+    EXPECT_EQ(figures.gross.easedM2, 8);
+    EXPECT_EQ(figures.gross.mostGainedMin, 40);
+    EXPECT_EQ(figures.gross.mostLostMin, 31);
+    EXPECT_NEAR(figures.gross.meanMin, 34.0 / 5, 1e-9);
+    EXPECT_NEAR(figures.shadowAreaChangeM2, 34.0 * 4 / 340, 1e-9);
+    EXPECT_EQ(figures.continuous.lostM2, 4);
+    EXPECT_EQ(figures.becameBuildingM2, 4);
+    const Region east = regionFromLocalBox({{2, 0}, {6, 4}});
+    EXPECT_EQ(figuresOf(impact, east, 4).gross.lostM2, 4);
+    EXPECT_EQ(figuresOf(impact, east, 4).becameBuildingM2, 0);
+}
+
+TEST(Impact, EveryEngineSeesTheSame) {
+    const City before = threeHouses();
+    const City after = with(before, {tower("t", 0, 60)});
+    const double truth = figuresOf(impactOf(before, after).total).shadowAreaChangeM2;
+    for (const char* engine : {"projected", "horizon"})
+        EXPECT_NEAR(figuresOf(impactOf(before, after, morning(engine)).total).shadowAreaChangeM2, truth,
+                    0.01 * truth)
+            << engine;
+}
+
+TEST(Impact, SaysWhatIsMissing) {
+    NoProgress progress;
+    ImpactSettings settings = morning("none");
+    EXPECT_FALSE(runImpact(threeHouses(), threeHouses(), settings, progress, {}));
+    settings = morning();
+    settings.study.region = regionFromLocalBox({{2, 2}, {8, 8}});
+    EXPECT_THAT(runImpact(threeHouses(), threeHouses(), settings, progress, {}).error().what,
+                testing::HasSubstr("No cell"));
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(
+        isCancelled(runImpact(threeHouses(), threeHouses(), morning(), progress, stop.get_token()).error()));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
