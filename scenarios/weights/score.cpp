@@ -32,7 +32,10 @@ MonthFigures& figuresFor(std::vector<MonthFigures>& months, std::chrono::year_mo
 class ScoreSum {
 public:
     ScoreSum(const Receivers& receivers, const TimeWeights& weights, std::vector<double> sunlit)
-        : receivers_(receivers), weights_(weights), sunlit_(std::move(sunlit)), sum_(receivers.grid.size(), 0) {
+        : receivers_(receivers),
+          weights_(weights),
+          sunlit_(std::move(sunlit)),
+          sum_(receivers.grid.size(), 0) {
         for (const WeightedInterval& interval : weights.intervals)
             score_.intervals.push_back({interval.name, interval.weight});
     }
@@ -98,12 +101,12 @@ Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSte
 }
 
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
-                       Progress& progress, const std::stop_token& stop) try {
-    const auto engine = makeAccumulator(settings.engine);
+                       Progress& progress, const std::stop_token& stop, const EngineList& engines) try {
+    const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     const auto zone = Zone::named(settings.period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
-    if (auto fits = checkMemory(city, settings); !fits) return tl::make_unexpected(fits.error());
+    if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
     const auto receivers = receiversOnGround(city, settings.region, settings.receivers, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
     if (receivers->cells.empty())

@@ -13,8 +13,9 @@ namespace noonmark {
 /// A month of the period.
 struct MonthFigures {
     std::chrono::year_month month;
-    double shadowAreaM2 = 0;  ///< sum over receivers of (share of the month's sunlit time in shadow x cell area)
-    double scoreM2 = 0;       ///< what the month adds to the score; months add up to it
+    double shadowAreaM2 =
+        0;               ///< sum over receivers of (share of the month's sunlit time in shadow x cell area)
+    double scoreM2 = 0;  ///< what the month adds to the score; months add up to it
     double sunlitMinutes = 0;
 };
 
@@ -25,9 +26,9 @@ struct IntervalFigures {
     double scoreM2 = 0;       ///< weight x shadow area
 };
 
-/// Shadow score (paper, section 5.4): at a receiver the sum over intervals of weight x share of the interval's sunlit time
-/// in shadow; over a region that times the cell area. Positive where shade is wanted more than shadow is
-/// unwanted.
+/// Shadow score (paper, section 5.4): at a receiver the sum over intervals of weight x share of the
+/// interval's sunlit time in shadow; over a region that times the cell area. Positive where shade is wanted
+/// more than shadow is unwanted.
 struct Score {
     Grid grid;
     std::vector<float> score;  ///< one a cell, NaN where there is no receiver; grid order
@@ -48,7 +49,8 @@ Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSte
 
 /// Receivers, sun and score over `settings.region`. Errors as of runStudy and scoreOf.
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
-                       Progress& progress, const std::stop_token& stop);
+                       Progress& progress, const std::stop_token& stop,
+                       const EngineList& engines = coreEngines());
 
 /// The score of the cells whose centres lie in the region, m2.
 double scoreIn(const Score& score, const Region& region);

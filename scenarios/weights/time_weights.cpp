@@ -10,9 +10,9 @@ namespace {
 
 using namespace std::chrono;
 
-constexpr std::array<const char*, 12> monthNames{"January", "February", "March",     "April",
-                                                 "May",     "June",     "July",      "August",
-                                                 "September", "October", "November", "December"};
+constexpr std::array<const char*, 12> monthNames{"January",   "February", "March",    "April",
+                                                 "May",       "June",     "July",     "August",
+                                                 "September", "October",  "November", "December"};
 constexpr std::array<double, 12> paperWeights{-1, -1, -0.5, 0, 0.5, 1, 1, 1, 0.5, 0, -0.5, -1};
 
 bool holdsDate(const WeightedInterval& interval, month_day date) {
@@ -27,7 +27,8 @@ Result<void> checked(const WeightedInterval& interval) {
     if (!interval.first.ok() || !interval.last.ok())
         return failure("A date is not in the calendar", interval.name, "Give a month and a day of it");
     if (interval.from < minutes(0) || interval.to > hours(24) || interval.from >= interval.to)
-        return failure("The hours are none", interval.name, "Give an earlier and a later hour, 0:00 to 24:00");
+        return failure("The hours are none", interval.name,
+                       "Give an earlier and a later hour, 0:00 to 24:00");
     return {};
 }
 

@@ -1,0 +1,136 @@
+#include "scenarios/weights/score.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenarios/weights/time_pieces.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+namespace {
+
+using namespace std::chrono;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+StudySettings year() {
+    StudySettings settings;
+    settings.region = regionFromLocalBox({{-20, -20}, {90, 60}});
+    settings.receivers.cellM = 5;
+    settings.period = {.start = 2026y / January / 1,
+                       .days = 365,
+                       .from = 8h,
+                       .hours = 8,
+                       .stepMinutes = 60,
+                       .zone = "America/New_York"};
+    settings.engine = "ray";
+    return settings;
+}
+
+Score scored(const StudySettings& settings, const TimeWeights& weights) {
+    NoProgress progress;
+    return runScore(threeHouses(), settings, weights, progress, {}).value();
+}
+
+Study studied(const StudySettings& settings) {
+    NoProgress progress;
+    return runStudy(threeHouses(), settings, progress, {}).value();
+}
+
+TEST(TimeWeights, TheDefaultIsThePapersTable) {
+    const TimeWeights table = monthlyWeights();
+    std::vector<double> weights;
+    for (const WeightedInterval& interval : table.intervals) weights.push_back(interval.weight);
+    EXPECT_THAT(weights, testing::ElementsAre(-1, -1, -0.5, 0, 0.5, 1, 1, 1, 0.5, 0, -0.5, -1));
+    EXPECT_TRUE(checked(table));
+    EXPECT_TRUE(table.intervals[1].holds(2028y / February / 29, 12h));
+    EXPECT_FALSE(table.intervals[1].holds(2026y / March / 1, 0h));
+}
+
+TEST(TimeWeights, WhatMakesNoSenseIsRefused) {
+    TimeWeights table{"mine", {{.name = "all", .weight = 2}}};
+    EXPECT_THAT(checked(table).error().text(), HasSubstr("-1 (unwanted"));
+    table.intervals[0].weight = 1;
+    EXPECT_TRUE(checked(table));
+    table.intervals.push_back({.name = "winter", .first = December / 1, .last = February / 1, .weight = -1});
+    EXPECT_THAT(checked(table).error().text(), HasSubstr("'all' and 'winter' hold the same time"));
+    EXPECT_FALSE(checked(TimeWeights{"", {{.weight = 1}}}));
+    EXPECT_FALSE(checked(TimeWeights{"none", {}}));
+    EXPECT_FALSE(checked(TimeWeights{"backwards", {{.from = 12h, .to = 9h, .weight = 1}}}));
+}
+
+TEST(TimeWeights, AnIntervalGoesOverNewYear) {
+    const WeightedInterval winter{.first = December / 1, .last = month_day(February, day(29)), .weight = -1};
+    EXPECT_TRUE(winter.holds(2026y / December / 31, 0h));
+    EXPECT_TRUE(winter.holds(2026y / February / 28, 0h));
+    EXPECT_FALSE(winter.holds(2026y / March / 1, 0h));
+}
+
+TEST(TimePieces, HoldEveryStepOnce) {
+    const Study study = studied(year());
+    const auto zone = Zone::named("America/New_York").value();
+    const auto pieces = piecesOf(study.sun, zone, monthlyWeights());
+    ASSERT_EQ(pieces.size(), 12U);
+    std::size_t steps = 0, days = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        EXPECT_EQ(unsigned(pieces[i].month.month()), i + 1);
+        EXPECT_EQ(pieces[i].interval, i);
+        steps += pieces[i].sun.steps.size();
+        days += pieces[i].sun.days.size();
+    }
+    EXPECT_EQ(steps, study.sun.steps.size());
+    EXPECT_EQ(days, 365U);
+}
+
+TEST(Score, IsTheWeightedSumOfTheMonths) {
+    const Score score = scored(year(), monthlyWeights());
+    ASSERT_EQ(score.months.size(), 12U);
+    StudySettings june = year();
+    june.period.start = 2026y / June / 1;
+    june.period.days = 30;
+    StudySettings january = year();
+    january.period.days = 31;
+    const double shadeM2 = studied(june).statistics.shadowAreaM2;
+    const double shadowM2 = studied(january).statistics.shadowAreaM2;
+    EXPECT_NEAR(score.months[5].shadowAreaM2, shadeM2, 1e-4 * shadeM2);
+    EXPECT_NEAR(score.months[5].scoreM2, shadeM2, 1e-4 * shadeM2);
+    EXPECT_NEAR(score.months[0].scoreM2, -shadowM2, 1e-4 * shadowM2);
+    EXPECT_EQ(score.months[3].scoreM2, 0);
+    double sum = 0;
+    for (const MonthFigures& month : score.months) sum += month.scoreM2;
+    EXPECT_NEAR(score.scoreM2, sum, 1e-6 * std::abs(sum));
+    EXPECT_LT(score.scoreM2, 0);  // winter's shadows are longer
+    EXPECT_NEAR(scoreIn(score, year().region), score.scoreM2, 1e-3 * std::abs(score.scoreM2));
+}
+
+TEST(Score, OfHoursCountsThoseHoursOnly) {
+    StudySettings day = year();
+    day.period.days = 1;
+    day.period.stepMinutes = 10;
+    const TimeWeights mornings{"mornings", {{.name = "morning", .to = 12h, .weight = 1}}};
+    const Score score = scored(day, mornings);
+    StudySettings morning = day;
+    morning.period.hours = 4;
+    const Study truth = studied(morning);
+    EXPECT_NEAR(score.scoreM2, truth.statistics.shadowAreaM2, 1e-4 * score.scoreM2);
+    ASSERT_EQ(score.intervals.size(), 1U);
+    EXPECT_NEAR(score.intervals[0].shadowAreaM2, score.scoreM2, 1e-9 * score.scoreM2);
+    // The month holds the afternoon too.
+    EXPECT_NEAR(score.months[0].shadowAreaM2, studied(day).statistics.shadowAreaM2, 1e-4 * score.scoreM2);
+    EXPECT_NEAR(score.months[0].scoreM2, score.scoreM2, 1e-9 * score.scoreM2);
+}
+
+TEST(Score, AnIntervalOverSeveralMonthsIsOneFraction) {
+    StudySettings days = year();
+    days.period.start = 2026y / May / 20;
+    days.period.days = 30;
+    const TimeWeights all{"all", {{.name = "all", .weight = 1}}};
+    const Score score = scored(days, all);
+    EXPECT_EQ(score.months.size(), 2U);
+    EXPECT_NEAR(score.scoreM2, studied(days).statistics.shadowAreaM2, 1e-4 * score.scoreM2);
+}
+
+}  // namespace
+}  // namespace noonmark::tests
