@@ -12,8 +12,9 @@
 
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/bin_sweep.h"
 #include "core/accumulate/horizon/longest_runs.h"
-#include "core/accumulate/horizon/tile_ranks.h"
+#include "core/accumulate/horizon/tile_horizons.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
 
@@ -40,27 +41,9 @@ Result<void> checkCase(const City& city, const Receivers& receivers, const SunSt
     return {};
 }
 
-std::vector<TimedStep> timedSteps(const SunSteps& sun, const BinnedSun& binned) {
-    std::vector<TimedStep> steps(sun.steps.size());
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        steps[i] = {binned.places[i], i == 0 || sun.steps[i].slot != sun.steps[i - 1].slot + 1};
-    for (const SunDay& day : sun.days)
-        if (day.count > 0) steps[day.first].startsRun = true;
-    return steps;
-}
-
 int tileSide(std::size_t bins) {
-    const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(std::int16_t));
-    return std::clamp(int(std::sqrt(cells)), 64, largestTile);
-}
-
-std::vector<TileBox> tilesOf(const Grid& grid, int side) {
-    std::vector<TileBox> tiles;
-    for (int row = 0; row < grid.rows; row += side)
-        for (int column = 0; column < grid.columns; column += side)
-            tiles.push_back(
-                {column, row, std::min(side, grid.columns - column), std::min(side, grid.rows - row)});
-    return tiles;
+    const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(HorizonCode));
+    return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
 /// Sweeps and counts, tile after tile.
@@ -71,20 +54,22 @@ public:
         : walls_(walls),
           receivers_(receivers),
           binned_(binned),
-          steps_(timedSteps(sun, binned)),
+          runs_(timedSteps(sun, binned)),
           progress_(progress),
-          stop_(std::move(stop)) {}
+          stop_(std::move(stop)) {
+        for (const AzimuthBin& bin : binned.bins) hidden_.emplace_back(bin.suns);
+    }
 
     Result<void> run(ShadowField& field) {
         for (const TileBox& box : tilesOf(receivers_.grid, tileSide(binned_.bins.size()))) {
-            const TileReceivers tile(receivers_, box);
-            if (tile.count() == 0) continue;
-            TileRanks ranks(binned_.bins.size(), tile.count());
-            timed(field, "sweep", [&] { sweep(tile, ranks); });
+            const ReceiverBlocks blocks(receivers_, box);
+            if (blocks.receivers() == 0) continue;
+            TileHorizons horizons(binned_.bins.size(), blocks.numbers());
+            timed(field, "sweep", [&] { sweep(blocks, horizons, field); });
             if (stop_.stop_requested()) return cancelled();
-            timed(field, "count", [&] { count(tile, ranks, field); });
+            timed(field, "count", [&] { countRuns(blocks, horizons, field); });
             if (stop_.stop_requested()) return cancelled();
-            receiversDone_ += tile.count();
+            receiversDone_ += blocks.receivers();
         }
         return {};
     }
@@ -92,6 +77,8 @@ public:
     std::uint64_t outOfReach() { return outOfReach_.combine(std::plus<>()); }
 
 private:
+    using Sums = std::vector<std::uint32_t>;
+
     template <class Work>
     void timed(ShadowField& field, const char* stage, Work&& work) {
         const Stopwatch watch;
@@ -99,49 +86,68 @@ private:
         field.cost.seconds[stage] += watch.seconds();
     }
 
-    void sweep(const TileReceivers& tile, TileRanks& ranks) {
+    void sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, ShadowField& field) {
+        tbb::enumerable_thread_specific<Sums> sums{[&] { return Sums(blocks.numbers()); }};
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t bin) {
             if (stop_.stop_requested()) return;
-            outOfReach_.local() += sweeps_.local().sweep(walls_, tile, binned_.bins[bin],
-                                                         receivers_.grid.cellM, ranks.of(bin), stop_);
-            report(tile, 0.5 * double(++done) / double(binned_.bins.size()));
-        });
-    }
-
-    void count(const TileReceivers& tile, const TileRanks& ranks, ShadowField& field) {
-        const std::size_t blocks = (tile.count() + receiversABlock - 1) / receiversABlock;
-        std::atomic<std::size_t> done{0};
-        tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+            const AzimuthBin& of = binned_.bins[bin];
+            const std::span<HorizonCode> codes = horizons.of(bin);
+            outOfReach_.local() += sweeps_.local().sweep(walls_, blocks, of.away, of.lowest(),
+                                                         receivers_.grid.cellM, codes.data(), stop_);
             if (stop_.stop_requested()) return;
-            std::vector<BlockRanks>& ofBlock = blocks_.local();
-            ranks.copyBlock(block, ofBlock);
-            const BlockRanks longest = longestRuns(ofBlock, steps_);
-            const BlockSums hidden = sumsOf(ofBlock);
-            for (std::size_t i = 0, number = block * receiversABlock;
-                 i < receiversABlock && number < tile.count(); ++i, ++number) {
-                field.grossMin[tile.cell(number)] = float(hidden.values[i] * field.stepMinutes / field.days);
-                field.continuousMin[tile.cell(number)] = float(longest.values[i] * field.stepMinutes);
-            }
-            report(tile, 0.5 + 0.5 * double(++done) / double(blocks));
+            Sums& hidden = sums.local();
+            for (std::size_t i = 0; i < codes.size(); ++i) hidden[i] += hidden_[bin](codes[i]);
+            report(blocks, 0.8 * double(++done) / double(binned_.bins.size()));
+        });
+        for (const Sums& hidden : sums) addGross(blocks, hidden, field);
+    }
+
+    // Whole numbers of steps first: their sum is the same in any order.
+    static void addGross(const ReceiverBlocks& blocks, const Sums& hidden, ShadowField& field) {
+        for (std::size_t i = 0; i < hidden.size(); ++i)
+            if (blocks.cell(i) != ReceiverBlocks::padding) field.grossMin[blocks.cell(i)] += float(hidden[i]);
+    }
+
+    void countRuns(const ReceiverBlocks& blocks, const TileHorizons& horizons, ShadowField& field) {
+        std::vector<std::span<const HorizonCode>> bins;
+        for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin) bins.push_back(horizons.of(bin));
+        const std::size_t parts = (blocks.numbers() + lanesARun - 1) / lanesARun;
+        std::atomic<std::size_t> done{0};
+        tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+            if (stop_.stop_requested()) return;
+            std::vector<RunLanes>& lanes = lanes_.local();
+            copyLanes(bins, part * lanesARun, lanes);
+            write(blocks, part * lanesARun, runs_.of(lanes), field);
+            report(blocks, 0.8 + 0.2 * double(++done) / double(parts));
         });
     }
 
-    void report(const TileReceivers& tile, double fraction) {
-        progress_.report(
-            (double(receiversDone_) + fraction * double(tile.count())) / double(receivers_.cells.size()),
-            "sweeping horizons");
+    static void write(const ReceiverBlocks& blocks, std::size_t first, const RunLanes& longest,
+                      ShadowField& field) {
+        for (std::size_t i = 0; i < lanesARun && first + i < blocks.numbers(); ++i)
+            if (const std::uint32_t cell = blocks.cell(first + i); cell != ReceiverBlocks::padding) {
+                field.continuousMin[cell] = float(longest.values[i] * field.stepMinutes);
+                field.grossMin[cell] = float(double(field.grossMin[cell]) * field.stepMinutes / field.days);
+            }
+    }
+
+    void report(const ReceiverBlocks& blocks, double fraction) {
+        progress_.report((double(receiversDone_) + fraction * double(blocks.receivers())) /
+                             double(receivers_.cells.size()),
+                         "sweeping horizons");
     }
 
     const WallList& walls_;
     const Receivers& receivers_;
     const BinnedSun& binned_;
-    std::vector<TimedStep> steps_;
+    LongestRuns runs_;
+    std::vector<HiddenSuns> hidden_;
     Progress& progress_;
     std::stop_token stop_;
     std::size_t receiversDone_ = 0;
     tbb::enumerable_thread_specific<BinSweep> sweeps_;
-    tbb::enumerable_thread_specific<std::vector<BlockRanks>> blocks_;
+    tbb::enumerable_thread_specific<std::vector<RunLanes>> lanes_;
     tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};
 };
 

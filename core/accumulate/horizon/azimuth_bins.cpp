@@ -1,7 +1,6 @@
 #include "core/accumulate/horizon/azimuth_bins.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -13,7 +12,7 @@ namespace {
 struct Place {
     std::uint32_t step;
     std::uint32_t bin;
-    float tan;
+    HorizonCode sun;
 };
 
 // In line with the rays of the reference, which know only the direction.
@@ -22,7 +21,7 @@ Place placeOf(const SunStep& step, std::uint32_t index, double widthDeg) {
     double azimuth = std::atan2(east, north) * 180 / std::numbers::pi;
     if (azimuth < 0) azimuth += 360;
     const double tan = double(step.direction.z) / std::max(std::hypot(east, north), 1e-9);
-    return {index, std::uint32_t(azimuth / widthDeg), float(tan)};
+    return {index, std::uint32_t(azimuth / widthDeg), codeOfSun(tan)};
 }
 
 std::vector<Place> sortedPlaces(const SunSteps& sun, double widthDeg) {
@@ -30,7 +29,7 @@ std::vector<Place> sortedPlaces(const SunSteps& sun, double widthDeg) {
     places.reserve(sun.steps.size());
     for (std::uint32_t i = 0; i < sun.steps.size(); ++i) places.push_back(placeOf(sun.steps[i], i, widthDeg));
     std::ranges::sort(places, [](const Place& a, const Place& b) {
-        return std::tie(a.bin, a.tan, a.step) < std::tie(b.bin, b.tan, b.step);
+        return std::tie(a.bin, a.sun, a.step) < std::tie(b.bin, b.sun, b.step);
     });
     return places;
 }
@@ -48,25 +47,24 @@ glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
 }
 
 void addBin(BinnedSun& binned, const SunSteps& sun, std::span<const Place> places) {
-    std::vector<float> tans;
+    AzimuthBin bin{meanAway(sun, places), {}};
     for (const Place& place : places) {
-        binned.places[place.step] = {std::uint16_t(binned.bins.size()), std::int16_t(tans.size())};
-        tans.push_back(place.tan);
+        binned.places[place.step] = {std::uint16_t(binned.bins.size()), place.sun};
+        bin.suns.push_back(place.sun);
     }
-    binned.bins.emplace_back(meanAway(sun, places), std::move(tans));
+    binned.bins.push_back(std::move(bin));
 }
 
 }  // namespace
 
-std::uint32_t AzimuthBin::keyOf(float slope) { return std::bit_cast<std::uint32_t>(slope) >> 16U; }
-
-AzimuthBin::AzimuthBin(glm::dvec2 away, std::vector<float> tans)
-    : away_(away), tans_(std::move(tans)), lowestKey_(keyOf(tans_.front())) {
-    std::size_t rank = 0;
-    for (std::uint32_t key = lowestKey_; key <= keyOf(tans_.back()); ++key) {
-        while (rank < tans_.size() && keyOf(tans_[rank]) < key) ++rank;
-        firstAt_.push_back(std::int16_t(rank));
+HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns) {
+    if (!suns.empty()) {
+        lowest_ = suns.front();
+        last_ = suns.back() - lowest_ + 1;
     }
+    counts_.assign(std::size_t(last_) + 1, 0);
+    for (const HorizonCode sun : suns) ++counts_[std::size_t(sun - lowest_ + 1)];
+    for (std::size_t i = 1; i < counts_.size(); ++i) counts_[i] += counts_[i - 1];
 }
 
 BinnedSun binnedSun(const SunSteps& sun, double widthDeg) {
@@ -75,9 +73,7 @@ BinnedSun binnedSun(const SunSteps& sun, double widthDeg) {
     binned.places.resize(places.size());
     for (std::size_t first = 0; first < places.size();) {
         std::size_t end = first;
-        while (end < places.size() && places[end].bin == places[first].bin &&
-               end - first < BinnedSun::mostStepsABin)
-            ++end;
+        while (end < places.size() && places[end].bin == places[first].bin) ++end;
         addBin(binned, sun, std::span(places).subspan(first, end - first));
         first = end;
     }

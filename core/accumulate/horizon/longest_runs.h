@@ -2,36 +2,38 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
-#include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/day_groups.h"
 #include "core/accumulate/horizon/lanes16.h"
 
 namespace noonmark {
 
 /// Receivers that are counted together.
-inline constexpr std::size_t receiversABlock = 64;
+inline constexpr std::size_t lanesARun = 64;
 
-/// Numbers of hidden steps of one bin, one a receiver.
-struct alignas(64) BlockRanks {
-    std::int16_t values[receiversABlock] = {};
+/// Horizon codes of one bin, or numbers of steps, one a receiver.
+struct alignas(64) RunLanes {
+    std::int16_t values[lanesARun] = {};
 };
 
-/// A sum of ranks for each receiver of a block.
-struct alignas(64) BlockSums {
-    std::int32_t values[receiversABlock] = {};
+/// The longest unbroken runs in shadow over a period. Groups of days whose bound cannot beat what was found
+/// are passed over; the others are walked step by step.
+class LongestRuns {
+public:
+    /// No day may have more than 32,767 steps.
+    explicit LongestRuns(std::vector<TimedStep> steps);
+
+    /// Of each receiver, in steps. `horizons`: one a bin.
+    [[nodiscard]] RunLanes of(std::span<const RunLanes> horizons) const;
+
+    [[nodiscard]] std::span<const TimedStep> steps() const { return steps_; }
+
+private:
+    void walkGroup(std::span<const RunLanes> horizons, const DayGroup& group, RunLanes& longest) const;
+
+    std::vector<TimedStep> steps_;
+    std::vector<DayGroup> groups_, days_;  // many days each, and few
 };
-
-/// The steps that each receiver spends in shadow. `ranks`: one a bin.
-BlockSums sumsOf(std::span<const BlockRanks> ranks);
-
-/// A step of the period, in time order.
-struct TimedStep {
-    StepPlace place;
-    bool startsRun = false;  ///< a new day, or steps are missing before it
-};
-
-/// The longest unbroken run in shadow of each receiver of a block, in steps: every step of every day is
-/// looked at. `ranks`: one a bin. No day may have more than 32,767 steps.
-BlockRanks longestRuns(std::span<const BlockRanks> ranks, std::span<const TimedStep> steps);
 
 }  // namespace noonmark

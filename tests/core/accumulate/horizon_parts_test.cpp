@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
 #include "core/accumulate/horizon/longest_runs.h"
-#include "core/accumulate/horizon/sheared_tile.h"
+#include "core/accumulate/horizon/receiver_blocks.h"
 #include "tests/core/accumulate/scenes.h"
 
 namespace noonmark {
@@ -14,94 +15,123 @@ namespace {
 
 using namespace tests;
 
-TEST(AzimuthBin, countsTheStepsBelowASlope) {
+TEST(HorizonCode, hidesWhatIsLowerButForHalfALevel) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> logarithm(-4, 4);
-    for (int round = 0; round < 50; ++round) {
-        std::vector<float> tans;
-        for (int i = 0; i < 1 + round * 7; ++i) tans.push_back(float(std::pow(10.0, logarithm(random))));
-        if (round % 2 == 0) tans.push_back(tans.front());
-        std::ranges::sort(tans);
-        const AzimuthBin bin({0, 1}, tans);
-        for (int i = 0; i < 500; ++i) {
-            float slope =
-                i % 3 == 0 ? tans[std::size_t(i) % tans.size()] : float(std::pow(10.0, logarithm(random)));
-            if (i % 5 == 0) slope = std::nextafter(slope, 1e9F);
-            EXPECT_EQ(bin.hidden(slope), std::ranges::count_if(tans, [&](float tan) { return tan < slope; }));
+    for (int i = 0; i < 100'000; ++i) {
+        const double slope = std::pow(10.0, logarithm(random)), tan = std::pow(10.0, logarithm(random));
+        const bool hidden = codeOfHorizon(float(slope / (1 + slope))) > codeOfSun(tan);
+        const double levels = steepnessLevels * (slope / (1 + slope) - tan / (1 + tan));
+        if (std::abs(levels) > 0.51 && slope < 1e4) {
+            EXPECT_EQ(hidden, levels > 0) << slope << ' ' << tan;
         }
-        EXPECT_EQ(bin.hidden(0), 0);
+    }
+    EXPECT_GT(codeOfHorizon(1), codeOfSun(1e5));
+    EXPECT_LE(codeOfHorizon(1), codeOfSun(1e9));
+    EXPECT_LE(codeOfHorizon(0), codeOfSun(1e-9));
+}
+
+TEST(HiddenSuns, countsTheSunsBelowAHorizon) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 50; ++round) {
+        std::vector<HorizonCode> suns;
+        for (int i = 0; i < round * 7; ++i)
+            suns.push_back(HorizonCode(int(random() % 3000) - 1500 + 600 * round - 31'000));
+        std::ranges::sort(suns);
+        const HiddenSuns hidden(suns);
+        for (int code = -32'768; code < 32'768; code += 1 + int(random() % 100))
+            EXPECT_EQ(hidden(HorizonCode(code)),
+                      std::ranges::count_if(suns, [&](HorizonCode sun) { return sun < code; }));
     }
 }
 
-TEST(BinnedSun, everyStepHasItsRankInABinOfItsAzimuth) {
+TEST(BinnedSun, everyStepIsInABinOfItsAzimuth) {
     SunSteps sun = oneDay(arc(700, 60));
     addDay(sun, arc(700, 30, true));
     const BinnedSun binned = binnedSun(sun, 0.5);
     std::size_t steps = 0;
     for (const AzimuthBin& bin : binned.bins) {
-        EXPECT_TRUE(std::ranges::is_sorted(bin.tans()));
-        steps += bin.tans().size();
+        EXPECT_TRUE(std::ranges::is_sorted(bin.suns));
+        steps += bin.suns.size();
     }
     EXPECT_EQ(steps, sun.steps.size());
     for (std::size_t i = 0; i < sun.steps.size(); ++i) {
         const AzimuthBin& bin = binned.bins[binned.places[i].bin];
         const glm::dvec3 towards(sun.steps[i].direction);
         const double level = std::hypot(towards.x, towards.y);
-        EXPECT_NEAR(double(bin.tans()[std::size_t(binned.places[i].rank)]) * level / towards.z, 1, 1e-5);
-        EXPECT_GT(-(bin.away().x * towards.x + bin.away().y * towards.y) / level, std::cos(0.5 / 57.2957));
+        EXPECT_EQ(binned.places[i].sun, codeOfSun(towards.z / level));
+        EXPECT_TRUE(std::ranges::binary_search(bin.suns, binned.places[i].sun));
+        EXPECT_GT(-(bin.away.x * towards.x + bin.away.y * towards.y) / level, std::cos(0.5 / 57.2957));
     }
 }
 
-TEST(BinnedSun, fullBinsAreCutInTwo) {
-    const BinnedSun binned = binnedSun(oneDay(std::vector<Sun>(70'000, {180.2, 30})), 0.5);
-    ASSERT_EQ(binned.bins.size(), 3U);
-    for (const AzimuthBin& bin : binned.bins) EXPECT_LE(bin.tans().size(), BinnedSun::mostStepsABin);
+std::vector<RunLanes> randomHorizons(std::mt19937& random, std::size_t bins) {
+    std::vector<RunLanes> horizons(bins);
+    std::array<int, lanesARun> level{};
+    for (RunLanes& bin : horizons)
+        for (std::size_t lane = 0; lane < lanesARun; ++lane) {
+            if (random() % 6 == 0) level[lane] = int(random() % 200);
+            bin.values[lane] = std::int16_t(level[lane]);
+        }
+    return horizons;
+}
+
+// Days that begin and end earlier and later, jump over bins, go back, and stand still.
+std::vector<TimedStep> randomDays(std::mt19937& random, int days, int bins) {
+    std::vector<TimedStep> steps;
+    for (int day = 0; day < days; ++day) {
+        const int first = int(random() % 10), count = 60 + int(random() % 60), turn = int(random() % 400);
+        const int height = 100 + int(random() % 40) - day;
+        for (int i = 0; i < count; ++i) {
+            const int along = i < turn ? i : 2 * turn - i;
+            const int bin = std::clamp(first + along * (2 + day % 3) / 3, 0, bins - 1);
+            steps.push_back({{std::uint16_t(bin), std::int16_t(height - std::abs(60 - i))},
+                             i == 0 || random() % 90 == 0});
+        }
+    }
+    return steps;
 }
 
 TEST(LongestRuns, areThoseOfAStepByStepWalk) {
     std::mt19937 random(5);
-    std::vector<BlockRanks> ranks(40);
-    for (BlockRanks& bin : ranks)
-        for (std::int16_t& rank : bin.values) rank = std::int16_t(random() % 20);
-    std::vector<TimedStep> steps;
-    for (int i = 0; i < 3000; ++i)
-        steps.push_back(
-            {{std::uint16_t(i % 200 / 5), std::int16_t(random() % 20)}, i % 200 == 0 || i == 777});
-    const BlockRanks longest = longestRuns(ranks, steps);
-    for (std::size_t receiver = 0; receiver < receiversABlock; ++receiver) {
-        int run = 0, expected = 0;
-        for (const TimedStep& step : steps) {
-            if (step.startsRun) run = 0;
-            run = step.place.rank < ranks[step.place.bin].values[receiver] ? run + 1 : 0;
-            expected = std::max(expected, run);
+    for (int round = 0; round < 40; ++round) {
+        const std::vector<RunLanes> horizons = randomHorizons(random, 130);
+        const LongestRuns runs(randomDays(random, 1 + round, 130));
+        const RunLanes longest = runs.of(horizons);
+        for (std::size_t receiver = 0; receiver < lanesARun; ++receiver) {
+            int run = 0, expected = 0;
+            for (const TimedStep& step : runs.steps()) {
+                if (step.startsRun) run = 0;
+                run = step.place.sun < horizons[step.place.bin].values[receiver] ? run + 1 : 0;
+                expected = std::max(expected, run);
+            }
+            EXPECT_EQ(longest.values[receiver], expected) << receiver;
         }
-        EXPECT_EQ(longest.values[receiver], expected) << receiver;
     }
 }
 
-TEST(ShearedTile, aLineHasTheCellsThatItsShadowsMeet) {
-    const TileBox box{3, 5, 37, 23};
-    for (int degrees = 0; degrees < 360; degrees += 5) {
-        const double azimuth = degrees / 57.29577951308232;
-        const ShearedTile tile(box, {std::sin(azimuth), std::cos(azimuth)});
-        std::size_t cells = 0;
-        for (int line = 0; line < tile.lines(); ++line)
-            for (int along = 0; along < tile.length(); ++along) {
-                const int across = tile.across(line, along);
-                const bool inside = across >= 0 && across < tile.width();
-                EXPECT_EQ(inside, along >= tile.first(line) && along < tile.end(line)) << degrees;
-                if (!inside) continue;
-                ++cells;
-                const int row = tile.rowAt(along);
-                const glm::dvec2 centre = tile.swapped()
-                                              ? glm::dvec2(box.firstColumn + row, box.firstRow + across)
-                                              : glm::dvec2(box.firstColumn + across, box.firstRow + row);
-                const ShearedTile::Point point = tile.from(centre);
-                EXPECT_EQ(int(std::lround(point.along)), along);
-                EXPECT_NEAR(point.q, line + double(tile.fractions()[along]), 1e-5);
+TEST(ReceiverBlocks, numberEveryReceiverOnce) {
+    const City city = cityOf(randomBoxes(1, 4));
+    const Receivers receivers = receiversOver(city, -7, -9, 90, 75);
+    std::vector<int> times(receivers.grid.size());
+    for (const TileBox& box : tilesOf(receivers.grid, 48)) {
+        const ReceiverBlocks blocks(receivers, box);
+        for (std::size_t b = 0; b < blocks.blocks().size(); ++b) {
+            const auto& block = blocks.blocks()[b];
+            EXPECT_EQ(block.first % 32, 0U);
+            for (std::uint32_t i = 0; i < block.count; ++i) {
+                ++times[blocks.cell(block.first + i)];
+                const int place = blocks.places(block, false)[i], turned = blocks.places(block, true)[i];
+                EXPECT_EQ(receivers.grid.index(block.column + place % 16, block.row + place / 16),
+                          blocks.cell(block.first + i));
+                EXPECT_EQ(turned, place % 16 * 16 + place / 16);
+                EXPECT_TRUE(blocks.masks(b, false)[std::size_t(place / 16)] >> (place % 16) & 1);
+                EXPECT_TRUE(blocks.masks(b, true)[std::size_t(place % 16)] >> (place / 16) & 1);
             }
-        EXPECT_EQ(cells, std::size_t(box.columns * box.rows)) << degrees;
+        }
     }
+    for (std::size_t cell = 0; cell < times.size(); ++cell)
+        EXPECT_EQ(times[cell], receivers.kind[cell] == CellKind::ground ? 1 : 0);
 }
 
 }  // namespace

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accumulate/horizon/receiver_blocks.h"
+#include "core/accumulate/horizon/shadow_axes.h"
+#include "core/accumulate/horizon/wall_list.h"
+
+namespace noonmark {
+
+/// A piece of a wall that faces away from the sun, in the axes of one azimuth: at most 32 cells across and 16
+/// along. Walls are cut at places of their own, whatever the tile, and each cut belongs to one side.
+struct WallPiece {
+    double lowQ, highQ;  ///< it shades lowQ <= q < highQ
+    double along0;       ///< `along` of the wall at lowQ
+    float slope;         ///< of `along` against q
+    float highAlong;     ///< highest `along` of the piece
+    float rise;          ///< height, such that rise / (distance in `along`) is the tangent of the horizon
+    float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it
+};
+
+/// The pieces of wall that matter to a tile at one azimuth, in bands of q and, from the sun's far end of the
+/// tile towards the sun, in rows of 16 `along`: those that a cell may see first come first.
+class BinWalls {
+public:
+    static constexpr double bandWidth = 32;
+    static constexpr double rowDepth = 16;
+
+    /// Replaces what is there. `cellM`: metres a cell. `lowestTan`: of the bin's suns.
+    void find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
+              const TileBox& box, double cellM, float lowestTan);
+
+    /// Row of the walls with the highest `along` up to this one; rows count towards the sun.
+    [[nodiscard]] int rowOf(double along) const;
+    [[nodiscard]] int rows() const { return rows_; }
+    /// Highest `along` in a row.
+    [[nodiscard]] double highestAlong(int row) const { return (lastStep_ - row + 1) * rowDepth; }
+
+    /// The bands whose pieces may shade lowQ <= q < highQ.
+    struct Bands {
+        int first, end;
+    };
+    [[nodiscard]] Bands bandsOf(double lowQ, double highQ) const;
+    [[nodiscard]] std::span<const WallPiece> pieces(int row, const Bands& bands) const;
+    /// Rise of the tallest piece in this row and all farther ones.
+    [[nodiscard]] float tallest(int row, const Bands& bands) const;
+    [[nodiscard]] std::uint64_t prismsOutOfReach() const { return outOfReach_; }
+
+private:
+    struct Extent {
+        double lowQ = 1e300, highQ = -1e300, lowAlong = 1e300, highAlong = -1e300;
+        void add(const ShadowAxes::Point& point);
+    };
+    [[nodiscard]] bool inReach(const Extent& extent, double reach) const;
+    void addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes);
+    void addWall(const ShadowAxes::Point& a, const ShadowAxes::Point& b, WallPiece piece);
+    void sort();
+    [[nodiscard]] std::size_t slotOf(const WallPiece& piece) const;
+
+    Extent tile_;
+    double alongPerMetre_ = 0, lowestTan_ = 0, reach_ = 0;
+    int firstBand_ = 0, bands_ = 0, lastStep_ = 0, rows_ = 0;
+    std::uint64_t outOfReach_ = 0;
+    std::vector<WallPiece> found_, sorted_;
+    std::vector<std::uint32_t> starts_;  // of each slot: row by row, in it band by band
+    std::vector<float> tallest_;
+};
+
+}  // namespace noonmark

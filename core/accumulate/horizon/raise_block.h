@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/accumulate/horizon/horizon_code.h"
+#include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/horizon/receiver_blocks.h"
+
+namespace noonmark {
+
+/// Steepness of the horizon of each cell of a block of 16 x 16, line by line.
+struct BlockHorizons {
+    static constexpr float nobody = 2;  ///< of cells that are no receivers: no wall is steeper
+    Floats16 lines[ReceiverBlocks::side];
+};
+
+/// How q and `along` go from a block's first line to its others.
+struct BlockLines {
+    BlockLines(double k, double sign);
+    std::array<float, ReceiverBlocks::side> shifts;  ///< q falls by so much
+    std::array<float, ReceiverBlocks::side> alongs;  ///< `along` grows by so much
+    float linesAQ;                                   ///< lines for each q; 0 where q stays
+};
+
+/// A piece of wall as a block's first cell sees it; in cells.
+struct WallOnBlock {
+    float low, high;  ///< q of the cell, less lowQ and highQ of the piece
+    float along;      ///< `along` of the cell, less that of the wall at lowQ
+    float slope, rise, nearest;
+};
+
+/// Level for receivers, `nobody` for the rest.
+void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);
+
+/// Raises horizons to those that the wall gives them: cells with low + place >= 0 > high + place that are
+/// farther behind it than `nearest`. A cell on the wall gets steepness 1. The same bits on every instruction
+/// set. Some 100 ns.
+void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons& horizons);
+
+/// Of all cells.
+float lowestOf(const BlockHorizons& horizons);
+
+/// Codes of all cells, 16 a line; those that hide no sun of code `lowest` become noHorizon.
+void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes);
+
+}  // namespace noonmark

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/receivers/receivers.h"
+
+namespace noonmark {
+
+/// A rectangle of cells of a grid.
+struct TileBox {
+    int firstColumn = 0;
+    int firstRow = 0;
+    int columns = 0;
+    int rows = 0;
+};
+
+/// The receivers of a tile in squares of 16 x 16 cells, numbered square by square, in each row by row. A
+/// square's numbers begin on a cache line of codes: numbers up to the next one are padding, nobody's.
+class ReceiverBlocks {
+public:
+    static constexpr int side = 16;
+    static constexpr int cells = side * side;
+    static constexpr std::uint32_t padding = 0xFFFFFFFF;
+
+    struct Block {
+        int column, row;      ///< of its first cell, in the grid
+        std::uint32_t first;  ///< number of its first receiver; a multiple of 32
+        std::uint32_t count;  ///< receivers, at least one
+    };
+    /// For each line of a block (its row, or column where swapped) the cells that are receivers, as bits.
+    using Masks = std::array<std::uint16_t, side>;
+
+    ReceiverBlocks(const Receivers& receivers, const TileBox& box);
+
+    [[nodiscard]] const TileBox& box() const { return box_; }
+    [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
+    [[nodiscard]] std::size_t receivers() const { return receivers_; }
+    /// Numbers given out, padding included: a multiple of 32.
+    [[nodiscard]] std::size_t numbers() const { return cellOf_.size(); }
+    /// Cell of the grid, or `padding`.
+    [[nodiscard]] std::uint32_t cell(std::size_t number) const { return cellOf_[number]; }
+    [[nodiscard]] const Masks& masks(std::size_t block, bool swapped) const {
+        return swapped ? columnMasks_[block] : rowMasks_[block];
+    }
+    /// For each number from a block's first on: 16 x line + place in the line.
+    [[nodiscard]] const std::uint8_t* places(const Block& block, bool swapped) const {
+        return (swapped ? columnPlaces_ : rowPlaces_).data() + block.first;
+    }
+
+private:
+    void addBlock(const Receivers& receivers, int column, int row);
+    void addReceiver(std::uint32_t cell, int x, int y);
+
+    TileBox box_;
+    std::size_t receivers_ = 0;
+    std::vector<Block> blocks_;
+    std::vector<Masks> rowMasks_, columnMasks_;
+    std::vector<std::uint32_t> cellOf_;
+    std::vector<std::uint8_t> rowPlaces_, columnPlaces_;
+};
+
+/// Squares of up to `side` cells that cover a grid; `side`: a multiple of 16.
+std::vector<TileBox> tilesOf(const Grid& grid, int side);
+
+}  // namespace noonmark

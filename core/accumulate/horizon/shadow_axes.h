@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+#include <glm/vec2.hpp>
+
+namespace noonmark {
+
+/// How the shadows of one azimuth run over the cells of a grid. Of its two axes `along` is the one nearer to
+/// the shadows, turned so that they run towards higher `along`; `across` is the other. q = across - k along
+/// is the same for all points of one shadow. Unit: cells, cell centres at whole numbers.
+struct ShadowAxes {
+    /// `away`: unit vector that shadows run along.
+    explicit ShadowAxes(glm::dvec2 away)
+        : swapped(std::abs(away.x) > std::abs(away.y)),
+          sign((swapped ? away.x : away.y) < 0 ? -1 : 1),
+          alongPerDistance(std::abs(swapped ? away.x : away.y)),
+          k((swapped ? away.y : away.x) / alongPerDistance) {}
+
+    struct Point {
+        double q;
+        double along;
+    };
+    [[nodiscard]] Point from(glm::dvec2 cells) const {
+        const double along = sign * (swapped ? cells.x : cells.y);
+        return {(swapped ? cells.y : cells.x) - k * along, along};
+    }
+
+    /// Whether going from (across, along) to (x, y) turns the plane over.
+    [[nodiscard]] bool mirrored() const { return swapped != (sign < 0); }
+
+    bool swapped;             ///< `along` is x
+    double sign;              ///< of the axis: 1 or -1
+    double alongPerDistance;  ///< of a distance along the azimuth, the part along `along`: 0.7 to 1
+    double k;                 ///< -1 to 1
+};
+
+}  // namespace noonmark
