@@ -1,15 +1,11 @@
 #include "core/accumulate/shadow_accrual_map.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <new>
 
 #include "core/accumulate/accrual/ground_lookup.h"
-#include "core/accumulate/accrual/interval_casters.h"
-#include "core/accumulate/accrual/mask_transpose.h"
+#include "core/accumulate/accrual/slice_stack.h"
 #include "core/accumulate/projected/step_filler.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
@@ -18,20 +14,6 @@ namespace noonmark {
 
 namespace {
 
-/// What a thread draws with.
-struct Easel {
-    explicit Easel(const MapFrame& frame) : slice(frame.columns, frame.rows) {}
-    DepthSlice slice;
-    SliceDrawer drawer;
-};
-
-std::vector<glm::dvec3> placedIn(const MapFrame& frame, const std::vector<glm::vec3>& points) {
-    std::vector<glm::dvec3> placed;
-    placed.reserve(points.size());
-    for (const glm::vec3 point : points) placed.push_back(frame.placed(point));
-    return placed;
-}
-
 class AccrualScene final : public IntervalScene {
 public:
     AccrualScene(CasterFaces faces, const Receivers& receivers, const AccrualSettings& settings)
@@ -39,10 +21,10 @@ public:
           settings_(settings),
           cellM_(receivers.grid.cellM),
           frame_(groundFrame(receivers.grid, settings.mapSize, settings.texelsOnCells)),
-          placed_(placedIn(frame_, faces_.points)),
+          placed_(frame_.placed(faces_.points)),
           count_(receivers),
           lookup_(receivers, frame_, settings.biasM),
-          easels_([this] { return Easel(frame_); }) {}
+          slices_(frame_.columns, frame_.rows) {}
 
     Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                        std::stop_token stop) override {
@@ -68,9 +50,13 @@ private:
         countSkipped(casters);
         cost_.seconds["place"] += place.seconds();
         const Stopwatch draw;
-        drawSlices(casters, interval, stop);
+        slices_.shade(
+            casters, frame_, interval, settings_.side,
+            [this](const DepthSlice& slice, int, std::span<std::uint64_t> bits) {
+                lookup_.look(slice, bits);
+            },
+            masks, stop);
         if (stop.stop_requested()) return cancelled();
-        takeMasks(interval.steps, masks);
         cost_.seconds["draw"] += draw.seconds();
         return {};
     }
@@ -87,35 +73,6 @@ private:
         cost_.skipped["faces whose shadow meets no receiver"] += casters.outOfReach;
     }
 
-    void drawSlices(const IntervalCasters& casters, const SunInterval& interval,
-                    const std::stop_token& stop) {
-        shaded_.assign(std::size_t(interval.steps) * lookup_.words(), 0);
-        tbb::parallel_for(tbb::blocked_range<int>(0, interval.steps, 1), [&](const auto& range) {
-            Easel& easel = easels_.local();
-            for (int step = range.begin(); step < range.end() && !stop.stop_requested(); ++step) {
-                easel.drawer.draw(casters, frame_, frame_.shearOf(interval.at(step)), settings_.side,
-                                  easel.slice);
-                lookup_.look(easel.slice, std::span(shaded_).subspan(std::size_t(step) * lookup_.words(),
-                                                                     lookup_.words()));
-            }
-        });
-    }
-
-    void takeMasks(int steps, std::span<ShadowMask> masks) const {
-        const std::size_t words = lookup_.words();
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, words, 256), [&](const auto& range) {
-            for (std::size_t word = range.begin(); word < range.end(); ++word) {
-                std::array<std::uint64_t, 64> bits{};
-                for (std::size_t step = 0; step < std::size_t(steps); ++step)
-                    bits[step] = shaded_[step * words + word];
-                transpose(bits);
-                const std::size_t first = word * 64;
-                std::copy_n(bits.begin(), std::min<std::size_t>(64, masks.size() - first),
-                            masks.begin() + std::ptrdiff_t(first));
-            }
-        });
-    }
-
     CasterFaces faces_;
     AccrualSettings settings_;
     double cellM_;
@@ -123,8 +80,7 @@ private:
     std::vector<glm::dvec3> placed_;
     ReceiverCount count_;
     GroundLookup lookup_;
-    tbb::enumerable_thread_specific<Easel> easels_;
-    std::vector<std::uint64_t> shaded_;  // steps x words: bits of the receivers at each step
+    SliceStack slices_;
     Cost cost_;
 };
 

@@ -79,7 +79,7 @@ CasterFaces casterFaces(const City& city, std::span<const std::uint32_t> buildin
     for (const CasterFaces& some : each) append(all, some);
     if (!city.terrain) return all;
     FaceList ground;
-    ground.addTriangles(meshOf(*city.terrain), true);
+    ground.addTriangles(meshOf(*city.terrain), false);
     append(all, ground.take());
     return all;
 }

@@ -15,11 +15,11 @@ namespace noonmark {
 struct CasterFace {
     std::array<std::uint32_t, 4> corner{};  ///< into CasterFaces::points
     std::uint8_t corners = 3;               ///< 3 or 4
-    bool twoSided = false;  ///< of a mesh that is not closed, or of terrain: throws from behind, too
+    bool twoSided = false;                  ///< of a mesh that is not closed: throws from behind, too
 };
 
 /// All faces of some buildings and of the terrain, as depth maps take them: walls whole, caps and meshes in
-/// triangles. Local metres.
+/// triangles. Terrain is the top of the solid below it. Local metres.
 struct CasterFaces {
     std::vector<glm::vec3> points;
     std::vector<CasterFace> faces;

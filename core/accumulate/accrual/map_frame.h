@@ -3,8 +3,11 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <vector>
 
+#include "core/accumulate/interval_engine.h"
 #include "core/receivers/grid.h"
+#include "core/receivers/surface_points.h"
 
 namespace noonmark {
 
@@ -27,6 +30,10 @@ struct MapFrame {
 
     /// Plane coordinates of a point's foot, and its height w before the plane.
     [[nodiscard]] glm::dvec3 placed(glm::vec3 point) const;
+    [[nodiscard]] std::vector<glm::dvec3> placed(const std::vector<glm::vec3>& points) const;  ///< all cores
+
+    /// The same for a direction, which has no place.
+    [[nodiscard]] glm::dvec3 turned(glm::dvec3 direction) const;
 
     /// Metres on the plane that the shadow of a point moves against, a metre of w.
     [[nodiscard]] glm::dvec2 shearOf(glm::dvec3 towardsSun) const;
@@ -47,5 +54,11 @@ struct MapFrame {
 /// is the grid's box: the trapezoid around it is the box itself, and there is nothing to warp.
 /// `texelsOnCells` as in AccrualSettings.
 MapFrame groundFrame(const Grid& grid, int mapSize, bool texelsOnCells);
+
+/// For points on any surface, in one interval: a plane through their middle at right angles to the sun's mean
+/// direction, so that points before and behind it move little from step to step; the map holds them all at
+/// every step. With `warp` and an eye, the map is a trapezoid around them that opens away from the eye
+/// (trapezoid.h). At least one point. O(points), all cores.
+MapFrame surfaceFrame(const SurfacePoints& points, const SunInterval& interval, int mapSize, bool warp);
 
 }  // namespace noonmark

@@ -1,0 +1,57 @@
+#include "core/accumulate/accrual/slice_stack.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "core/accumulate/accrual/mask_transpose.h"
+
+namespace noonmark {
+
+SliceStack::SliceStack(int columns, int rows)
+    : easels_([columns, rows] {
+          return Easel{DepthSlice(columns, rows), {}, {}};
+      }) {}
+
+void SliceStack::shade(const IntervalCasters& casters, const MapFrame& frame, const SunInterval& interval,
+                       CasterSide side, const LookUpStep& lookUp, std::span<ShadowMask> masks,
+                       const std::stop_token& stop) {
+    const std::size_t words = (masks.size() + 63) / 64;
+    shaded_.resize(std::size_t(interval.steps) * words);
+    tbb::parallel_for(tbb::blocked_range<int>(0, interval.steps, 1), [&](const auto& range) {
+        Easel& easel = easels_.local();
+        for (int step = range.begin(); step < range.end() && !stop.stop_requested(); ++step) {
+            const SliceCost cost =
+                easel.drawer.draw(casters, frame, frame.shearOf(interval.at(step)), side, easel.slice);
+            easel.cost.faces += cost.faces;
+            easel.cost.rows += cost.rows;
+            lookUp(easel.slice, step, std::span(shaded_).subspan(std::size_t(step) * words, words));
+        }
+    });
+    takeMasks(interval.steps, words, masks);
+}
+
+SliceCost SliceStack::cost() const {
+    SliceCost sum;
+    for (const Easel& easel : easels_) {
+        sum.faces += easel.cost.faces;
+        sum.rows += easel.cost.rows;
+    }
+    return sum;
+}
+
+void SliceStack::takeMasks(int steps, std::size_t words, std::span<ShadowMask> masks) const {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, words, 256), [&](const auto& range) {
+        for (std::size_t word = range.begin(); word < range.end(); ++word) {
+            std::array<std::uint64_t, 64> bits{};
+            for (std::size_t step = 0; step < std::size_t(steps); ++step)
+                bits[step] = shaded_[step * words + word];
+            transpose(bits);
+            const auto here = masks.subspan(word * 64, std::min<std::size_t>(64, masks.size() - word * 64));
+            std::copy_n(bits.begin(), here.size(), here.begin());
+        }
+    });
+}
+
+}  // namespace noonmark

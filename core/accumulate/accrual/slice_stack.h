@@ -1,0 +1,48 @@
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/accumulate/accrual/interval_casters.h"
+#include "core/accumulate/shadow_mask.h"
+
+namespace noonmark {
+
+/// Shadow of all receivers at a step: bit i % 64 of word i / 64 is set where receiver i is in shadow. Called
+/// on several threads at a time.
+using LookUpStep = std::function<void(const DepthSlice& slice, int step, std::span<std::uint64_t> shaded)>;
+
+/// The slices of an interval, drawn one a task on all cores and looked up as soon as they are drawn: one
+/// slice a thread is in memory, whatever their number.
+class SliceStack {
+public:
+    SliceStack(int columns, int rows);
+
+    /// masks[i] of receiver i; what is in them before does not matter. Incomplete after a stop request.
+    /// Throws std::bad_alloc.
+    void shade(const IntervalCasters& casters, const MapFrame& frame, const SunInterval& interval,
+               CasterSide side, const LookUpStep& lookUp, std::span<ShadowMask> masks,
+               const std::stop_token& stop);
+
+    /// Faces drawn and rows filled by all slices so far.
+    [[nodiscard]] SliceCost cost() const;
+
+private:
+    /// What a thread draws with.
+    struct Easel {
+        DepthSlice slice;
+        SliceDrawer drawer;
+        SliceCost cost;
+    };
+    void takeMasks(int steps, std::size_t words, std::span<ShadowMask> masks) const;
+
+    tbb::enumerable_thread_specific<Easel> easels_;
+    std::vector<std::uint64_t> shaded_;  // steps x words
+};
+
+}  // namespace noonmark
