@@ -1,0 +1,149 @@
+#include "render/gl/gl_shadow_maps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/accumulate/projected/step_filler.h"
+#include "core/accumulate/reach.h"
+#include "core/stopwatch.h"
+#include "render/gl/depth_maps.h"
+
+namespace noonmark {
+
+namespace {
+
+SurfacePoints cellsOf(const Receivers& receivers) {
+    SurfacePoints points;
+    for (const std::uint32_t cell : receivers.cells) points.positions.push_back(receivers.position(cell));
+    points.normals.assign(points.positions.size(), {0, 0, 1});
+    return points;
+}
+
+class GlScene final : public IntervalScene {
+public:
+    GlScene(CasterFaces faces, const Receivers& receivers, const AccrualSettings& settings, GlPasses passes,
+            std::shared_ptr<const GlContext> context, Cost cost)
+        : context_(std::move(context)),
+          faces_(std::move(faces)),
+          settings_(settings),
+          passes_(passes),
+          cellM_(receivers.grid.cellM),
+          frame_(groundFrame(receivers.grid, settings.mapSize, settings.texelsOnCells)),
+          placed_(frame_.placed(faces_.points)),
+          count_(receivers),
+          receivers_(placedSurface(cellsOf(receivers), frame_)),
+          cost_(std::move(cost)) {}
+
+    ~GlScene() override {
+        const GlContext::Current current(*context_);
+        maps_.reset();
+    }
+
+    Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
+                       std::stop_token stop) override {
+        if (auto ok = checkSteps(interval.steps); !ok) return ok;
+        const Stopwatch place;
+        const IntervalCasters casters =
+            castersOf(faces_, placed_, frame_, interval, settings_.side, extent());
+        cost_.skipped["faces on the lit side of solids, or on the ground"] += casters.turnedOther;
+        cost_.skipped["faces whose shadow meets no receiver"] += casters.outOfReach;
+        cost_.seconds["place"] += place.seconds();
+        const Stopwatch draw;
+        const GlContext::Current current(*context_);
+        if (auto ok = shadeOnDevice(casters, interval, masks, stop); !ok) return ok;
+        cost_.seconds["draw"] += draw.seconds();
+        return {};
+    }
+
+    [[nodiscard]] Cost cost() const override { return cost_; }
+
+private:
+    [[nodiscard]] ReceiverExtent extent() const {
+        return {double(settings_.biasM), [this](glm::dvec2 low, glm::dvec2 high) {
+                    return count_.any(low / cellM_ - 1.0, high / cellM_);
+                }};
+    }
+
+    Result<void> shadeOnDevice(const IntervalCasters& casters, const SunInterval& interval,
+                               std::span<ShadowMask> masks, const std::stop_token& stop) {
+        const int layers = passes_ == GlPasses::oneAStep ? 1 : interval.steps;
+        if (auto ok = prepareMaps(layers); !ok) return ok;
+        maps_->take(casters, interval);
+        for (int step = 0; step < interval.steps; step += layers) {
+            if (stop.stop_requested()) return cancelled();
+            maps_->draw(step, layers);
+            maps_->lookUp(step, layers);
+        }
+        return maps_->read(masks);
+    }
+
+    Result<void> prepareMaps(int layers) {
+        if (maps_ && layers <= layers_) return {};
+        maps_.reset();
+        auto maps = DepthMaps::make(context_->limits(), frame_.columns, frame_.rows, layers);
+        if (!maps) return tl::make_unexpected(maps.error());
+        maps_ = std::move(*maps);
+        layers_ = layers;
+        maps_->take(frame_, receivers_, settings_);
+        return {};
+    }
+
+    std::shared_ptr<const GlContext> context_;
+    CasterFaces faces_;
+    AccrualSettings settings_;
+    GlPasses passes_;
+    double cellM_;
+    MapFrame frame_;
+    std::vector<glm::dvec3> placed_;
+    ReceiverCount count_;
+    PlacedSurface receivers_;
+    std::unique_ptr<DepthMaps> maps_;
+    int layers_ = 0;
+    Cost cost_;
+};
+
+}  // namespace
+
+GlShadowMaps::GlShadowMaps(GlPasses passes, const AccrualSettings& settings,
+                           std::shared_ptr<const GlContext> context)
+    : passes_(passes), settings_(settings), context_(std::move(context)) {}
+
+Result<std::shared_ptr<const GlShadowMaps>> GlShadowMaps::make(GlPasses passes,
+                                                               const AccrualSettings& settings) {
+    if (const auto ok = check(settings); !ok) return tl::make_unexpected(ok.error());
+    auto context = GlContext::make();
+    if (!context) return tl::make_unexpected(context.error());
+    const int most = std::min((*context)->limits().mapSize, AccrualSettings::maxMapSize);
+    if (settings.mapSize > most)
+        return failure(
+            fmt::format("A shadow map of {} texels a side is larger than the graphics device allows",
+                        settings.mapSize),
+            "map size", fmt::format("Choose {} to {} texels", AccrualSettings::minMapSize, most));
+    return std::shared_ptr<const GlShadowMaps>(new GlShadowMaps(passes, settings, std::move(*context)));
+}
+
+Result<std::unique_ptr<IntervalScene>> GlShadowMaps::prepare(const City& city, const Receivers& receivers,
+                                                             const SunSteps& directions,
+                                                             std::stop_token stop) const {
+    if (city.terrain || !receivers.flat())
+        return failure("This engine's shadow maps lie on flat ground, and this city has terrain", "engine",
+                       "Choose the ray reference");
+    const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, directions);
+    CasterFaces faces = casterFaces(city, used, stop);
+    if (stop.stop_requested()) return cancelled();
+    Cost cost;
+    cost.buildingsUsed = std::uint32_t(used.size());
+    cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
+    return std::make_unique<GlScene>(std::move(faces), receivers, settings_, passes_, context_,
+                                     std::move(cost));
+}
+
+std::string GlShadowMaps::describe() const {
+    return fmt::format("{} in OpenGL, {} texels a side{}, bias {:g} m, {}",
+                       passes_ == GlPasses::oneAStep ? "Shadow map a step" : "Shadow accrual map",
+                       settings_.mapSize, settings_.texelsOnCells ? " at most, on cells" : "",
+                       settings_.biasM, limits().device);
+}
+
+}  // namespace noonmark
