@@ -1,6 +1,7 @@
 #include "core/accumulate/engine_list.h"
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/horizon_sweep.h"
+#include "core/accumulate/interval_options.h"
 #include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
@@ -23,43 +24,6 @@ EngineOption levelsOption() {
             usual,
             true,
             "How many occluders, nearest first, are followed from each cell"};
-}
-
-EngineOption mapOption() {
-    return {"map",
-            "Map size",
-            "texels",
-            AccrualSettings::minMapSize,
-            AccrualSettings::maxMapSize,
-            double(AccrualSettings{}.mapSize),
-            true,
-            "Texels along a side of the depth map that is stretched over the region; no more than cells are "
-            "used"};
-}
-
-EngineOption biasOption() {
-    return {"bias",
-            "Bias",
-            "m",
-            0,
-            double(AccrualSettings::maxBiasM),
-            double(AccrualSettings{}.biasM),
-            false,
-            "How high above the ground something must be to shade it"};
-}
-
-EngineOption intervalOption() {
-    return {"interval", "Interval",
-            "min",      0.1,
-            120,        DirectionGraphSettings{}.intervalMinutes,
-            false,      "How long the sun is taken to move in a straight line"};
-}
-
-EngineOption boundOption() {
-    return {"bound", "Direction bound",
-            "deg",   0.1,
-            20,      DirectionGraphSettings{}.boundDeg,
-            false,   "Hours whose sun is less than this apart are computed once"};
 }
 
 EngineOption binOption() {
@@ -102,19 +66,21 @@ Engine horizonSweep() {
 Made inverseAccrual(const EngineSettings& settings) {
     const auto map = InverseAccrualMap::make({.levels = int(settings.at("levels"))});
     if (!map) return tl::make_unexpected(map.error());
-    return std::make_unique<GraphAccumulator>(
-        *map,
-        DirectionGraphSettings{.boundDeg = settings.at("bound"), .intervalMinutes = settings.at("interval")});
+    return std::make_unique<GraphAccumulator>(*map, graphSettings(settings));
+}
+
+std::vector<EngineOption> inverseAccrualOptions() {
+    std::vector<EngineOption> options = graphOptions();
+    options.insert(options.begin(), levelsOption());
+    return options;
 }
 
 Engine inverseAccrualMap() {
-    return {{"iam",
-             "Inverse accrual map",
+    return {{"iam", "Inverse accrual map",
              "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
              "once",
              // Sources of two instants, masks, and some 30 maps of runs alive in a year.
-             200,
-             {levelsOption(), intervalOption(), boundOption()}},
+             200, inverseAccrualOptions()},
             inverseAccrual};
 }
 
@@ -122,19 +88,14 @@ Made shadowAccrual(const EngineSettings& settings) {
     const auto map =
         ShadowAccrualMap::make({.mapSize = int(settings.at("map")), .biasM = float(settings.at("bias"))});
     if (!map) return tl::make_unexpected(map.error());
-    return std::make_unique<GraphAccumulator>(
-        *map,
-        DirectionGraphSettings{.boundDeg = settings.at("bound"), .intervalMinutes = settings.at("interval")});
+    return std::make_unique<GraphAccumulator>(*map, graphSettings(settings));
 }
 
 Engine shadowAccrualMap() {
-    return {{"sam",
-             "Shadow accrual map",
+    return {{"sam", "Shadow accrual map",
              "A depth map of each step of an hour, drawn from a city placed once; hours that look alike "
              "computed once",
-             // Texels, bits, masks, and some 30 maps of runs alive in a year.
-             160,
-             {mapOption(), biasOption(), intervalOption(), boundOption()}},
+             accrualBytesPerCell, accrualOptions(AccrualSettings::maxMapSize)},
             shadowAccrual};
 }
 
