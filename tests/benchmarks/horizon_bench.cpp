@@ -15,6 +15,7 @@
 #include <string>
 
 #include "core/accumulate/horizon_sweep.h"
+#include "core/accumulate/kept_horizons.h"
 #include "core/accumulate/ray_reference.h"
 #include "core/samples/sample_city.h"
 
@@ -89,6 +90,65 @@ void printStages(const ShadowField& field) {
     for (const auto& [stage, seconds] : field.cost.seconds) fmt::print("  {} {:.3f} s\n", stage, seconds);
 }
 
+double medianOf(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values[values.size() / 2];
+}
+
+double secondsOf(const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The city with a tower of 40 x 40 x 200 m whose corner is this far from the middle.
+City withTower(City city, glm::vec2 middle, float eastM) {
+    const glm::vec2 a = middle + glm::vec2(eastM - 20, -20), b = a + 40.0F;
+    Building tower;
+    tower.parts.push_back({.footprint = {{{a.x, a.y}, {b.x, a.y}, {b.x, b.y}, {a.x, b.y}}, {}}, .topM = 200});
+    city.buildings.push_back(std::make_shared<const Building>(std::move(tower)));
+    return city;
+}
+
+/// Kept horizons: the year again, one day of it, and a tower of 200 m that is moved by 10 m.
+void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, double binDeg, int rounds) {
+    NoProgress progress;
+    const Box2 box = bounds(city);
+    const glm::vec2 middle = (box.low + box.high) * 0.5F;
+    const auto receiversOf = [&](const City& of) {
+        return taken(receiversOnGround(of, regionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
+    };
+    City now = withTower(city, middle, 0);
+    KeptHorizons kept = taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg}));
+    const double full = secondsOf([&] { taken(kept.retime(sun, progress, {})); });
+    SunSteps day = sun;
+    day.days = {sun.days[100]};
+    day.days[0].first = 0;
+    day.steps.assign(sun.steps.begin() + sun.days[100].first,
+                     sun.steps.begin() + sun.days[100].first + sun.days[100].count);
+    std::vector<double> again, ofDay, edits;
+    for (int round = 0; round < rounds; ++round) {
+        ofDay.push_back(secondsOf([&] { taken(kept.retime(day, progress, {})); }));
+        again.push_back(secondsOf([&] { taken(kept.retime(sun, progress, {})); }));
+    }
+    for (int round = 1; round <= 2 * rounds; ++round) {
+        now = withTower(city, middle, round % 2 == 0 ? 0.0F : 10.0F);
+        const Receivers receivers = receiversOf(now);
+        edits.push_back(secondsOf([&] { taken(kept.change(now, receivers, progress, {})); }));
+    }
+    fmt::print(
+        "kept: full {:.3f} s, {} MB; year again {:.3f} s, a day of it {:.3f} s, tower moved {:.4f} s\n", full,
+        kept.bytes() >> 20U, medianOf(again), medianOf(ofDay), medianOf(edits));
+    fmt::print("retime_fraction {:.4f}\nretime_day_fraction {:.4f}\nedit_fraction {:.4f}\nedit_ms {:.1f}\n",
+               medianOf(again) / full, medianOf(ofDay) / full, medianOf(edits) / full, 1e3 * medianOf(edits));
+    const ShadowField edited = taken(kept.retime(sun, progress, {}));
+    const ShadowField fresh =
+        taken(taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg})).retime(sun, progress, {}));
+    for (const std::uint32_t cell : bare.cells)
+        if (edited.grossMin[cell] != fresh.grossMin[cell] && fresh.grossMin[cell] == fresh.grossMin[cell])
+            fmt::print("WRONG at {}\n", cell);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -128,5 +188,6 @@ int main(int argc, char** argv) {
                raySeconds / sweepSeconds, gross.meanPct, gross.maxPct);
     fmt::print("continuous_error_mean_pct {:.4f}\ncontinuous_error_max_pct {:.4f}\n", continuous.meanPct,
                continuous.maxPct);
+    benchKept(city, receivers, sun, binDeg, rounds);
     return gross.meanPct <= 0.05 && gross.maxPct <= 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

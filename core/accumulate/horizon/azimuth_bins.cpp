@@ -46,8 +46,8 @@ glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
     return length > 0 ? sum / length : glm::dvec2(0, 1);  // a sun in the zenith has no azimuth
 }
 
-void addBin(BinnedSun& binned, const SunSteps& sun, std::span<const Place> places) {
-    AzimuthBin bin{meanAway(sun, places), {}};
+void addBin(BinnedSun& binned, glm::dvec2 away, std::span<const Place> places) {
+    AzimuthBin bin{places.front().bin, away, {}};
     for (const Place& place : places) {
         binned.places[place.step] = {std::uint16_t(binned.bins.size()), place.sun};
         bin.suns.push_back(place.sun);
@@ -56,6 +56,11 @@ void addBin(BinnedSun& binned, const SunSteps& sun, std::span<const Place> place
 }
 
 }  // namespace
+
+glm::dvec2 middleAway(std::uint32_t bin, double widthDeg) {
+    const double azimuth = (bin + 0.5) * widthDeg * std::numbers::pi / 180;
+    return {-std::sin(azimuth), -std::cos(azimuth)};
+}
 
 HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns) {
     if (!suns.empty()) {
@@ -67,14 +72,18 @@ HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns) {
     for (std::size_t i = 1; i < counts_.size(); ++i) counts_[i] += counts_[i - 1];
 }
 
-BinnedSun binnedSun(const SunSteps& sun, double widthDeg) {
+BinnedSun binnedSun(const SunSteps& sun, double widthDeg, BinDirection direction) {
     const std::vector<Place> places = sortedPlaces(sun, widthDeg);
     BinnedSun binned;
     binned.places.resize(places.size());
     for (std::size_t first = 0; first < places.size();) {
         std::size_t end = first;
         while (end < places.size() && places[end].bin == places[first].bin) ++end;
-        addBin(binned, sun, std::span(places).subspan(first, end - first));
+        const std::span<const Place> ofBin = std::span(places).subspan(first, end - first);
+        addBin(binned,
+               direction == BinDirection::middle ? middleAway(ofBin.front().bin, widthDeg)
+                                                 : meanAway(sun, ofBin),
+               ofBin);
         first = end;
     }
     return binned;

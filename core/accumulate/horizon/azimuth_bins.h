@@ -13,6 +13,7 @@ namespace noonmark {
 
 /// The steps of a period whose suns stand within one bin of azimuth, taken as if all stood in one direction.
 struct AzimuthBin {
+    std::uint32_t number;           ///< from north clockwise, in widths; an empty one has none
     glm::dvec2 away;                ///< unit vector that shadows run along
     std::vector<HorizonCode> suns;  ///< codes of its steps, at least one, ascending
 
@@ -46,7 +47,16 @@ struct BinnedSun {
     std::vector<StepPlace> places;  ///< one a step, in time order
 };
 
-/// Bins of `widthDeg` from north clockwise. A bin's direction is the mean of its steps'. O(steps log steps).
-BinnedSun binnedSun(const SunSteps& sun, double widthDeg);
+/// Where the suns of a bin are taken to stand.
+enum class BinDirection {
+    meanOfSteps,  ///< the most exact
+    middle,       ///< the same for every period: horizons can be kept
+};
+
+/// The way that shadows run where the sun stands in the middle of a bin.
+glm::dvec2 middleAway(std::uint32_t bin, double widthDeg);
+
+/// Bins of `widthDeg` from north clockwise. O(steps log steps).
+BinnedSun binnedSun(const SunSteps& sun, double widthDeg, BinDirection direction = BinDirection::meanOfSteps);
 
 }  // namespace noonmark

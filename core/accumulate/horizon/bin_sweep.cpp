@@ -41,41 +41,61 @@ WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block) {
             .nearest = piece.nearest};
 }
 
-void writeCodes(const BlockHorizons& horizons, HorizonCode lowest, const ReceiverBlocks& blocks,
-                const ReceiverBlocks::Block& block, bool swapped, HorizonCode* codes) {
-    alignas(64) HorizonCode square[ReceiverBlocks::cells];
-    codesOf(horizons, lowest, square);
-    const std::uint8_t* places = blocks.places(block, swapped);
+void write(const HorizonCode* square, const ReceiverBlocks& blocks, const ReceiverBlocks::Block& block,
+           bool swapped, HorizonCode* codes) {
     HorizonCode* to = codes + block.first;
-    for (std::uint32_t i = 0; i < block.count; ++i) to[i] = square[places[i]];
-    std::fill(to + block.count, to + (block.count + 31) / 32 * 32, noHorizon);
+    const std::uint32_t padded = (block.count + 31) / 32 * 32;
+    const std::uint8_t* places = blocks.places(block, swapped);
+    const std::uint32_t written = square == nullptr ? 0 : block.count;
+    for (std::uint32_t i = 0; i < written; ++i) to[i] = square[places[i]];
+    std::fill(to + written, to + padded, noHorizon);
 }
 
 }  // namespace
 
-std::uint64_t BinSweep::sweep(const WallList& walls, const ReceiverBlocks& blocks, glm::dvec2 away,
-                              HorizonCode lowest, double cellM, HorizonCode* codes,
-                              const std::stop_token& stop) {
+ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes) {
+    ShadowExtent extent;
+    const glm::dvec2 low(box.firstColumn, box.firstRow);
+    extent.addBox(axes, low, low + glm::dvec2(box.columns, box.rows));
+    return extent;
+}
+
+std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
+                       glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes,
+                       const std::stop_token& stop) {
     const ShadowAxes axes(away);
-    const BlockLines lines(axes.k, axes.sign);
-    const float steepness = steepnessOf(lowest);
-    walls_.find(walls, walls.prisms, axes, blocks.box(), cellM, steepness / (1 - steepness));
+    sweep.begin(walls, walls.prisms, axes, extentOf(blocks.box(), axes), lowest, cellM);
     for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
         if (i % 256 == 0 && stop.stop_requested()) break;
         const ReceiverBlocks::Block& block = blocks.blocks()[i];
-        clearBlock(blocks.masks(i, axes.swapped), horizons_);
-        raise(block, axes, lines, steepness);
-        writeCodes(horizons_, lowest, blocks, block, axes.swapped, codes);
+        write(sweep.codes(block, blocks.masks(i, axes.swapped)), blocks, block, axes.swapped, codes.data());
     }
-    return walls_.prismsOutOfReach();
+    return sweep.prismsOutOfReach();
 }
 
-// Near walls first. `lowest`: a steepness that all horizons below are the same to.
-void BinSweep::raise(const ReceiverBlocks::Block& block, const ShadowAxes& axes, const BlockLines& lines,
-                     float lowest) {
-    const BlockPlace place(block, axes);
+void SquareSweep::begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
+                        const ShadowExtent& extent, HorizonCode lowest, double cellM) {
+    axes_ = axes;
+    lines_ = BlockLines(axes.k, axes.sign);
+    lowest_ = lowest;
+    const float steepness = steepnessOf(lowest);
+    walls_.find(walls, prisms, axes, extent, cellM, steepness / (1 - steepness));
+}
+
+const HorizonCode* SquareSweep::codes(const ReceiverBlocks::Block& block,
+                                      const ReceiverBlocks::Masks& masks) {
+    if (!raise(block, masks)) return nullptr;
+    codesOf(horizons_, lowest_, codes_);
+    return codes_;
+}
+
+// Near walls first, as long as one may be seen. Horizons below that of the lowest sun are all the same.
+bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks) {
+    const BlockPlace place(block, axes_);
     const BinWalls::Bands bands = walls_.bandsOf(place.lowQ, place.highQ);
-    const float level = lowest;
+    const float level = steepnessOf(lowest_);
+    float lowest = level;
+    bool any = false;
     // A piece is 16 deep: those that begin a row beyond the block may come down into it.
     for (int row = std::max(0, walls_.rowOf(place.highestAlong) - 1); row < walls_.rows(); ++row) {
         if (!mayRaise(walls_.tallest(row, bands), place.lowestAlong - walls_.highestAlong(row), lowest))
@@ -84,11 +104,13 @@ void BinSweep::raise(const ReceiverBlocks::Block& block, const ShadowAxes& axes,
         for (const WallPiece& piece : walls_.pieces(row, bands)) {
             if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ) continue;
             if (!mayRaise(piece.rise, place.lowestAlong - double(piece.highAlong), lowest)) continue;
-            raiseBlock(onBlock(piece, place), lines, horizons_);
-            raised = true;
+            if (!any) clearBlock(masks, horizons_);
+            raiseBlock(onBlock(piece, place), lines_, horizons_);
+            raised = any = true;
         }
         if (raised) lowest = std::max(level, lowestOf(horizons_));
     }
+    return any;
 }
 
 }  // namespace noonmark

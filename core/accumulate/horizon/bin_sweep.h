@@ -11,20 +11,37 @@
 
 namespace noonmark {
 
-/// The horizons of a tile at one azimuth. Keeps its memory from one to the next; one for each thread.
-class BinSweep {
+/// Squares of a tile at one azimuth. Keeps its memory from one to the next; one for each thread.
+class SquareSweep {
 public:
-    /// Writes the code of each number of `blocks` (padding: noHorizon), unless stopped; horizons that hide no
-    /// sun of code `lowest` are noHorizon. Returns the number of prisms out of reach. `cellM`: metres a cell.
-    std::uint64_t sweep(const WallList& walls, const ReceiverBlocks& blocks, glm::dvec2 away,
-                        HorizonCode lowest, double cellM, HorizonCode* codes, const std::stop_token& stop);
+    /// From now on: these prisms' walls, for cells in `extent`; horizons that hide no sun of code `lowest`
+    /// are noHorizon. `cellM`: metres a cell.
+    void begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
+               const ShadowExtent& extent, HorizonCode lowest, double cellM);
+
+    /// Codes of the block's cells in `masks`, 16 a line (row, or column where swapped), noHorizon for the
+    /// others; null where all are noHorizon. Valid until the next call.
+    const HorizonCode* codes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
+
+    [[nodiscard]] std::uint64_t prismsOutOfReach() const { return walls_.prismsOutOfReach(); }
 
 private:
-    void raise(const ReceiverBlocks::Block& block, const ShadowAxes& axes, const BlockLines& lines,
-               float lowest);
+    bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
 
     BinWalls walls_;
+    ShadowAxes axes_{{0, 1}};
+    BlockLines lines_{0, 1};
+    HorizonCode lowest_ = 0;
     BlockHorizons horizons_;
+    alignas(64) HorizonCode codes_[ReceiverBlocks::cells];
 };
+
+ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes);
+
+/// Writes the code of each number of `blocks` (nobody's: noHorizon), unless stopped. Returns the number of
+/// prisms out of reach.
+std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
+                       glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes,
+                       const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -19,27 +19,18 @@ float nearestOf(const StandingWall& wall) {
 
 }  // namespace
 
-void BinWalls::Extent::add(const ShadowAxes::Point& point) {
-    lowQ = std::min(lowQ, point.q);
-    highQ = std::max(highQ, point.q);
-    lowAlong = std::min(lowAlong, point.along);
-    highAlong = std::max(highAlong, point.along);
-}
-
 void BinWalls::find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
-                    const TileBox& box, double cellM, float lowestTan) {
+                    const ShadowExtent& tile, double cellM, float lowestTan) {
     found_.clear();
     outOfReach_ = 0;
     alongPerMetre_ = axes.alongPerDistance / cellM;
     lowestTan_ = double(lowestTan);
-    tile_ = {};
-    for (const int x : {box.firstColumn, box.firstColumn + box.columns})
-        for (const int y : {box.firstRow, box.firstRow + box.rows}) tile_.add(axes.from({x, y}));
+    tile_ = tile;
     for (const StandingPrism& prism : prisms) addPrism(list, prism, axes);
     sort();
 }
 
-bool BinWalls::inReach(const Extent& extent, double reach) const {
+bool BinWalls::inReach(const ShadowExtent& extent, double reach) const {
     return extent.highQ > tile_.lowQ && extent.lowQ < tile_.highQ && extent.lowAlong <= tile_.highAlong &&
            extent.highAlong + reach >= tile_.lowAlong;
 }
@@ -47,9 +38,8 @@ bool BinWalls::inReach(const Extent& extent, double reach) const {
 void BinWalls::addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes) {
     const double rise = double(prism.topM) * alongPerMetre_;
     reach_ = rise / lowestTan_ + 1;
-    Extent extent;
-    for (const double x : {prism.low.x, prism.high.x})
-        for (const double y : {prism.low.y, prism.high.y}) extent.add(axes.from({x, y}));
+    ShadowExtent extent;
+    extent.addBox(axes, prism.low, prism.high);
     if (!inReach(extent, reach_)) {
         ++outOfReach_;
         return;

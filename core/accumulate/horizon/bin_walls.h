@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "core/accumulate/horizon/receiver_blocks.h"
 #include "core/accumulate/horizon/shadow_axes.h"
 #include "core/accumulate/horizon/wall_list.h"
 
@@ -28,9 +27,10 @@ public:
     static constexpr double bandWidth = 32;
     static constexpr double rowDepth = 16;
 
-    /// Replaces what is there. `cellM`: metres a cell. `lowestTan`: of the bin's suns.
+    /// Replaces what is there. `tile`: cells that matter. `cellM`: metres a cell. `lowestTan`: of the bin's
+    /// suns.
     void find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
-              const TileBox& box, double cellM, float lowestTan);
+              const ShadowExtent& tile, double cellM, float lowestTan);
 
     /// Row of the walls with the highest `along` up to this one; rows count towards the sun.
     [[nodiscard]] int rowOf(double along) const;
@@ -49,17 +49,13 @@ public:
     [[nodiscard]] std::uint64_t prismsOutOfReach() const { return outOfReach_; }
 
 private:
-    struct Extent {
-        double lowQ = 1e300, highQ = -1e300, lowAlong = 1e300, highAlong = -1e300;
-        void add(const ShadowAxes::Point& point);
-    };
-    [[nodiscard]] bool inReach(const Extent& extent, double reach) const;
+    [[nodiscard]] bool inReach(const ShadowExtent& extent, double reach) const;
     void addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes);
     void addWall(const ShadowAxes::Point& a, const ShadowAxes::Point& b, WallPiece piece);
     void sort();
     [[nodiscard]] std::size_t slotOf(const WallPiece& piece) const;
 
-    Extent tile_;
+    ShadowExtent tile_;
     double alongPerMetre_ = 0, lowestTan_ = 0, reach_ = 0;
     int firstBand_ = 0, bands_ = 0, lastStep_ = 0, rows_ = 0;
     std::uint64_t outOfReach_ = 0;

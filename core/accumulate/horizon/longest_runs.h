@@ -24,7 +24,7 @@ public:
     /// No day may have more than 32,767 steps.
     explicit LongestRuns(std::vector<TimedStep> steps);
 
-    /// Of each receiver, in steps. `horizons`: one a bin.
+    /// Of each receiver, in steps. `horizons`: one a bin. O(days x bins), and more where days look alike.
     [[nodiscard]] RunLanes of(std::span<const RunLanes> horizons) const;
 
     [[nodiscard]] std::span<const TimedStep> steps() const { return steps_; }

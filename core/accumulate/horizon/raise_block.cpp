@@ -112,7 +112,8 @@ void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* cod
         const Ints16 level = __builtin_convertvector(horizons.lines[line] * float(steepnessLevels), Ints16);
         const Ints16 most = Ints16{} + (steepnessLevels - 1);
         const Ints16 code = (level < most ? level : most) + int(noHorizon);
-        const Ints16 kept = code > int(lowest) ? code : Ints16{} + int(noHorizon);
+        const Ints16 kept =
+            (code > int(lowest)) & (level <= steepnessLevels) ? code : Ints16{} + int(noHorizon);
         *reinterpret_cast<Shorts16*>(codes + line * side) = __builtin_convertvector(kept, Shorts16);
     }
 }

@@ -41,7 +41,7 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons&
 /// Of all cells.
 float lowestOf(const BlockHorizons& horizons);
 
-/// Codes of all cells, 16 a line; those that hide no sun of code `lowest` become noHorizon.
+/// Codes of all cells, 16 a line; noHorizon for those that hide no sun of code `lowest`, and for nobody's.
 void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes);
 
 }  // namespace noonmark

@@ -8,42 +8,49 @@ namespace {
 constexpr std::size_t codesALine = 32;
 }
 
-ReceiverBlocks::ReceiverBlocks(const Receivers& receivers, const TileBox& box) : box_(box) {
+ReceiverBlocks::ReceiverBlocks(const Receivers& receivers, const TileBox& box, Numbering numbering)
+    : box_(box), numbering_(numbering) {
     for (int row = box.firstRow; row < box.firstRow + box.rows; row += side)
         for (int column = box.firstColumn; column < box.firstColumn + box.columns; column += side)
             addBlock(receivers, column, row);
 }
 
 void ReceiverBlocks::addBlock(const Receivers& receivers, int column, int row) {
-    const int columns = std::min(side, box_.firstColumn + box_.columns - column);
-    const int rows = std::min(side, box_.firstRow + box_.rows - row);
     Block block{column, row, std::uint32_t(cellOf_.size()), 0};
     rowMasks_.push_back({});
     columnMasks_.push_back({});
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x) {
-            const std::size_t cell = receivers.grid.index(column + x, row + y);
-            if (receivers.kind[cell] == CellKind::ground) addReceiver(std::uint32_t(cell), x, y);
+    bool inRegion = false;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const bool inside = column + x < receivers.grid.columns && row + y < receivers.grid.rows;
+            const std::size_t cell = inside ? receivers.grid.index(column + x, row + y) : 0;
+            const CellKind kind = inside ? receivers.kind[cell] : CellKind::outside;
+            inRegion |= kind != CellKind::outside;
+            addCell(kind, std::uint32_t(cell), x, y);
         }
     block.count = std::uint32_t(cellOf_.size()) - block.first;
-    if (block.count == 0) {
+    if (inRegion && block.count > 0) {
+        blocks_.push_back(block);
+        cellOf_.resize((cellOf_.size() + codesALine - 1) / codesALine * codesALine, padding);
+    } else {
         rowMasks_.pop_back();
         columnMasks_.pop_back();
-        return;
+        cellOf_.resize(block.first);
     }
-    blocks_.push_back(block);
-    receivers_ += block.count;
-    cellOf_.resize((cellOf_.size() + codesALine - 1) / codesALine * codesALine, padding);
     rowPlaces_.resize(cellOf_.size());
     columnPlaces_.resize(cellOf_.size());
 }
 
-void ReceiverBlocks::addReceiver(std::uint32_t cell, int x, int y) {
-    rowMasks_.back()[std::size_t(y)] |= std::uint16_t(1U << unsigned(x));
-    columnMasks_.back()[std::size_t(x)] |= std::uint16_t(1U << unsigned(y));
-    cellOf_.push_back(cell);
+void ReceiverBlocks::addCell(CellKind kind, std::uint32_t cell, int x, int y) {
+    const bool receiver = kind == CellKind::ground;
+    if (!receiver && numbering_ == Numbering::receivers) return;
+    cellOf_.push_back(receiver ? cell : padding);
     rowPlaces_.push_back(std::uint8_t(y * side + x));
     columnPlaces_.push_back(std::uint8_t(x * side + y));
+    if (!receiver) return;
+    ++receivers_;
+    rowMasks_.back()[std::size_t(y)] |= std::uint16_t(1U << unsigned(x));
+    columnMasks_.back()[std::size_t(x)] |= std::uint16_t(1U << unsigned(y));
 }
 
 std::vector<TileBox> tilesOf(const Grid& grid, int side) {

@@ -17,8 +17,13 @@ struct TileBox {
     int rows = 0;
 };
 
+/// What gets a number: receivers, or every cell of their squares, so that the same cell has the same number
+/// whatever stands there.
+enum class Numbering { receivers, cells };
+
 /// The receivers of a tile in squares of 16 x 16 cells, numbered square by square, in each row by row. A
-/// square's numbers begin on a cache line of codes: numbers up to the next one are padding, nobody's.
+/// square's numbers begin on a cache line of codes: numbers up to the next one are padding, nobody's. Squares
+/// wholly outside of the region are left out, and those without receivers too where only these get numbers.
 class ReceiverBlocks {
 public:
     static constexpr int side = 16;
@@ -28,19 +33,20 @@ public:
     struct Block {
         int column, row;      ///< of its first cell, in the grid
         std::uint32_t first;  ///< number of its first receiver; a multiple of 32
-        std::uint32_t count;  ///< receivers, at least one
+        std::uint32_t count;  ///< numbers, at least one
     };
     /// For each line of a block (its row, or column where swapped) the cells that are receivers, as bits.
     using Masks = std::array<std::uint16_t, side>;
 
-    ReceiverBlocks(const Receivers& receivers, const TileBox& box);
+    ReceiverBlocks(const Receivers& receivers, const TileBox& box,
+                   Numbering numbering = Numbering::receivers);
 
     [[nodiscard]] const TileBox& box() const { return box_; }
     [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
     [[nodiscard]] std::size_t receivers() const { return receivers_; }
     /// Numbers given out, padding included: a multiple of 32.
     [[nodiscard]] std::size_t numbers() const { return cellOf_.size(); }
-    /// Cell of the grid, or `padding`.
+    /// Cell of the grid; `padding` where it is no receiver.
     [[nodiscard]] std::uint32_t cell(std::size_t number) const { return cellOf_[number]; }
     [[nodiscard]] const Masks& masks(std::size_t block, bool swapped) const {
         return swapped ? columnMasks_[block] : rowMasks_[block];
@@ -52,9 +58,10 @@ public:
 
 private:
     void addBlock(const Receivers& receivers, int column, int row);
-    void addReceiver(std::uint32_t cell, int x, int y);
+    void addCell(CellKind kind, std::uint32_t cell, int x, int y);
 
     TileBox box_;
+    Numbering numbering_;
     std::size_t receivers_ = 0;
     std::vector<Block> blocks_;
     std::vector<Masks> rowMasks_, columnMasks_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
 
@@ -32,6 +33,22 @@ struct ShadowAxes {
     double sign;              ///< of the axis: 1 or -1
     double alongPerDistance;  ///< of a distance along the azimuth, the part along `along`: 0.7 to 1
     double k;                 ///< -1 to 1
+};
+
+/// What some points span in the axes of one azimuth.
+struct ShadowExtent {
+    double lowQ = 1e300, highQ = -1e300, lowAlong = 1e300, highAlong = -1e300;
+
+    void add(const ShadowAxes::Point& point) {
+        lowQ = std::min(lowQ, point.q);
+        highQ = std::max(highQ, point.q);
+        lowAlong = std::min(lowAlong, point.along);
+        highAlong = std::max(highAlong, point.along);
+    }
+    void addBox(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 high) {
+        for (const double x : {low.x, high.x})
+            for (const double y : {low.y, high.y}) add(axes.from({x, y}));
+    }
 };
 
 }  // namespace noonmark

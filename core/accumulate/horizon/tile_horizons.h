@@ -1,11 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "core/accumulate/horizon/horizon_code.h"
-#include "core/accumulate/horizon/longest_runs.h"
-#include "core/accumulate/horizon/receiver_blocks.h"
 
 namespace noonmark {
 
@@ -26,9 +25,5 @@ private:
     std::size_t numbers_;
     std::unique_ptr<HorizonCode[]> codes_;
 };
-
-/// The numbers [first, first + 64) of each of some bins' codes; beyond the last number noHorizon.
-void copyLanes(std::span<const std::span<const HorizonCode>> bins, std::size_t first,
-               std::vector<RunLanes>& lanes);
 
 }  // namespace noonmark

@@ -10,7 +10,7 @@ namespace {
 
 class WallBuilder {
 public:
-    explicit WallBuilder(const Grid& grid) : grid_(grid) {}
+    WallBuilder(const Grid& grid, WallList& list) : grid_(grid), list_(list) {}
 
     void add(const Part& part) {
         StandingPrism prism{.firstWall = std::uint32_t(list_.walls.size()),
@@ -22,8 +22,6 @@ public:
         prism.wallCount = std::uint32_t(list_.walls.size()) - prism.firstWall;
         list_.prisms.push_back(prism);
     }
-
-    WallList take() { return std::move(list_); }
 
 private:
     void addRing(const Ring& ring, StandingPrism& prism) {
@@ -41,7 +39,7 @@ private:
     }
 
     const Grid& grid_;
-    WallList list_;
+    WallList& list_;
 };
 
 tl::unexpected<Error> notStanding(const Building& building, const Part& part, std::string_view why) {
@@ -53,18 +51,23 @@ tl::unexpected<Error> notStanding(const Building& building, const Part& part, st
 
 }  // namespace
 
-Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
-    WallBuilder builder(grid);
-    for (const std::uint32_t index : buildings) {
-        const Building& building = *city.buildings[index];
-        for (const Part& part : building.parts) {
-            if (part.topM <= 0) continue;
-            if (part.mesh) return notStanding(building, part, "is a general mesh");
-            if (part.hangs) return notStanding(building, part, "has open air below it");
-            builder.add(part);
-        }
+Result<void> addStandingWalls(const Building& building, const Grid& grid, WallList& list) {
+    WallBuilder builder(grid, list);
+    for (const Part& part : building.parts) {
+        if (part.topM <= 0) continue;
+        if (part.mesh) return notStanding(building, part, "is a general mesh");
+        if (part.hangs) return notStanding(building, part, "has open air below it");
+        builder.add(part);
     }
-    return builder.take();
+    return {};
+}
+
+Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
+    WallList list;
+    for (const std::uint32_t index : buildings)
+        if (const auto added = addStandingWalls(*city.buildings[index], grid, list); !added)
+            return tl::make_unexpected(added.error());
+    return list;
 }
 
 }  // namespace noonmark

@@ -34,9 +34,12 @@ struct WallList {
     }
 };
 
-/// The prisms of some buildings, each taken from the ground up. A part that starts on another of its building
-/// is taken so too: what is below it is solid. Error where a part hangs or is a general mesh: a horizon
-/// cannot say what it hides.
+/// Adds the prisms of a building, each taken from the ground up. A part that starts on another of its
+/// building is taken so too: what is below it is solid. Error where a part hangs or is a general mesh: a
+/// horizon cannot say what it hides.
+Result<void> addStandingWalls(const Building& building, const Grid& grid, WallList& list);
+
+/// The prisms of some buildings.
 Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
 
 }  // namespace noonmark

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/accumulate/horizon/shadow_axes.h"
+#include "core/accumulate/horizon/wall_list.h"
+
+namespace noonmark {
+
+/// Prisms that a city lost and gained; their walls are in the list that was changed.
+struct WallChange {
+    std::vector<StandingPrism> removed, added;
+};
+
+/// The walls of a city that changes by a few buildings at a time. Buildings are told apart by their address:
+/// a city shares with the one it was made from what did not change.
+class KeptWalls {
+public:
+    /// Error: a part that a horizon cannot describe.
+    static Result<KeptWalls> of(const City& city, const Grid& grid);
+
+    [[nodiscard]] const WallList& list() const { return list_; }
+    [[nodiscard]] std::size_t buildings() const { return buildings_.size(); }
+
+    /// From now on those of `city`. O(buildings), some 0.5 ms for 43,000. After an error nothing changed.
+    Result<WallChange> become(const City& city);
+
+    /// The prisms that reach into an extent across, wherever along. Replaces what is in `prisms`. Some 20 us
+    /// for 43,000.
+    void across(const ShadowAxes& axes, const ShadowExtent& extent, std::vector<StandingPrism>& prisms) const;
+
+private:
+    explicit KeptWalls(const Grid& grid) : grid_(grid) {}
+    using Buildings = std::vector<std::shared_ptr<const Building>>;
+
+    Result<std::vector<StandingPrism>> add(const Buildings& buildings);
+    std::vector<StandingPrism> remove(const Buildings& buildings);
+    void dropLostWalls();
+    void noteCircles();
+
+    Grid grid_;
+    Buildings buildings_;
+    WallList list_;
+    std::vector<std::uint64_t> owners_;  // of each prism: the how-many-th building that was added
+    std::vector<std::pair<const Building*, std::uint64_t>> numbers_;
+    std::uint64_t next_ = 0;
+    std::vector<float> xs_, ys_, radii_;  // of a circle around each prism, cells
+};
+
+}  // namespace noonmark

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/longest_runs.h"
+#include "core/accumulate/horizon/receiver_blocks.h"
+#include "core/accumulate/shadow_field.h"
+
+namespace noonmark {
+
+/// Codes of a tile, one a number, for each bin of a period.
+using BinCodes = std::vector<std::span<const HorizonCode>>;
+
+/// A period ready to be counted from horizons. Immutable.
+class PeriodCount {
+public:
+    /// Refers to `binned`, which must outlive it.
+    PeriodCount(const SunSteps& sun, const BinnedSun& binned);
+
+    [[nodiscard]] const HiddenSuns& hidden(std::size_t bin) const { return hidden_[bin]; }
+
+    /// Adds for each number the steps that a bin's horizons hide.
+    void addHidden(std::size_t bin, std::span<const HorizonCode> codes, std::span<std::uint32_t> sums) const;
+
+    /// Longest runs of the numbers [64 part, 64 part + 64), in steps. `lanes`: memory to work in.
+    [[nodiscard]] RunLanes longestRuns(const BinCodes& codes, std::size_t part,
+                                       std::vector<RunLanes>& lanes) const;
+
+private:
+    LongestRuns runs_;
+    std::vector<HiddenSuns> hidden_;
+};
+
+/// Writes the minutes of numbers [64 part, 64 part + 64) into their cells. `hidden`: steps, one a number.
+void writeMinutes(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
+                  const RunLanes& longest, ShadowField& field);
+
+/// Parts of 64 numbers.
+inline std::size_t partsOf(const ReceiverBlocks& blocks) {
+    return (blocks.numbers() + lanesARun - 1) / lanesARun;
+}
+
+}  // namespace noonmark

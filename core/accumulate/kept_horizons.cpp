@@ -1,0 +1,163 @@
+#include "core/accumulate/kept_horizons.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <optional>
+
+#include "core/accumulate/blank_field.h"
+#include "core/accumulate/horizon/horizon_case.h"
+#include "core/accumulate/horizon/kept_tile.h"
+#include "core/stopwatch.h"
+
+namespace noonmark {
+
+namespace {
+
+// Large tiles sweep faster; small ones waste less of what may stay.
+int tileSide(std::uint64_t memoryBytes, std::size_t bins) {
+    int side = 1024;
+    while (side > 128 && std::uint64_t(side) * std::uint64_t(side) * bins * sizeof(HorizonCode) > memoryBytes)
+        side /= 2;
+    return side;
+}
+
+Result<void> checkSame(const Receivers& before, const Receivers& now) {
+    const auto outside = [](CellKind kind) { return kind == CellKind::outside; };
+    const auto bothOutside = [&](CellKind a, CellKind b) { return outside(a) == outside(b); };
+    if (before.grid == now.grid && std::ranges::equal(before.kind, now.kind, bothOutside)) return {};
+    return failure("The kept horizons are those of another region", "kept horizons",
+                   "Make new ones for this region");
+}
+
+}  // namespace
+
+struct KeptHorizons::Kept {
+    KeptHorizonsSettings settings;
+    Receivers receivers;
+    KeptWalls walls;
+    std::vector<KeptTile> tiles;
+    BinnedSun binned;
+    std::optional<PeriodCount> count;  // none before the first period
+    ShadowField field;
+
+    Kept(const KeptHorizonsSettings& chosen, Receivers where, KeptWalls standing)
+        : settings(chosen), receivers(std::move(where)), walls(std::move(standing)) {
+        const auto bins = std::size_t(std::ceil(360 / settings.binDeg)) + 1;
+        for (const TileBox& box : tilesOf(receivers.grid, tileSide(settings.memoryBytes, bins)))
+            tiles.emplace_back(receivers, box, bins);
+    }
+
+    void begin(const SunSteps& sun) {
+        count.reset();
+        binned = binnedSun(sun, settings.binDeg, BinDirection::middle);
+        count.emplace(sun, binned);
+        field = blankField(receivers, sun);
+        field.engine = fmt::format(
+            "Kept horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
+            "every day counted",
+            binned.bins.size(), settings.binDeg);
+        field.cost.buildingsUsed = std::uint32_t(walls.buildings());
+    }
+
+    std::size_t sweep(KeptTile& tile, const std::stop_token& stop) {
+        const std::size_t swept = tile.retime(walls, receivers.grid.cellM, binned, *count, stop);
+        tile.write(binned, *count, field, true, stop);
+        return swept;
+    }
+
+    // Cells that are no receivers any more, or not yet, hold NaN.
+    void mask() {
+        for (std::size_t cell = 0; cell < receivers.kind.size(); ++cell)
+            if (receivers.kind[cell] != CellKind::ground)
+                field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
+    }
+
+    [[nodiscard]] std::uint64_t bytes() const {
+        std::uint64_t sum = 0;
+        for (const KeptTile& tile : tiles) sum += tile.bytes();
+        return sum;
+    }
+
+    void keepWithinMemory(KeptTile& latest) {
+        if (bytes() > settings.memoryBytes) latest.drop();
+    }
+
+    Result<ShadowField> result(const std::stop_token& stop, const Stopwatch& watch) {
+        if (stop.stop_requested()) {
+            count.reset();
+            return cancelled();
+        }
+        field.cost.seconds["accumulate"] = watch.seconds();
+        return field;
+    }
+};
+
+KeptHorizons::KeptHorizons(std::unique_ptr<Kept> kept) : kept_(std::move(kept)) {}
+KeptHorizons::KeptHorizons(KeptHorizons&&) noexcept = default;
+KeptHorizons& KeptHorizons::operator=(KeptHorizons&&) noexcept = default;
+KeptHorizons::~KeptHorizons() = default;
+
+Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& receivers,
+                                        KeptHorizonsSettings settings) {
+    if (const auto able = checkHorizonCase(city, receivers, settings.binDeg); !able)
+        return tl::make_unexpected(able.error());
+    auto walls = KeptWalls::of(city, receivers.grid);
+    if (!walls) return tl::make_unexpected(walls.error());
+    return KeptHorizons(std::make_unique<Kept>(settings, receivers, std::move(*walls)));
+}
+
+Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress, std::stop_token stop) try {
+    const Stopwatch watch;
+    if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
+    kept_->begin(sun);
+    std::size_t swept = 0, done = 0;
+    for (KeptTile& tile : kept_->tiles) {
+        if (stop.stop_requested()) break;
+        swept += kept_->sweep(tile, stop);
+        kept_->keepWithinMemory(tile);
+        progress.report(double(++done) / double(kept_->tiles.size()), "sweeping horizons");
+    }
+    kept_->field.cost.skipped["azimuth bins kept from before (bins x tiles)"] =
+        kept_->tiles.size() * kept_->binned.bins.size() - swept;
+    return kept_->result(stop, watch);
+} catch (const std::bad_alloc&) {
+    for (KeptTile& tile : kept_->tiles) tile.drop();
+    return failure("There is not enough memory for this study", "kept horizons",
+                   "Choose a smaller region or larger cells");
+}
+
+Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& receivers, Progress& progress,
+                                         std::stop_token stop) {
+    const Stopwatch watch;
+    if (!kept_->count)
+        return failure("There is no period yet whose shadow could change", "kept horizons",
+                       "Compute a period first");
+    if (const auto same = checkSame(kept_->receivers, receivers); !same)
+        return tl::make_unexpected(same.error());
+    if (const auto able = checkHorizonCase(city, receivers, kept_->settings.binDeg); !able)
+        return tl::make_unexpected(able.error());
+    const auto change = kept_->walls.become(city);
+    if (!change) return tl::make_unexpected(change.error());
+    kept_->receivers = receivers;
+    for (KeptTile& tile : kept_->tiles) {
+        const bool dropped = tile.bytes() == 0;
+        tile.change(receivers, kept_->walls, *change, kept_->binned, &*kept_->count, kept_->settings.binDeg,
+                    stop);
+        if (dropped)
+            kept_->sweep(tile, stop);
+        else
+            tile.write(kept_->binned, *kept_->count, kept_->field, false, stop);
+        kept_->keepWithinMemory(tile);
+    }
+    kept_->mask();
+    progress.report(1, "sweeping horizons");
+    return kept_->result(stop, watch);
+}
+
+std::uint64_t KeptHorizons::bytes() const { return kept_->bytes(); }
+
+}  // namespace noonmark

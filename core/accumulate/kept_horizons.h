@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/accumulate/horizon_sweep.h"
+
+namespace noonmark {
+
+struct KeptHorizonsSettings {
+    double binDeg = 0.5;  ///< width of an azimuth bin, degrees, 0.1 to 2
+    /// For horizons that stay: 2 bytes for each cell of the region's box and bin. Of a larger region some
+    /// tiles are swept anew each time.
+    std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
+    bool operator==(const KeptHorizonsSettings&) const = default;
+};
+
+/// A study by horizons that stay: other dates, hours, steps and weights are a walk through tables, and a city
+/// that changed by a few buildings is looked at only where these stand, stood or throw their shadow. A city
+/// and receivers as the horizon sweep takes them (horizon_sweep.h), with the same error; but each bin's suns
+/// are taken in its middle whatever the period, so that short periods are less exact there.
+///
+/// Rounding: a horizon is kept as its level of 65,535, rounded down (horizon/horizon_code.h), which is what a
+/// fresh sweep counts with too. So after any changes the field is that of new KeptHorizons of the same city,
+/// bit for bit.
+///
+/// Not for several threads at a time; uses all cores. Stops within 0.2 s with cancelled(): what was kept may
+/// then be lost, and the next call sweeps it again.
+class KeptHorizons {
+public:
+    /// Sweeps nothing yet. Error: what the horizon sweep refuses.
+    static Result<KeptHorizons> make(const City& city, const Receivers& receivers,
+                                     KeptHorizonsSettings settings = {});
+    KeptHorizons(KeptHorizons&&) noexcept;
+    KeptHorizons& operator=(KeptHorizons&&) noexcept;
+    ~KeptHorizons();
+
+    /// The field of a period. Sweeps the bins that are not there yet, or not for suns as low. Cost: a sweep
+    /// of those; then some 1 ns a bin and receiver, and the walk of the longest runs.
+    Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop);
+
+    /// The field of the present period in another city. `receivers`: the same grid and region. Buildings that
+    /// the cities share by address did not change. Error, and nothing changed: no period yet, another region,
+    /// or what the horizon sweep refuses.
+    Result<ShadowField> change(const City& city, const Receivers& receivers, Progress& progress,
+                               std::stop_token stop);
+
+    [[nodiscard]] std::uint64_t bytes() const;  ///< of the horizons that are there
+
+private:
+    struct Kept;
+    explicit KeptHorizons(std::unique_ptr<Kept> kept);
+    std::unique_ptr<Kept> kept_;
+};
+
+}  // namespace noonmark

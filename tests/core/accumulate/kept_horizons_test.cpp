@@ -1,0 +1,193 @@
+#include "core/accumulate/kept_horizons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+#include "tests/core/accumulate/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+constexpr double binDeg = 1;
+
+KeptHorizons keptOf(const City& city, const Receivers& receivers,
+                    std::uint64_t memoryBytes = std::uint64_t{1} << 30U) {
+    return std::move(KeptHorizons::make(city, receivers, {binDeg, memoryBytes}).value());
+}
+
+ShadowField retimed(KeptHorizons& kept, const SunSteps& sun) {
+    NoProgress progress;
+    return kept.retime(sun, progress, {}).value();
+}
+
+ShadowField changed(KeptHorizons& kept, const City& city, const Receivers& receivers) {
+    NoProgress progress;
+    return kept.change(city, receivers, progress, {}).value();
+}
+
+ShadowField fresh(const City& city, const Receivers& receivers, const SunSteps& sun) {
+    KeptHorizons kept = keptOf(city, receivers);
+    return retimed(kept, sun);
+}
+
+bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+bool sameField(const ShadowField& a, const ShadowField& b) {
+    return sameBits(a.grossMin, b.grossMin) && sameBits(a.continuousMin, b.continuousMin);
+}
+
+City blocks(std::uint32_t seed, int perSide) {
+    std::vector<Box3> boxes = randomBoxes(seed, perSide);
+    for (Box3& box : boxes) box.low.z = 0;
+    return cityOf(boxes);
+}
+
+Receivers smallRegion(const City& city, double cellM = 3) {
+    return receiversOver(city, -10, -10, 110, 110, cellM);
+}
+
+SunSteps someDays(double noonDeg, int days) {
+    SunSteps sun;
+    for (int day = 0; day < days; ++day) addDay(sun, arc(90 + 7 * day, noonDeg + 6 * day, day % 3 == 2));
+    return sun;
+}
+
+TEST(KeptHorizons, agreeWithTheSweepAndWithRays) {
+    const City city = blocks(1, 5);
+    const Receivers receivers = smallRegion(city, 2);
+    const SunSteps sun = someDays(40, 4);
+    NoProgress progress;
+    const ShadowField kept = fresh(city, receivers, sun), truth = traced(city, receivers, sun),
+                      swept = HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
+    double ofSweep = 0, ofRays = 0;
+    for (const std::uint32_t cell : receivers.cells) {
+        ofSweep += double(std::abs(kept.grossMin[cell] - swept.grossMin[cell]));
+        ofRays += double(std::abs(kept.grossMin[cell] - truth.grossMin[cell]));
+    }
+    const double whole = double(receivers.cells.size()) * truth.sunlitMinutesPerDay;
+    EXPECT_LE(ofSweep / whole, 0.004);
+    EXPECT_LE(ofRays / whole, 0.006);
+}
+
+TEST(KeptHorizons, otherDatesHoursAndStepsAreAsIfFresh) {
+    const City city = blocks(2, 5);
+    const Receivers receivers = smallRegion(city);
+    KeptHorizons kept = keptOf(city, receivers);
+    const std::vector<SunSteps> periods{someDays(50, 2), someDays(20, 5), oneDay({{100, 12}, {200, 60}}),
+                                        oneDay(arc(400, 35, true)), someDays(50, 2)};
+    for (const SunSteps& sun : periods)
+        EXPECT_TRUE(sameField(retimed(kept, sun), fresh(city, receivers, sun)));
+}
+
+TEST(KeptHorizons, keptBinsAreNotSweptAgain) {
+    const City city = blocks(2, 3);
+    KeptHorizons kept = keptOf(city, smallRegion(city));
+    const char* reason = "azimuth bins kept from before (bins x tiles)";
+    EXPECT_EQ(retimed(kept, someDays(30, 3)).cost.skipped.at(reason), 0U);
+    EXPECT_GT(retimed(kept, someDays(40, 2)).cost.skipped.at(reason), 100U);
+    EXPECT_EQ(retimed(kept, oneDay({{181.2, 60}})).cost.skipped.at(reason), 1U);
+    EXPECT_EQ(retimed(kept, oneDay({{181.2, 1}})).cost.skipped.at(reason), 0U);
+}
+
+/// A building somewhere in or around the region; some turned, some with a court, some on others' walls.
+std::shared_ptr<const Building> anyBuilding(std::mt19937& random) {
+    const auto between = [&](double low, double high) {
+        return float(std::uniform_real_distribution<double>(low, high)(random));
+    };
+    const float x = between(-40, 120), y = between(-40, 120), a = between(3, 25), b = between(3, 25);
+    const float whole = random() % 3 == 0 ? std::floor(x) : x;
+    if (random() % 2 == 0) return buildingOf({rectangle(whole, y, whole + a, y + b), {}}, 0, between(2, 80));
+    const float turn = between(0, 1.5F), c = std::cos(turn), s = std::sin(turn);
+    const auto corner = [&](float u, float v) { return glm::vec2(x + c * u - s * v, y + s * u + c * v); };
+    return buildingOf({{corner(0, 0), corner(a, 0), corner(a, b), corner(a / 2, b / 3), corner(0, b)}, {}}, 0,
+                      between(2, 80));
+}
+
+void editAnything(City& city, std::mt19937& random) {
+    const std::uint32_t kind = std::uint32_t(random() % 4);
+    if (kind == 0 || city.buildings.size() < 5) {
+        city.buildings.push_back(anyBuilding(random));
+    } else if (kind == 1 && city.buildings.size() > 12) {
+        city.buildings.erase(city.buildings.begin() + std::ptrdiff_t(random() % city.buildings.size()));
+    } else if (kind == 2) {
+        city.buildings[random() % city.buildings.size()] = anyBuilding(random);
+    } else {
+        std::swap(city.buildings.front(), city.buildings[random() % city.buildings.size()]);
+        city.buildings.push_back(city.buildings[random() % city.buildings.size()]);  // the same one twice
+    }
+}
+
+TEST(KeptHorizons, anyEditsGiveTheFieldOfAFreshComputation) {
+    std::mt19937 random(11);
+    City city = blocks(3, 3);
+    Receivers receivers = smallRegion(city, 5);
+    KeptHorizons kept = keptOf(city, receivers);
+    const std::vector<SunSteps> periods{someDays(25, 2), someDays(50, 2)};
+    retimed(kept, periods[0]);
+    for (int edit = 0; edit < 2000; ++edit) {
+        for (std::uint32_t i = 0; i <= random() % 3; ++i) editAnything(city, random);
+        receivers = smallRegion(city, 5);
+        const std::size_t period = std::size_t(edit) / 40 % 2;
+        ShadowField field = changed(kept, city, receivers);
+        if (edit % 40 == 0) field = retimed(kept, periods[period]);
+        if (edit % 10 == 0) {
+            ASSERT_TRUE(sameField(field, fresh(city, receivers, periods[period]))) << edit;
+        }
+    }
+}
+
+TEST(KeptHorizons, tilesBeyondTheMemoryAreSweptAnew) {
+    const City city = blocks(4, 4);
+    const Receivers receivers = receiversOver(city, -60, -60, 330, 330);
+    KeptHorizons kept = keptOf(city, receivers, 12 << 20);
+    const SunSteps sun = someDays(30, 2);
+    EXPECT_TRUE(sameField(retimed(kept, sun), fresh(city, receivers, sun)));
+    EXPECT_LE(kept.bytes(), 12U << 20U);
+    EXPECT_GT(kept.bytes(), 0U);
+    City less = city;
+    less.buildings.pop_back();
+    const Receivers open = receiversOver(less, -60, -60, 330, 330);
+    EXPECT_TRUE(sameField(changed(kept, less, open), fresh(less, open, sun)));
+}
+
+TEST(KeptHorizons, refuseWhatTheyCannotDo) {
+    const City city = blocks(5, 2);
+    const Receivers receivers = smallRegion(city);
+    KeptHorizons kept = keptOf(city, receivers);
+    NoProgress progress;
+    EXPECT_NE(kept.change(city, receivers, progress, {}).error().text().find("period"), std::string::npos);
+    retimed(kept, someDays(40, 1));
+    EXPECT_NE(
+        kept.change(city, receiversOver(city, 0, 0, 30, 30), progress, {}).error().text().find("region"),
+        std::string::npos);
+    City hanging = city;
+    hanging.buildings.push_back(buildingOf({{0, 0, 5}, {10, 10, 10}}));
+    EXPECT_NE(kept.change(hanging, receivers, progress, {}).error().text().find("open air"),
+              std::string::npos);
+    EXPECT_TRUE(sameField(changed(kept, city, receivers), fresh(city, receivers, someDays(40, 1))));
+}
+
+TEST(KeptHorizons, afterAStopTheyAreWholeAgain) {
+    const City city = blocks(5, 3);
+    const Receivers receivers = smallRegion(city);
+    KeptHorizons kept = keptOf(city, receivers);
+    std::stop_source source;
+    source.request_stop();
+    NoProgress progress;
+    EXPECT_TRUE(isCancelled(kept.retime(someDays(40, 1), progress, source.get_token()).error()));
+    EXPECT_TRUE(sameField(retimed(kept, someDays(40, 1)), fresh(city, receivers, someDays(40, 1))));
+    City less = city;
+    less.buildings.pop_back();
+    EXPECT_TRUE(isCancelled(kept.change(less, smallRegion(less), progress, source.get_token()).error()));
+    EXPECT_TRUE(sameField(retimed(kept, someDays(40, 1)), fresh(less, smallRegion(less), someDays(40, 1))));
+}
+
+}  // namespace
+}  // namespace noonmark
