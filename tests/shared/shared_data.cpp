@@ -15,4 +15,8 @@ std::optional<std::filesystem::path> sharedData(const std::string& relative) {
     return path;
 }
 
+std::filesystem::path testFile(const std::string& relative) {
+    return std::filesystem::path(NOONMARK_SOURCE_DIR) / "tests" / relative;
+}
+
 }  // namespace noonmark::tests

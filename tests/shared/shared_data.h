@@ -10,4 +10,8 @@ namespace noonmark::tests {
 /// source folder. Nothing where it is missing: the test then skips and says so.
 std::optional<std::filesystem::path> sharedData(const std::string& relative);
 
+/// A file that lies among the tests: "scenarios/files/version-1.noonmark.gpkg". Read it, or copy it; never
+/// write it.
+std::filesystem::path testFile(const std::string& relative);
+
 }  // namespace noonmark::tests

@@ -1,0 +1,154 @@
+#include "scenarios/project/edit_json.h"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::array heightSources{HeightSource::measured, HeightSource::levels, HeightSource::assumed,
+                                   HeightSource::mesh};
+
+Json jsonOf(const Ring& ring) {
+    Json json = Json::array();
+    for (const glm::vec2 point : ring) json.push_back({point.x, point.y});
+    return json;
+}
+
+Ring ringOf(const Json& json) {
+    Ring ring;
+    for (const Json& point : json) ring.emplace_back(point.at(0).get<float>(), point.at(1).get<float>());
+    if (ring.size() < 3) throw std::invalid_argument("a ring of fewer than three points");
+    return ring;
+}
+
+Json jsonOf(const TriangleMesh& mesh) {
+    Json vertices = Json::array(), triangles = Json::array();
+    for (const glm::vec3 point : mesh.vertices) vertices.push_back({point.x, point.y, point.z});
+    for (const glm::uvec3 corner : mesh.triangles) triangles.push_back({corner.x, corner.y, corner.z});
+    return {{"vertices", vertices}, {"triangles", triangles}};
+}
+
+std::shared_ptr<const TriangleMesh> meshOf(const Json& json) {
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (const Json& at : json.at("vertices"))
+        mesh->vertices.emplace_back(at.at(0).get<float>(), at.at(1).get<float>(), at.at(2).get<float>());
+    for (const Json& at : json.at("triangles")) {
+        const glm::uvec3 corners{at.at(0).get<unsigned>(), at.at(1).get<unsigned>(),
+                                 at.at(2).get<unsigned>()};
+        for (int i = 0; i < 3; ++i)
+            if (corners[i] >= mesh->vertices.size())
+                throw std::invalid_argument("a corner that is not there");
+        mesh->triangles.push_back(corners);
+    }
+    return mesh;
+}
+
+Json jsonOf(const Part& part) {
+    Json holes = Json::array();
+    for (const Ring& hole : part.footprint.holes) holes.push_back(jsonOf(hole));
+    Json json{{"source_id", part.sourceId},
+              {"outer", jsonOf(part.footprint.outer)},
+              {"holes", holes},
+              {"bottom_m", part.bottomM},
+              {"top_m", part.topM},
+              {"height_source", nameOf(part.heightSource)},
+              {"hangs", part.hangs}};
+    if (part.mesh) json["mesh"] = jsonOf(*part.mesh);
+    return json;
+}
+
+Part partOf(const Json& json) {
+    Part part{.sourceId = json.at("source_id"), .footprint = {ringOf(json.at("outer")), {}}};
+    for (const Json& hole : json.at("holes")) part.footprint.holes.push_back(ringOf(hole));
+    part.bottomM = json.at("bottom_m").get<float>();
+    part.topM = json.at("top_m").get<float>();
+    for (const HeightSource source : heightSources)
+        if (json.at("height_source").get<std::string>() == nameOf(source)) part.heightSource = source;
+    part.hangs = json.at("hangs").get<bool>();
+    if (json.contains("mesh")) part.mesh = meshOf(json.at("mesh"));
+    return part;
+}
+
+Json jsonOf(const Building& building) {
+    Json parts = Json::array();
+    for (const Part& part : building.parts) parts.push_back(jsonOf(part));
+    return {
+        {"id", building.sourceId}, {"name", building.name}, {"status", building.status}, {"parts", parts}};
+}
+
+NewShape shapeOf(const Json& json) {
+    Building building{.sourceId = json.at("id"), .name = json.at("name"), .status = json.at("status")};
+    for (const Json& part : json.at("parts")) building.parts.push_back(partOf(part));
+    return std::make_shared<const Building>(std::move(building));
+}
+
+struct Writer {
+    Json operator()(const Demolish& edit) const { return {{"building", edit.building}}; }
+    Json operator()(const Replace& edit) const {
+        return {{"building", edit.building}, {"with", jsonOf(*edit.with)}};
+    }
+    Json operator()(const AddBuilding& edit) const { return {{"with", jsonOf(*edit.building)}}; }
+    Json operator()(const ChangeHeight& edit) const {
+        return {{"building", edit.building}, {"height_m", edit.heightM}};
+    }
+    Json operator()(const Move& edit) const {
+        return {{"building", edit.building}, {"east_m", edit.byM.x}, {"north_m", edit.byM.y}};
+    }
+    Json operator()(const Rotate& edit) const {
+        return {{"building", edit.building}, {"clockwise_deg", edit.clockwiseDeg}};
+    }
+    Json operator()(const ImportMesh& edit) const {
+        return {{"with", jsonOf(*edit.shape)},
+                {"file", edit.file},
+                {"about_m", {edit.placement.about.x, edit.placement.about.y}},
+                {"scale", edit.placement.scale},
+                {"clockwise_deg", edit.placement.clockwiseDeg},
+                {"east_m", edit.placement.byM.x},
+                {"north_m", edit.placement.byM.y}};
+    }
+};
+
+glm::dvec2 moveOf(const Json& json) {
+    return {json.at("east_m").get<double>(), json.at("north_m").get<double>()};
+}
+
+Placement placementOf(const Json& json) {
+    const Json& about = json.at("about_m");
+    return {.about = {about.at(0).get<double>(), about.at(1).get<double>()},
+            .scale = json.at("scale").get<double>(),
+            .clockwiseDeg = json.at("clockwise_deg").get<double>(),
+            .byM = moveOf(json)};
+}
+
+Edit read(const std::string& kind, const Json& json) {
+    const auto building = [&] { return json.at("building").get<std::string>(); };
+    if (kind == "demolish") return Demolish{building()};
+    if (kind == "replace") return Replace{building(), shapeOf(json.at("with"))};
+    if (kind == "add") return AddBuilding{shapeOf(json.at("with"))};
+    if (kind == "height") return ChangeHeight{building(), json.at("height_m").get<double>()};
+    if (kind == "move") return Move{building(), moveOf(json)};
+    if (kind == "rotate") return Rotate{building(), json.at("clockwise_deg").get<double>()};
+    if (kind == "import")
+        return ImportMesh{shapeOf(json.at("with")), placementOf(json), json.at("file").get<std::string>()};
+    throw std::invalid_argument("an edit of an unknown kind");
+}
+
+}  // namespace
+
+// Names from files may hold bytes that are no UTF-8.
+std::string jsonOf(const Edit& edit) {
+    return std::visit(Writer{}, edit).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<Edit> editOf(const std::string& kind, const std::string& json) try {
+    return read(kind, Json::parse(json));
+} catch (const std::exception& trouble) {
+    return failure(std::string("An edit cannot be read (") + trouble.what() + ")", "edit '" + kind + "'",
+                   "The project file is damaged, or was written by another program");
+}
+
+}  // namespace noonmark

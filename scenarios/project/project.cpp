@@ -1,0 +1,70 @@
+#include "scenarios/project/project.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace noonmark {
+
+namespace {
+
+template <class T>
+Result<T> named(const std::vector<T>& list, const std::string& name, const char* what) {
+    const auto found = std::ranges::find(list, name, &T::name);
+    if (found != list.end()) return *found;
+    std::vector<std::string> names;
+    for (const T& one : list) names.push_back("'" + one.name + "'");
+    return failure(fmt::format("There is no such {}", what), fmt::format("{} '{}'", what, name),
+                   names.empty() ? fmt::format("The project has none")
+                                 : fmt::format("There are: {}", fmt::join(names, ", ")));
+}
+
+template <class Range, class Name>
+Result<void> checkNames(const Range& list, Name nameOf, const char* what) {
+    std::set<std::string> names;
+    for (const auto& one : list) {
+        if (nameOf(one).empty()) return failure(fmt::format("A {} has no name", what), "project", "Name it");
+        if (!names.insert(nameOf(one)).second)
+            return failure(fmt::format("Two of the project's {}s have this name", what), nameOf(one),
+                           "Rename one");
+    }
+    return {};
+}
+
+constexpr auto ownName = [](const auto& one) -> const std::string& { return one.name; };
+
+}  // namespace
+
+Result<NamedLot> lotNamed(const Project& project, const std::string& name) {
+    return named(project.lots, name, "lot");
+}
+Result<Region> regionNamed(const Project& project, const std::string& name) {
+    return named(project.regions, name, "region");
+}
+Result<TimeWeights> weightsNamed(const Project& project, const std::string& name) {
+    return named(project.weights, name, "weight table");
+}
+Result<Scenario> scenarioNamed(const Project& project, const std::string& name) {
+    return named(project.scenarios, name, "scenario");
+}
+
+Result<EditedCity> cityOf(const Project& project, const std::string& scenario) {
+    return cityOf(*project.city, project.scenarios, scenario);
+}
+
+Result<void> checked(const Project& project) {
+    const auto sharedName = [](const auto& one) -> const std::string& { return one->name; };
+    Result<void> sound = checked(project.scenarios);
+    if (sound) sound = checkNames(project.lots, ownName, "lot");
+    if (sound) sound = checkNames(project.regions, ownName, "region");
+    if (sound) sound = checkNames(project.weights, ownName, "weight table");
+    if (sound) sound = checkNames(project.periods, ownName, "period");
+    if (sound) sound = checkNames(project.results, sharedName, "result");
+    for (const TimeWeights& table : project.weights)
+        if (sound) sound = checked(table);
+    return sound;
+}
+
+}  // namespace noonmark

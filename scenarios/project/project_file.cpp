@@ -1,0 +1,139 @@
+#include "scenarios/project/project_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "core/io/pending_file.h"
+#include "core/version.h"
+#include "scenarios/project/file_check.h"
+#include "scenarios/project/grid_tiles.h"
+#include "scenarios/project/read_project.h"
+#include "scenarios/project/schema.h"
+#include "scenarios/project/write_project.h"
+
+namespace noonmark {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string newId() {
+    std::random_device random;
+    return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
+
+// Turns what SQLite and the readers throw into an Error; no exception leaves this file.
+template <class Work>
+auto guarded(const fs::path& file, Work&& work) -> decltype(work()) try {
+    return work();
+} catch (const DatabaseTrouble& trouble) {
+    return tl::make_unexpected(errorOf(trouble, file));
+} catch (const std::exception& trouble) {
+    return failure(fmt::format("The project file cannot be used ({})", trouble.what()), file.string(),
+                   "Check that there is memory and room on the disk");
+}
+
+void prepareToWrite(Database& database) {
+    database.execute("PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL;");
+}
+
+void noteSave(Database& database, std::int64_t saves) {
+    setFact(database, "saves", std::to_string(saves));
+    setFact(database, "program", "Noonmark " + std::string(version()));
+    setFact(database, "saved_at", *database.value("SELECT strftime('%Y-%m-%dT%H:%M:%fZ','now')"));
+}
+
+std::int64_t savesIn(Database& database) { return std::atoll(factOf(database, "saves").c_str()); }
+
+Result<void> checkVersion(Database& database, const fs::path& file) {
+    const int version = versionOf(database);
+    if (version == schemaVersion || (version > 0 && version < schemaVersion)) return {};
+    if (version == 0)
+        return failure("It is a GeoPackage, but no Noonmark project", file.string(),
+                       "To begin a project with its buildings: noonmark-cli project new");
+    return failure(
+        fmt::format(
+            "The project was written by a newer Noonmark (version {} of the file; this program knows {})",
+            version, schemaVersion),
+        file.string(), "Install the newer program; the file was left as it is");
+}
+
+void writeNew(const fs::path& file, const Project& project, const std::string& id) {
+    Database database(file, Database::Access::create);
+    prepareToWrite(database);
+    Transaction transaction(database);
+    createSchema(database, localCrsWkt(project.city->frame));
+    setFact(database, "project_id", id);
+    writeChanges(database, nullptr, project);
+    noteSave(database, 1);
+    transaction.commit();
+}
+
+Result<void> isOurs(Database& database, const ProjectFile& file) {
+    if (auto known = checkVersion(database, file.path()); !known) return known;
+    if (factOf(database, "project_id") == file.id() && savesIn(database) == file.saves()) return {};
+    return failure("The project was saved by someone else since it was opened", file.path().string(),
+                   "Save under another name, or open it again");
+}
+
+}  // namespace
+
+Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& project, IfThere ifThere) {
+    if (auto sound = checked(project); !sound) return tl::make_unexpected(sound.error());
+    std::error_code ignored;
+    if (ifThere == IfThere::refuse && fs::exists(file, ignored))
+        return failure("There is a file of this name already", file.string(), "Choose another name");
+    return guarded(file, [&]() -> Result<ProjectFile> {
+        PendingFile pending(file);
+        ProjectFile made;
+        made.path_ = file;
+        made.project_ = project;
+        made.id_ = newId();
+        made.saves_ = 1;
+        writeNew(pending.path(), project, made.id_);
+        if (auto named = pending.commit(); !named) return tl::make_unexpected(named.error());
+        return made;
+    });
+}
+
+Result<ProjectFile> ProjectFile::open(const fs::path& file) {
+    if (auto whole = checkWhole(file); !whole) return tl::make_unexpected(whole.error());
+    return guarded(file, [&]() -> Result<ProjectFile> {
+        // What a killed process left half done is rolled back, which needs the right to write.
+        const bool writable = bool(checkWritable(file));
+        Database database(file, writable ? Database::Access::write : Database::Access::read);
+        const Transaction transaction(database, false);
+        if (auto known = checkVersion(database, file); !known) return tl::make_unexpected(known.error());
+        migrate(database);  // rolled back with the transaction; save() does it again
+        ProjectFile opened;
+        opened.path_ = file;
+        opened.id_ = factOf(database, "project_id");
+        opened.saves_ = savesIn(database);
+        opened.project_ = readProject(database);
+        return opened;
+    });
+}
+
+Result<void> ProjectFile::save(const Project& project) {
+    if (auto sound = checked(project); !sound) return sound;
+    if (auto writable = checkWritable(path_); !writable) return writable;
+    if (auto whole = checkWhole(path_); !whole) return whole;
+    return guarded(path_, [&]() -> Result<void> {
+        Database database(path_, Database::Access::write);
+        prepareToWrite(database);
+        Transaction transaction(database);
+        if (auto ours = isOurs(database, *this); !ours) return ours;
+        migrate(database);
+        writeChanges(database, &project_, project);
+        noteSave(database, saves_ + 1);
+        transaction.commit();
+        project_ = project;
+        ++saves_;
+        return {};
+    });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,122 @@
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <unordered_map>
+
+#include "scenarios/project/geometry_blob.h"
+#include "scenarios/project/read_project.h"
+#include "scenarios/project/write_project.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr std::array heightSources{HeightSource::measured, HeightSource::levels, HeightSource::assumed,
+                                   HeightSource::mesh};
+
+template <class T>
+std::vector<T> valuesOf(std::string_view bytes) {
+    if (bytes.size() % sizeof(T) != 0) throwDamaged("a list of numbers is cut off");
+    std::vector<T> values(bytes.size() / sizeof(T));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+}
+
+using Meshes = std::unordered_map<std::int64_t, std::shared_ptr<const TriangleMesh>>;
+
+Meshes readMeshes(Database& database) {
+    Meshes meshes;
+    Statement row = database.prepare("SELECT id, vertices, triangles FROM meshes");
+    while (row.step()) {
+        auto mesh = std::make_shared<TriangleMesh>();
+        mesh->vertices = valuesOf<glm::vec3>(row.blob(1));
+        mesh->triangles = valuesOf<glm::uvec3>(row.blob(2));
+        for (const glm::uvec3 t : mesh->triangles)
+            if (std::max({t.x, t.y, t.z}) >= mesh->vertices.size())
+                throwDamaged("a mesh has a corner too many");
+        meshes.emplace(row.integer(0), std::move(mesh));
+    }
+    return meshes;
+}
+
+HeightSource sourceOf(const std::string& name) {
+    for (const HeightSource source : heightSources)
+        if (name == nameOf(source)) return source;
+    return HeightSource::assumed;
+}
+
+void addParts(const Statement& row, const Meshes& meshes, Building& building) {
+    auto polygons = polygonsOf(row.blob(1));
+    if (!polygons) throwDamaged("the outline of a building");
+    for (Footprint& polygon : *polygons) {
+        Part part{.sourceId = row.text(3),
+                  .footprint = std::move(polygon),
+                  .bottomM = float(row.real(8)),
+                  .topM = float(row.real(9)),
+                  .heightSource = sourceOf(row.text(6)),
+                  .hangs = row.integer(7) != 0};
+        if (!(part.topM > part.bottomM)) throwDamaged("a building without a height");
+        if (const auto mesh = meshes.find(row.integer(0)); mesh != meshes.end()) part.mesh = mesh->second;
+        building.parts.push_back(std::move(part));
+    }
+}
+
+std::vector<std::shared_ptr<const Building>> readBuildings(Database& database) {
+    const Meshes meshes = readMeshes(database);
+    std::vector<std::shared_ptr<const Building>> buildings;
+    // Read in the order of rows, which is that of the buildings unless one was changed later.
+    Statement row = database.prepare(
+        "SELECT fid, geom, building_id, source_id, name, status, height_source, hangs, bottom_m, top_m, "
+        "building "
+        "FROM buildings ORDER BY building, fid");
+    std::int64_t last = -1;
+    Building building;
+    const auto finish = [&] {
+        if (!building.parts.empty())
+            buildings.push_back(std::make_shared<const Building>(std::move(building)));
+        building = {};
+    };
+    while (row.step()) {
+        if (row.integer(10) != last) finish();
+        last = row.integer(10);
+        building.sourceId = row.text(2);
+        building.name = row.text(4);
+        building.status = row.text(5);
+        addParts(row, meshes, building);
+    }
+    finish();
+    return buildings;
+}
+
+std::shared_ptr<const Terrain> readTerrain(Database& database) {
+    Statement row =
+        database.prepare("SELECT west_m, south_m, cell_m, columns, rows, elevations_m FROM terrain");
+    if (!row.step()) return nullptr;
+    auto terrain = std::make_shared<Terrain>();
+    terrain->grid = {row.real(0), row.real(1), row.real(2), int(row.integer(3)), int(row.integer(4))};
+    terrain->elevationM = valuesOf<float>(row.blob(5));
+    if (terrain->elevationM.size() != terrain->grid.size()) throwDamaged("the terrain is cut off");
+    return terrain;
+}
+
+double numberOf(Database& database, const std::string& key) {
+    const std::string text = factOf(database, key);
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value)) throwDamaged("the project's origin");
+    return value;
+}
+
+}  // namespace
+
+std::shared_ptr<const City> readCityTables(Database& database) {
+    auto city = std::make_shared<City>();
+    const LonLat origin{numberOf(database, "origin_lon_deg"), numberOf(database, "origin_lat_deg")};
+    city->frame = Frame(origin, numberOf(database, "origin_elevation_m"));
+    city->buildings = readBuildings(database);
+    city->terrain = readTerrain(database);
+    return city;
+}
+
+}  // namespace noonmark

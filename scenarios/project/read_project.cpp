@@ -1,0 +1,175 @@
+#include "scenarios/project/read_project.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "scenarios/project/edit_json.h"
+#include "scenarios/project/geometry_blob.h"
+#include "scenarios/project/grid_tiles.h"
+#include "scenarios/project/write_project.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<InputFile> readInputs(Database& database) {
+    std::vector<InputFile> inputs;
+    Statement row = database.prepare("SELECT path, bytes, sha256 FROM inputs ORDER BY id");
+    while (row.step()) inputs.push_back({row.text(0), std::uintmax_t(row.integer(1)), row.text(2)});
+    return inputs;
+}
+
+// Lots may be drawn in a GIS: a polygon in several pieces is several lots.
+std::vector<NamedLot> readLots(Database& database) {
+    std::vector<NamedLot> lots;
+    Statement row = database.prepare("SELECT fid, geom, name FROM lots ORDER BY fid");
+    while (row.step()) {
+        const auto polygons = polygonsOf(row.blob(1));
+        if (!polygons) throwDamaged("the outline of a lot");
+        const std::string name = row.isNull(2) ? fmt::format("lot {}", row.integer(0)) : row.text(2);
+        for (std::size_t i = 0; i < polygons->size(); ++i)
+            lots.push_back({i == 0 ? name : fmt::format("{} ({})", name, i + 1), (*polygons)[i]});
+    }
+    return lots;
+}
+
+std::vector<Region> readRegions(Database& database) {
+    std::vector<Region> regions;
+    Statement row = database.prepare("SELECT fid, geom, name FROM regions ORDER BY fid");
+    while (row.step()) {
+        auto polygons = polygonsOf(row.blob(1));
+        if (!polygons) throwDamaged("the outline of a region");
+        const std::string name = row.isNull(2) ? fmt::format("region {}", row.integer(0)) : row.text(2);
+        regions.push_back({name, *std::move(polygons)});
+    }
+    return regions;
+}
+
+std::vector<Edit> readEdits(Database& database, std::int64_t scenario) {
+    std::vector<Edit> edits;
+    Statement row = database.prepare("SELECT kind, value FROM edits WHERE scenario = ? ORDER BY position");
+    for (row.begin(scenario); row.step();) {
+        auto edit = editOf(row.text(0), row.text(1));
+        if (!edit) throwDamaged(edit.error().what);
+        edits.push_back(*std::move(edit));
+    }
+    return edits;
+}
+
+std::vector<Scenario> readScenarios(Database& database) {
+    std::vector<Scenario> scenarios;
+    Statement row = database.prepare("SELECT id, name, base FROM scenarios ORDER BY id");
+    while (row.step()) scenarios.push_back({row.text(1), row.text(2), readEdits(database, row.integer(0))});
+    return scenarios;
+}
+
+std::chrono::month_day dayOf(const Statement& row, int column) {
+    return {std::chrono::month(unsigned(row.integer(column))),
+            std::chrono::day(unsigned(row.integer(column + 1)))};
+}
+
+std::vector<TimeWeights> readWeights(Database& database) {
+    std::vector<TimeWeights> tables;
+    Statement row = database.prepare(
+        "SELECT t.id, t.name, w.name, first_month, first_day, last_month, last_day, from_min, to_min, weight "
+        "FROM time_weight_tables t JOIN time_weights w ON w.weight_table = t.id ORDER BY t.id, w.id");
+    std::int64_t last = 0;
+    while (row.step()) {
+        if (row.integer(0) != last) tables.push_back({row.text(1), {}});
+        last = row.integer(0);
+        tables.back().intervals.push_back({row.text(2), dayOf(row, 3), dayOf(row, 5),
+                                           std::chrono::minutes(row.integer(7)),
+                                           std::chrono::minutes(row.integer(8)), row.real(9)});
+    }
+    return tables;
+}
+
+Period periodOf(const Statement& row) {
+    Period period;
+    const auto start = parseDate(row.text(1));
+    if (!start) throwDamaged("the date of a period");
+    period.start = *start;
+    period.days = int(row.integer(2));
+    period.from = std::chrono::minutes(row.integer(3));
+    period.hours = row.real(4);
+    period.stepMinutes = row.real(5);
+    if (!row.isNull(6))
+        period.window =
+            SolarWindow{std::chrono::minutes(row.integer(6)), std::chrono::minutes(row.integer(7)),
+                        row.text(8) == "centre" ? SunriseRule::centre : SunriseRule::upperLimb};
+    period.zone = row.text(9);
+    period.refraction = row.integer(10) != 0;
+    return period;
+}
+
+std::vector<NamedPeriod> readPeriods(Database& database) {
+    std::vector<NamedPeriod> periods;
+    Statement row = database.prepare(
+        "SELECT name, start, days, from_min, hours, step_min, after_sunrise_min, before_sunset_min, "
+        "sunrise_rule, zone, "
+        "refraction FROM periods ORDER BY id");
+    while (row.step()) periods.push_back({row.text(0), periodOf(row)});
+    return periods;
+}
+
+std::map<std::string, std::string> readView(Database& database) {
+    std::map<std::string, std::string> view;
+    Statement row = database.prepare("SELECT key, value FROM view_state");
+    while (row.step()) view[row.text(0)] = row.text(1);
+    return view;
+}
+
+ResultLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
+    ResultLayer layer{row.text(0), row.text(1), {}};
+    layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
+    const std::string table = row.text(2);
+    for (const char letter : table)
+        if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '_')
+            throwDamaged("a result's table");
+    Statement tile =
+        database.prepare("SELECT tile_column, tile_row, tile_data FROM " + table + " WHERE zoom_level = 0");
+    while (tile.step())
+        if (!decodeTile(tile.blob(2), grid, int(tile.integer(0)), int(tile.integer(1)), layer.values))
+            throwDamaged("a tile of a result");
+    return layer;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database) {
+    std::vector<std::shared_ptr<const KeptResult>> results;
+    Statement row = database.prepare(
+        "SELECT id, name, kind, scenario, baseline, settings, inputs, west_m, south_m, cell_m, columns, rows "
+        "FROM results ORDER BY id");
+    while (row.step()) {
+        KeptResult result{row.text(1), row.text(2), row.text(3), row.text(4),
+                          row.text(5), row.text(6), {},          {}};
+        result.grid = {row.real(7), row.real(8), row.real(9), int(row.integer(10)), int(row.integer(11))};
+        Statement layer =
+            database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
+        for (layer.begin(row.integer(0)); layer.step();)
+            result.layers.push_back(readLayer(database, layer, result.grid));
+        results.push_back(std::make_shared<const KeptResult>(std::move(result)));
+    }
+    return results;
+}
+
+Project readProject(Database& database) {
+    Project project;
+    project.city = readCityTables(database);
+    project.attribution = factOf(database, "attribution");
+    project.inputs = readInputs(database);
+    project.lots = readLots(database);
+    project.regions = readRegions(database);
+    project.scenarios = readScenarios(database);
+    project.weights = readWeights(database);
+    project.periods = readPeriods(database);
+    project.results = readResults(database);
+    project.view = readView(database);
+    const std::string buildings = factOf(database, "buildings");
+    if (buildings != std::to_string(project.city->buildings.size())) throwDamaged("buildings are missing");
+    return project;
+}
+
+}  // namespace noonmark

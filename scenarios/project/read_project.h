@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scenarios/project/database.h"
+#include "scenarios/project/project.h"
+
+namespace noonmark {
+
+/// The project that the tables of schemaVersion hold. Throws DatabaseTrouble, also for contents that make no
+/// sense.
+Project readProject(Database& database);
+
+/// Parts of it.
+std::shared_ptr<const City> readCityTables(Database& database);
+std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database);
+
+}  // namespace noonmark

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scenarios/project/database.h"
+#include "scenarios/project/project.h"
+
+namespace noonmark {
+
+/// Writes what differs between `before`, which the tables hold, and `after`; all of it without `before`. The
+/// city costs nothing where its pointer is the same, else as many rows as buildings differ, place by place.
+/// Inside the caller's transaction; throws DatabaseTrouble.
+void writeChanges(Database& database, const Project* before, const Project& after);
+
+/// The rows of write_project.cpp's parts.
+void writeCity(Database& database, const City* before, const City& after);
+void writeScenarios(Database& database, const std::vector<Scenario>& before,
+                    const std::vector<Scenario>& after);
+void writeResult(Database& database, const KeptResult& result);
+void removeResult(Database& database, const std::string& name);
+
+/// Sets a row of the table `noonmark`.
+void setFact(Database& database, const std::string& key, const std::string& value);
+std::string factOf(Database& database, const std::string& key);  ///< empty where it is not there
+
+}  // namespace noonmark

@@ -1,0 +1,270 @@
+#include "scenarios/project/project_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "core/io/read_city.h"
+#include "scenarios/project/autosave.h"
+#include "scenarios/project/database.h"
+#include "scenarios/project/edit_json.h"
+#include "scenarios/project/schema.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/scenarios/sample_project.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string bytesOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class ProjectFileTest : public testing::Test {
+protected:
+    ProjectFile made(const Project& project = sampleProject()) {
+        return ProjectFile::create(file(), project).value();
+    }
+    [[nodiscard]] fs::path file() const { return folder_.path("town.noonmark.gpkg"); }
+    [[nodiscard]] Project opened() const { return ProjectFile::open(file()).value().project(); }
+    [[nodiscard]] std::string troubleOfOpening() const {
+        const auto opened = ProjectFile::open(file());
+        return opened ? "" : opened.error().text();
+    }
+
+    TemporaryFolder folder_;
+};
+
+void expectSame(const Project& a, const Project& b) {
+    EXPECT_TRUE(sameCity(*a.city, *b.city));
+    EXPECT_EQ(a.attribution, b.attribution);
+    ASSERT_EQ(a.inputs.size(), b.inputs.size());
+    EXPECT_EQ(a.lots, b.lots);
+    EXPECT_EQ(a.regions, b.regions);
+    EXPECT_EQ(a.weights, b.weights);
+    EXPECT_EQ(a.periods, b.periods);
+    EXPECT_EQ(a.view, b.view);
+    ASSERT_EQ(a.scenarios.size(), b.scenarios.size());
+    for (std::size_t i = 0; i < a.scenarios.size(); ++i) {
+        EXPECT_EQ(a.scenarios[i].name, b.scenarios[i].name);
+        EXPECT_EQ(a.scenarios[i].base, b.scenarios[i].base);
+        ASSERT_EQ(a.scenarios[i].edits.size(), b.scenarios[i].edits.size());
+        for (std::size_t e = 0; e < a.scenarios[i].edits.size(); ++e)
+            EXPECT_EQ(jsonOf(a.scenarios[i].edits[e]), jsonOf(b.scenarios[i].edits[e]));
+    }
+    ASSERT_EQ(a.results.size(), b.results.size());
+    for (std::size_t i = 0; i < a.results.size(); ++i) {
+        EXPECT_EQ(a.results[i]->settings, b.results[i]->settings);
+        EXPECT_EQ(a.results[i]->grid, b.results[i]->grid);
+        for (std::size_t l = 0; l < 2; ++l)
+            for (std::size_t c = 0; c < a.results[i]->grid.size(); ++c) {
+                const float x = a.results[i]->layers[l].values[c], y = b.results[i]->layers[l].values[c];
+                ASSERT_TRUE(x == y || (std::isnan(x) && std::isnan(y))) << c << ": " << x << " " << y;
+            }
+    }
+}
+
+TEST_F(ProjectFileTest, GivesBackAllToTheLastBit) {
+    const Project project = sampleProject();
+    made(project);
+    expectSame(opened(), project);
+    EXPECT_THAT(folder_.names(), ElementsAre("town.noonmark.gpkg"));
+}
+
+// Its origin and what it holds are those of sampleProject() when version 1 was the newest.
+TEST_F(ProjectFileTest, AFileOfVersion1IsOpenedAndSaved) {
+    fs::copy_file(testFile("scenarios/files/version-1.noonmark.gpkg"), file());
+    ProjectFile disk = ProjectFile::open(file()).value();
+    expectSame(disk.project(), sampleProject());
+    Project project = disk.project();
+    project.view["camera"] = "new";
+    ASSERT_TRUE(disk.save(project));
+    expectSame(opened(), project);
+}
+
+TEST_F(ProjectFileTest, TheScenariosStillMakeTheSameCities) {
+    const Project project = sampleProject();
+    made(project);
+    const auto before = cityOf(project, "B"), after = cityOf(opened(), "B");
+    ASSERT_TRUE(before) << before.error().text();
+    ASSERT_TRUE(after) << after.error().text();
+    EXPECT_TRUE(sameCity(before->city, after->city));
+}
+
+TEST_F(ProjectFileTest, EveryKindOfChangeIsSaved) {
+    ProjectFile disk = made();
+    Project project = disk.project();
+    City city = *project.city;
+    city.buildings[1] = shared(house("b", box(30, 0, 41, 11), 25));
+    city.buildings.pop_back();
+    project.city = std::make_shared<const City>(city);
+    project.attribution = "other";
+    project.lots.pop_back();
+    project.regions.push_back({"Street", {box(0, -20, 100, -10)}});
+    project.scenarios[0].edits.pop_back();
+    project.scenarios[1].edits[1] = ChangeHeight{"c", 12};
+    project.scenarios.push_back({"C", "", {Demolish{"c"}}});
+    project.weights.erase(project.weights.begin());
+    project.periods.clear();
+    project.results = {keptResult("second", 20, 600)};
+    project.view["camera"] = "4 5 6";
+    ASSERT_TRUE(disk.save(project));
+    EXPECT_EQ(disk.saves(), 2);
+    expectSame(opened(), project);
+    project.scenarios.erase(project.scenarios.begin() + 1);
+    ASSERT_TRUE(disk.save(project));
+    expectSame(opened(), project);
+}
+
+TEST_F(ProjectFileTest, ASaveWritesNoMoreThanTheChange) {
+    ProjectFile disk = made();
+    Project project = disk.project();
+    project.scenarios[1].edits.emplace_back(Rotate{"c", 1});
+    const auto before = [&] {
+        Database database(file(), Database::Access::read);
+        return *database.value("SELECT group_concat(fid || ' ' || building) FROM buildings");
+    };
+    const std::string rows = before();
+    const std::string city = bytesOf(file());
+    ASSERT_TRUE(disk.save(project));
+    EXPECT_EQ(before(), rows);
+    Database database(file(), Database::Access::read);
+    EXPECT_EQ(*database.value("SELECT count(*) FROM edits"), "8");
+    EXPECT_EQ(bytesOf(file()).size(), city.size());
+}
+
+TEST_F(ProjectFileTest, IsAGeoPackageThatReadsAsACity) {
+    made();
+    NoProgress progress;
+    const auto read = readCity({file()}, {.frame = threeHouses().frame}, progress, {});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->city.buildings.size(), 5U);
+    EXPECT_EQ(read->city.buildings[4]->name, "Cour d'Été");
+    EXPECT_NEAR(read->city.buildings[4]->parts[1].topM - read->city.buildings[4]->parts[0].bottomM, 60, 1e-3);
+}
+
+TEST_F(ProjectFileTest, DamagedFilesGetAWordAndStayAsTheyAre) {
+    made();
+    const std::string whole = bytesOf(file());
+    for (const double share : {0.0, 0.0001, 0.01, 0.3, 0.7, 0.999}) {
+        const std::string cut = whole.substr(0, std::size_t(share * double(whole.size())));
+        std::ofstream(file(), std::ios::binary | std::ios::trunc) << cut;
+        EXPECT_THAT(troubleOfOpening(),
+                    testing::AnyOf(HasSubstr("damaged"), HasSubstr("no Noonmark project")))
+            << share;
+        EXPECT_EQ(bytesOf(file()), cut);
+    }
+}
+
+TEST_F(ProjectFileTest, FlippedBytesNeverCrash) {
+    made();
+    const std::string whole = bytesOf(file());
+    for (std::size_t at = 50; at < whole.size(); at += whole.size() / 211) {
+        std::string flipped = whole;
+        flipped[at] = char(~flipped[at]);
+        std::ofstream(file(), std::ios::binary | std::ios::trunc) << flipped;
+        const auto opened = ProjectFile::open(file());
+        EXPECT_TRUE(opened || !opened.error().advice.empty());
+        EXPECT_EQ(bytesOf(file()), flipped);
+    }
+}
+
+TEST_F(ProjectFileTest, ADamagedFileIsNotSavedOver) {
+    ProjectFile disk = made();
+    std::ofstream(file(), std::ios::binary | std::ios::trunc) << "not a database at all, but some text";
+    const std::string before = bytesOf(file());
+    EXPECT_FALSE(disk.save(sampleProject()));
+    EXPECT_EQ(bytesOf(file()), before);
+}
+
+TEST_F(ProjectFileTest, NewerAndForeignFilesAreSaid) {
+    made();
+    {
+        Database database(file(), Database::Access::write);
+        database.execute("UPDATE noonmark SET value = '99' WHERE key = 'schema_version'");
+    }
+    const std::string before = bytesOf(file());
+    EXPECT_THAT(troubleOfOpening(), AllOf(HasSubstr("newer Noonmark"), HasSubstr("99")));
+    EXPECT_EQ(bytesOf(file()), before);
+    fs::remove(file());
+    Database(file(), Database::Access::create).execute("CREATE TABLE t (x)");
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("no Noonmark project"));
+    EXPECT_THAT(ProjectFile::open(folder_.path("gone")).error().text(), HasSubstr("no such file"));
+}
+
+TEST_F(ProjectFileTest, ALockedFileIsSaidAndSavedLater) {
+    ProjectFile disk = made();
+    Project project = disk.project();
+    project.view["camera"] = "9";
+    {
+        Database other(file(), Database::Access::write);
+        const Transaction busy(other);
+        EXPECT_THAT(disk.save(project).error().text(), HasSubstr("Another program is writing"));
+        EXPECT_TRUE(ProjectFile::open(file()));
+    }
+    EXPECT_TRUE(disk.save(project));
+    EXPECT_EQ(opened().view.at("camera"), "9");
+}
+
+TEST_F(ProjectFileTest, WhatSomeoneElseSavedIsNotOverwritten) {
+    ProjectFile mine = made();
+    ProjectFile theirs = ProjectFile::open(file()).value();
+    Project project = theirs.project();
+    project.view["camera"] = "theirs";
+    ASSERT_TRUE(theirs.save(project));
+    EXPECT_THAT(mine.save(sampleProject()).error().text(), HasSubstr("saved by someone else"));
+    EXPECT_EQ(opened().view.at("camera"), "theirs");
+}
+
+TEST_F(ProjectFileTest, AReadOnlyFileIsReadAndNotSaved) {
+    ProjectFile disk = made();
+    fs::permissions(file(), fs::perms::owner_read);
+    EXPECT_TRUE(ProjectFile::open(file()));
+    EXPECT_THAT(disk.save(sampleProject()).error().text(), HasSubstr("may only be read"));
+    fs::permissions(file(), fs::perms::owner_all);
+}
+
+TEST_F(ProjectFileTest, AFileThatIsThereIsReplacedOnlyWhenAsked) {
+    made();
+    EXPECT_THAT(ProjectFile::create(file(), {}).error().text(), HasSubstr("already"));
+    EXPECT_TRUE(ProjectFile::create(file(), {}, ProjectFile::IfThere::replace));
+    EXPECT_TRUE(opened().city->buildings.empty());
+}
+
+TEST_F(ProjectFileTest, WhatIsNotSoundIsNotSaved) {
+    ProjectFile disk = made();
+    Project project = disk.project();
+    project.scenarios.push_back(project.scenarios[0]);
+    EXPECT_FALSE(disk.save(project));
+    EXPECT_FALSE(ProjectFile::create(folder_.path("x.noonmark.gpkg"), project));
+    EXPECT_EQ(opened().scenarios.size(), 2U);
+}
+
+TEST_F(ProjectFileTest, UnsavedWorkIsRecovered) {
+    ProjectFile disk = made();
+    EXPECT_FALSE(recoveryOf(file()));
+    Project project = disk.project();
+    Autosave autosave(file());
+    for (int i = 0; i < 3; ++i) {
+        project.view["camera"] = std::to_string(i);
+        ASSERT_TRUE(autosave.keep(project));
+    }
+    const auto recovery = recoveryOf(file());
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(ProjectFile::open(recovery->path).value().project().view.at("camera"), "2");
+    EXPECT_EQ(opened().view.at("camera"), "1 2 3");
+    autosave.discard();
+    EXPECT_FALSE(recoveryOf(file()));
+    EXPECT_THAT(folder_.names(), ElementsAre("town.noonmark.gpkg"));
+}
+
+}  // namespace
+}  // namespace noonmark::tests

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <chrono>
+#include <limits>
+
+#include "scenarios/project/project.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+
+inline std::shared_ptr<const KeptResult> keptResult(const std::string& name, int columns = 300,
+                                                    int rows = 40) {
+    KeptResult result{name, "impact", "A", existingCity, R"({"engine":"ray"})", R"([{"path":"city.gpkg"}])",
+                      {},   {}};
+    result.grid = {-10, -20, 2, columns, rows};
+    for (const char* layer : {"gross change", "continuous change"}) {
+        ResultLayer map{layer, "min/day", {}};
+        for (std::size_t i = 0; i < result.grid.size(); ++i)
+            map.values.push_back(i % 7 == 0 ? std::numeric_limits<float>::quiet_NaN()
+                                            : float(i) * 0.37F - 500);
+        result.layers.push_back(std::move(map));
+    }
+    return std::make_shared<const KeptResult>(std::move(result));
+}
+
+/// One of everything that a project holds.
+inline Project sampleProject() {
+    using namespace std::chrono;
+    City city = threeHouses();
+    Building solid = house("mesh house", box(0.1F, 40.3F, 10.7F, 50.9F), 12.34F);
+    solid.parts[0].mesh = std::make_shared<const TriangleMesh>(meshOf(solid.parts[0]));
+    solid.parts[0].hangs = true;
+    solid.parts[0].heightSource = HeightSource::mesh;
+    city.buildings.push_back(shared(solid));
+    Building court = house("court \"5\"", box(100, 100, 150, 150), 21);
+    court.parts[0].footprint.holes.push_back({{110, 110}, {110, 140}, {140, 140}, {140, 110}});
+    court.parts.push_back(house("tower", box(100, 100, 108, 108), 60, 21).parts[0]);
+    court.name = "Cour d'Été";
+    city.buildings.push_back(shared(court));
+    city.terrain = slope();
+    Project project;
+    project.city = std::make_shared<const City>(city);
+    project.attribution = "(c) OpenStreetMap contributors, ODbL";
+    project.inputs = {{"city.gpkg", 1234, "abcd"}};
+    project.lots = {{"corner", box(200, 0, 240, 30)}, {"court", court.parts[0].footprint}};
+    project.regions = {{"Park", {box(0, 60, 100, 90), box(0, 100, 50, 120)}}};
+    Building imported = solid;
+    imported.sourceId = "imported";
+    project.scenarios = {
+        {"A", "", {Demolish{"a"}, Replace{"b", shared(house("new b", box(30.2F, 0, 40, 10.1F), 55.5F))}}},
+        {"B",
+         "A",
+         {AddBuilding{shared(house("tower", box(200, 0, 220, 20), 99))}, ChangeHeight{"c", 31.7},
+          Move{"c", {1.5, -2}}, Rotate{"c", 12.25},
+          ImportMesh{shared(imported), {.scale = 1.5, .clockwiseDeg = 30, .byM = {300, 10}}, "house.obj"}}}};
+    project.weights.push_back({"school",
+                               {{.name = "afternoons",
+                                 .first = September / 1,
+                                 .last = June / 30,
+                                 .from = minutes(15 * 60),
+                                 .to = minutes(17 * 60),
+                                 .weight = -1}}});
+    project.periods = {{"equinox", {}},
+                       {"sun",
+                        {.days = 365,
+                         .window = SolarWindow{minutes(90), minutes(90)},
+                         .zone = "America/New_York",
+                         .refraction = false}}};
+    project.results = {keptResult("first")};
+    project.view = {{"camera", "1 2 3"}, {"palette", "divergent"}};
+    return project;
+}
+
+/// Whether two projects say the same, buildings and results by value.
+inline bool sameCity(const City& a, const City& b) {
+    if (a.frame != b.frame || a.buildings.size() != b.buildings.size()) return false;
+    if (bool(a.terrain) != bool(b.terrain) || (a.terrain && *a.terrain != *b.terrain)) return false;
+    for (std::size_t i = 0; i < a.buildings.size(); ++i) {
+        Building x = *a.buildings[i], y = *b.buildings[i];
+        if (x.parts.size() != y.parts.size()) return false;
+        for (std::size_t p = 0; p < x.parts.size(); ++p) {
+            if (bool(x.parts[p].mesh) != bool(y.parts[p].mesh)) return false;
+            if (x.parts[p].mesh && *x.parts[p].mesh != *y.parts[p].mesh) return false;
+            x.parts[p].mesh = y.parts[p].mesh = nullptr;
+        }
+        if (x != y) return false;
+    }
+    return true;
+}
+
+}  // namespace noonmark::tests
