@@ -63,10 +63,28 @@ struct KeptHorizons::Kept {
         field.cost.buildingsUsed = std::uint32_t(walls.buildings());
     }
 
+    template <class Work>
+    void timed(const char* stage, Work&& work) {
+        const Stopwatch watch;
+        work();
+        field.cost.seconds[stage] += watch.seconds();
+    }
+
     std::size_t sweep(KeptTile& tile, const std::stop_token& stop) {
-        const std::size_t swept = tile.retime(walls, receivers.grid.cellM, binned, *count, stop);
-        tile.write(binned, *count, field, true, stop);
+        std::size_t swept = 0;
+        timed("sweep", [&] { swept = tile.retime(walls, receivers.grid.cellM, binned, *count, stop); });
+        timed("count", [&] { tile.write(binned, *count, field, true, stop); });
         return swept;
+    }
+
+    void change(KeptTile& tile, const WallChange& change, const std::stop_token& stop) {
+        const bool dropped = tile.bytes() == 0;
+        timed("change",
+              [&] { tile.change(receivers, walls, change, binned, &*count, settings.binDeg, stop); });
+        if (dropped)
+            sweep(tile, stop);
+        else
+            timed("count", [&] { tile.write(binned, *count, field, false, stop); });
     }
 
     // Cells that are no receivers any more, or not yet, hold NaN.
@@ -86,12 +104,11 @@ struct KeptHorizons::Kept {
         if (bytes() > settings.memoryBytes) latest.drop();
     }
 
-    Result<ShadowField> result(const std::stop_token& stop, const Stopwatch& watch) {
+    Result<ShadowField> result(const std::stop_token& stop) {
         if (stop.stop_requested()) {
             count.reset();
             return cancelled();
         }
-        field.cost.seconds["accumulate"] = watch.seconds();
         return field;
     }
 };
@@ -111,7 +128,6 @@ Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& recei
 }
 
 Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress, std::stop_token stop) try {
-    const Stopwatch watch;
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     kept_->begin(sun);
     std::size_t swept = 0, done = 0;
@@ -123,7 +139,7 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
     }
     kept_->field.cost.skipped["azimuth bins kept from before (bins x tiles)"] =
         kept_->tiles.size() * kept_->binned.bins.size() - swept;
-    return kept_->result(stop, watch);
+    return kept_->result(stop);
 } catch (const std::bad_alloc&) {
     for (KeptTile& tile : kept_->tiles) tile.drop();
     return failure("There is not enough memory for this study", "kept horizons",
@@ -132,7 +148,6 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
 
 Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& receivers, Progress& progress,
                                          std::stop_token stop) {
-    const Stopwatch watch;
     if (!kept_->count)
         return failure("There is no period yet whose shadow could change", "kept horizons",
                        "Compute a period first");
@@ -143,19 +158,14 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     const auto change = kept_->walls.become(city);
     if (!change) return tl::make_unexpected(change.error());
     kept_->receivers = receivers;
+    kept_->field.cost.seconds.clear();
     for (KeptTile& tile : kept_->tiles) {
-        const bool dropped = tile.bytes() == 0;
-        tile.change(receivers, kept_->walls, *change, kept_->binned, &*kept_->count, kept_->settings.binDeg,
-                    stop);
-        if (dropped)
-            kept_->sweep(tile, stop);
-        else
-            tile.write(kept_->binned, *kept_->count, kept_->field, false, stop);
+        kept_->change(tile, *change, stop);
         kept_->keepWithinMemory(tile);
     }
     kept_->mask();
     progress.report(1, "sweeping horizons");
-    return kept_->result(stop, watch);
+    return kept_->result(stop);
 }
 
 std::uint64_t KeptHorizons::bytes() const { return kept_->bytes(); }

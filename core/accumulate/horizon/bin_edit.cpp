@@ -35,14 +35,41 @@ void BinEdit::run(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest, std
     const WallList& list = edit.walls.list();
     removed_.begin(list, edit.change.removed, axes, tile, lowest, edit.cellM);
     added_.begin(list, edit.change.added, axes, tile, lowest, edit.cellM);
+    findBlocks(edit, axes);
     findLost(edit, axes, codes);
     if (!lost_.empty()) findAgain(edit, axes, lowest, codes, changed);
     raise(edit, axes, codes, changed);
 }
 
+// The squares of each line across that the prisms' bands of q meet.
+void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes) {
+    ShadowExtent extent;
+    for (const auto* prisms : {&edit.change.removed, &edit.change.added})
+        for (const StandingPrism& prism : *prisms) extent.addBox(axes, prism.low, prism.high);
+    blocks_ = edit.newBlocks;
+    const TileBox& box = edit.blocks.box();
+    const glm::ivec2 squares = edit.blocks.squares();
+    const int alongs = axes.swapped ? squares.x : squares.y, acrosses = axes.swapped ? squares.y : squares.x;
+    for (int line = 0; line < alongs && extent.lowQ <= extent.highQ; ++line) {
+        const int from = axes.swapped ? box.firstColumn : box.firstRow,
+                  other = axes.swapped ? box.firstRow : box.firstColumn;
+        const double a = axes.k * axes.sign * (from + line * side), b = a + axes.k * axes.sign * side;
+        const double low = extent.lowQ + std::min(a, b) - other - 1,
+                     high = extent.highQ + std::max(a, b) - other + 1;
+        const int first = int(std::clamp(std::floor(low / side), 0.0, double(acrosses))),
+                  end = int(std::clamp(std::floor(high / side) + 1, 0.0, double(acrosses)));
+        for (int i = first; i < end; ++i)
+            if (const int block = axes.swapped ? edit.blocks.blockAt(line, i) : edit.blocks.blockAt(i, line);
+                block >= 0)
+                blocks_.push_back(std::size_t(block));
+    }
+    std::ranges::sort(blocks_);
+    blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
+}
+
 void BinEdit::findLost(const TileEdit& edit, const ShadowAxes& axes, std::span<const HorizonCode> codes) {
     lost_.clear();
-    for (std::size_t i = 0; i < edit.blocks.blocks().size(); ++i) {
+    for (const std::size_t i : blocks_) {
         const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
         Lost lost{i, axes.swapped ? edit.newColumns[i] : edit.newRows[i]};
         const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
@@ -77,7 +104,7 @@ void BinEdit::findAgain(const TileEdit& edit, const ShadowAxes& axes, HorizonCod
 
 void BinEdit::raise(const TileEdit& edit, const ShadowAxes& axes, std::span<HorizonCode> codes,
                     const OnChange& changed) {
-    for (std::size_t i = 0; i < edit.blocks.blocks().size(); ++i) {
+    for (const std::size_t i : blocks_) {
         const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
         const HorizonCode* square = added_.codes(block, edit.blocks.masks(i, axes.swapped));
         if (square == nullptr) continue;

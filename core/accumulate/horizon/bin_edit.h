@@ -14,6 +14,7 @@ struct TileEdit {
     const WallChange& change;
     const ReceiverBlocks& blocks;                            ///< as they are now, all cells numbered
     std::vector<ReceiverBlocks::Masks> newRows, newColumns;  ///< cells that have become receivers
+    std::vector<std::size_t> newBlocks;                      ///< with such cells
     double cellM;
 };
 
@@ -32,6 +33,7 @@ private:
         std::size_t block;
         ReceiverBlocks::Masks masks;
     };
+    void findBlocks(const TileEdit& edit, const ShadowAxes& axes);
     void findLost(const TileEdit& edit, const ShadowAxes& axes, std::span<const HorizonCode> codes);
     void findAgain(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest,
                    std::span<HorizonCode> codes, const OnChange& changed);
@@ -39,6 +41,7 @@ private:
                const OnChange& changed);
 
     SquareSweep removed_, added_, all_;
+    std::vector<std::size_t> blocks_;  // that may lie in the shadow of what went or came
     std::vector<Lost> lost_;
     std::vector<StandingPrism> prisms_;
 };

@@ -74,7 +74,9 @@ void KeptTile::change(const Receivers& receivers, const KeptWalls& walls, const 
                       const std::stop_token& stop) {
     ReceiverBlocks now(receivers, box_, Numbering::cells);
     TileEdit edit{
-        walls, change, now, added(now, blocks_, false), added(now, blocks_, true), receivers.grid.cellM};
+        walls, change, now, added(now, blocks_, false), added(now, blocks_, true), {}, receivers.grid.cellM};
+    for (std::size_t i = 0; i < edit.newRows.size(); ++i)
+        if (edit.newRows[i] != ReceiverBlocks::Masks{}) edit.newBlocks.push_back(i);
     count_.changed.assign(partsOf(now), 0);
     markReceivers(edit.newRows, now, count_.changed);
     std::vector<const HiddenSuns*> hidden(bins_.size(), nullptr);

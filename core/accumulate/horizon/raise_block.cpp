@@ -45,6 +45,19 @@ void raiseLines(const WallOnBlock& wall, const BlockLines& lines, LineRange rang
         raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)], horizons[line]);
 }
 
+NOONMARK_EVERY_ISA
+void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {
+    using Shorts16 = std::int16_t __attribute__((vector_size(32), may_alias));
+    for (std::size_t line = 0; line < std::size(horizons.lines); ++line) {
+        const Ints16 level = __builtin_convertvector(horizons.lines[line] * float(steepnessLevels), Ints16);
+        const Ints16 most = Ints16{} + (steepnessLevels - 1);
+        const Ints16 code = (level < most ? level : most) + int(noHorizon);
+        const Ints16 kept =
+            (code > int(lowest)) & (level <= steepnessLevels) ? code : Ints16{} + int(noHorizon);
+        *reinterpret_cast<Shorts16*>(codes + line * side) = __builtin_convertvector(kept, Shorts16);
+    }
+}
+
 #ifdef NOONMARK_PICKS_ISA
 // The same sums in the same order; comparisons go to masks, which the compiler does not do by itself.
 [[gnu::target("avx512f")]] void raiseLines512(const WallOnBlock& wall, const BlockLines& lines,
@@ -66,6 +79,21 @@ void raiseLines(const WallOnBlock& wall, const BlockLines& lines, LineRange rang
         const __m512 horizon = _mm512_load_ps(horizons + line);
         const __mmask16 higher = _mm512_mask_cmp_ps_mask(shaded, steepness, horizon, _CMP_GT_OQ);
         _mm512_store_ps(horizons + line, _mm512_mask_mov_ps(horizon, higher, steepness));
+    }
+}
+
+[[gnu::target("avx512f")]] void codesOf512(const BlockHorizons& horizons, HorizonCode lowest,
+                                           HorizonCode* codes) {
+    const __m512 levels = _mm512_set1_ps(float(steepnessLevels));
+    const __m512i most = _mm512_set1_epi32(steepnessLevels - 1), none = _mm512_set1_epi32(noHorizon);
+    for (std::size_t line = 0; line < std::size(horizons.lines); ++line) {
+        const __m512 scaled = _mm512_mul_ps(_mm512_load_ps(horizons.lines + line), levels);
+        const __m512i level = _mm512_maskz_cvttps_epi32(0xFFFF, scaled);
+        const __mmask16 somebody = _mm512_cmple_epi32_mask(level, _mm512_set1_epi32(steepnessLevels));
+        const __m512i code = _mm512_add_epi32(_mm512_maskz_min_epi32(0xFFFF, level, most), none);
+        const __mmask16 kept = _mm512_mask_cmpgt_epi32_mask(somebody, code, _mm512_set1_epi32(lowest));
+        _mm256_store_si256(reinterpret_cast<__m256i*>(codes + line * side),
+                           _mm512_maskz_cvtepi32_epi16(0xFFFF, _mm512_mask_mov_epi32(none, kept, code)));
     }
 }
 #endif
@@ -105,17 +133,11 @@ float lowestOf(const BlockHorizons& horizons) {
     return lowest;
 }
 
-NOONMARK_EVERY_ISA
 void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {
-    using Shorts16 = std::int16_t __attribute__((vector_size(32), may_alias));
-    for (std::size_t line = 0; line < std::size(horizons.lines); ++line) {
-        const Ints16 level = __builtin_convertvector(horizons.lines[line] * float(steepnessLevels), Ints16);
-        const Ints16 most = Ints16{} + (steepnessLevels - 1);
-        const Ints16 code = (level < most ? level : most) + int(noHorizon);
-        const Ints16 kept =
-            (code > int(lowest)) & (level <= steepnessLevels) ? code : Ints16{} + int(noHorizon);
-        *reinterpret_cast<Shorts16*>(codes + line * side) = __builtin_convertvector(kept, Shorts16);
-    }
+#ifdef NOONMARK_PICKS_ISA
+    if (__builtin_cpu_supports("avx512f")) return codesOf512(horizons, lowest, codes);
+#endif
+    codesOfAny(horizons, lowest, codes);
 }
 
 }  // namespace noonmark

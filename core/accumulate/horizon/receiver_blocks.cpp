@@ -9,7 +9,9 @@ constexpr std::size_t codesALine = 32;
 }
 
 ReceiverBlocks::ReceiverBlocks(const Receivers& receivers, const TileBox& box, Numbering numbering)
-    : box_(box), numbering_(numbering) {
+    : box_(box),
+      numbering_(numbering),
+      squares_((box.columns + side - 1) / side, (box.rows + side - 1) / side) {
     for (int row = box.firstRow; row < box.firstRow + box.rows; row += side)
         for (int column = box.firstColumn; column < box.firstColumn + box.columns; column += side)
             addBlock(receivers, column, row);
@@ -29,7 +31,9 @@ void ReceiverBlocks::addBlock(const Receivers& receivers, int column, int row) {
             addCell(kind, std::uint32_t(cell), x, y);
         }
     block.count = std::uint32_t(cellOf_.size()) - block.first;
-    if (inRegion && block.count > 0) {
+    const bool used = inRegion && block.count > 0;
+    blockAt_.push_back(used ? int(blocks_.size()) : -1);
+    if (used) {
         blocks_.push_back(block);
         cellOf_.resize((cellOf_.size() + codesALine - 1) / codesALine * codesALine, padding);
     } else {

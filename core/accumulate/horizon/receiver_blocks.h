@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,13 @@ public:
 
     [[nodiscard]] const TileBox& box() const { return box_; }
     [[nodiscard]] std::span<const Block> blocks() const { return blocks_; }
+    /// Index of the block whose first cell is (column, row) squares from the tile's first; -1: there is none.
+    [[nodiscard]] int blockAt(int column, int row) const {
+        const bool inside = column >= 0 && row >= 0 && column < squares_.x && row < squares_.y;
+        return inside ? blockAt_[std::size_t(row) * std::size_t(squares_.x) + std::size_t(column)] : -1;
+    }
+    /// Squares of the tile, with and without receivers.
+    [[nodiscard]] glm::ivec2 squares() const { return squares_; }
     [[nodiscard]] std::size_t receivers() const { return receivers_; }
     /// Numbers given out, padding included: a multiple of 32.
     [[nodiscard]] std::size_t numbers() const { return cellOf_.size(); }
@@ -62,7 +70,9 @@ private:
 
     TileBox box_;
     Numbering numbering_;
+    glm::ivec2 squares_;
     std::size_t receivers_ = 0;
+    std::vector<int> blockAt_;
     std::vector<Block> blocks_;
     std::vector<Masks> rowMasks_, columnMasks_;
     std::vector<std::uint32_t> cellOf_;
