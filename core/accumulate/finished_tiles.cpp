@@ -3,20 +3,10 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <numeric>
+
+#include "core/accumulate/scattered_order.h"
 
 namespace noonmark {
-
-namespace {
-
-// Near the golden section of all, and without a common divisor: every tile has its turn once.
-std::size_t scatteringStride(std::size_t count) {
-    std::size_t stride = std::max<std::size_t>(1, std::size_t(double(count) * 0.618034));
-    while (std::gcd(stride, count) != 1) ++stride;
-    return stride;
-}
-
-}  // namespace
 
 FinishedTiles::FinishedTiles(const ReceiverTiles& tiles, const ShadowField& field, PartialSink* sink)
     : tiles_(tiles), field_(field), sink_(sink), done_(sink ? tiles.count() : 0) {

@@ -92,13 +92,14 @@ private:
     std::atomic<std::uint64_t> turnedAway_{0};
 };
 
-Result<SurfaceShadow> traced(const City& city, const SurfacePoints& points, const SunSteps& sun,
-                             Progress& progress, const std::stop_token& stop) {
+Result<SurfaceShadow> traced(const City& city, const std::optional<RayScene>& ready,
+                             const SurfacePoints& points, const SunSteps& sun, Progress& progress,
+                             const std::stop_token& stop) {
     auto shadow = blankSurfaceShadow(points, sun);
     if (!shadow) return shadow;
     progress.report(0, "building the ray scene");
     const Stopwatch build;
-    const auto scene = RayScene::over(city, stop);
+    const auto scene = ready ? Result<RayScene>(*ready) : RayScene::over(city, stop);
     if (!scene) return tl::make_unexpected(scene.error());
     shadow->cost.seconds["build"] = build.seconds();
     const Stopwatch trace;
@@ -115,11 +116,13 @@ Result<SurfaceShadow> traced(const City& city, const SurfacePoints& points, cons
 
 }  // namespace
 
+SurfaceRays::SurfaceRays(std::optional<RayScene> scene) : scene_(std::move(scene)) {}
+
 Result<SurfaceShadow> SurfaceRays::accumulate(const City& city, const SurfacePoints& points,
                                               const SunSteps& sun, Progress& progress,
                                               std::stop_token stop) const {
     try {
-        return traced(city, points, sun, progress, stop);
+        return traced(city, scene_, points, sun, progress, stop);
     } catch (const std::bad_alloc&) {
         return failure("There is not enough memory for this view", "ray reference", "Choose a smaller view");
     }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "core/accumulate/ray_scene.h"
 #include "core/accumulate/surface_accumulator.h"
 
 namespace noonmark {
@@ -12,9 +15,16 @@ public:
     /// How far from its surface a ray starts, along the normal, metres: wider than the rounding of a place
     /// that a ray of the view found some kilometres away.
     static constexpr float liftM = 0.01F;
+
+    /// `scene`: all of the city that `accumulate` will be given, where it is at hand already; else each call
+    /// builds its own.
+    explicit SurfaceRays(std::optional<RayScene> scene = {});
     [[nodiscard]] Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
                                                    const SunSteps& sun, Progress& progress,
                                                    std::stop_token stop) const override;
+
+private:
+    std::optional<RayScene> scene_;
 };
 
 }  // namespace noonmark

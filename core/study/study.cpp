@@ -53,12 +53,13 @@ Result<void> computed(Study& study, const Accumulator& engine, Progress& progres
 
 }  // namespace
 
-Observer observerOf(const Study& study) {
-    const Box2 box = bounds(study.settings.region);
-    const LonLat middle = study.city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
-    return {middle, study.city.frame.originElevationM(), study.settings.pressureHPa,
-            study.settings.temperatureC};
+Observer observerOf(const City& city, const StudySettings& settings) {
+    const Box2 box = bounds(settings.region);
+    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    return {middle, city.frame.originElevationM(), settings.pressureHPa, settings.temperatureC};
 }
+
+Observer observerOf(const Study& study) { return observerOf(study.city, study.settings); }
 
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
                        std::stop_token stop, const EngineList& engines) try {

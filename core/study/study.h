@@ -67,6 +67,7 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
 
 /// Where the sun of a study is seen from: the middle of its region, at the frame's elevation, in the air of
 /// its settings.
+Observer observerOf(const City& city, const StudySettings& settings);
 Observer observerOf(const Study& study);
 
 /// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and

@@ -23,6 +23,7 @@ struct Observer {
     double elevationM = 0;      ///< above the ellipsoid, -500 to 9000
     double pressureHPa = 1010;  ///< 0 to 1200
     double temperatureC = 10;   ///< -90 to 60
+    bool operator==(const Observer&) const = default;
 };
 
 /// The observer itself, or what is out of range.
