@@ -92,6 +92,7 @@ void CityView::makeMaterials() {
     ribbon_->alwaysVisible();
     ribbon_->bothSides();
     clearPicture();
+    surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
 }
 
 Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
@@ -107,6 +108,7 @@ void CityView::showCity(const CityArrays& arrays) {
     faces_ = edges_ = nullptr;
     showLines({});
     clearPicture();
+    surfaces_->clear();
     bounds_ = arrays.bounds;
     city_ = new Qt3DCore::QEntity(root_);
     const auto position = QStringLiteral("vertexPosition");
@@ -140,7 +142,7 @@ void CityView::showFaces(bool shown) {
     if (faces_) faces_->setEnabled(shown);
 }
 
-void CityView::showPicture(const GroundPicture& given) {
+void CityView::showPicture(const GroundPicture& given, bool soFar) {
     const GroundPicture picture = fitted(given);
     const Grid& grid = picture.grid;
     Qt3DCore::QNode* const previous = texture_;
@@ -150,6 +152,7 @@ void CityView::showPicture(const GroundPicture& given) {
     ground_->set(QStringLiteral("pictureBox"),
                  QVector4D(float(grid.westM), float(grid.southM), float(grid.eastM() - grid.westM),
                            float(grid.northM() - grid.southM)));
+    ground_->set(QStringLiteral("pictureSoFar"), soFar ? 1.0F : 0.0F);
     delete previous;
 }
 
@@ -200,6 +203,7 @@ void CityView::applyCamera() {
 void CityView::resizeEvent(QResizeEvent* event) {
     Qt3DWindow::resizeEvent(event);
     applyCamera();
+    Q_EMIT poseChanged();
 }
 
 void CityView::capture(std::function<void(QImage)> done) {

@@ -3,10 +3,12 @@
 #include <QImage>
 #include <Qt3DExtras/Qt3DWindow>
 #include <functional>
+#include <memory>
 
 #include "render/city_arrays.h"
 #include "render/ground_picture.h"
 #include "render/outline_geometry.h"
+#include "render/surface_layer.h"
 #include "render/view_ray.h"
 
 class QTimer;
@@ -28,10 +30,13 @@ public:
     CityView();
     ~CityView() override;
 
-    /// Replaces the city; picture and lines go.
+    /// Replaces the city; pictures and lines go.
     void showCity(const CityArrays& arrays);
-    void showPicture(const GroundPicture& picture);
+    /// On the ground. `soFar`: it shows a part of the period or region only, which stripes say.
+    void showPicture(const GroundPicture& picture, bool soFar = false);
     void clearPicture();
+    /// On ground, roofs and facades; over the ground's picture.
+    [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
     /// Faces can be left out, so that only their edges stand before the ground.
     void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
@@ -45,7 +50,7 @@ public:
     void capture(std::function<void(QImage)> done);
 
 Q_SIGNALS:
-    void poseChanged();
+    void poseChanged();  ///< or the size of the picture
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -73,6 +78,7 @@ private:
     ShaderMaterial* ground_ = nullptr;
     ShaderMaterial* ribbon_ = nullptr;
     Qt3DCore::QNode* texture_ = nullptr;
+    std::unique_ptr<SurfaceLayer> surfaces_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;
 };
 

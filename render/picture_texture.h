@@ -3,10 +3,18 @@
 #include <Qt3DRender/QTexture>
 
 #include "render/ground_picture.h"
+#include "render/surface_picture.h"
 
 namespace noonmark {
 
 /// A new texture of a picture; its first row is at v = 0. Near by, cells are crisp; far away, averaged.
 Qt3DRender::QAbstractTexture* textureOf(const GroundPicture& picture, Qt3DCore::QNode* parent);
+
+/// Samples as they are, for the shaders to look up one by one.
+Qt3DRender::QAbstractTexture* textureOf(const SurfacePicture& picture, Qt3DCore::QNode* parent);
+
+/// Colours in one row.
+Qt3DRender::QAbstractTexture* textureOf(const std::vector<GroundPicture::Pixel>& palette,
+                                        Qt3DCore::QNode* parent);
 
 }  // namespace noonmark

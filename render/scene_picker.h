@@ -25,6 +25,9 @@ public:
 
     [[nodiscard]] double groundAt(glm::dvec2 point) const;
 
+    /// All of the city, ready for rays; none without a city.
+    [[nodiscard]] const std::optional<RayScene>& scene() const { return scene_; }
+
 private:
     City city_;
     std::optional<RayScene> scene_;

@@ -14,6 +14,7 @@ struct ViewLens {
     double verticalDeg = 40;  ///< angle of view from the bottom to the top edge
     double widthPx = 1;
     double heightPx = 1;
+    bool operator==(const ViewLens&) const = default;
 };
 
 /// A ray in local metres; `direction` has unit length.

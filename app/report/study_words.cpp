@@ -74,8 +74,10 @@ QString sunlitWords(const Study& study) {
         .arg(amountWords(study.field.sunlitMinutesPerDay));
 }
 
-QString dataWords(const Study& study) {
-    QString source = QString::fromStdString(study.attribution);
+QString dataWords(const Study& study) { return dataWords(study.attribution); }
+
+QString dataWords(const std::string& attribution) {
+    QString source = QString::fromStdString(attribution);
     source.replace(QStringLiteral("(c)"), QStringLiteral("©"));
     return source.isEmpty() ? QString() : QStringLiteral("Data: ") + source;
 }

@@ -13,6 +13,7 @@ QString latLonWords(LonLat place);        ///< "40.75400 N, 73.98401 W"
 QString placeWords(const Study& study);   ///< size and middle of the region
 QString sunlitWords(const Study& study);  ///< how long the sun is up in the hours looked at
 QString dataWords(const Study& study);    ///< whose data it is: "Data: © OpenStreetMap contributors"
+QString dataWords(const std::string& attribution);
 QString programWords();                   ///< "Noonmark 0.1.0"
 
 /// A line of the table of numbers.

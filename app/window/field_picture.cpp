@@ -1,6 +1,5 @@
 #include "app/window/field_picture.h"
 
-#include <array>
 #include <cmath>
 
 #include "app/report/palette.h"
@@ -11,16 +10,6 @@ namespace {
 
 using Pixel = GroundPicture::Pixel;
 constexpr int shades = 1024;
-
-std::array<Pixel, shades> shadeTable() {
-    std::array<Pixel, shades> table;
-    for (int i = 0; i < shades; ++i) {
-        const QColor colour = shadowColour(double(i) / (shades - 1));
-        table[std::size_t(i)] = {std::uint8_t(colour.red()), std::uint8_t(colour.green()),
-                                 std::uint8_t(colour.blue()), 255};
-    }
-    return table;
-}
 
 // The mean of the receivers among the eight cells around one; NaN where there is none.
 float meanAround(const std::vector<float>& values, const Grid& grid, int column, int row) {
@@ -36,28 +25,40 @@ float meanAround(const std::vector<float>& values, const Grid& grid, int column,
     return count > 0 ? sum / float(count) : std::nanf("");
 }
 
-float shownValue(const std::vector<float>& values, const Receivers& receivers, int column, int row) {
-    const std::size_t cell = receivers.grid.index(column, row);
-    if (receivers.kind[cell] == CellKind::building) return meanAround(values, receivers.grid, column, row);
+float shownValue(const std::vector<float>& values, const Grid& grid, const Receivers* receivers, int column,
+                 int row) {
+    const std::size_t cell = grid.index(column, row);
+    if (receivers && receivers->kind[cell] == CellKind::building)
+        return meanAround(values, grid, column, row);
     return values[cell];
 }
 
 }  // namespace
 
-GroundPicture fieldPicture(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure,
+std::vector<Pixel> shadowPalette() {
+    std::vector<Pixel> palette;
+    for (int i = 0; i < shades; ++i) {
+        const QColor colour = shadowColour(double(i) / (shades - 1));
+        palette.push_back(
+            {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue()), 255});
+    }
+    return palette;
+}
+
+GroundPicture fieldPicture(const ShadowField& field, const Receivers* receivers, ShadowMeasure measure,
                            double top) {
-    const std::array<Pixel, shades> table = shadeTable();
+    const std::vector<Pixel> palette = shadowPalette();
     const std::vector<float>& values = valuesOf(field, measure);
     GroundPicture picture;
     picture.grid = field.grid;
     picture.pixels.resize(field.grid.size());
     for (int row = 0; row < field.grid.rows; ++row)
         for (int column = 0; column < field.grid.columns; ++column) {
-            const float value = shownValue(values, receivers, column, row);
+            const float value = shownValue(values, field.grid, receivers, column, row);
             if (std::isnan(value)) continue;
             const double share = std::clamp(double(value) / top, 0.0, 1.0);
             picture.pixels[field.grid.index(column, row)] =
-                table[std::size_t(std::lround(share * (shades - 1)))];
+                palette[std::size_t(std::lround(share * (shades - 1)))];
         }
     return picture;
 }

@@ -27,15 +27,6 @@ QString buildingText(const Building& building, const City& city) {
     return text;
 }
 
-QString minutesText(const Study& study, std::size_t cell) {
-    const float gross = study.field.grossMin[cell];
-    if (std::isnan(gross)) return QStringLiteral("not measured here");
-    if (isInstant(study.field)) return gross > 0 ? QStringLiteral("in shadow") : QStringLiteral("in the sun");
-    return QStringLiteral("gross %1 min a day, continuous %2 min")
-        .arg(double(gross), 0, 'f', 1)
-        .arg(double(study.field.continuousMin[cell]), 0, 'f', 1);
-}
-
 }  // namespace
 
 std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point) {
@@ -45,14 +36,24 @@ std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point) {
     return grid.index(int(column), int(row));
 }
 
-QString hoverText(const Pick& pick, const City& city, const Study* study) {
+QString minutesText(float gross, float continuous, bool instant) {
+    if (std::isnan(gross)) return QStringLiteral("not measured here");
+    if (instant) return gross > 0 ? QStringLiteral("in shadow") : QStringLiteral("in the sun");
+    return QStringLiteral("gross %1 min a day, continuous %2 min")
+        .arg(double(gross), 0, 'f', 1)
+        .arg(double(continuous), 0, 'f', 1);
+}
+
+QString minutesText(const ShadowField& field, glm::dvec2 point) {
+    const auto cell = cellAt(field.grid, point);
+    if (!cell) return {};
+    return minutesText(field.grossMin[*cell], field.continuousMin[*cell], isInstant(field));
+}
+
+QString hoverText(const Pick& pick, const City& city, const QString& minutes) {
     QString text = placeText(pick, city);
-    if (pick.building)
-        return text + QStringLiteral("   ") + buildingText(*city.buildings[*pick.building], city);
-    if (!study) return text;
-    if (const auto cell = cellAt(study->field.grid, {pick.position.x, pick.position.y}))
-        text += QStringLiteral("   ") + minutesText(*study, *cell);
-    return text;
+    if (pick.building) text += QStringLiteral("   ") + buildingText(*city.buildings[*pick.building], city);
+    return minutes.isEmpty() ? text : text + QStringLiteral("   ") + minutes;
 }
 
 }  // namespace noonmark

@@ -1,15 +1,22 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
-#include "core/study/study.h"
+#include "core/accumulate/shadow_field.h"
 #include "render/scene_picker.h"
 
 namespace noonmark {
 
 /// What lies under the cursor, for the status bar: place in degrees and local metres, the building with its
-/// height, or the minutes of shadow of the ground there. `study` may be null.
-QString hoverText(const Pick& pick, const City& city, const Study* study);
+/// height, and `minutes` of shadow there, where known.
+QString hoverText(const Pick& pick, const City& city, const QString& minutes);
+
+/// "gross 60.0 min a day, continuous 30.0 min"; `instant`: of one moment, in the sun or not.
+QString minutesText(float gross, float continuous, bool instant);
+
+/// The same of the cell that holds a point; empty outside of the field.
+QString minutesText(const ShadowField& field, glm::dvec2 point);
 
 /// The grid cell that holds a point; none outside.
 std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point);

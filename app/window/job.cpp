@@ -1,14 +1,34 @@
 #include "app/window/job.h"
 
 #include <QMetaObject>
+#include <chrono>
 #include <mutex>
 
 namespace noonmark {
 
-/// Passes on the newest report only: many threads report often, the window needs few.
-class Job::Reporter final : public Progress {
+/// Passes on the newest report only: many threads report often, the window needs few. Running results are
+/// taken when the window has shown the one before.
+class Job::Reporter final : public Progress, public PartialSink {
 public:
     explicit Reporter(Job& job) : job_(job) {}
+
+    PartialSink* partials() override { return this; }
+
+    [[nodiscard]] bool wants() const override {
+        const std::scoped_lock lock(mutex_);
+        return !partial_ && Clock::now() >= next_;
+    }
+
+    void take(PartialField field) override {
+        auto taken = std::make_shared<const PartialField>(std::move(field));
+        const std::scoped_lock lock(mutex_);
+        next_ = Clock::now() + betweenPartials;
+        const bool waiting = partial_ != nullptr;
+        partial_ = std::move(taken);
+        if (waiting) return;
+        QMetaObject::invokeMethod(
+            &job_, [this] { passPartial(); }, Qt::QueuedConnection);
+    }
 
     void report(double fraction, std::string_view stage) override {
         const std::scoped_lock lock(mutex_);
@@ -21,6 +41,18 @@ public:
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr std::chrono::milliseconds betweenPartials{140};
+
+    void passPartial() {
+        std::shared_ptr<const PartialField> field;
+        {
+            const std::scoped_lock lock(mutex_);
+            field = std::move(partial_);
+        }
+        Q_EMIT job_.partial(field);
+    }
+
     void pass() {
         double fraction = 0;
         QString stage;
@@ -34,7 +66,9 @@ private:
     }
 
     Job& job_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
+    std::shared_ptr<const PartialField> partial_;  // waits to be shown
+    Clock::time_point next_;                       // when another one is worth its time
     double fraction_ = 0;
     std::string stage_;
     bool waiting_ = false;

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/accumulate/partial_field.h"
 #include "core/progress.h"
 #include "core/result.h"
 
@@ -34,6 +35,8 @@ public:
 
 Q_SIGNALS:
     void progressed(double fraction, QString stage);
+    /// A running result, the newest where several came; no more than some seven a second.
+    void partial(std::shared_ptr<const noonmark::PartialField> field);
 
 private:
     class Reporter;

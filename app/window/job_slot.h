@@ -18,7 +18,7 @@ public:
     template <class T>
     void start(const QString& what, std::function<Result<T>(Progress&, std::stop_token)> work,
                std::function<void(Result<T>)> done) {
-        drop();
+        leave();
         job_ = runJob<T>(std::move(work), [this, done = std::move(done)](Result<T> result) {
             end();
             done(std::move(result));
@@ -30,9 +30,11 @@ public:
         if (job_) job_->cancel();
     }
 
-    /// The job, if any, ends unheard; `ended` is not told.
+    /// The job, if any, ends unheard.
     void drop() {
-        if (job_) Job::leave(std::move(job_), *this);
+        if (!job_) return;
+        leave();
+        Q_EMIT ended();
     }
 
 Q_SIGNALS:
@@ -40,6 +42,10 @@ Q_SIGNALS:
     void ended();
 
 private:
+    void leave() {
+        if (job_) Job::leave(std::move(job_), *this);
+    }
+
     // The job is calling us: it goes when it has returned.
     void end() {
         job_.release()->deleteLater();

@@ -12,6 +12,7 @@ namespace {
 constexpr int stripHeight = 58;
 constexpr int measureWidth = 190;
 constexpr int compassWidth = 56;
+constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
 void paintNeedle(QPainter& painter, const QColor& colour, bool north) {
     const double tip = north ? -17 : 17;
@@ -58,6 +59,17 @@ void LegendStrip::setLegend(std::optional<Legend> legend) {
     update();
 }
 
+void LegendStrip::setHint(const QString& hint) {
+    hint_ = hint;
+    update();
+}
+
+void LegendStrip::setNote(const QString& note, bool partial) {
+    note_ = note;
+    partial_ = partial;
+    update();
+}
+
 void LegendStrip::setHeading(double degrees) {
     headingDeg_ = degrees;
     update();
@@ -67,18 +79,37 @@ ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->curr
 
 void LegendStrip::setMeasure(ShadowMeasure measure) { measure_->setCurrentIndex(int(measure)); }
 
+// Left of the compass, on amber where it marks a part. Returns the width that is left for the legend.
+double LegendStrip::paintNote(QPainter& painter) const {
+    const double right = width() - compassWidth;
+    const double room = right - measureWidth - 10;
+    if (note_.isEmpty()) return room - 20;
+    painter.setFont(textFont({painter, 1.0}, 11, partial_ ? QFont::Bold : QFont::Normal));
+    const QRectF most(0, 0, room / 2 - 24, height());
+    const QRectF words = QFontMetricsF(painter.font()).boundingRect(most, Qt::TextWordWrap, note_);
+    const QRectF chip(right - words.width() - 20, (height() - words.height()) / 2 - 5, words.width() + 16,
+                      words.height() + 10);
+    if (partial_) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(partColour);
+        painter.drawRoundedRect(chip, 4, 4);
+    }
+    painter.setPen(partial_ ? ink::text : ink::quiet);
+    painter.drawText(chip, Qt::AlignCenter | Qt::TextWordWrap, note_);
+    return chip.left() - measureWidth - 26;
+}
+
 void LegendStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), ink::paper);
     painter.fillRect(QRect(0, 0, width(), 1), ink::line);
     paintCompass(painter, {width() - compassWidth / 2.0, height() / 2.0 + 6}, headingDeg_);
-    const QRectF area(measureWidth + 10, 8, std::min(640, width() - measureWidth - compassWidth - 30),
-                      height() - 10);
+    const QRectF area(measureWidth + 10, 8, std::min(640.0, paintNote(painter)), height() - 10);
     if (legend_) return paintLegend({painter, area.height() / legendHeightPt}, area, *legend_);
     painter.setPen(ink::quiet);
-    painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft,
-                     tr("No study yet: choose a period and a region, then press Run (Ctrl+R)"));
+    painter.setFont(font());
+    painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, hint_);
 }
 
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QStatusBar>
+#include <QToolBar>
 
 #include "app/window/file_dialogs.h"
 #include "app/window/open_options.h"
@@ -20,7 +21,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 
 // What the view opens with: the region and some of its neighbourhood.
 Box2 startView(const Region& region) {
@@ -45,12 +46,14 @@ MainWindow::MainWindow(QSettings& settings)
       docks_{new StudyDock(workbench_.document()), new ResultsDock, new WarningsDock},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
-      options_(new OpenOptions(this)) {
+      options_(new OpenOptions(this)),
+      mode_(workbench_.document()) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
     placeDocks(*this, docks_, *menus_.docks);
     makeStatusBar();
+    makeModeBar();
     connectJobs();
     connectWorkbench();
     connectFileMenu();
@@ -58,6 +61,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectStudyMenu();
     connectViewMenu();
     connectRegion();
+    connectModes();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
 }
@@ -70,95 +74,12 @@ void MainWindow::makeStatusBar() {
     connect(panel_, &ViewPanel::hovered, hover_, &QLabel::setText);
 }
 
-void MainWindow::connectJobs() {
-    const auto show = [this](JobSlot& slot, ProgressStrip& bar) {
-        connect(&slot, &JobSlot::started, &bar, &ProgressStrip::follow);
-        connect(&slot, &JobSlot::ended, &bar, &ProgressStrip::finish);
-        connect(&bar, &ProgressStrip::cancelRequested, &slot, &JobSlot::cancel);
-    };
-    show(workbench_.opening(), *progress_);
-    show(workbench_.writing(), *progress_);
-    show(workbench_.running(), docks_.study->progress());
-    connect(&workbench_.running(), &JobSlot::started, docks_.study,
-            [this] { docks_.study->setRunning(true); });
-    connect(&workbench_.running(), &JobSlot::ended, docks_.study,
-            [this] { docks_.study->setRunning(false); });
-}
-
-void MainWindow::connectWorkbench() {
-    connect(&workbench_, &Workbench::cityOpened, this, &MainWindow::showCity);
-    connect(&workbench_, &Workbench::studyDone, this, &MainWindow::showStudy);
-    connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
-    connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
-    connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
-}
-
-void MainWindow::connectFileMenu() {
-    const auto opens = [this](QAction* action, const char* sample) {
-        connect(action, &QAction::triggered, this, [this, sample] { open({QString::fromLatin1(sample)}); });
-    };
-    opens(menus_.openPark, "sample:central-park-south");
-    opens(menus_.openGrid, "sample:grid");
-    connect(menus_.open, &QAction::triggered, this, [this] { open(askForCity(this)); });
-    connect(&recent_, &RecentMenu::chosen, this, &MainWindow::open);
-    connect(panel_, &ViewPanel::filesDropped, this, &MainWindow::open);
-    connect(menus_.savePicture, &QAction::triggered, this, [this] { savePicture(askForPicture(this)); });
-    connect(menus_.exportStudy, &QAction::triggered, this, [this] {
-        const QString folder = workbench_.study() ? askForFolder(this) : QStringLiteral(".");
-        if (!folder.isEmpty()) workbench_.exportStudy(folder.toStdString());
-    });
-    connect(menus_.quit, &QAction::triggered, this, &QWidget::close);
-}
-
-void MainWindow::connectOptions() {
-    connect(menus_.openWith, &QAction::triggered, this, [this] {
-        if (const QStringList files = askForCity(this); !files.isEmpty()) options_->ask(files, {});
-    });
-    connect(options_, &OpenOptions::chosen, this, &MainWindow::openWith);
-    connect(&workbench_, &Workbench::openFailed, this, &MainWindow::showOpenFailure);
-    connect(&panel_->messages(), &MessageBar::remedyChosen, this,
-            [this] { options_->ask(opening_, reading_); });
-}
-
-void MainWindow::connectStudyMenu() {
-    connect(docks_.study, &StudyDock::runRequested, &workbench_, &Workbench::run);
-    connect(menus_.run, &QAction::triggered, &workbench_, &Workbench::run);
-    connect(menus_.cancel, &QAction::triggered, &workbench_.running(), &JobSlot::cancel);
-    connect(menus_.gross, &QAction::triggered, this,
-            [this] { panel_->legend().setMeasure(ShadowMeasure::gross); });
-    connect(menus_.continuous, &QAction::triggered, this,
-            [this] { panel_->legend().setMeasure(ShadowMeasure::continuous); });
-    QUndoStack& undo = workbench_.document().undoStack();
-    QAction* undoAction = undo.createUndoAction(this);
-    undoAction->setShortcut(QKeySequence::Undo);
-    QAction* redoAction = undo.createRedoAction(this);
-    redoAction->setShortcut(QKeySequence::Redo);
-    menus_.edit->addActions({undoAction, redoAction});
-}
-
-void MainWindow::connectViewMenu() {
-    ViewNavigator& navigator = panel_->navigator();
-    connect(menus_.wholeCity, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
-    connect(menus_.northUp, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);
-    connect(menus_.fromAbove, &QAction::triggered, &navigator, &ViewNavigator::lookFromAbove);
-    connect(menus_.region, &QAction::triggered, this, [this] {
-        const Box2 box = bounds(workbench_.document().settings().region);
-        if (!box.empty()) panel_->navigator().show(box);
-    });
-    connect(menus_.faces, &QAction::toggled, &panel_->view(), &CityView::showFaces);
-    connect(menus_.keys, &QAction::triggered, this, [this] { panel_->messages().showHelp(mouseAndKeys()); });
-}
-
-void MainWindow::connectRegion() {
-    RegionTool& tool = panel_->regionTool();
-    connect(docks_.study, &StudyDock::drawRequested, this, &MainWindow::draw);
-    connect(menus_.drawRegion, &QAction::triggered, this, [this] { draw(true); });
-    connect(&tool, &RegionTool::activeChanged, docks_.study, &StudyDock::setDrawing);
-    connect(&tool, &RegionTool::finished, this, &MainWindow::changeRegion);
-    connect(docks_.study, &StudyDock::viewRegionRequested, this,
-            [this] { changeRegion(panel_->visibleGround()); });
-    connect(docks_.study, &StudyDock::wholeCityRequested, this, &MainWindow::takeWholeCity);
-    connect(menus_.regionFile, &QAction::triggered, this, &MainWindow::readRegionFile);
+void MainWindow::makeModeBar() {
+    QToolBar* bar = addToolBar(tr("Mode"));
+    bar->setObjectName(QStringLiteral("modeBar"));
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    bar->addActions(mode_.actions());
+    menus_.modes->addActions(mode_.actions());
 }
 
 void MainWindow::draw(bool on) {
@@ -217,6 +138,8 @@ void MainWindow::showOpenFailure(const Error& error) {
 void MainWindow::showCity() {
     panel_->messages().hide();
     panel_->showCity(workbench_.city());
+    mode_.setAnalysisEngine(analysisEngine(workbench_.city()->city()));
+    exploration_.setCity(workbench_.city());
     options_->setMiddle(middleOf(workbench_.city()->city()));
     docks_.results->show(nullptr);
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
@@ -230,15 +153,24 @@ void MainWindow::showStudy() {
     const auto study = workbench_.study();
     answered_ = study->settings;
     panel_->messages().hide();
-    panel_->showStudy(study);
+    panel_->results().setStudy(study);
     docks_.results->show(study.get());
     docks_.warnings->show(study->warnings);
     showDocument();
 }
 
+void MainWindow::showStopped(bool cancelled) {
+    panel_->results().setPartial(nullptr);
+    if (!cancelled) return;
+    panel_->messages().showNote(workbench_.study() ? tr("Cancelled. The study before is shown again.")
+                                                   : tr("Cancelled. There is no study yet."));
+}
+
 void MainWindow::showDocument() {
     const StudySettings& settings = workbench_.document().settings();
     panel_->showRegion(settings.region);
+    if (workbench_.city())
+        exploration_.setPeriod(settings.period, observerOf(workbench_.city()->city(), settings));
     if (workbench_.study()) docks_.results->setOutdated(settings != answered_);
 }
 

@@ -3,6 +3,8 @@
 #include <QMainWindow>
 #include <QSettings>
 
+#include "app/window/exploration.h"
+#include "app/window/mode_switch.h"
 #include "app/window/recent_menu.h"
 #include "app/window/window_docks.h"
 #include "app/window/window_menus.h"
@@ -26,6 +28,8 @@ public:
 
     [[nodiscard]] Workbench& workbench() { return workbench_; }
     [[nodiscard]] ViewPanel& panel() { return *panel_; }
+    [[nodiscard]] ModeSwitch& mode() { return mode_; }
+    [[nodiscard]] const Exploration& exploration() const { return exploration_; }
 
     void open(const QStringList& files);
     void openWith(const QStringList& files, const ReadSettings& reading);
@@ -36,6 +40,7 @@ protected:
 
 private:
     void makeStatusBar();
+    void makeModeBar();
     void connectJobs();
     void connectWorkbench();
     void connectFileMenu();
@@ -43,6 +48,7 @@ private:
     void connectStudyMenu();
     void connectViewMenu();
     void connectRegion();
+    void connectModes();
     void draw(bool on);
     void changeRegion(const Region& region);
     void takeWholeCity();
@@ -50,6 +56,7 @@ private:
     void showCity();
     void showOpenFailure(const Error& error);
     void showStudy();
+    void showStopped(bool cancelled);
     void showDocument();
 
     QSettings& settings_;
@@ -61,6 +68,8 @@ private:
     ProgressStrip* progress_;
     QLabel* hover_;
     OpenOptions* options_;
+    ModeSwitch mode_;
+    Exploration exploration_;
     QStringList opening_;
     ReadSettings reading_;    ///< of the files that were opened last
     StudySettings answered_;  ///< the settings of the study that is shown

@@ -1,8 +1,5 @@
 #include "app/window/study_dock.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,7 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/window/number_fields.h"
+#include "app/window/accuracy_form.h"
 #include "app/window/period_form.h"
 #include "app/window/progress_strip.h"
 #include "app/window/region_words.h"
@@ -32,6 +29,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       period_(new PeriodForm),
+      accuracy_(new AccuracyForm),
       progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
     run_ = new QPushButton(tr("Run study"));
     run_->setObjectName(QStringLiteral("run"));
@@ -39,7 +37,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->addWidget(groupOf(tr("Period"), period_));
     column->addWidget(makeRegionGroup());
-    column->addWidget(makeCellGroup());
+    column->addWidget(groupOf(tr("Accuracy"), accuracy_));
     column->addWidget(run_);
     column->addWidget(progress_);
     column->addStretch(1);
@@ -49,6 +47,9 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
         StudySettings settings = document_.settings();
         settings.period = period_->period();
         document_.change(settings, field);
+    });
+    connect(accuracy_, &AccuracyForm::edited, this, [this](const QString& field) {
+        document_.change(accuracy_->applied(document_.settings()), field);
     });
     showDocument();
 }
@@ -78,44 +79,10 @@ QWidget* StudyDock::makeRegionGroup() {
     return group;
 }
 
-QWidget* StudyDock::makeCellGroup() {
-    cell_ = numberField(ReceiverSettings::minCellM, ReceiverSettings::maxCellM, 2, 0.25, tr(" m"));
-    cell_->setObjectName(QStringLiteral("cell"));
-    cell_->setToolTip(tr("Side of a cell of the ground, metres, 0.25 to 10"));
-    engine_ = new QComboBox;
-    engine_->setObjectName(QStringLiteral("engine"));
-    for (const auto& [engine, make] : coreEngines()) {
-        const auto text = [](std::string_view view) {
-            return QString::fromUtf8(view.data(), qsizetype(view.size()));
-        };
-        engine_->addItem(text(engine.name), text(engine.key));
-        engine_->setItemData(engine_->count() - 1, text(engine.about), Qt::ToolTipRole);
-    }
-    engine_->setToolTip(
-        tr("How the shadow is computed; the ray reference is the truth that the others are held against"));
-    auto* group = new QGroupBox(tr("Accuracy"));
-    auto* form = new QFormLayout(group);
-    form->addRow(tr("Cell size"), cell_);
-    form->addRow(tr("Engine"), engine_);
-    connect(cell_, &QDoubleSpinBox::valueChanged, this, [this] { changeCells(tr("cell size")); });
-    connect(engine_, &QComboBox::currentIndexChanged, this, [this] { changeCells(tr("engine")); });
-    return group;
-}
-
-void StudyDock::changeCells(const QString& field) {
-    StudySettings settings = document_.settings();
-    settings.receivers.cellM = cell_->value();
-    settings.engine = engine_->currentData().toString().toStdString();
-    document_.change(settings, field);
-}
-
 void StudyDock::showDocument() {
     const StudySettings& settings = document_.settings();
-    const QSignalBlocker cell(cell_);
-    const QSignalBlocker engine(engine_);
     period_->show(settings.period);
-    cell_->setValue(settings.receivers.cellM);
-    engine_->setCurrentIndex(engine_->findData(QString::fromStdString(settings.engine)));
+    accuracy_->show(settings);
     region_->setText(regionWords(settings.region, settings.receivers.cellM));
 }
 
@@ -124,6 +91,6 @@ void StudyDock::setDrawing(bool drawing) {
     draw_->setChecked(drawing);
 }
 
-void StudyDock::setRunning(bool running) { run_->setEnabled(!running); }
+void StudyDock::setRunning(bool running) { run_->setText(running ? tr("Run anew") : tr("Run study")); }
 
 }  // namespace noonmark

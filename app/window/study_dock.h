@@ -4,13 +4,12 @@
 
 #include "core/study/study.h"
 
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace noonmark {
 
+class AccuracyForm;
 class PeriodForm;
 class ProgressStrip;
 class StudyDocument;
@@ -34,16 +33,13 @@ Q_SIGNALS:
 
 private:
     QWidget* makeRegionGroup();
-    QWidget* makeCellGroup();
     void showDocument();
-    void changeCells(const QString& field);
 
     StudyDocument& document_;
     PeriodForm* period_;
+    AccuracyForm* accuracy_;
     QLabel* region_;
     QPushButton* draw_;
-    QDoubleSpinBox* cell_;
-    QComboBox* engine_;
     QPushButton* run_;
     ProgressStrip* progress_;
 };

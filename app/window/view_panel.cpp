@@ -6,7 +6,6 @@
 #include <QVBoxLayout>
 
 #include "app/report/study_words.h"
-#include "app/window/field_picture.h"
 #include "app/window/ground_lines.h"
 #include "app/window/hover_text.h"
 #include "app/window/view_picture.h"
@@ -20,7 +19,8 @@ ViewPanel::ViewPanel(QWidget* parent)
       navigator_(new ViewNavigator(*view_)),
       tool_(new RegionTool(this)),
       messages_(new MessageBar),
-      legend_(new LegendStrip) {
+      legend_(new LegendStrip),
+      results_(std::make_unique<ResultLayer>(*view_, *legend_)) {
     QWidget* container = QWidget::createWindowContainer(view_, this);
     container->setMinimumSize(320, 240);
     container->setFocusPolicy(Qt::StrongFocus);
@@ -33,7 +33,7 @@ ViewPanel::ViewPanel(QWidget* parent)
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window under the container takes the drops
     connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });
-    connect(legend_, &LegendStrip::measureChanged, this, &ViewPanel::showGround);
+    connect(legend_, &LegendStrip::measureChanged, this, [this] { results_->show(); });
     connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
     connect(navigator_, &ViewNavigator::left, this, [this] { Q_EMIT hovered({}); });
     connectTool();
@@ -64,31 +64,15 @@ void ViewPanel::toolKey(int key) {
 
 void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     city_ = std::move(city);
-    study_.reset();
     tool_->cancel();
     navigator_->setScene(city_->picker);
     view_->showCity(city_->arrays);
-    showGround();
-}
-
-void ViewPanel::showStudy(std::shared_ptr<const Study> study) {
-    study_ = std::move(study);
-    showGround();
+    results_->forget();
 }
 
 void ViewPanel::showRegion(const Region& region) {
     region_ = region;
     showLines();
-}
-
-void ViewPanel::showGround() {
-    if (!study_) {
-        view_->clearPicture();
-        return legend_->setLegend(std::nullopt);
-    }
-    const Legend legend = legendOf(study_->field, legend_->measure());
-    view_->showPicture(fieldPicture(study_->field, study_->receivers, legend_->measure(), legend.scale.top));
-    legend_->setLegend(legend);
 }
 
 void ViewPanel::showLines() {
@@ -102,7 +86,7 @@ void ViewPanel::tellWhatIsAt(QPointF pixel) {
     if (tool_->active())
         if (const auto ground = navigator_->groundAt(pixel)) tool_->moveTo(*ground);
     const auto pick = navigator_->pickAt(pixel);
-    Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), study_.get()) : QString());
+    Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
 }
 
 Region ViewPanel::visibleGround() const {
@@ -110,8 +94,8 @@ Region ViewPanel::visibleGround() const {
 }
 
 void ViewPanel::takePicture(std::function<void(QImage)> done) {
-    const QString credit = study_ ? dataWords(*study_) : QString();
-    view_->capture([legend = legend_->legend(), credit, done = std::move(done)](const QImage& image) {
+    const QString credit = city_ ? dataWords(city_->loaded.read.attribution) : QString();
+    view_->capture([legend = results_->legend(), credit, done = std::move(done)](const QImage& image) {
         done(viewPicture(image, legend, credit));
     });
 }

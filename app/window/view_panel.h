@@ -7,6 +7,7 @@
 #include "app/window/message_bar.h"
 #include "app/window/open_city.h"
 #include "app/window/region_tool.h"
+#include "app/window/result_layer.h"
 #include "render/view_navigator.h"
 
 namespace noonmark {
@@ -18,7 +19,6 @@ public:
     explicit ViewPanel(QWidget* parent = nullptr);
 
     void showCity(std::shared_ptr<const OpenCity> city);
-    void showStudy(std::shared_ptr<const Study> study);  ///< null: none
     void showRegion(const Region& region);
 
     [[nodiscard]] CityView& view() { return *view_; }
@@ -26,6 +26,7 @@ public:
     [[nodiscard]] RegionTool& regionTool() { return *tool_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
     [[nodiscard]] LegendStrip& legend() { return *legend_; }
+    [[nodiscard]] ResultLayer& results() { return *results_; }
 
     /// The ground in sight, cut to the neighbourhood of the city; without polygons when there is none.
     [[nodiscard]] Region visibleGround() const;
@@ -44,7 +45,6 @@ protected:
 
 private:
     void connectTool();
-    void showGround();
     void showLines();
     void tellWhatIsAt(QPointF pixel);
     void toolKey(int key);
@@ -55,7 +55,7 @@ private:
     MessageBar* messages_;
     LegendStrip* legend_;
     std::shared_ptr<const OpenCity> city_;
-    std::shared_ptr<const Study> study_;
+    std::unique_ptr<ResultLayer> results_;
     Region region_;
 };
 

@@ -66,6 +66,7 @@ WindowMenus::WindowMenus(QMainWindow& window) {
                   tr("Off: edges only, so that the ground behind them can be read"));
     faces->setCheckable(true);
     faces->setChecked(true);
+    modes = view.addMenu(tr("&Mode"));
     docks = view.addMenu(tr("&Panels"));
 
     QMenu& help = *bar.addMenu(tr("&Help"));
@@ -77,7 +78,8 @@ QString mouseAndKeys() {
         "Left or middle drag turns, right drag (or Shift) moves, the wheel zooms to the cursor. Arrow keys "
         "move, "
         "+ and - zoom. Home: whole city. N: north up. T: from above. R: region. B: solid buildings or lines. "
-        "Ctrl+R: run. Drawing a region: click corners; double click, Enter or right click finish, Backspace "
+        "F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Drawing a region: click corners; "
+        "double click, Enter or right click finish, Backspace "
         "takes one back, Esc cancels.");
 }
 

@@ -33,6 +33,7 @@ struct WindowMenus {
     QAction* fromAbove;
     QAction* region;
     QAction* faces;  ///< checkable
+    QMenu* modes;
     QMenu* docks;
     QAction* keys;
 };

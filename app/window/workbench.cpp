@@ -18,7 +18,10 @@ std::vector<std::string> textsOf(const QStringList& files) {
 
 }  // namespace
 
-Workbench::Workbench(QObject* parent) : QObject(parent) {}
+Workbench::Workbench(QObject* parent) : QObject(parent) {
+    connect(&running_, &JobSlot::started, this,
+            [this](const Job& job) { connect(&job, &Job::partial, this, &Workbench::studyPartial); });
+}
 
 void Workbench::open(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
@@ -36,6 +39,7 @@ void Workbench::takeCity(Result<OpenCity> opened) {
         if (!isCancelled(opened.error())) Q_EMIT openFailed(opened.error());
         return;
     }
+    running_.drop();  // its question was about the city before
     city_ = std::make_shared<const OpenCity>(*std::move(opened));
     study_.reset();
     document_.reset(firstSettings(city_->loaded));
@@ -49,13 +53,14 @@ void Workbench::run() {
         [city = city_, settings = document_.settings()](Progress& progress, std::stop_token stop) {
             return studyOf(city->loaded, settings, progress, std::move(stop));
         },
-        [this, city = city_](Result<Study> study) {
-            if (city == city_) takeStudy(std::move(study));
-        });
+        [this](Result<Study> study) { takeStudy(std::move(study)); });
 }
 
 void Workbench::takeStudy(Result<Study> study) {
-    if (!study) return tell(study.error());
+    if (!study) {
+        Q_EMIT studyStopped(isCancelled(study.error()));
+        return tell(study.error());
+    }
     study_ = std::make_shared<const Study>(*std::move(study));
     Q_EMIT studyDone();
 }

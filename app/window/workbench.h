@@ -19,7 +19,7 @@ public:
 
     /// The city stays until another is read; then the study goes. `reading` says what the files do not.
     void open(const QStringList& files, const ReadSettings& reading = {});
-    /// Answers the document's question; the study before it stays until then.
+    /// Answers the document's question; the study before it stays until then. Overtakes a study that runs.
     void run();
     /// Writes the files of the command line into a folder.
     void exportStudy(const std::filesystem::path& folder);
@@ -34,6 +34,8 @@ public:
 Q_SIGNALS:
     void cityOpened();
     void studyDone();
+    void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
+    void studyStopped(bool cancelled);       ///< without a result; the study before is still there
     void failed(noonmark::Error error);      ///< work that was cancelled does not fail
     void openFailed(noonmark::Error error);  ///< the city that was there stays
     void noted(QString text);

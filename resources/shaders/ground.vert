@@ -1,12 +1,12 @@
 #version 150 core
 in vec3 vertexPosition;
-out vec2 place;
+out vec3 place;
 out vec3 eyeSpace;
 uniform mat4 modelView;
 uniform mat4 mvp;
 
 void main() {
-    place = vertexPosition.xy;
+    place = vertexPosition;
     eyeSpace = vec3(modelView * vec4(vertexPosition, 1.0));
     gl_Position = mvp * vec4(vertexPosition, 1.0);
 }

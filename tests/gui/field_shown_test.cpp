@@ -31,20 +31,18 @@ struct FieldShown : ::testing::Test {
 };
 
 TEST_F(FieldShown, PictureHasTheReportsColours) {
-    const GroundPicture picture = fieldPicture(field, receivers, ShadowMeasure::gross, 60);
+    const GroundPicture picture = fieldPicture(field, &receivers, ShadowMeasure::gross, 60);
     EXPECT_EQ(picture.pixels[0], pixelOf(0));
     EXPECT_EQ(picture.pixels[1], pixelOf(1));
     EXPECT_EQ(picture.pixels[2], pixelOf(1)) << "under a building: the colour of the ground beside it";
     EXPECT_EQ(picture.pixels[3].a, 0) << "outside the region the ground keeps its own colour";
-    EXPECT_EQ(fieldPicture(field, receivers, ShadowMeasure::continuous, 60).pixels[1], pixelOf(0.5));
+    EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::continuous, 60).pixels[1], pixelOf(0.5));
 }
 
 TEST_F(FieldShown, HoverSaysMinutesAndPlace) {
-    Study study;
-    study.city = test::smallCity();
-    study.field = field;
-    const auto textAt = [&study](double x) {
-        return hoverText({{x, 5, 0}, std::nullopt}, study.city, &study).toStdString();
+    const auto textAt = [this](double x) {
+        return hoverText({{x, 5, 0}, std::nullopt}, test::smallCity(), minutesText(field, {x, 5}))
+            .toStdString();
     };
     EXPECT_NE(textAt(15).find("x 15.0 m, y 5.0 m"), std::string::npos) << textAt(15);
     EXPECT_NE(textAt(15).find("gross 60.0 min a day, continuous 30.0 min"), std::string::npos) << textAt(15);
@@ -53,7 +51,7 @@ TEST_F(FieldShown, HoverSaysMinutesAndPlace) {
 }
 
 TEST_F(FieldShown, HoverNamesTheBuilding) {
-    const std::string text = hoverText({{0, -40, 60}, 0U}, test::smallCity(), nullptr).toStdString();
+    const std::string text = hoverText({{0, -40, 60}, 0U}, test::smallCity(), {}).toStdString();
     EXPECT_NE(text.find("South House, 60.0 m high"), std::string::npos) << text;
 }
 

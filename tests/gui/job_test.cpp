@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 
@@ -80,6 +81,26 @@ TEST(Job, ReportsProgressUntilItIsDestroyed) {
     const int after = reports;
     QCoreApplication::processEvents();
     EXPECT_EQ(reports, after);
+}
+
+TEST(Job, HandsOverRunningResultsNewestFirst) {
+    std::atomic<bool> wantedAtOnce = true;
+    const IntWork work = [&](Progress& progress, const std::stop_token&) -> Result<int> {
+        PartialSink& sink = *progress.partials();
+        for (int i = 1; i <= 3; ++i) sink.take({{}, i / 4.0, "part"});
+        wantedAtOnce = sink.wants();
+        return 0;
+    };
+    std::vector<double> shares;
+    bool done = false;
+    const auto job = runJob<int>(work, IntDone([&](const Result<int>&) { done = true; }));
+    QObject::connect(job.get(), &Job::partial,
+                     [&](const auto& partial) { shares.push_back(partial->share); });
+    ASSERT_TRUE(waitFor([&] { return done; }));
+    ASSERT_FALSE(shares.empty());
+    EXPECT_EQ(shares.back(), 0.75) << "the newest came, whatever was passed over";
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_FALSE(wantedAtOnce) << "one is enough until it was shown";
 }
 
 TEST(JobSlot, ASecondJobReplacesTheFirst) {

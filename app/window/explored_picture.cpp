@@ -1,0 +1,48 @@
+#include "app/window/explored_picture.h"
+
+#include <QObject>
+#include <algorithm>
+
+namespace noonmark {
+
+namespace {
+
+const std::vector<float>& minutesOf(const ExploredView& view, ShadowMeasure measure) {
+    return measure == ShadowMeasure::gross ? view.shadow.grossMin : view.shadow.continuousMin;
+}
+
+bool isInstant(const ExploredView& view) { return view.days == 1 && view.shadow.sunlitMinutesPerDay <= 1; }
+
+}  // namespace
+
+Legend legendOf(const ExploredView& view, ShadowMeasure measure) {
+    if (isInstant(view)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
+    const std::vector<float>& minutes = minutesOf(view, measure);
+    const float most = minutes.empty() ? 0 : std::ranges::max(minutes);
+    const double top = std::max(view.shadow.sunlitMinutesPerDay, double(most));
+    return {nameOf(measure), aboutOf(measure), legendScale(top), false};
+}
+
+SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top) {
+    const std::vector<float>& minutes = minutesOf(view, measure);
+    SurfacePicture picture;
+    picture.camera = view.camera;
+    picture.soFar = view.daysDone < view.days;
+    const std::size_t pixels = std::size_t(view.camera.widthPx) * std::size_t(view.camera.heightPx);
+    picture.samples.assign(pixels, {0, 0, 0, -1});
+    for (std::size_t point = 0; point < view.surface.pixel.size(); ++point) {
+        const float share = std::clamp(float(double(minutes[point]) / top), 0.0F, 1.0F);
+        picture.samples[view.surface.pixel[point]] = {view.surface.points.positions[point], share};
+    }
+    return picture;
+}
+
+QString detailWords(const ExploredView& view, double distanceM) {
+    const QString samples = view.spacingPx == 1 ? QObject::tr("every pixel")
+                                                : QObject::tr("a sample every %1 pixels").arg(view.spacingPx);
+    const QString detail = QObject::tr("%1, %2 m").arg(samples).arg(view.sampleM(distanceM), 0, 'g', 2);
+    if (view.daysDone == view.days) return detail;
+    return QObject::tr("%1 of %2 days; %3").arg(view.daysDone).arg(view.days).arg(detail);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/report/legend_painter.h"
+#include "render/explored_view.h"
+#include "render/surface_picture.h"
+
+namespace noonmark {
+
+Legend legendOf(const ExploredView& view, ShadowMeasure measure);
+
+/// `top` minutes have the last colour of the palette. O(samples).
+SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top);
+
+/// Level of detail and days in words: "12 of 365 days; a sample every 4 pixels, 1.2 m". `distanceM`: of what
+/// is looked at.
+QString detailWords(const ExploredView& view, double distanceM);
+
+}  // namespace noonmark

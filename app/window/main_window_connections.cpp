@@ -1,0 +1,129 @@
+#include <QAction>
+#include <QMenu>
+#include <QUndoStack>
+
+#include "app/window/file_dialogs.h"
+#include "app/window/main_window.h"
+#include "app/window/open_options.h"
+#include "app/window/progress_strip.h"
+#include "app/window/study_dock.h"
+#include "app/window/view_panel.h"
+
+// Who tells whom: the part of MainWindow that joins menus, docks and view to the workbench.
+namespace noonmark {
+
+void MainWindow::connectJobs() {
+    const auto show = [this](JobSlot& slot, ProgressStrip& bar) {
+        connect(&slot, &JobSlot::started, &bar, &ProgressStrip::follow);
+        connect(&slot, &JobSlot::ended, &bar, &ProgressStrip::finish);
+        connect(&bar, &ProgressStrip::cancelRequested, &slot, &JobSlot::cancel);
+    };
+    show(workbench_.opening(), *progress_);
+    show(workbench_.writing(), *progress_);
+    show(workbench_.running(), docks_.study->progress());
+    connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
+        docks_.study->setRunning(true);
+        mode_.showStudies();
+    });
+    connect(&workbench_.running(), &JobSlot::ended, docks_.study,
+            [this] { docks_.study->setRunning(false); });
+}
+
+void MainWindow::connectWorkbench() {
+    connect(&workbench_, &Workbench::cityOpened, this, &MainWindow::showCity);
+    connect(&workbench_, &Workbench::studyDone, this, &MainWindow::showStudy);
+    connect(&workbench_, &Workbench::studyPartial, this,
+            [this](const auto& partial) { panel_->results().setPartial(partial); });
+    connect(&workbench_, &Workbench::studyStopped, this, &MainWindow::showStopped);
+    connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
+}
+
+void MainWindow::connectFileMenu() {
+    const auto opens = [this](QAction* action, const char* sample) {
+        connect(action, &QAction::triggered, this, [this, sample] { open({QString::fromLatin1(sample)}); });
+    };
+    opens(menus_.openPark, "sample:central-park-south");
+    opens(menus_.openGrid, "sample:grid");
+    connect(menus_.open, &QAction::triggered, this, [this] { open(askForCity(this)); });
+    connect(&recent_, &RecentMenu::chosen, this, &MainWindow::open);
+    connect(panel_, &ViewPanel::filesDropped, this, &MainWindow::open);
+    connect(menus_.savePicture, &QAction::triggered, this, [this] { savePicture(askForPicture(this)); });
+    connect(menus_.exportStudy, &QAction::triggered, this, [this] {
+        const QString folder = workbench_.study() ? askForFolder(this) : QStringLiteral(".");
+        if (!folder.isEmpty()) workbench_.exportStudy(folder.toStdString());
+    });
+    connect(menus_.quit, &QAction::triggered, this, &QWidget::close);
+}
+
+void MainWindow::connectOptions() {
+    connect(menus_.openWith, &QAction::triggered, this, [this] {
+        if (const QStringList files = askForCity(this); !files.isEmpty()) options_->ask(files, {});
+    });
+    connect(options_, &OpenOptions::chosen, this, &MainWindow::openWith);
+    connect(&workbench_, &Workbench::openFailed, this, &MainWindow::showOpenFailure);
+    connect(&panel_->messages(), &MessageBar::remedyChosen, this,
+            [this] { options_->ask(opening_, reading_); });
+}
+
+void MainWindow::connectStudyMenu() {
+    connect(docks_.study, &StudyDock::runRequested, &workbench_, &Workbench::run);
+    connect(menus_.run, &QAction::triggered, &workbench_, &Workbench::run);
+    connect(menus_.cancel, &QAction::triggered, &workbench_.running(), &JobSlot::cancel);
+    connect(menus_.gross, &QAction::triggered, this,
+            [this] { panel_->legend().setMeasure(ShadowMeasure::gross); });
+    connect(menus_.continuous, &QAction::triggered, this,
+            [this] { panel_->legend().setMeasure(ShadowMeasure::continuous); });
+    QUndoStack& undo = workbench_.document().undoStack();
+    QAction* undoAction = undo.createUndoAction(this);
+    undoAction->setShortcut(QKeySequence::Undo);
+    QAction* redoAction = undo.createRedoAction(this);
+    redoAction->setShortcut(QKeySequence::Redo);
+    menus_.edit->addActions({undoAction, redoAction});
+}
+
+void MainWindow::connectViewMenu() {
+    ViewNavigator& navigator = panel_->navigator();
+    connect(menus_.wholeCity, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
+    connect(menus_.northUp, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);
+    connect(menus_.fromAbove, &QAction::triggered, &navigator, &ViewNavigator::lookFromAbove);
+    connect(menus_.region, &QAction::triggered, this, [this] {
+        const Box2 box = bounds(workbench_.document().settings().region);
+        if (!box.empty()) panel_->navigator().show(box);
+    });
+    connect(menus_.faces, &QAction::toggled, &panel_->view(), &CityView::showFaces);
+    connect(menus_.keys, &QAction::triggered, this, [this] { panel_->messages().showHelp(mouseAndKeys()); });
+}
+
+void MainWindow::connectRegion() {
+    RegionTool& tool = panel_->regionTool();
+    connect(docks_.study, &StudyDock::drawRequested, this, &MainWindow::draw);
+    connect(menus_.drawRegion, &QAction::triggered, this, [this] { draw(true); });
+    connect(&tool, &RegionTool::activeChanged, docks_.study, &StudyDock::setDrawing);
+    connect(&tool, &RegionTool::finished, this, &MainWindow::changeRegion);
+    connect(docks_.study, &StudyDock::viewRegionRequested, this,
+            [this] { changeRegion(panel_->visibleGround()); });
+    connect(docks_.study, &StudyDock::wholeCityRequested, this, &MainWindow::takeWholeCity);
+    connect(menus_.regionFile, &QAction::triggered, this, &MainWindow::readRegionFile);
+}
+
+void MainWindow::connectModes() {
+    connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
+        panel_->results().setMode(mode);
+        exploration_.setActive(mode == ViewMode::exploration);
+    });
+    connect(&exploration_, &Exploration::changed, this,
+            [this] { panel_->results().setExplored(exploration_.answer()); });
+    connect(&exploration_, &Exploration::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&panel_->view(), &CityView::poseChanged, this, [this] {
+        ViewLens lens = panel_->view().lens();
+        lens.widthPx *= panel_->view().devicePixelRatio();
+        lens.heightPx *= panel_->view().devicePixelRatio();
+        exploration_.look(panel_->view().pose(), lens);
+    });
+    panel_->results().setMode(mode_.mode());
+    exploration_.setActive(mode_.mode() == ViewMode::exploration);
+}
+
+}  // namespace noonmark

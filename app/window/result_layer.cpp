@@ -1,0 +1,120 @@
+#include "app/window/result_layer.h"
+
+#include <glm/geometric.hpp>
+
+#include "app/window/explored_picture.h"
+#include "app/window/field_picture.h"
+#include "app/window/hover_text.h"
+
+namespace noonmark {
+
+namespace {
+
+QString soFarWords(const PartialField& partial) {
+    return QObject::tr("So far: %1 (%2 %)")
+        .arg(QString::fromStdString(partial.part))
+        .arg(int(partial.share * 100));
+}
+
+QString noteOf(const ViewAnswer& answer, double distanceM) {
+    const QString words = detailWords(answer.view, distanceM);
+    if (answer.view.daysDone < answer.view.days) return QObject::tr("So far: %1").arg(words);
+    return !isFinest(answer) ? QObject::tr("Refining: %1").arg(words) : words;
+}
+
+QString hintOf(ViewMode mode) {
+    if (mode == ViewMode::exploration) return QObject::tr("Looking for the shadow of what the view shows...");
+    return QObject::tr("No study yet: choose a period and a region, then press Run (Ctrl+R)");
+}
+
+}  // namespace
+
+ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), strip_(legend) {
+    view_.surfaces().setPalette(shadowPalette());
+    showNothing();
+}
+
+void ResultLayer::forget() {
+    study_.reset();
+    partial_.reset();
+    explored_.reset();
+    show();
+}
+
+void ResultLayer::setMode(ViewMode mode) {
+    mode_ = mode;
+    show();
+}
+
+void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
+    study_ = std::move(study);
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setPartial(std::shared_ptr<const PartialField> partial) {
+    if (!partial && !partial_) return;
+    partial_ = std::move(partial);
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
+    explored_ = std::move(answer);
+    if (mode_ == ViewMode::exploration) show();
+}
+
+void ResultLayer::show() {
+    if (mode_ == ViewMode::exploration) {
+        view_.clearPicture();
+        return explored_ ? showExplored() : showNothing();
+    }
+    view_.surfaces().clear();
+    if (study_ || partial_) return showGround();
+    showNothing();
+}
+
+void ResultLayer::showExplored() {
+    const Legend legend = legendOf(explored_->view, strip_.measure());
+    view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), legend.scale.top));
+    strip_.setLegend(legend);
+    const double distance = glm::length(explored_->view.camera.eye - view_.pose().target);
+    strip_.setNote(noteOf(*explored_, distance), explored_->view.daysDone < explored_->view.days);
+}
+
+void ResultLayer::showGround() {
+    const ShadowField& field = partial_ ? partial_->field : study_->field;
+    const Legend legend = legendOf(field, strip_.measure());
+    view_.showPicture(
+        fieldPicture(field, partial_ ? nullptr : &study_->receivers, strip_.measure(), legend.scale.top),
+        partial_ != nullptr);
+    strip_.setLegend(legend);
+    strip_.setNote(partial_ ? soFarWords(*partial_) : QString(), partial_ != nullptr);
+}
+
+void ResultLayer::showNothing() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    strip_.setHint(hintOf(mode_));
+    strip_.setLegend(std::nullopt);
+    strip_.setNote({}, false);
+}
+
+QString ResultLayer::minutesAt(const Pick& pick) const {
+    if (mode_ == ViewMode::exploration) {
+        const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
+        if (!point) return {};
+        const SurfaceShadow& shadow = explored_->view.shadow;
+        return minutesText(shadow.grossMin[*point], shadow.continuousMin[*point],
+                           legendOf(explored_->view, ShadowMeasure::gross).instant);
+    }
+    if (pick.building || !(study_ || partial_)) return {};
+    return minutesText(partial_ ? partial_->field : study_->field, {pick.position.x, pick.position.y});
+}
+
+std::optional<Legend> ResultLayer::legend() const {
+    std::optional<Legend> legend = strip_.legend();
+    if (legend && !strip_.note().isEmpty()) legend->unit += QStringLiteral(". ") + strip_.note();
+    return legend;
+}
+
+}  // namespace noonmark

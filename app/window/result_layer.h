@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+
+#include "app/window/legend_strip.h"
+#include "app/window/view_mode.h"
+#include "app/window/view_refinement.h"
+#include "core/accumulate/partial_field.h"
+#include "render/city_view.h"
+#include "render/scene_picker.h"
+
+namespace noonmark {
+
+/// What lies on the surfaces of the view, and the legend that goes with it: what was explored, a study, or
+/// the running result of one, which is marked as such. Results are kept when another mode is shown.
+class ResultLayer {
+public:
+    ResultLayer(CityView& view, LegendStrip& legend);  ///< both outlive it
+
+    void forget();  ///< another city
+    void setMode(ViewMode mode);
+    void setStudy(std::shared_ptr<const Study> study);  ///< null: none; a running result goes
+    /// Of a study that runs, over the one before; null: none, the one before is shown again.
+    void setPartial(std::shared_ptr<const PartialField> partial);
+    void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
+
+    void show();  ///< again, as after another measure was chosen
+
+    [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< in words; empty where nothing is known
+    [[nodiscard]] std::optional<Legend> legend() const;       ///< for a picture to keep: says what is partial
+
+private:
+    void showExplored();
+    void showGround();
+    void showNothing();
+
+    CityView& view_;
+    LegendStrip& strip_;
+    ViewMode mode_ = ViewMode::exploration;
+    std::shared_ptr<const Study> study_;
+    std::shared_ptr<const PartialField> partial_;
+    std::shared_ptr<const ViewAnswer> explored_;
+};
+
+}  // namespace noonmark

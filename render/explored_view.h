@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "core/accumulate/surface_accumulator.h"
+#include "core/receivers/visible_surface.h"
+#include "render/view_ray.h"
+
+namespace noonmark {
+
+/// Shadow on everything that a camera sees: ground, roofs and facades, one sample every `spacingPx` pixels of
+/// the view.
+struct ExploredView {
+    PixelCamera camera;      ///< its pixels are the samples
+    int spacingPx = 1;       ///< device pixels of the view from sample to sample
+    VisibleSurface surface;  ///< where the samples lie
+    SurfaceShadow shadow;    ///< one a point of `surface`, over the days done
+    int daysDone = 0;
+    int days = 1;  ///< of the period
+
+    /// How far samples lie apart at the camera's `distanceM`, metres across the line of sight.
+    [[nodiscard]] double sampleM(double distanceM) const;
+
+    /// The point of `surface` at the pixel of this place; none where that pixel saw another surface, or none.
+    /// O(log points).
+    [[nodiscard]] std::optional<std::size_t> pointAt(glm::dvec3 place) const;
+};
+
+/// The camera of a view with one pixel every `spacingPx`; it sees as much as the view, or a little more to
+/// the sides. `lens` in device pixels.
+PixelCamera cameraOf(const CameraPose& pose, const ViewLens& lens, int spacingPx);
+
+}  // namespace noonmark

@@ -1,0 +1,227 @@
+#include "app/window/exploration.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "app/window/explored_picture.h"
+#include "core/accumulate/surface_rays.h"
+#include "tests/gui/small_open_city.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+const ViewLens lens{40, 160, 120};
+const CameraPose slanting{{0, 0, 0}, 350, 20, 45};
+
+Observer newYork() { return {{-73.98, 40.76}}; }
+
+Period morning(int days = 1) {
+    Period period;
+    period.days = days;
+    period.hours = 3;
+    period.stepMinutes = 5;
+    period.zone = "America/New_York";
+    return period;
+}
+
+/// A view of the small city.
+struct Refinement : ::testing::Test {
+    ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr};
+    SurfaceRays engine{question.city->picker.scene()};
+    NoProgress progress;
+
+    // All answers, from the first to the finest.
+    std::vector<ViewAnswer> answers() {
+        std::vector<ViewAnswer> all{refined(question, nullptr, engine, progress, {}).value()};
+        while (!isFinest(all.back()))
+            all.push_back(refined(question, &all.back(), engine, progress, {}).value());
+        return all;
+    }
+
+    SurfaceShadow truthOf(const ViewAnswer& answer) {
+        return engine.accumulate(question.city->city(), answer.view.surface.points, *answer.sun, progress, {})
+            .value();
+    }
+};
+
+TEST_F(Refinement, GoesFromCoarseToEveryPixel) {
+    const auto all = answers();
+    ASSERT_EQ(all.size(), 4U);
+    std::vector<int> spacing;
+    for (const ViewAnswer& answer : all) spacing.push_back(answer.view.spacingPx);
+    EXPECT_EQ(spacing, (std::vector{8, 4, 2, 1}));
+    EXPECT_EQ(all.back().view.camera.widthPx, 160);
+    EXPECT_EQ(all.back().view.camera.heightPx, 120);
+    EXPECT_LT(all.front().view.surface.points.size() * 50, all.back().view.surface.points.size());
+}
+
+TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
+    for (const ViewAnswer& answer : answers()) {
+        const SurfaceShadow truth = truthOf(answer);
+        EXPECT_EQ(answer.view.shadow.grossMin, truth.grossMin);
+        EXPECT_EQ(answer.view.shadow.continuousMin, truth.continuousMin);
+        EXPECT_EQ(answer.view.shadow.sunlitMinutesPerDay, 180);
+    }
+}
+
+TEST_F(Refinement, SeesRoofsAndFacadesAndTheShadowOnThem) {
+    const ViewAnswer finest = answers().back();
+    int roofs = 0;
+    int facades = 0;
+    for (std::size_t i = 0; i < finest.view.surface.points.size(); ++i) {
+        const glm::vec3 normal = finest.view.surface.points.normals[i];
+        if (normal.z > 0.9F && finest.view.surface.points.positions[i].z > 20) ++roofs;
+        if (normal.z < 0.1F) ++facades;
+    }
+    EXPECT_GT(roofs, 100);
+    EXPECT_GT(facades, 300);
+    const auto roof = finest.view.pointAt({0, -40, 60});
+    ASSERT_TRUE(roof) << "the roof of South House is in sight";
+    EXPECT_EQ(finest.view.shadow.grossMin[*roof], 0) << "and in the sun, higher than what is around";
+}
+
+// The cameras of the paper's figure: 800, 300 and 100 m above the ground.
+TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
+    double coarser = 1e9;
+    for (const double height : {800.0, 300.0, 100.0}) {
+        question.pose = {{-70, 60, 0}, height, 0, 90};
+        const ViewAnswer finest = answers().back();
+        const double sample = finest.view.sampleM(height);
+        EXPECT_NEAR(sample, height * 2 * std::tan(glm::radians(20.0)) / 120, 1e-9);
+        EXPECT_LT(sample, coarser / 2);
+        coarser = sample;
+        const auto point = finest.view.pointAt({-70, 60, 0});
+        ASSERT_TRUE(point);
+        const glm::dvec3 seen(finest.view.surface.points.positions[*point]);
+        EXPECT_LT(glm::length(seen - glm::dvec3(-70, 60, 0)), sample) << "what a pixel shows is that near";
+    }
+}
+
+// Many days are taken up a few at a time; each answer is the truth of its days, and says how many they are.
+TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
+    question.period = morning(300);
+    question.period.stepMinutes = 2;
+    question.lens = {40, 800, 600};
+    ViewAnswer answer = refined(question, nullptr, engine, progress, {}).value();
+    ASSERT_EQ(answer.view.days, 300);
+    const int coarseDays = answer.view.daysDone;
+    EXPECT_GT(coarseDays, 1);
+    EXPECT_LT(coarseDays, 300);
+    question.sun = answer.sun;
+    EXPECT_TRUE(surfacePicture(answer.view, ShadowMeasure::gross, 180).soFar);
+    EXPECT_TRUE(detailWords(answer.view, 350).contains(QStringLiteral("of 300 days")));
+    const SurfaceShadow truth = truthOf(answer);
+    double error = 0;
+    for (std::size_t i = 0; i < truth.grossMin.size(); ++i)
+        error += std::abs(double(truth.grossMin[i] - answer.view.shadow.grossMin[i]));
+    EXPECT_LT(error / double(truth.grossMin.size()), 2) << "scattered days stand for the whole, minutes";
+}
+
+TEST_F(Refinement, DaysTakenOneAfterTheOtherAddUp) {
+    question.period = morning(7);
+    question.period.stepMinutes = 0.2;
+    question.lens = {40, 480, 360};
+    std::vector<ViewAnswer> all = answers();
+    ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
+    const SurfaceShadow truth = truthOf(all.back());
+    for (std::size_t i = 0; i < truth.grossMin.size(); i += 7) {
+        ASSERT_NEAR(all.back().view.shadow.grossMin[i], truth.grossMin[i], 1e-3);
+        ASSERT_EQ(all.back().view.shadow.continuousMin[i], truth.continuousMin[i]);
+    }
+}
+
+TEST_F(Refinement, ASunThatNeverRisesIsSaid) {
+    question.period.from = std::chrono::hours(0);
+    question.period.hours = 2;
+    const auto answer = refined(question, nullptr, engine, progress, {});
+    ASSERT_FALSE(answer);
+    EXPECT_NE(answer.error().what.find("below the horizon"), std::string::npos);
+}
+
+/// The same beside the window's thread.
+struct ExplorationTest : ::testing::Test {
+    Exploration exploration;
+    std::vector<std::shared_ptr<const ViewAnswer>> seen;
+
+    void SetUp() override {
+        QObject::connect(&exploration, &Exploration::changed, [this] {
+            if (exploration.answer()) seen.push_back(exploration.answer());
+        });
+        exploration.setCity(test::smallOpenCity());
+        exploration.setPeriod(morning(), newYork());
+        exploration.look(slanting, lens);
+    }
+    bool finest() { return exploration.answer() && isFinest(*exploration.answer()); }
+};
+
+TEST_F(ExplorationTest, ShowsCoarseFirstAndEndsFine) {
+    exploration.setActive(true);
+    ASSERT_TRUE(waitFor([this] { return finest() && !exploration.working(); }));
+    std::vector<int> levels;
+    for (const auto& answer : seen) levels.push_back(answer->level);
+    EXPECT_EQ(levels, (std::vector{0, 1, 2, 3}));
+}
+
+TEST_F(ExplorationTest, ANewerViewOvertakesAnOlderOne) {
+    exploration.setActive(true);
+    CameraPose pose = slanting;
+    for (int i = 0; i < 40; ++i) {
+        pose.headingDeg += 2;
+        exploration.look(pose, lens);
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
+    }
+    ASSERT_TRUE(waitFor([this] { return finest() && !exploration.working(); }));
+    EXPECT_EQ(exploration.answer()->view.camera.eye, eyeOf(pose));
+    const auto last = std::ranges::find_if(
+        seen, [&](const auto& answer) { return answer->view.camera.eye == eyeOf(pose); });
+    EXPECT_TRUE(std::all_of(last, seen.end(), [&](const auto& answer) {
+        return answer->view.camera.eye == eyeOf(pose);
+    })) << "no older view comes after the newest";
+}
+
+TEST_F(ExplorationTest, AnotherPeriodBeginsAnew) {
+    exploration.setActive(true);
+    ASSERT_TRUE(waitFor([this] { return finest(); }));
+    const auto before = exploration.answer();
+    Period noon = morning();
+    noon.from = std::chrono::hours(12);
+    exploration.setPeriod(noon, newYork());
+    ASSERT_TRUE(waitFor([this] { return finest(); }));
+    EXPECT_EQ(before->view.surface.pixel, exploration.answer()->view.surface.pixel);
+    EXPECT_NE(before->view.shadow.grossMin, exploration.answer()->view.shadow.grossMin);
+}
+
+TEST_F(ExplorationTest, RestsWhenInactiveAndGoesOnWhereItWas) {
+    EXPECT_FALSE(exploration.working());
+    exploration.setActive(true);
+    ASSERT_TRUE(waitFor([this] { return exploration.answer() != nullptr; }));
+    exploration.setActive(false);
+    EXPECT_FALSE(exploration.working());
+    const std::size_t before = seen.size();
+    waitFor([] { return false; }, 50);
+    EXPECT_EQ(seen.size(), before);
+    exploration.setActive(true);
+    ASSERT_TRUE(waitFor([this] { return finest(); }));
+    EXPECT_EQ(seen[before]->level, seen[before - 1]->level + 1);
+}
+
+TEST(ExploredView, KnowsNothingBehindACornerOrBesideThePicture) {
+    const auto city = test::smallOpenCity();
+    ExploredView view;
+    view.camera = cameraOf({{0, -40, 0}, 300, 0, 30}, lens, 1);
+    view.surface = visibleSurface(city->picker.scene().value(), true, view.camera).value();
+    EXPECT_TRUE(view.pointAt({0, -60, 30})) << "the southern front";
+    EXPECT_FALSE(view.pointAt({0, -20, 30})) << "the northern front is behind it";
+    EXPECT_FALSE(view.pointAt({0, -600, 0})) << "behind the eye";
+    EXPECT_FALSE(view.pointAt({400, -40, 0})) << "beside the picture";
+}
+
+}  // namespace
+}  // namespace noonmark

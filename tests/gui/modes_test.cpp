@@ -1,0 +1,294 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QToolBar>
+#include <random>
+
+#include "app/report/palette.h"
+#include "app/window/accuracy_form.h"
+#include "app/window/main_window.h"
+#include "app/window/view_panel.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+TEST(ModeSwitch, TheRayReferenceIsAModeAndAnEngine) {
+    StudyDocument document;
+    StudySettings first;
+    first.engine = "horizon";
+    document.reset(first);
+    ModeSwitch mode(document);
+    EXPECT_EQ(mode.mode(), ViewMode::exploration);
+    mode.setMode(ViewMode::analysis);
+    EXPECT_EQ(document.settings().engine, "horizon");
+    mode.setMode(ViewMode::rayReference);
+    EXPECT_EQ(document.settings().engine, "ray");
+    document.undoStack().undo();
+    EXPECT_EQ(mode.mode(), ViewMode::analysis) << "undoing the engine undoes the mode";
+    StudySettings settings = first;
+    settings.engine = "ray";
+    document.change(settings, QStringLiteral("engine"));
+    EXPECT_EQ(mode.mode(), ViewMode::rayReference) << "chosen in the dock";
+    mode.setMode(ViewMode::exploration);
+    settings.engine = "iam";
+    document.change(settings, QStringLiteral("engine"));
+    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "exploring goes on whatever the study's engine is";
+    mode.showStudies();
+    EXPECT_EQ(mode.mode(), ViewMode::analysis);
+    mode.setMode(ViewMode::rayReference);
+    mode.setMode(ViewMode::analysis);
+    EXPECT_EQ(document.settings().engine, "iam") << "the one that was there before";
+}
+
+TEST(ModeSwitch, ModesHaveShortcutsAndSayWhatTheyAre) {
+    StudyDocument document;
+    const ModeSwitch mode(document);
+    ASSERT_EQ(mode.actions().size(), 3);
+    for (const QAction* action : mode.actions()) {
+        EXPECT_FALSE(action->shortcut().isEmpty());
+        EXPECT_TRUE(action->toolTip().contains(action->shortcut().toString()));
+    }
+}
+
+TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
+    AccuracyForm form;
+    for (const auto& [engine, make] : coreEngines()) {
+        StudySettings settings;
+        settings.engine = engine.key;
+        form.show(settings);
+        EXPECT_EQ(form.findChildren<QDoubleSpinBox*>().size(), qsizetype(1 + engine.options.size()));
+        for (const EngineOption& option : engine.options) {
+            const auto* field = form.findChild<QDoubleSpinBox*>(
+                QStringLiteral("option_") + QString::fromStdString(std::string(option.key)));
+            ASSERT_NE(field, nullptr) << option.key;
+            EXPECT_NEAR(field->minimum(), option.lowest, 1e-9);
+            EXPECT_NEAR(field->maximum(), option.highest, 1e-9);
+            EXPECT_NEAR(field->value(), option.usual, 1e-9) << option.key;
+            EXPECT_FALSE(field->toolTip().isEmpty());
+        }
+        EXPECT_EQ(form.applied(settings), settings) << engine.key << ": what is as usual is not written down";
+    }
+}
+
+TEST(AccuracyForm, OptionsChangeTheStudyAndGoWithTheirEngine) {
+    AccuracyForm form;
+    StudySettings settings;
+    settings.engine = "iam";
+    settings.engineSettings["levels"] = 5;
+    form.show(settings);
+    auto* levels = form.findChild<QDoubleSpinBox*>(QStringLiteral("option_levels"));
+    EXPECT_EQ(levels->value(), 5);
+    QSignalSpy edits(&form, &AccuracyForm::edited);
+    levels->setValue(2);
+    ASSERT_EQ(edits.count(), 1);
+    EXPECT_EQ(form.applied(settings).engineSettings, (EngineSettings{{"levels", 2}}));
+    settings.engine = "ray";
+    settings.engineSettings.clear();
+    form.show(settings);
+    EXPECT_EQ(form.applied(settings).engineSettings, EngineSettings{});
+}
+
+/// The whole window with the sample.
+struct ModesTest : ::testing::Test {
+    QTemporaryDir folder;
+    QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    MainWindow window{settings};
+
+    void SetUp() override {
+        window.resize(900, 640);
+        window.show();
+        window.open({QStringLiteral("sample:central-park-south")});
+        ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
+        change([](StudySettings& question) {
+            question.period.stepMinutes = 10;
+            question.period.zone = "America/New_York";
+        });
+    }
+
+    template <class Edit>
+    void change(Edit edit) {
+        StudySettings question = window.workbench().document().settings();
+        edit(question);
+        window.workbench().document().change(question, QStringLiteral("test"));
+    }
+
+    // A ray study that takes many seconds.
+    void beginLongStudy() {
+        change([](StudySettings& question) {
+            question.engine = "ray";
+            question.receivers.cellM = 1;
+            question.period.stepMinutes = 0.5;
+        });
+        window.workbench().run();
+    }
+
+    bool explored() {
+        const auto answer = window.exploration().answer();
+        return answer && isFinest(*answer) && !window.exploration().working();
+    }
+
+    QString note() { return window.panel().legend().note(); }
+
+    QImage captured() {
+        QImage image;
+        window.panel().view().capture([&image](const QImage& made) { image = made; });
+        EXPECT_TRUE(waitFor([&image] { return !image.isNull(); }));
+        return image;
+    }
+};
+
+int difference(const QColor& a, const QColor& b) {
+    return std::max(
+        {std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+}
+
+struct Share {
+    int seen = 0;
+    int right = 0;
+};
+
+// How many of the explored samples have the colour of their minutes on the screen: of ground, roofs, facades.
+std::array<Share, 3> rightColours(const ExploredView& view, const QImage& image, double top) {
+    std::array<Share, 3> shares;
+    std::mt19937 random(5);
+    for (int i = 0; i < 6000; ++i) {
+        const std::size_t point = random() % view.surface.points.size();
+        const int column = int(view.surface.pixel[point] % std::uint32_t(view.camera.widthPx));
+        const int row = int(view.surface.pixel[point] / std::uint32_t(view.camera.widthPx));
+        const bool level = view.surface.points.normals[point].z > 0.5F;
+        Share& share = shares[!level ? 2U : view.surface.points.positions[point].z > 1 ? 1U : 0U];
+        ++share.seen;
+        const QColor due = shadowColour(double(view.shadow.grossMin[point]) / top);
+        if (difference(image.pixelColor(column, row), due) <= 12) ++share.right;
+    }
+    return shares;
+}
+
+TEST_F(ModesTest, ExplorationColoursGroundRoofsAndFacades) {
+    ASSERT_EQ(window.mode().mode(), ViewMode::exploration) << "what a new user sees first";
+    window.panel().navigator().showSlanting({{-40, -330}, {60, -250}});
+    std::array<Share, 3> shares;
+    const bool shown = waitFor([&] {
+        if (!explored()) return false;
+        const auto answer = window.exploration().answer();
+        const double top = window.panel().legend().legend()->scale.top;
+        shares = rightColours(answer->view, captured(), top);
+        // Lines of edges and of the region cross some samples.
+        return std::ranges::all_of(shares,
+                                   [](const Share& s) { return s.seen > 200 && s.right > 0.8 * s.seen; });
+    });
+    EXPECT_TRUE(shown) << shares[0].right << "/" << shares[0].seen << " " << shares[1].right << "/"
+                       << shares[1].seen << " " << shares[2].right << "/" << shares[2].seen;
+}
+
+TEST_F(ModesTest, ExplorationFollowsTheCamera) {
+    ASSERT_TRUE(waitFor([this] { return explored(); }));
+    const QImage before = captured();
+    const auto first = window.exploration().answer();
+    window.panel().navigator().showSlanting({{-100, -400}, {100, -200}});
+    ASSERT_TRUE(waitFor([&] { return explored() && window.exploration().answer() != first; }));
+    const auto second = window.exploration().answer();
+    EXPECT_NE(first->view.camera.eye, second->view.camera.eye);
+    EXPECT_LT(second->view.sampleM(1), first->view.sampleM(1) * 1.001);
+    const QImage after = captured();
+    int changed = 0;
+    for (int y = 0; y < after.height(); y += 4)
+        for (int x = 0; x < after.width(); x += 4)
+            if (difference(before.pixelColor(x, y), after.pixelColor(x, y)) > 30) ++changed;
+    EXPECT_GT(changed, after.width() * after.height() / 16 / 4);
+}
+
+TEST_F(ModesTest, ExplorationSaysItsLevelOfDetail) {
+    std::vector<QString> notes;
+    ASSERT_TRUE(waitFor([&] {
+        if (notes.empty() || notes.back() != note()) notes.push_back(note());
+        return explored();
+    }));
+    const auto told = [&notes](const char* words) {
+        return std::ranges::any_of(notes, [&](const QString& n) { return n.contains(QLatin1String(words)); });
+    };
+    EXPECT_TRUE(told("Refining: a sample every 8 pixels"));
+    EXPECT_TRUE(note().startsWith(QStringLiteral("every pixel"))) << note().toStdString();
+}
+
+TEST_F(ModesTest, SwitchingShowsWhatBelongsToTheMode) {
+    ASSERT_TRUE(waitFor([this] { return explored(); }));
+    window.mode().setMode(ViewMode::analysis);
+    EXPECT_FALSE(window.panel().legend().legend()) << "no study yet";
+    EXPECT_FALSE(window.exploration().working());
+    window.workbench().run();
+    ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
+    EXPECT_NE(window.workbench().study()->field.engine.find("Projected"), std::string::npos)
+        << "exact, and the fastest on flat ground";
+    ASSERT_TRUE(window.panel().legend().legend());
+    EXPECT_TRUE(note().isEmpty());
+    window.mode().setMode(ViewMode::exploration);
+    EXPECT_TRUE(note().startsWith(QStringLiteral("every pixel"))) << "what was explored is still there";
+    EXPECT_NE(window.findChild<QToolBar*>(QStringLiteral("modeBar")), nullptr);
+}
+
+TEST_F(ModesTest, ARunLeavesExploration) {
+    window.workbench().run();
+    EXPECT_EQ(window.mode().mode(), ViewMode::analysis);
+    ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
+}
+
+// Cells of a running result on the screen, which are marked as such.
+TEST_F(ModesTest, ALongStudyShowsWhatItHasSoFar) {
+    QSignalSpy partials(&window.workbench(), &Workbench::studyPartial);
+    beginLongStudy();
+    ASSERT_TRUE(waitFor([&] { return note().startsWith(QStringLiteral("So far: ")); }));
+    EXPECT_TRUE(note().contains(QStringLiteral("tiles"))) << note().toStdString();
+    EXPECT_TRUE(window.panel().legend().legend()) << "colours have their units from the beginning";
+    EXPECT_EQ(window.workbench().study(), nullptr);
+    ASSERT_TRUE(waitFor([&] { return partials.count() >= 3; }));
+    window.workbench().running().cancel();
+    ASSERT_TRUE(waitFor([this] { return !window.workbench().running().busy(); }));
+    EXPECT_TRUE(note().isEmpty()) << "nothing partial stays";
+    EXPECT_FALSE(window.panel().legend().legend());
+    EXPECT_TRUE(window.panel().messages().text().contains(QStringLiteral("Cancelled")));
+}
+
+TEST_F(ModesTest, CancellingBringsTheStudyBeforeBack) {
+    window.workbench().run();
+    ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
+    const auto before = window.workbench().study();
+    const QString legend = window.panel().legend().legend()->title;
+    beginLongStudy();
+    ASSERT_TRUE(waitFor([&] { return note().startsWith(QStringLiteral("So far: ")); }));
+    window.workbench().running().cancel();
+    ASSERT_TRUE(waitFor([this] { return !window.workbench().running().busy(); }));
+    EXPECT_EQ(window.workbench().study(), before);
+    EXPECT_TRUE(note().isEmpty());
+    ASSERT_TRUE(window.panel().legend().legend());
+    EXPECT_EQ(window.panel().legend().legend()->title, legend);
+}
+
+TEST_F(ModesTest, ANewerRunOvertakesAnOlderOne) {
+    beginLongStudy();
+    ASSERT_TRUE(waitFor([&] { return note().startsWith(QStringLiteral("So far: ")); }));
+    change([](StudySettings& question) {
+        question.engine = "projected";
+        question.receivers.cellM = 5;
+        question.period.stepMinutes = 30;
+    });
+    QSignalSpy failures(&window.workbench(), &Workbench::failed);
+    window.workbench().run();
+    ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
+    EXPECT_EQ(window.workbench().study()->settings.receivers.cellM, 5);
+    EXPECT_TRUE(note().isEmpty()) << "nothing of the older run comes after";
+    waitFor([] { return false; }, 300);
+    EXPECT_TRUE(note().isEmpty());
+    EXPECT_EQ(window.workbench().study()->settings.receivers.cellM, 5);
+    EXPECT_EQ(failures.count(), 0);
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/window/open_city.h"
+#include "tests/gui/small_city.h"
+
+namespace noonmark::test {
+
+/// The small city as the window holds one.
+inline std::shared_ptr<const OpenCity> smallOpenCity() {
+    auto open = std::make_shared<OpenCity>();
+    open->loaded.read.city = smallCity();
+    open->arrays = arraysOf(open->city());
+    open->picker = ScenePicker(open->city(), RayScene::over(open->city()).value());
+    return open;
+}
+
+}  // namespace noonmark::test
