@@ -1,15 +1,16 @@
 #include <fmt/format.h>
 
-#include <QGuiApplication>
 #include <memory>
 #include <ostream>
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/study_options.h"
 #include "app/cli/table.h"
 #include "app/input/load_city.h"
+#include "app/report/output_folder.h"
 #include "app/report/study_files.h"
 #include "core/io/read_region.h"
 
@@ -43,28 +44,15 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     auto region = orCode(readRegion(options.region, loaded->read.city.frame), exitUsage);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
-    if (auto folder = orCode(prepareStudyFolder(options.out), exitFailed); !folder)
+    if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
         return tl::make_unexpected(folder.error());
     auto study = orCode(runStudy(loaded->read.city, settings, progress, interrupt.token()), exitFailed);
     if (study) addReading(*study, *loaded);
     return study;
 }
 
-// What Qt remarks about the machine (a missing runtime folder, say) is nothing to a user; what fails still
-// comes out.
-void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
-    if (type == QtCriticalMsg || type == QtFatalMsg) fmt::print(stderr, "{}\n", message.toStdString());
-}
-
-// Drawing text needs a QGuiApplication; it needs no display.
 Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const StudyOptions& options) {
-    qInstallMessageHandler(onQtMessage);
-    std::unique_ptr<QGuiApplication> application;
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-    int argc = 1;
-    std::string name = "noonmark-cli";
-    char* argv[] = {name.data(), nullptr};
-    if (QGuiApplication::instance() == nullptr) application = std::make_unique<QGuiApplication>(argc, argv);
+    const OffscreenQt qt;
     return writeStudyFiles(study, options.out, {.cellsCsv = options.cellsCsv});
 }
 

@@ -11,10 +11,6 @@ struct StudyFileOptions {
     bool cellsCsv = false;  ///< one line a receiver: x_m, y_m, lon_deg, lat_deg, gross_min, continuous_min
 };
 
-/// Makes the folder when it is missing, and checks that files can be made in it. Ask before a long study: its
-/// files come last.
-Result<void> prepareStudyFolder(const std::filesystem::path& folder);
-
 /// Everything a user leaves with, into a folder that is made when missing: shadow.tif, shadow.png,
 /// report.pdf, study.json; region.geojson where the region is no lon/lat box; cells.csv on request. Returns
 /// the paths written. Each file is whole or not there. Needs a QGuiApplication (the `offscreen` platform will

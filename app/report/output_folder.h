@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QIODevice>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace noonmark {
+
+/// Writes a file's content into an open device; false when not all of it could be.
+using WriteContent = std::function<bool(QIODevice&)>;
+
+/// The bytes as they are.
+WriteContent textContent(std::string content);
+
+/// Makes the folder when it is missing, and checks that files can be made in it. Ask before long work: its
+/// files come last.
+Result<void> prepareFolder(const std::filesystem::path& folder);
+
+/// The files of one piece of work, one after the other, into a folder that is made when missing. Each is
+/// whole or not there: written beside its place, then renamed. After the first error nothing more is written.
+class OutputFolder {
+public:
+    explicit OutputFolder(const std::filesystem::path& folder);
+
+    void add(const std::string& name, const WriteContent& write);
+    /// For what writes files by itself.
+    void add(const std::string& name, const std::function<Result<void>(const std::filesystem::path&)>& write);
+
+    /// The paths written, or the first error.
+    Result<std::vector<std::filesystem::path>> result() &&;
+
+private:
+    std::filesystem::path folder_;
+    std::vector<std::filesystem::path> files_;
+    Result<void> state_;
+};
+
+}  // namespace noonmark
