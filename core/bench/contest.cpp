@@ -1,0 +1,113 @@
+#include "core/bench/contest.h"
+
+#include <fmt/format.h>
+
+#include "core/accumulate/ray_reference.h"
+#include "core/bench/deadline.h"
+#include "core/bench/moments.h"
+#include "core/stopwatch.h"
+
+namespace noonmark::bench {
+
+namespace {
+
+/// One contestant through check and rounds.
+class Runner {
+public:
+    Runner(const Contestant& contestant, const Scene& scene, const Work& work)
+        : contestant_(contestant), scene_(scene), work_(work) {}
+
+    Result<void> check(const Truth& truth, double neverAboveS) {
+        const Deadline deadline(neverAboveS, work_.stop);
+        const Stopwatch watch;
+        const auto field = run(deadline.token());
+        first_ = watch.seconds();
+        if (work_.stopped()) return cancelled();
+        if (field)
+            judge(errorOf(*field, truth.field, truth.receivers));
+        else if (isCancelled(field.error()))
+            refuse(fmt::format("stopped after {:g} s", neverAboveS), true);
+        else
+            refuse(field.error().text());
+        return {};
+    }
+
+    Result<void> round(double onceAboveS) {
+        if (!placing_.refusal.empty() || first_ > onceAboveS) return {};
+        const Stopwatch watch;
+        const auto field = run(work_.stop);
+        if (!field) return tl::make_unexpected(field.error());
+        seconds_.push_back(watch.seconds());
+        return {};
+    }
+
+    Placing placing() && {
+        if (placing_.refusal.empty()) {
+            if (seconds_.empty()) seconds_.push_back(first_);
+            placing_.medianS = momentsOf(seconds_).median;
+            placing_.runs = int(seconds_.size());
+        }
+        return std::move(placing_);
+    }
+
+private:
+    Result<ShadowField> run(const std::stop_token& stop) {
+        NoProgress silent;
+        return contestant_.accumulator->accumulate(scene_.city, scene_.receivers, scene_.sun, silent, stop);
+    }
+
+    void judge(const FieldError& error) {
+        placing_.error = error;
+        if (error.cellMeanPct > wrongAbovePct)
+            refuse(fmt::format("not timed: cells are off by {:.1f} % of the period in the mean",
+                               error.cellMeanPct));
+    }
+
+    void refuse(std::string why, bool tooSlow = false) {
+        placing_.refusal = std::move(why);
+        placing_.tooSlow = tooSlow;
+    }
+
+    const Contestant& contestant_;
+    const Scene& scene_;
+    const Work& work_;
+    Placing placing_;
+    double first_ = 0;
+    std::vector<double> seconds_;
+};
+
+}  // namespace
+
+Result<std::vector<Placing>> contest(const Scene& scene, std::span<const Contestant> contestants,
+                                     const Truth& truth, const Extent& extent, const Work& work) {
+    std::vector<Runner> runners;
+    for (const Contestant& contestant : contestants) runners.emplace_back(contestant, scene, work);
+    for (Runner& runner : runners)
+        if (const auto done = runner.check(truth, extent.neverAboveS); !done)
+            return tl::make_unexpected(done.error());
+    for (int round = 0; round < extent.runs; ++round)
+        for (Runner& runner : runners)
+            if (const auto done = runner.round(extent.onceAboveS); !done)
+                return tl::make_unexpected(done.error());
+    std::vector<Placing> placings;
+    for (Runner& runner : runners) placings.push_back(std::move(runner).placing());
+    return placings;
+}
+
+Result<Truth> truthOf(const Scene& scene, const Receivers& receivers, const Work& work) {
+    NoProgress silent;
+    auto field = RayReference().accumulate(scene.city, receivers, scene.sun, silent, work.stop);
+    if (!field) return tl::make_unexpected(field.error());
+    return Truth{std::move(*field), receivers};
+}
+
+double secondsForAll(const Truth& truth, const Receivers& receivers) {
+    double all = 0;
+    const double share =
+        double(receivers.cells.size()) / double(std::max<std::size_t>(1, truth.receivers.cells.size()));
+    for (const auto& [stage, seconds] : truth.field.cost.seconds)
+        all += seconds * (stage == "trace" ? share : 1);
+    return all;
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,42 @@
+#include "core/bench/extent.h"
+
+#include <fmt/format.h>
+
+namespace noonmark::bench {
+
+namespace {
+
+std::string wordsOf(const Extent& extent) {
+    const Extent full;
+    return fmt::format(
+        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; other "
+        "settings "
+        "where an engine takes less than {:g} s; what takes more than {:g} s is run once, what would take "
+        "more "
+        "than {:g} s is worked out or left out.",
+        extent.hours, full.hours, extent.positions, full.positions, extent.days, full.days, extent.hoursADay,
+        full.hoursADay, extent.settingsBelowS, extent.onceAboveS, extent.neverAboveS);
+}
+
+}  // namespace
+
+Extent fullExtent() { return {}; }
+
+Extent quickExtent() {
+    Extent quick;
+    quick.hours = 8;
+    quick.positions = 2;
+    quick.days = 2;
+    quick.resolutions = {256, 512, 1024, 2048};
+    quick.dayCounts = {1, 7, 30, 365};
+    quick.factors = {0.5, 1, 2};
+    quick.hoursADay = 3;
+    quick.settingsBelowS = 2.5;
+    quick.onceAboveS = 0.6;
+    quick.neverAboveS = 20;
+    quick.sampleReceivers = 2000;
+    quick.words = wordsOf(quick);
+    return quick;
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace noonmark::bench {
+
+/// How much is measured. Everything that is left out against the full extent is said in `words`.
+struct Extent {
+    int sunTimes = 1000;   ///< random times of the year, for the sun's own figures
+    int hours = 60;        ///< random hours and positions, for errors (paper, section 7: "a set of")
+    int positions = 10;    ///< of the comparison of all engines
+    int days = 20;         ///< of each position
+    double hoursADay = 6;  ///< from 9:00 on, of the comparison of all engines
+    std::vector<int> resolutions{256, 512, 800, 1024, 1600, 2048};
+    std::vector<int> dayCounts{1, 2, 5, 10, 30, 90, 180, 365};
+    /// Every option of an engine is tried at these multiples of its usual value.
+    std::vector<double> factors{0.25, 0.5, 1, 2, 4};
+    /// Times are medians of so many runs, all that are compared in turn.
+    int runs = 5;
+    /// Other settings of an engine are tried over a period where its usual ones take less than this. Seconds.
+    double settingsBelowS = std::numeric_limits<double>::infinity();
+    /// What takes longer than this at first is not run again: its one run counts. Seconds.
+    double onceAboveS = std::numeric_limits<double>::infinity();
+    /// What is expected to take longer than this is left out, or worked out from a shorter period. Seconds.
+    double neverAboveS = std::numeric_limits<double>::infinity();
+    std::size_t sampleReceivers = 3000;  ///< for the truth over months and years
+    std::string words = "Full extent.";
+};
+
+/// Some hours on two cores.
+Extent fullExtent();
+
+/// Within 5 minutes on two cores.
+Extent quickExtent();
+
+}  // namespace noonmark::bench

@@ -1,0 +1,126 @@
+#include "core/bench/memory_by_resolution.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "core/bench/contest.h"
+#include "core/bench/peak_memory.h"
+
+namespace noonmark::bench {
+
+namespace {
+
+constexpr double mebibyte = 1024 * 1024;
+
+/// Table 2: MB at 2048 x 2048, and what a cell takes of it.
+struct PaperMemory {
+    const char* name;
+    double mebibytesAt2048;
+};
+const std::map<std::string, PaperMemory, std::less<>>& paperTable() {
+    static const std::map<std::string, PaperMemory, std::less<>> table{{"shadow-map-gl", {"Shadow map", 16}},
+                                                                       {"sam", {"Shadow accrual map", 960}},
+                                                                       {"ray", {"Ray tracing", 16}},
+                                                                       {"iam", {"Inverse accrual map", 224}}};
+    return table;
+}
+
+/// Bytes at the peak, nothing where the engine refused.
+std::optional<double> peakOf(const Contestant& engine, const Scene& scene, const Work& work) {
+    bool done = false;
+    NoProgress silent;
+    const auto bytes = peakMemoryOf([&] {
+        done =
+            bool(engine.accumulator->accumulate(scene.city, scene.receivers, scene.sun, silent, work.stop));
+    });
+    if (!done || !bytes) return {};
+    return double(*bytes);
+}
+
+void addTo(Finding& finding, std::size_t place, const Contestant& engine, int resolution,
+           const std::optional<double>& bytes) {
+    if (!bytes) return;
+    finding.table.rows.push_back({engine.engine, double(resolution), *bytes / mebibyte});
+    finding.charts[0].series[place].points.push_back({double(resolution), *bytes / mebibyte, {}});
+}
+
+Result<void> measure(Finding& finding, int resolution, const BenchSite& site, const StartList& engines,
+                     const Work& work) {
+    const auto receivers = receiversAt(site, resolution, work.stop);
+    if (!receivers) return tl::make_unexpected(receivers.error());
+    const auto sun = noonHour(site);
+    if (!sun) return tl::make_unexpected(sun.error());
+    for (std::size_t i = 0; i < engines.contestants.size(); ++i) {
+        if (work.stopped()) return cancelled();
+        addTo(finding, i, engines.contestants[i], resolution,
+              peakOf(engines.contestants[i], {site.city, *receivers, *sun}, work));
+    }
+    return {};
+}
+
+std::string paperBytesACell(const std::string& engine) {
+    const auto paper = paperTable().find(engine);
+    if (paper == paperTable().end()) return {};
+    return fmt::format("{:.0f}", paper->second.mebibytesAt2048 * mebibyte / (2048.0 * 2048.0));
+}
+
+// From the smallest to the largest resolution: what does not grow with the cells falls out.
+void addComparison(Finding& finding) {
+    for (const ChartSeries& series : finding.charts[0].series) {
+        if (series.points.size() < 2) continue;
+        const ChartPoint &first = series.points.front(), &last = series.points.back();
+        const double bytes = mebibyte * (last.y - first.y) / (last.x * last.x - first.x * first.x);
+        finding.comparisons[0].rows.push_back({series.name, fmt::format("{:.0f}", last.y),
+                                               fmt::format("{:.0f}", bytes),
+                                               paperBytesACell(series.colourOf)});
+    }
+}
+
+void addPaper(Finding& finding, const Extent& extent) {
+    for (const auto& [key, paper] : paperTable()) {
+        ChartSeries series{
+            .name = std::string(paper.name) + ", paper", .colourOf = key, .marked = false, .estimated = true};
+        for (const int resolution : {extent.resolutions.front(), extent.resolutions.back()})
+            series.points.push_back({double(resolution),
+                                     paper.mebibytesAt2048 * resolution * resolution / (2048.0 * 2048.0),
+                                     {}});
+        finding.charts[0].series.push_back(std::move(series));
+    }
+}
+
+Finding emptyFinding(const StartList& engines, const Extent& extent) {
+    Finding finding;
+    finding.key = "memory_by_resolution";
+    finding.title = "Memory by resolution";
+    finding.text =
+        "The most memory that the process held while an engine computed one hour, beyond city and receivers: "
+        "the field, and the ray scene of the buildings in reach where there is one, are in it. Bytes a cell "
+        "are from the smallest to "
+        "the largest resolution, so that what does not grow falls out. The paper counts maps alone.";
+    finding.table.columns = {"engine", "cells_a_side", "peak_mib"};
+    finding.comparisons[0].header = {"engine", fmt::format("MiB at {}", extent.resolutions.back()),
+                                     "bytes a cell", "paper"};
+    finding.charts = {{"Memory of an engine", {"cells a side", true}, {"peak, MiB", true}, {}}};
+    for (const Contestant& engine : engines.contestants)
+        finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
+    return finding;
+}
+
+}  // namespace
+
+Result<Finding> memoryByResolution(const BenchSite& site, const Extent& extent, const StartList& engines,
+                                   const Work& work) {
+    Finding finding = emptyFinding(engines, extent);
+    Pieces pieces(work, "memory by resolution", extent.resolutions.size());
+    for (const int resolution : extent.resolutions) {
+        pieces.next();
+        if (const auto done = measure(finding, resolution, site, engines, work); !done)
+            return tl::make_unexpected(done.error());
+    }
+    addComparison(finding);
+    addPaper(finding, extent);
+    return finding;
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,109 @@
+#include "core/bench/contest.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/accumulate/ray_reference.h"
+#include "tests/core/bench/tiny_site.h"
+
+namespace noonmark::bench {
+namespace {
+
+/// The ray reference with minutes added, after a while; or a refusal.
+class Made final : public Accumulator {
+public:
+    Made(double addedMin, double seconds, bool refuses = false)
+        : addedMin_(addedMin), seconds_(seconds), refuses_(refuses) {}
+
+    Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                   Progress& progress, std::stop_token stop) const override {
+        if (refuses_) return failure("Not on such ground");
+        for (double waited = 0; waited < seconds_; waited += 0.01) {
+            if (stop.stop_requested()) return cancelled();
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        auto field = RayReference().accumulate(city, receivers, sun, progress, stop);
+        for (float& minutes : field->grossMin) minutes += float(addedMin_);
+        return field;
+    }
+
+private:
+    double addedMin_;
+    double seconds_;
+    bool refuses_;
+};
+
+class ContestTest : public testing::Test {
+protected:
+    Placing placingOf(double addedMin, double seconds, bool refuses = false) {
+        const std::vector<Contestant> contestants{
+            {"made", "Made", "", std::make_shared<Made>(addedMin, seconds, refuses)}};
+        const Truth truth = truthOf(scene_, receivers_, work_).value();
+        return contest(scene_, contestants, truth, extent_, work_).value().front();
+    }
+
+    BenchSite site_ = tests::tinySite();
+    Receivers receivers_ = middleReceivers(site_, {}).value();
+    SunSteps sun_ = noonHour(site_).value();
+    Scene scene_{site_.city, receivers_, sun_};
+    NoProgress silent_;
+    Work work_{silent_, {}};
+    Extent extent_;
+};
+
+TEST_F(ContestTest, theRightAnswerIsTimedAsOftenAsAsked) {
+    const Placing placing = placingOf(0, 0);
+    EXPECT_EQ(placing.error, FieldError{});
+    EXPECT_EQ(placing.runs, 5);
+    EXPECT_GT(placing.medianS, 0);
+    EXPECT_TRUE(placing.refusal.empty());
+}
+
+TEST_F(ContestTest, errorsAreInPercentOfThePeriod) {
+    const Placing placing = placingOf(1.2, 0);  // of 60 min
+    EXPECT_NEAR(placing.error.areaPct, 2, 1e-4);
+    EXPECT_NEAR(placing.error.cellMeanPct, 2, 1e-4);
+    EXPECT_NEAR(placing.error.cellMaxPct, 2, 1e-4);
+    EXPECT_TRUE(placing.timed());
+}
+
+TEST_F(ContestTest, aWrongAnswerIsNotTimed) {
+    const Placing placing = placingOf(10, 0);
+    EXPECT_FALSE(placing.timed());
+    EXPECT_NE(placing.refusal.find("off by 16.7 %"), std::string::npos) << placing.refusal;
+}
+
+TEST_F(ContestTest, aRefusalIsKept) {
+    const Placing placing = placingOf(0, 0, true);
+    EXPECT_FALSE(placing.timed());
+    EXPECT_FALSE(placing.tooSlow);
+    EXPECT_EQ(placing.refusal, "Not on such ground");
+}
+
+TEST_F(ContestTest, whoNeverEndsIsStopped) {
+    extent_.neverAboveS = 0.05;
+    const Placing placing = placingOf(0, 1000);
+    EXPECT_TRUE(placing.tooSlow);
+    EXPECT_FALSE(placing.timed());
+}
+
+TEST_F(ContestTest, whatTakesLongIsRunOnce) {
+    extent_.onceAboveS = 0.01;
+    const Placing placing = placingOf(0, 0.03);
+    EXPECT_EQ(placing.runs, 1);
+    EXPECT_GE(placing.medianS, 0.03);
+}
+
+TEST_F(ContestTest, theWholeRaysTimeGrowsWithTheReceivers) {
+    Truth truth;
+    truth.field.cost.seconds = {{"build", 2}, {"trace", 3}};
+    truth.receivers = receivers_;
+    truth.receivers.cells.resize(receivers_.cells.size() / 4);
+    const double share = double(receivers_.cells.size()) / double(truth.receivers.cells.size());
+    EXPECT_NEAR(secondsForAll(truth, receivers_), 2 + 3 * share, 1e-9);
+}
+
+}  // namespace
+}  // namespace noonmark::bench

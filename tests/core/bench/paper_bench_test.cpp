@@ -1,0 +1,104 @@
+#include "core/bench/paper_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/core/bench/tiny_site.h"
+
+namespace noonmark::bench {
+namespace {
+
+class PaperBenchTest : public testing::Test {
+protected:
+    static const BenchReport& report() {
+        static const BenchReport made = [] {
+            NoProgress silent;
+            return paperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {}).value();
+        }();
+        return made;
+    }
+    static const Finding& finding(const std::string& key) {
+        for (const Finding& one : report().findings)
+            if (one.key == key) return one;
+        throw std::out_of_range(key);
+    }
+};
+
+TEST_F(PaperBenchTest, everyExperimentIsMade) {
+    std::set<std::string> keys;
+    for (const Finding& one : report().findings) {
+        EXPECT_FALSE(one.key.empty()) << one.title << ": " << one.text;
+        keys.insert(one.key);
+    }
+    EXPECT_EQ(keys, (std::set<std::string>{"engine_times", "graph_bound", "graph_error", "level_error",
+                                           "memory_by_resolution", "sun_linearity", "time_against_error",
+                                           "time_by_days", "time_by_resolution"}));
+}
+
+TEST_F(PaperBenchTest, everyRowHasEveryColumn) {
+    for (const Finding& one : report().findings) {
+        EXPECT_FALSE(one.table.rows.empty()) << one.key;
+        for (const auto& row : one.table.rows) EXPECT_EQ(row.size(), one.table.columns.size()) << one.key;
+        for (const auto& comparison : one.comparisons)
+            for (const auto& row : comparison.rows)
+                EXPECT_EQ(row.size(), comparison.header.size()) << one.key;
+    }
+}
+
+TEST_F(PaperBenchTest, theSummaryHasTheKeysThatOthersRead) {
+    const auto json = nlohmann::ordered_json::parse(summaryJson(report()));
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) keys.push_back(key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"sam_vs_shadow_map", "iam_vs_ray", "iam_area_error_mean_pct",
+                                              "iam_area_error_max_pct", "graph_edges", "graph_intervals",
+                                              "graph_area_error_mean_pct", "graph_mistagged_pct",
+                                              "year_graph_speedup"}));
+    EXPECT_GT(json["iam_vs_ray"].get<double>(), 0);
+    EXPECT_EQ(json["graph_intervals"], 2190);
+    EXPECT_TRUE(json["sam_vs_shadow_map"].is_null());   // core has no OpenGL
+    EXPECT_TRUE(json["year_graph_speedup"].is_null());  // three days are no year
+}
+
+TEST_F(PaperBenchTest, theRayReferenceHasNoErrorAnywhere) {
+    for (const auto& row : finding("engine_times").table.rows)
+        if (std::get<std::string>(row[0]) == "ray") {
+            EXPECT_EQ(std::get<double>(row[5]), 0);
+        }
+}
+
+TEST_F(PaperBenchTest, anHourAndADayHaveEverySetting) {
+    std::set<std::string> settings;
+    for (const auto& row : finding("time_against_error").table.rows)
+        if (std::get<std::string>(row[0]) == "a day") settings.insert(std::get<std::string>(row[2]));
+    EXPECT_TRUE(settings.contains("levels 6"));
+    EXPECT_TRUE(settings.contains("bin 1 deg"));
+    EXPECT_TRUE(settings.contains("no graph"));
+}
+
+TEST_F(PaperBenchTest, errorFallsWithTheLevels) {
+    const auto& series = finding("level_error").charts[0].series[0];
+    ASSERT_EQ(series.points.size(), 6U);
+    EXPECT_GE(series.points[0].y, series.points[2].y);
+}
+
+TEST(PaperBench, stopsWhenAsked) {
+    std::stop_source stop;
+    stop.request_stop();
+    NoProgress silent;
+    const auto report =
+        paperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, stop.get_token());
+    ASSERT_FALSE(report);
+    EXPECT_TRUE(isCancelled(report.error()));
+}
+
+TEST(PaperBench, aCityWithoutBuildingsIsRefused) {
+    NoProgress silent;
+    const auto report = paperBench({}, tests::leastExtent(), coreEngines(), silent, {});
+    ASSERT_FALSE(report);
+    EXPECT_NE(report.error().what.find("no buildings"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace noonmark::bench

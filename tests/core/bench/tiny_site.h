@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/bench/extent.h"
+#include "core/bench/site.h"
+#include "core/samples/sample_city.h"
+
+namespace noonmark::bench::tests {
+
+/// 100 buildings, squares of 60 m: seconds for all experiments together.
+inline BenchSite tinySite() {
+    BenchSite site;
+    site.city = gridSample({.buildings = 100}).value();
+    site.name = "tiny grid";
+    site.sideM = 60;
+    return site;
+}
+
+/// One of everything.
+inline Extent leastExtent() {
+    Extent extent;
+    extent.sunTimes = 100;
+    extent.hours = 2;
+    extent.positions = 1;
+    extent.days = 2;
+    extent.hoursADay = 1;
+    extent.resolutions = {16, 32};
+    extent.dayCounts = {1, 3};
+    extent.factors = {1, 2};
+    extent.runs = 1;
+    extent.sampleReceivers = 100;
+    extent.words = "One of everything.";
+    return extent;
+}
+
+}  // namespace noonmark::bench::tests
