@@ -18,6 +18,7 @@ void addInfoCommand(CLI::App& app, Run& run);
 void addImportCommand(CLI::App& app, Run& run);
 void addSunCommand(CLI::App& app, Run& run);
 void addStudyCommand(CLI::App& app, Run& run);
+void addBenchCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);
 
 /// One line on `err`: "noonmark-cli: what". Returns the code; exitCancelled when the error says that the work

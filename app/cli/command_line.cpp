@@ -53,6 +53,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addImportCommand(app, run);
         addSunCommand(app, run);
         addStudyCommand(app, run);
+        addBenchCommand(app, run);
         addEnginesCommand(app, run);
         return parseAndRun(app, run, argc, argv, console);
     } catch (const std::exception& error) {

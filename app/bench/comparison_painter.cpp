@@ -1,0 +1,85 @@
+#include "app/bench/comparison_painter.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+
+namespace noonmark {
+
+namespace {
+
+constexpr double rowHeight = 1.62;  // of the size of the letters
+constexpr double columnGap = 1.1;
+constexpr double mostSpare = 5;
+
+using Row = std::vector<std::string>;
+
+QString textOf(const Row& row, std::size_t column) {
+    return column < row.size() ? QString::fromStdString(row[column]) : QString();
+}
+
+double widthOf(const bench::Comparison& comparison, std::size_t column, const QFontMetricsF& bold,
+               const QFontMetricsF& plain) {
+    double width = bold.horizontalAdvance(textOf(comparison.header, column));
+    for (const Row& row : comparison.rows)
+        width = std::max(width, plain.horizontalAdvance(textOf(row, column)));
+    return width;
+}
+
+// What is left over goes to all columns alike, but not so much that the eye loses the line; what is missing
+// comes from the first.
+std::vector<double> columnWidths(const Canvas& canvas, const bench::Comparison& comparison, double width,
+                                 double points) {
+    const QFontMetricsF bold(textFont(canvas, points, QFont::Bold)), plain(textFont(canvas, points));
+    std::vector<double> widths;
+    double spare = width;
+    for (std::size_t column = 0; column < comparison.header.size(); ++column) {
+        const double gap = column > 0 ? columnGap * points * canvas.point : 0;
+        widths.push_back(widthOf(comparison, column, bold, plain) + gap);
+        spare -= widths.back();
+    }
+    if (widths.empty()) return widths;
+    const double share = std::min(spare / double(widths.size()), mostSpare * points * canvas.point);
+    if (share < 0)
+        widths[0] = std::max(0.0, widths[0] + spare);
+    else
+        for (double& one : widths) one += share;
+    return widths;
+}
+
+void paintRow(const Canvas& canvas, QRectF cell, const Row& row, const std::vector<double>& widths) {
+    const QFontMetricsF metrics(canvas.painter.font());
+    const QPointF left = cell.bottomLeft();
+    for (std::size_t column = 0; column < widths.size(); ++column) {
+        cell.setWidth(widths[column]);
+        const QString text = metrics.elidedText(textOf(row, column), Qt::ElideRight, cell.width());
+        canvas.painter.setPen(ink::text);
+        canvas.painter.drawText(cell, (column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
+                                text);
+        cell.translate(widths[column], 0);
+    }
+    canvas.painter.setPen(linePen(canvas, ink::line, 0.4));
+    canvas.painter.drawLine(left, QPointF(cell.left(), left.y()));
+}
+
+}  // namespace
+
+double heightOf(const Canvas& canvas, const bench::Comparison& comparison, double points) {
+    const double rows = comparison.rows.empty() ? 0 : double(comparison.rows.size()) + 1;
+    return rows * rowHeight * points * canvas.point;
+}
+
+void paintComparison(const Canvas& canvas, const QRectF& area, const bench::Comparison& comparison,
+                     double points) {
+    if (comparison.rows.empty()) return;
+    const auto widths = columnWidths(canvas, comparison, area.width(), points);
+    QRectF row(area.left(), area.top(), area.width(), rowHeight * points * canvas.point);
+    canvas.painter.setFont(textFont(canvas, points, QFont::Bold));
+    paintRow(canvas, row, comparison.header, widths);
+    canvas.painter.setFont(textFont(canvas, points));
+    for (const Row& cells : comparison.rows) {
+        row.translate(0, row.height());
+        paintRow(canvas, row, cells, widths);
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,120 @@
+#include "app/bench/finding_block.h"
+
+#include <algorithm>
+#include <span>
+
+#include "app/bench/chart_legend.h"
+#include "app/bench/chart_painter.h"
+#include "app/bench/comparison_painter.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double textPt = 7.8;
+constexpr double tablePt = 7;
+constexpr double gapPt = 7;         // between the parts of a block
+constexpr double gutterPt = 16;     // between columns
+constexpr double chartShare = 0.6;  // of the width, where tables stand at the chart's side
+constexpr std::size_t mostRemarks = 4;
+
+}  // namespace
+
+FindingBlock::FindingBlock(const Canvas& canvas, const bench::Finding& finding, const ChartInks& inks,
+                           double width)
+    : canvas_(canvas), finding_(finding), inks_(inks), width_(width) {}
+
+TextBlocks FindingBlock::title() const { return {heading(QString::fromStdString(finding_.title))}; }
+
+TextBlocks FindingBlock::words() const {
+    TextBlocks blocks{body(QString::fromStdString(finding_.text))};
+    for (std::size_t i = 0; i < std::min(finding_.remarks.size(), mostRemarks); ++i)
+        blocks.push_back(body(QStringLiteral("Left out: ") + QString::fromStdString(finding_.remarks[i])));
+    if (finding_.remarks.size() > mostRemarks)
+        blocks.push_back(body(
+            QStringLiteral("Left out: %1 more, see the tables").arg(finding_.remarks.size() - mostRemarks)));
+    return blocks;
+}
+
+bool FindingBlock::oneChart() const { return finding_.charts.size() == 1; }
+
+int FindingBlock::chartRows() const { return int(finding_.charts.size() + 1) / 2; }
+
+double FindingBlock::tablesHeight() const {
+    double height = 0;
+    for (const auto& comparison : finding_.comparisons)
+        height = std::max(height, heightOf(canvas_, comparison, tablePt));
+    return height > 0 ? height + gapPt * canvas_.point : 0;
+}
+
+// Two charts have their own; more of them share one.
+double FindingBlock::legendsHeight() const {
+    const std::span<const bench::Chart> charts = finding_.charts;
+    if (charts.size() != 2) return legendOf(canvas_, {0, 0, width_, 0}, charts, inks_, false);
+    const QRectF half(0, 0, columnWidth(), 0);
+    return std::max(legendOf(canvas_, half, charts.first(1), inks_, false),
+                    legendOf(canvas_, half, charts.last(1), inks_, false));
+}
+
+double FindingBlock::columnWidth() const { return (width_ - gutterPt * canvas_.point) / 2; }
+
+double FindingBlock::heightWithoutCharts() const {
+    const double gap = gapPt * canvas_.point;
+    const double legend = legendsHeight();
+    if (oneChart()) return heightOf(canvas_, title(), width_, textPt) + 2 * gap + legend;
+    return heightOf(canvas_, title(), width_, textPt) + heightOf(canvas_, words(), width_, textPt) + legend +
+           (chartRows() + 2) * gap + tablesHeight();
+}
+
+double FindingBlock::paint(const QPointF& top, double chartHeight) const {
+    const double height = heightOf(canvas_, title(), width_, textPt), gap = gapPt * canvas_.point;
+    paintBlocks(canvas_, title(), {top, QSizeF(width_, height)}, textPt);
+    const QPointF below = top + QPointF(0, height);
+    return oneChart() ? paintBeside(below + QPointF(0, gap), chartHeight)
+                      : paintStacked(below + QPointF(0, 0.4 * gap), chartHeight);
+}
+
+double FindingBlock::paintBeside(const QPointF& top, double chartHeight) const {
+    const double gutter = gutterPt * canvas_.point, gap = gapPt * canvas_.point;
+    const QRectF chart(top, QSizeF(width_ * chartShare, chartHeight));
+    paintChart(canvas_, chart, finding_.charts[0], inks_);
+    QRectF side(chart.right() + gutter, chart.top(), width_ - chart.width() - gutter, chartHeight);
+    side.setTop(paintBlocks(canvas_, words(), side, textPt) + gap);
+    for (const auto& comparison : finding_.comparisons) {
+        paintComparison(canvas_, side, comparison, tablePt);
+        side.translate(0, heightOf(canvas_, comparison, tablePt) + gap);
+    }
+    const QRectF legend(top.x(), chart.bottom() + gap, width_, 0);
+    return legend.top() + legendOf(canvas_, legend, finding_.charts, inks_, true);
+}
+
+double FindingBlock::paintStacked(const QPointF& top, double chartHeight) const {
+    const double gap = gapPt * canvas_.point, across = columnWidth() + gutterPt * canvas_.point;
+    QRectF area(top, QSizeF(width_, heightOf(canvas_, words(), width_, textPt)));
+    area.moveTop(paintBlocks(canvas_, words(), area, textPt) + gap);
+    const std::span<const bench::Chart> charts = finding_.charts;
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+        const QPointF corner =
+            area.topLeft() + QPointF(double(i % 2) * across, double(i / 2) * (chartHeight + gap));
+        paintChart(canvas_, {corner, QSizeF(columnWidth(), chartHeight)}, charts[i], inks_);
+        const QRectF below(corner.x(), corner.y() + chartHeight + gap, columnWidth(), 0);
+        if (charts.size() == 2) legendOf(canvas_, below, charts.subspan(i, 1), inks_, true);
+    }
+    area.translate(0, chartRows() * (chartHeight + gap));
+    if (charts.size() > 2) legendOf(canvas_, area, charts, inks_, true);
+    area.translate(0, legendsHeight());
+    paintTables({area.left(), area.top() + gap, width_, 0});
+    return area.top() + tablesHeight();
+}
+
+void FindingBlock::paintTables(const QRectF& area) const {
+    const double count = double(std::max<std::size_t>(1, finding_.comparisons.size()));
+    const double gutter = gutterPt * canvas_.point, width = (area.width() - (count - 1) * gutter) / count;
+    QRectF place(area.left(), area.top(), width, area.height());
+    for (const auto& comparison : finding_.comparisons) {
+        paintComparison(canvas_, place, comparison, tablePt);
+        place.translate(width + gutter, 0);
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/bench/bench_files.h"
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/table.h"
+#include "app/input/load_city.h"
+#include "app/report/output_folder.h"
+#include "core/bench/moments.h"
+#include "core/bench/paper_bench.h"
+#include "core/samples/sample_city.h"
+#include "render/gl/gl_engines.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct BenchOptions {
+    std::string out;
+    std::string city;
+    std::string zone = "America/New_York";
+    std::string date = "2026-03-21";
+    double sideM = 800;
+    std::uint32_t seed = 1;
+    bool quick = false;
+    bool json = false;
+};
+
+// As many buildings as the paper's Manhattan, and a million triangles.
+constexpr GridSampleSettings largeGrid{.buildings = 43'000, .roundness = 7};
+
+Result<City> cityOf(const BenchOptions& options, Progress& progress, const std::stop_token& stop) {
+    if (options.city.empty()) return gridSample(largeGrid);
+    return loadCity({options.city}, {}, progress, stop).map([](LoadedCity&& loaded) {
+        return std::move(loaded.read.city);
+    });
+}
+
+EngineList allEngines() {
+    EngineList engines = coreEngines();
+    engines.insert(engines.end(), glEngines().begin(), glEngines().end());
+    return engines;
+}
+
+std::string cityName(const BenchOptions& options) {
+    if (options.city.empty()) return "grid sample";
+    return isSample(options.city) ? options.city : std::filesystem::path(options.city).filename().string();
+}
+
+Result<bench::BenchSite> siteOf(const BenchOptions& options, Progress& progress,
+                                const std::stop_token& stop) {
+    const auto zone = Zone::named(options.zone);
+    if (!zone) return tl::make_unexpected(zone.error());
+    const auto date = parseDate(options.date);
+    if (!date) return tl::make_unexpected(date.error());
+    return cityOf(options, progress, stop).map([&](City&& city) {
+        return bench::BenchSite{std::move(city), cityName(options), zone->name(),
+                                *date,           options.sideM,     options.seed};
+    });
+}
+
+void print(const bench::BenchReport& report, const std::vector<std::filesystem::path>& files,
+           std::ostream& out) {
+    Table table;
+    table.add("city", report.site);
+    table.add("machine", report.machine);
+    table.add("extent", report.extent);
+    for (const bench::SummaryFigure& figure : report.summary)
+        table.add(figure.key, fmt::format("{} ({}: {})",
+                                          figure.value ? bench::threeDigits(*figure.value) : "not measured",
+                                          report.reference, figure.paper));
+    table.add("time", fmt::format("{:.0f} s", report.seconds));
+    for (const bench::Finding& finding : report.findings)
+        table.add("", fmt::format("{:.1f} s {}", finding.seconds, finding.title));
+    table.print(out);
+    out << "\nFiles\n";
+    for (const auto& file : files) out << "  " << file.string() << '\n';
+}
+
+int runPaperBench(const BenchOptions& options, const Console& console) {
+    const Interrupt interrupt;
+    if (const auto folder = prepareFolder(options.out); !folder)
+        return fail(console, folder.error(), exitFailed);
+    std::optional<ProgressLine> progress(console);
+    const auto site = siteOf(options, *progress, interrupt.token());
+    if (!site) return fail(console, site.error(), exitUsage);
+    const auto report = bench::paperBench(*site, options.quick ? bench::quickExtent() : bench::fullExtent(),
+                                          allEngines(), *progress, interrupt.token());
+    progress.reset();
+    if (!report) return fail(console, report.error(), exitFailed);
+    const OffscreenQt qt;
+    const auto files = writeBenchFiles(*report, options.out);
+    if (!files) return fail(console, files.error(), exitFailed);
+    if (options.json)
+        console.out << summaryJson(*report);
+    else
+        print(*report, *files, console.out);
+    return exitOk;
+}
+
+void addBenchOptions(CLI::App& command, BenchOptions& options) {
+    command.add_option("--out", options.out, "Folder for the tables, the report and summary.json")
+        ->required()
+        ->type_name("DIR");
+    command
+        .add_option("--city", options.city,
+                    "City file or sample (default: the grid sample, 43,000 buildings)")
+        ->type_name("FILE");
+    command.add_option("--zone", options.zone, "Zone of the wall clock")
+        ->capture_default_str()
+        ->type_name("ZONE");
+    command.add_option("--date", options.date, "The day of what takes one day; its year for the rest")
+        ->capture_default_str()
+        ->type_name("DATE");
+    command.add_option("--side", options.sideM, "Side of the squares that are measured, m")
+        ->capture_default_str()
+        ->check(CLI::Range(50, 2000))
+        ->type_name("M");
+    command.add_option("--seed", options.seed, "Another number, other random places and times")
+        ->capture_default_str()
+        ->type_name("S");
+    command.add_flag("--quick", options.quick,
+                     "Fewer places, days and settings: within 5 minutes on two cores; the files say so");
+    command.add_flag("--json", options.json, "summary.json on standard output, nothing else");
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app, Run& run) {
+    CLI::App* bench = app.add_subcommand("bench", "Measure time and error of the engines on this machine");
+    bench->require_subcommand(1);
+    const auto options = std::make_shared<BenchOptions>();
+    CLI::App* paper = bench->add_subcommand(
+        "paper",
+        "The experiments of the paper on shadow accrual maps, our value and the paper's side by side");
+    addBenchOptions(*paper, *options);
+    paper->callback([options, &run] {
+        run = [options](const Console& console) { return runPaperBench(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/bench/axis_scale.h"
+#include "app/bench/bench_files.h"
+#include "app/cli/offscreen_qt.h"
+#include "core/bench/paper_bench.h"
+#include "tests/cli/spoken.h"
+#include "tests/core/bench/tiny_site.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+std::string contentOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(BenchFiles, holdTablesChartsAndTheSummary) {
+    NoProgress silent;
+    const auto report =
+        bench::paperBench(bench::tests::tinySite(), bench::tests::leastExtent(), coreEngines(), silent, {});
+    ASSERT_TRUE(report) << report.error().text();
+    const noonmark::tests::TemporaryFolder folder;
+    const OffscreenQt qt;
+    const auto files = writeBenchFiles(*report, folder.path("out"));
+    ASSERT_TRUE(files) << files.error().text();
+    EXPECT_EQ(files->size(), report->findings.size() + 2);
+    EXPECT_TRUE(contentOf(folder.path("out") / "report.pdf").starts_with("%PDF"));
+    EXPECT_EQ(nlohmann::json::parse(contentOf(folder.path("out") / "summary.json")).size(), 9U);
+    EXPECT_TRUE(contentOf(folder.path("out") / "time_by_days.csv")
+                    .starts_with("engine,setting,days,time_s,runs,estimated\nray,,1,"));
+}
+
+TEST(BenchCommand, refusesWhatItCannotUse) {
+    const noonmark::tests::TemporaryFolder folder;
+    const std::string out = folder.path("out").string();
+    EXPECT_EQ(noonmarkCli({"bench"}).code, exitUsage);
+    EXPECT_EQ(noonmarkCli({"bench", "paper"}).code, exitUsage);
+    EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", out, "--date", "tomorrow"}).code, exitUsage);
+    EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", out, "--zone", "Mars/Olympus"}).code, exitUsage);
+    EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", out, "--city", "/no/such.gpkg"}).code, exitUsage);
+    EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", "/proc/no/such"}).code, exitFailed);
+}
+
+TEST(AxisScale, linearAxesEndOnRoundNumbers) {
+    const AxisScale axis({.label = "x", .fromZero = true}, {3, 47});
+    EXPECT_EQ(axis.low(), 0);
+    EXPECT_EQ(axis.high(), 50);
+    EXPECT_EQ(axis.ticks().size(), 6U);
+    EXPECT_EQ(axis.ticks().back().text, "50");
+}
+
+TEST(AxisScale, logarithmicAxesHoldAllValuesAndMarkRoundOnes) {
+    const AxisScale axis({.label = "s", .logarithmic = true}, {0.002, 0, 7000});
+    EXPECT_FALSE(axis.shows(0));
+    EXPECT_LT(axis.low(), axis.placeOf(0.002));
+    EXPECT_GT(axis.high(), axis.placeOf(7000));
+    ASSERT_GE(axis.ticks().size(), 3U);
+    for (const AxisTick& tick : axis.ticks()) EXPECT_NEAR(tick.place, std::round(tick.place), 1e-9);
+}
+
+TEST(AxisScale, aSingleValueOrNoneStillMakesAnAxis) {
+    EXPECT_GE(AxisScale({.label = "s", .logarithmic = true}, {300}).ticks().size(), 1U);
+    EXPECT_GE(AxisScale({.label = "s"}, {}).ticks().size(), 2U);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
