@@ -19,9 +19,8 @@ namespace noonmark {
 struct GlWork {
     std::uint64_t passes = 0;  ///< maps cleared and drawn, and receivers tested against them
     std::uint64_t drawCalls = 0;
-    std::uint64_t vertices = 0;   ///< through the vertex shader, as indexed
-    std::uint64_t lookups = 0;    ///< receivers x steps
-    std::uint64_t fragments = 0;  ///< of the maps; 0 where the device does not count them
+    std::uint64_t vertices = 0;  ///< through the vertex shader, as indexed
+    std::uint64_t lookups = 0;   ///< receivers x steps
 };
 
 /// Depth maps of an interval in OpenGL and the receivers' lookups in them: `layers` steps at a time, so one
