@@ -38,7 +38,8 @@ WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block) {
             .along = float(block.along - piece.along0),
             .slope = piece.slope,
             .rise = piece.rise,
-            .nearest = piece.nearest};
+            .nearest = piece.nearest,
+            .building = std::int32_t(piece.building)};
 }
 
 void write(const HorizonCode* square, const ReceiverBlocks& blocks, const ReceiverBlocks::Block& block,
@@ -82,15 +83,10 @@ void SquareSweep::begin(const WallList& walls, std::span<const StandingPrism> pr
     walls_.find(walls, prisms, axes, extent, cellM, steepness / (1 - steepness));
 }
 
-const HorizonCode* SquareSweep::codes(const ReceiverBlocks::Block& block,
-                                      const ReceiverBlocks::Masks& masks) {
-    if (!raise(block, masks)) return nullptr;
-    codesOf(horizons_, lowest_, codes_);
-    return codes_;
-}
-
 // Near walls first, as long as one may be seen. Horizons below that of the lowest sun are all the same.
-bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks) {
+template <class Horizons>
+bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+                        Horizons& horizons) {
     const BlockPlace place(block, axes_);
     const BinWalls::Bands bands = walls_.bandsOf(place.lowQ, place.highQ);
     const float level = steepnessOf(lowest_);
@@ -104,13 +100,27 @@ bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks
         for (const WallPiece& piece : walls_.pieces(row, bands)) {
             if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ) continue;
             if (!mayRaise(piece.rise, place.lowestAlong - double(piece.highAlong), lowest)) continue;
-            if (!any) clearBlock(masks, horizons_);
-            raiseBlock(onBlock(piece, place), lines_, horizons_);
+            if (!any) clearBlock(masks, horizons);
+            raiseBlock(onBlock(piece, place), lines_, horizons);
             raised = any = true;
         }
-        if (raised) lowest = std::max(level, lowestOf(horizons_));
+        if (raised) lowest = std::max(level, lowestOf(horizons));
     }
     return any;
+}
+
+const HorizonCode* SquareSweep::codes(const ReceiverBlocks::Block& block,
+                                      const ReceiverBlocks::Masks& masks) {
+    if (!raise(block, masks, horizons_)) return nullptr;
+    codesOf(horizons_, lowest_, codes_);
+    return codes_;
+}
+
+const RankedCodes* SquareSweep::rankedCodes(const ReceiverBlocks::Block& block,
+                                            const ReceiverBlocks::Masks& masks) {
+    if (!raise(block, masks, ranked_)) return nullptr;
+    codesOf(ranked_, lowest_, rankedCodes_);
+    return &rankedCodes_;
 }
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include "core/accumulate/horizon/azimuth_bins.h"
 #include "core/accumulate/horizon/bin_walls.h"
 #include "core/accumulate/horizon/raise_block.h"
+#include "core/accumulate/horizon/ranked_block.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
 
 namespace noonmark {
@@ -23,16 +24,22 @@ public:
     /// others; null where all are noHorizon. Valid until the next call.
     const HorizonCode* codes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
 
+    /// The same, with who makes the horizon and what it would be without them; null where all are level.
+    const RankedCodes* rankedCodes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
+
     [[nodiscard]] std::uint64_t prismsOutOfReach() const { return walls_.prismsOutOfReach(); }
 
 private:
-    bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
+    template <class Horizons>
+    bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks, Horizons& horizons);
 
     BinWalls walls_;
     ShadowAxes axes_{{0, 1}};
     BlockLines lines_{0, 1};
     HorizonCode lowest_ = 0;
     BlockHorizons horizons_;
+    RankedHorizons ranked_;
+    RankedCodes rankedCodes_;
     alignas(64) HorizonCode codes_[ReceiverBlocks::cells];
 };
 

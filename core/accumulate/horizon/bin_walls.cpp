@@ -48,7 +48,7 @@ void BinWalls::addPrism(const WallList& list, const StandingPrism& prism, const 
         const ShadowAxes::Point a = axes.from(wall.a), b = axes.from(wall.b);
         const bool facesAway = axes.mirrored() ? a.q < b.q : b.q < a.q;
         if (!facesAway) continue;
-        const WallPiece piece{.rise = float(rise), .nearest = nearestOf(wall)};
+        const WallPiece piece{.rise = float(rise), .nearest = nearestOf(wall), .building = prism.building};
         a.q < b.q ? addWall(a, b, piece) : addWall(b, a, piece);
     }
 }

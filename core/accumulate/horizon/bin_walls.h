@@ -18,6 +18,7 @@ struct WallPiece {
     float highAlong;     ///< highest `along` of the piece
     float rise;          ///< height, such that rise / (distance in `along`) is the tangent of the horizon
     float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it
+    std::uint32_t building;
 };
 
 /// The pieces of wall that matter to a tile at one azimuth, in bands of q and, from the sun's far end of the

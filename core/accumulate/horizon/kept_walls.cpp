@@ -49,7 +49,7 @@ Result<std::vector<StandingPrism>> KeptWalls::add(const Buildings& buildings) {
     Result<void> state;
     std::vector<std::uint64_t> owners;
     for (const auto& building : buildings) {
-        if (state) state = addStandingWalls(*building, grid_, longer);
+        if (state) state = addStandingWalls(*building, 0, grid_, longer);
         owners.resize(longer.prisms.size(), next_ + (&building - buildings.data()));
     }
     if (!state) longer.walls.resize(walls);

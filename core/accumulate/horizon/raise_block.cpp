@@ -16,19 +16,6 @@ constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr int side = ReceiverBlocks::side;
 
-/// Lines of a block: [first, end).
-struct LineRange {
-    int first, end;
-};
-
-// The lines with cells that the piece is wide enough to shade; a line too many does no harm.
-LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines) {
-    if (lines.linesAQ == 0) return {0, side};
-    const float a = wall.high * lines.linesAQ, b = (wall.low + float(side - 1)) * lines.linesAQ;
-    return {int(std::clamp(std::min(a, b) - 1, 0.0F, float(side))),
-            int(std::clamp(std::max(a, b) + 2, 0.0F, float(side)))};
-}
-
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
                                              Floats16& horizon) {
     const Floats16 low = places + (wall.low - shift), high = places + (wall.high - shift);
@@ -99,6 +86,13 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
 #endif
 
 }  // namespace
+
+LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines) {
+    if (lines.linesAQ == 0) return {0, side};
+    const float a = wall.high * lines.linesAQ, b = (wall.low + float(side - 1)) * lines.linesAQ;
+    return {int(std::clamp(std::min(a, b) - 1, 0.0F, float(side))),
+            int(std::clamp(std::max(a, b) + 2, 0.0F, float(side)))};
+}
 
 BlockLines::BlockLines(double k, double sign) : linesAQ(k == 0 ? 0 : float(sign / k)) {
     for (int line = 0; line < side; ++line) {

@@ -28,7 +28,14 @@ struct WallOnBlock {
     float low, high;  ///< q of the cell, less lowQ and highQ of the piece
     float along;      ///< `along` of the cell, less that of the wall at lowQ
     float slope, rise, nearest;
+    std::int32_t building;  ///< only for who asks
 };
+
+/// The lines of a block, [first, end), with cells that a piece is wide enough to shade; or one more.
+struct LineRange {
+    int first, end;
+};
+LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines);
 
 /// Level for receivers, `nobody` for the rest.
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);

@@ -12,9 +12,10 @@ class WallBuilder {
 public:
     WallBuilder(const Grid& grid, WallList& list) : grid_(grid), list_(list) {}
 
-    void add(const Part& part) {
+    void add(const Part& part, std::uint32_t building) {
         StandingPrism prism{.firstWall = std::uint32_t(list_.walls.size()),
                             .topM = part.topM,
+                            .building = building,
                             .low = glm::dvec2(1e30),
                             .high = glm::dvec2(-1e30)};
         addRing(part.footprint.outer, prism);
@@ -51,13 +52,14 @@ tl::unexpected<Error> notStanding(const Building& building, const Part& part, st
 
 }  // namespace
 
-Result<void> addStandingWalls(const Building& building, const Grid& grid, WallList& list) {
+Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
+                              WallList& list) {
     WallBuilder builder(grid, list);
     for (const Part& part : building.parts) {
         if (part.topM <= 0) continue;
         if (part.mesh) return notStanding(building, part, "is a general mesh");
         if (part.hangs) return notStanding(building, part, "has open air below it");
-        builder.add(part);
+        builder.add(part, number);
     }
     return {};
 }
@@ -65,7 +67,7 @@ Result<void> addStandingWalls(const Building& building, const Grid& grid, WallLi
 Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
     WallList list;
     for (const std::uint32_t index : buildings)
-        if (const auto added = addStandingWalls(*city.buildings[index], grid, list); !added)
+        if (const auto added = addStandingWalls(*city.buildings[index], index, grid, list); !added)
             return tl::make_unexpected(added.error());
     return list;
 }

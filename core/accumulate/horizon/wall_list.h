@@ -22,7 +22,8 @@ struct StandingPrism {
     std::uint32_t firstWall = 0;  ///< into WallList::walls
     std::uint32_t wallCount = 0;
     float topM = 0;
-    glm::dvec2 low{}, high{};  ///< bounds, cells
+    std::uint32_t building = 0;  ///< as its adder numbers them
+    glm::dvec2 low{}, high{};    ///< bounds, cells
 };
 
 struct WallList {
@@ -37,9 +38,10 @@ struct WallList {
 /// Adds the prisms of a building, each taken from the ground up. A part that starts on another of its
 /// building is taken so too: what is below it is solid. Error where a part hangs or is a general mesh: a
 /// horizon cannot say what it hides.
-Result<void> addStandingWalls(const Building& building, const Grid& grid, WallList& list);
+Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
+                              WallList& list);
 
-/// The prisms of some buildings.
+/// The prisms of some buildings, numbered by their index in the city.
 Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
 
 }  // namespace noonmark

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/accumulate/horizon/raise_block.h"
+
+namespace noonmark {
+
+/// The horizons of a block's cells with who makes them.
+struct RankedHorizons {
+    Floats16 lines[ReceiverBlocks::side];    ///< steepness, as in BlockHorizons
+    Ints16 buildings[ReceiverBlocks::side];  ///< whose it is; -1: nobody's
+    Floats16 others[ReceiverBlocks::side];   ///< of the steepest wall of any other building
+};
+
+/// Their codes, 16 a line.
+struct RankedCodes {
+    alignas(64) HorizonCode codes[ReceiverBlocks::cells];
+    alignas(64) HorizonCode others[ReceiverBlocks::cells];
+    std::int32_t buildings[ReceiverBlocks::cells];
+};
+
+/// As for BlockHorizons. Where two buildings are equally steep the one that came first has the cell.
+void clearBlock(const ReceiverBlocks::Masks& masks, RankedHorizons& horizons);
+void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, RankedHorizons& horizons);
+/// Of all cells' `others`: a wall below changes nothing.
+float lowestOf(const RankedHorizons& horizons);
+void codesOf(const RankedHorizons& horizons, HorizonCode lowest, RankedCodes& codes);
+
+}  // namespace noonmark

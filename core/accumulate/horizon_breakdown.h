@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/accumulate/horizon_sweep.h"
+#include "core/accumulate/step_sets.h"
+
+namespace noonmark {
+
+/// What one building does to the receivers, in each set of steps, minutes x m2 of the whole period.
+struct BuildingShadow {
+    std::uint32_t building = 0;  ///< index in City::buildings
+    /// Of the shaded cell-minutes, those whose horizon it makes: those of all buildings add up to the total.
+    /// Where two buildings make the same horizon one of them has it.
+    std::vector<double> attributedMinM2;
+    /// Cell-minutes that would be lit if only this building were gone, over the same receivers.
+    std::vector<double> soleMinM2;
+};
+
+/// A period's shadow by sets of steps and by building.
+struct ShadowBreakdown {
+    Grid grid;
+    StepSets sets;
+    std::vector<double> sunlitMinutes;        ///< of each set
+    std::vector<std::vector<float>> minutes;  ///< of each set: in shadow, in all; grid order, NaN elsewhere
+    std::vector<BuildingShadow> buildings;    ///< those that shade a receiver, ascending; or not asked for
+};
+
+struct BreakdownSettings {
+    HorizonSweepSettings sweep;
+    bool byBuilding = false;  ///< some twice the time
+};
+
+/// From one horizon sweep (horizon_sweep.h: the same errors and refusals). `sets.ofStep`: one a step. The sum
+/// over all sets is the sweep's gross shadow, exactly.
+Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                         const StepSets& sets, const BreakdownSettings& settings,
+                                         Progress& progress, std::stop_token stop);
+
+}  // namespace noonmark

@@ -1,0 +1,140 @@
+#include "core/accumulate/horizon_breakdown.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "core/samples/sample_city.h"
+#include "tests/core/accumulate/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+
+ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun) {
+    NoProgress progress;
+    return HorizonSweep().accumulate(city, receivers, sun, progress, {}).value();
+}
+
+ShadowBreakdown brokenDown(const City& city, const Receivers& receivers, const SunSteps& sun,
+                           const StepSets& sets, bool byBuilding = true) {
+    NoProgress progress;
+    return horizonBreakdown(city, receivers, sun, sets, {.byBuilding = byBuilding}, progress, {}).value();
+}
+
+SunSteps threeMonths() {
+    SunSteps sun;
+    for (int day = 0; day < 12; ++day) {
+        addDay(sun, arc(60 + 5 * day, 20 + 4 * day));
+        sun.days.back().date = {std::chrono::year{2026}, std::chrono::month{unsigned(1 + day / 4)},
+                                std::chrono::day{unsigned(1 + day % 4)}};
+    }
+    return sun;
+}
+
+/// Steps in shadow x cell area over all receivers.
+double totalMinM2(const ShadowField& field, const Receivers& receivers) {
+    double sum = 0;
+    for (const std::uint32_t cell : receivers.cells)
+        sum += std::round(double(field.grossMin[cell]) * field.days) * field.grid.cellAreaM2();
+    return sum;
+}
+
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+City quarter() { return gridSample({.buildings = 200}).value(); }
+
+Receivers middleOf(const City& city) {
+    const Box2 box = bounds(city);
+    const glm::vec2 middle = (box.low + box.high) * 0.5F;
+    return receiversOver(city, middle.x - 90, middle.y - 90, middle.x + 90, middle.y + 90, 3);
+}
+
+TEST(StepSets, monthsTakeEveryStepOnce) {
+    const SunSteps sun = threeMonths();
+    const StepSets months = monthsOf(sun);
+    EXPECT_EQ(months.names, (std::vector<std::string>{"2026-01", "2026-02", "2026-03"}));
+    EXPECT_EQ(sum(months.sunlitMinutes(sun)), double(sun.steps.size()));
+    EXPECT_EQ(months.ofStep[sun.days[4].first - 1], 0);
+    EXPECT_EQ(months.ofStep[sun.days[4].first], 1);
+}
+
+TEST(HorizonBreakdown, setsAddUpToTheSweepsField) {
+    const City city = quarter();
+    const Receivers receivers = middleOf(city);
+    const SunSteps sun = threeMonths();
+    const ShadowField field = swept(city, receivers, sun);
+    for (const bool byBuilding : {false, true}) {
+        const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun), byBuilding);
+        for (const std::uint32_t cell : receivers.cells) {
+            const float minutes = months.minutes[0][cell] + months.minutes[1][cell] + months.minutes[2][cell];
+            ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[cell]);
+        }
+    }
+}
+
+// A period of its own gives what its set gives, where its bins have the same directions: a set is a period.
+TEST(HorizonBreakdown, aSetIsThePeriodOfItsSteps) {
+    const City city = quarter();
+    const Receivers receivers = middleOf(city);
+    SunSteps sun = threeMonths();
+    const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun), false);
+    SunSteps january = sun;
+    january.days.resize(4);
+    january.steps.resize(january.days[3].first + january.days[3].count);
+    const ShadowField alone = traced(city, receivers, january);
+    double off = 0;
+    for (const std::uint32_t cell : receivers.cells)
+        off += std::abs(double(months.minutes[0][cell]) - 4 * double(alone.grossMin[cell]));
+    EXPECT_LE(off / double(receivers.cells.size()) / months.sunlitMinutes[0], 0.005);
+}
+
+TEST(HorizonBreakdown, attributedMinutesAddUpToTheTotal) {
+    const City city = quarter();
+    const Receivers receivers = middleOf(city);
+    const SunSteps sun = threeMonths();
+    const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun));
+    double attributed = 0, sole = 0;
+    for (const BuildingShadow& shadow : months.buildings) {
+        attributed += sum(shadow.attributedMinM2);
+        sole += sum(shadow.soleMinM2);
+        for (std::size_t set = 0; set < 3; ++set)
+            EXPECT_LE(shadow.soleMinM2[set], shadow.attributedMinM2[set]);
+    }
+    EXPECT_DOUBLE_EQ(attributed, totalMinM2(swept(city, receivers, sun), receivers));
+    EXPECT_GT(sole, 0.02 * attributed);
+    EXPECT_LT(sole, attributed);
+}
+
+TEST(HorizonBreakdown, soleMinutesAreTheImpactOfRemovingABuilding) {
+    const City city = quarter();
+    const Receivers receivers = middleOf(city);
+    const SunSteps sun = threeMonths();
+    const ShadowBreakdown all = brokenDown(city, receivers, sun, oneSet(sun));
+    const double total = totalMinM2(swept(city, receivers, sun), receivers);
+    std::mt19937 random(3);
+    for (int i = 0; i < 50; ++i) {
+        const BuildingShadow& shadow = all.buildings[random() % all.buildings.size()];
+        City without = city;
+        without.buildings.erase(without.buildings.begin() + std::ptrdiff_t(shadow.building));
+        EXPECT_DOUBLE_EQ(total - totalMinM2(swept(without, receivers, sun), receivers), shadow.soleMinM2[0])
+            << shadow.building;
+    }
+}
+
+// One tower alone: all its own. Two towers in line with the sun: the one behind adds nothing of its own.
+TEST(HorizonBreakdown, aTowerBehindAHigherOneHasNothingOfItsOwn) {
+    const City city = cityOf({{{0, 0, 0}, {20, 10, 60}}, {{5, -40, 0}, {15, -30, 10}}});
+    const Receivers receivers = receiversOver(city, 0, 12, 20, 30);
+    const SunSteps sun = oneDay({{180, 20}, {181, 21}, {179, 22}});
+    const ShadowBreakdown shadow = brokenDown(city, receivers, sun, oneSet(sun));
+    ASSERT_EQ(shadow.buildings.size(), 1U);
+    EXPECT_EQ(shadow.buildings[0].building, 0U);
+    EXPECT_EQ(shadow.buildings[0].soleMinM2, shadow.buildings[0].attributedMinM2);
+}
+
+}  // namespace
+}  // namespace noonmark
