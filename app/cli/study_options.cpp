@@ -94,6 +94,14 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")
         ->required()
         ->type_name("DIR");
+    command
+        .add_option_function<std::string>(
+            "--by", [&settings](const std::string&) { settings.byMonth = true; },
+            "month: the shadow of each month, as bands and a table (engine horizon)")
+        ->check(CLI::IsMember({"month"}))
+        ->type_name("SET");
+    command.add_flag("--contributions", settings.contributions,
+                     "What each building shades, and shades alone, as a table and a map (engine horizon)");
     command.add_flag("--cells-csv", options.cellsCsv, "Write cells.csv too: one line a receiver");
     command.add_flag("--json", options.json, "study.json on standard output, nothing else");
 }

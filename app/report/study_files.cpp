@@ -1,12 +1,15 @@
 #include "app/report/study_files.h"
 
 #include <QGuiApplication>
+#include <numeric>
 
 #include "app/report/cells_csv.h"
 #include "app/report/map_picture.h"
 #include "app/report/output_folder.h"
 #include "app/report/study_report.h"
+#include "core/io/write_city.h"
 #include "core/io/write_raster.h"
+#include "core/study/breakdown_text.h"
 #include "core/study/region_text.h"
 #include "core/study/repeat_command.h"
 
@@ -18,6 +21,26 @@ Result<void> writeRaster(const Study& study, const std::filesystem::path& file) 
     return writeGeoTiff(file, study.city.frame, study.field.grid,
                         {{"gross shadow", "min/day", &study.field.grossMin},
                          {"continuous shadow", "min", &study.field.continuousMin}});
+}
+
+Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
+    std::vector<RasterBand> bands;
+    const ShadowBreakdown& months = *study.breakdown;
+    for (std::size_t set = 0; set < months.sets.names.size(); ++set)
+        bands.push_back({months.sets.names[set], "min", &months.minutes[set]});
+    return writeGeoTiff(file, study.city.frame, months.grid, bands);
+}
+
+double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+Result<void> writeContributions(const Study& study, const std::filesystem::path& file) {
+    BuildingColumn attributed{"attributed_min_m2", std::vector<double>(study.city.buildings.size())},
+        sole{"sole_min_m2", attributed.values};
+    for (const BuildingShadow& shadow : study.breakdown->buildings) {
+        attributed.values[shadow.building] = total(shadow.attributedMinM2);
+        sole.values[shadow.building] = total(shadow.soleMinM2);
+    }
+    return writeCityGeoPackage(file, study.city, {attributed, sole}).map([](const Warnings&) {});
 }
 
 }  // namespace
@@ -35,6 +58,16 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     files.add("study.json", textContent(studyJson(study)));
     if (!boxTextOf(study.settings.region, study.city.frame))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
+    if (study.breakdown && study.settings.byMonth) {
+        files.add("by_month.tif",
+                  [&](const std::filesystem::path& file) { return writeMonths(study, file); });
+        files.add("by_month.csv", textContent(monthsCsv(*study.breakdown)));
+    }
+    if (study.breakdown && study.settings.contributions) {
+        files.add("contributions.csv", textContent(contributionsCsv(*study.breakdown, study.city)));
+        files.add("contributions.gpkg",
+                  [&](const std::filesystem::path& file) { return writeContributions(study, file); });
+    }
     if (options.cellsCsv)
         files.add("cells.csv",
                   [&](QIODevice& device) { return writeCellsCsv(study.field, study.city.frame, device); });

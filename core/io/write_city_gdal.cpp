@@ -25,7 +25,9 @@ constexpr FieldColumn columns[] = {
     {"ground_elevation", OFTReal}, {"height_source", OFTString}, {"hangs", OFTInteger},
 };
 
-OGRLayer* createLayer(GDALDataset& dataset) {
+using Figures = std::vector<BuildingColumn>;
+
+OGRLayer* createLayer(GDALDataset& dataset, const Figures& figures) {
     OGRSpatialReference wgs84;
     wgs84.importFromEPSG(4326);
     wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -33,6 +35,10 @@ OGRLayer* createLayer(GDALDataset& dataset) {
     if (layer == nullptr) return nullptr;
     for (const FieldColumn& column : columns) {
         OGRFieldDefn field(column.name, column.type);
+        if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
+    }
+    for (const BuildingColumn& column : figures) {
+        OGRFieldDefn field(column.name.c_str(), OFTReal);
         if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
     }
     return layer;
@@ -58,9 +64,11 @@ OGRPolygon polygonOf(const Footprint& footprint, const Frame& frame) {
 // Writes building after building; keeps what cannot be written as it is.
 class PartWriter {
 public:
-    PartWriter(OGRLayer& layer, const City& city) : layer_(layer), city_(city) {}
+    PartWriter(OGRLayer& layer, const City& city, const Figures& figures)
+        : layer_(layer), city_(city), figures_(figures) {}
 
-    bool write(const Building& building) {
+    bool write(const Building& building, std::size_t index) {
+        index_ = index;
         const std::string id = idFor(building);
         const float ground = groundUnder(building, city_);
         return std::ranges::all_of(
@@ -84,6 +92,8 @@ private:
         if (city_.terrain || elevation != 0) feature.SetField("ground_elevation", elevation);
         feature.SetField("height_source", std::string(nameOf(part.heightSource)).c_str());
         feature.SetField("hangs", part.hangs ? 1 : 0);
+        for (const BuildingColumn& column : figures_)
+            feature.SetField(column.name.c_str(), column.values[index_]);
         const OGRPolygon polygon = polygonOf(part.footprint, city_.frame);
         feature.SetGeometry(&polygon);
         if (part.mesh)
@@ -103,31 +113,34 @@ private:
 
     OGRLayer& layer_;
     const City& city_;
+    const Figures& figures_;
+    std::size_t index_ = 0;  // of the building at hand
     std::unordered_set<std::string> ids_;
 };
 
-std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city) {
+std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const Figures& figures) {
     if (dataset.StartTransaction() != OGRERR_NONE)
         return std::nullopt;  // one for all: 40,000 parts in under a second
-    OGRLayer* layer = createLayer(dataset);
+    OGRLayer* layer = createLayer(dataset, figures);
     if (layer == nullptr) return std::nullopt;
-    PartWriter writer(*layer, city);
-    for (const auto& building : city.buildings)
-        if (!writer.write(*building)) return std::nullopt;
+    PartWriter writer(*layer, city, figures);
+    for (std::size_t i = 0; i < city.buildings.size(); ++i)
+        if (!writer.write(*city.buildings[i], i)) return std::nullopt;
     if (dataset.CommitTransaction() != OGRERR_NONE) return std::nullopt;
     return std::move(writer.warnings);
 }
 
 }  // namespace
 
-Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city) {
+Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const City& city,
+                                     const std::vector<BuildingColumn>& figures) {
     const GdalCalls calls;
     PendingFile pending(file);
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
     GDALDatasetUniquePtr dataset(
         driver != nullptr ? driver->Create(pending.path().c_str(), 0, 0, 0, GDT_Unknown, nullptr) : nullptr);
     std::optional<Warnings> warnings;
-    if (dataset) warnings = writeAll(*dataset, city);
+    if (dataset) warnings = writeAll(*dataset, city, figures);
     dataset.reset();
     if (!warnings || calls.failed())
         return failure("The GeoPackage could not be written: " + calls.why(), file.string(),

@@ -129,6 +129,8 @@ void addSettings(CommandLine& line, const Study& study) {
     line.option("--engine", settings.engine);
     for (const auto& [key, value] : settings.engineSettings)
         line.option("--option", fmt::format("{}={}", key, value));
+    if (settings.byMonth) line.option("--by", "month");
+    line.flag(settings.contributions, "--contributions");
 }
 
 /// Read because another file needs it: not named on the command line.

@@ -1,5 +1,7 @@
 #include "core/study/study.h"
 
+#include <fmt/format.h>
+
 #include <new>
 #include <utility>
 
@@ -15,7 +17,7 @@ template <class T, class Stage>
 Result<void> timed(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
     if (stop.stop_requested()) return cancelled();
     const Stopwatch watch;
-    Result<T> made = std::forward<Stage>(stage)();
+    auto made = std::forward<Stage>(stage)();
     if (!made) return tl::make_unexpected(std::move(made).error());
     place = *std::move(made);
     study.seconds[name] = watch.seconds();
@@ -34,6 +36,32 @@ Result<void> checkSun(const Study& study) {
                    "Choose other hours or days");
 }
 
+bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
+
+Result<void> checkBreakdown(const StudySettings& settings) {
+    if (!wantsBreakdown(settings) || settings.engine == "horizon") return {};
+    return failure(
+        fmt::format("Months and contributions come from the horizon sweep, not from the engine '{}'",
+                    settings.engine),
+        "engine", "Choose --engine horizon");
+}
+
+Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std::stop_token stop) {
+    const StudySettings& settings = study.settings;
+    BreakdownSettings breakdown{.byBuilding = settings.contributions};
+    if (const auto bin = settings.engineSettings.find("bin"); bin != settings.engineSettings.end())
+        breakdown.sweep.binDeg = bin->second;
+    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : oneSet(study.sun);
+    return horizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
+                            std::move(stop));
+}
+
+Result<void> brokenDown(Study& study, Progress& progress, std::stop_token stop) {
+    if (!wantsBreakdown(study.settings)) return {};
+    return timed(study, "breakdown", study.breakdown, stop,
+                 [&] { return breakdownOf(study, progress, stop); });
+}
+
 Result<void> computed(Study& study, const Accumulator& engine, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
     return timed(study, "receivers", study.receivers, stop,
@@ -48,7 +76,8 @@ Result<void> computed(Study& study, const Accumulator& engine, Progress& progres
             return timed(study, "accumulate", study.field, stop, [&] {
                 return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
             });
-        });
+        })
+        .and_then([&] { return brokenDown(study, progress, stop); });
 }
 
 }  // namespace
@@ -68,6 +97,7 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     if (!period) return tl::make_unexpected(period.error());
     const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
+    if (auto able = checkBreakdown(settings); !able) return tl::make_unexpected(able.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accumulate/engine_list.h"
+#include "core/accumulate/horizon_breakdown.h"
 #include "core/io/read_city.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
@@ -34,6 +35,8 @@ struct StudySettings {
     Period period;
     std::string engine = "ray";
     EngineSettings engineSettings;  ///< what differs from the engine's usual settings
+    bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep only
+    bool contributions = false;     ///< and what each building does; by the horizon sweep only
     double pressureHPa = 1010;      ///< for refraction
     double temperatureC = 10;
     /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
@@ -50,6 +53,8 @@ struct Study {
     SunSteps sun;
     ShadowField field;
     ShadowStatistics statistics;
+    std::optional<ShadowBreakdown>
+        breakdown;  ///< by month (else all in one) and by building, where asked for
     std::map<std::string, double>
         seconds;        ///< by stage: "read", "sun", "receivers", "accumulate"; and "total"
     Warnings warnings;  ///< of reading and of computing

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/study/breakdown_text.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
 #include "core/study/warnings_json.h"
@@ -104,6 +105,17 @@ void addCost(Json& json, const Study& study) {
     json["accumulate_seconds"] = cost.seconds;
 }
 
+Json monthsJson(const Study& study) {
+    Json json = Json::array();
+    if (!study.settings.byMonth || !study.breakdown) return json;
+    for (const MonthShadow& month : monthsOf(*study.breakdown))
+        json.push_back({{"month", month.month},
+                        {"sunlit_min", month.sunlitMinutes},
+                        {"shadow_area_m2", month.shadowAreaM2},
+                        {"mean_shadow_min", month.meanMinutes}});
+    return json;
+}
+
 Json definitions() {
     return {{"gross", "minutes a receiver is in shadow per day, averaged over the days of the period"},
             {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
@@ -131,6 +143,7 @@ std::string studyJson(const Study& study) {
     json["receivers"] = study.statistics.receivers;
     addFigures(json, study.statistics);
     addCost(json, study);
+    if (study.settings.byMonth) json["by_month"] = monthsJson(study);
     json["region"] = regionJson(study);
     json["cells"] = cellsJson(study);
     json["observer"] = observerJson(observerOf(study));

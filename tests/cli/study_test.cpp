@@ -59,6 +59,20 @@ TEST_F(StudyCommand, leavesEverythingInTheFolder) {
     EXPECT_THAT(spoken.out, HasSubstr("m2"));
 }
 
+TEST_F(StudyCommand, monthsAndContributionsComeFromTheHorizonSweep) {
+    const Spoken spoken = study({"--days", "40", "--engine", "horizon", "--by", "month", "--contributions"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    for (const char* name : {"by_month.tif", "contributions.gpkg"})
+        EXPECT_GT(std::filesystem::file_size(out / name), 1000U) << name;
+    EXPECT_THAT(contentOf(out / "by_month.csv"), HasSubstr("\n2026-04,"));
+    EXPECT_THAT(contentOf(out / "contributions.csv"), HasSubstr("\"A\""));
+    EXPECT_THAT(contentOf(out / "contributions.csv"), HasSubstr("sole 2026-03"));
+    EXPECT_THAT(contentOf(out / "study.json"), HasSubstr("--by month"));
+    const Spoken refused = study({"--engine", "ray", "--contributions"});
+    EXPECT_NE(refused.code, exitOk);
+    EXPECT_THAT(refused.err, HasSubstr("--engine horizon"));
+}
+
 TEST_F(StudyCommand, standardOutputIsTheJsonFileAndNothingElse) {
     const Spoken spoken = study({"--json"});
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;

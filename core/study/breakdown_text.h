@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// A month's figures over the region.
+struct MonthShadow {
+    std::string month;  ///< "2026-01"
+    double sunlitMinutes = 0;
+    double shadowAreaM2 = 0;  ///< share of the month's sunlit time x area
+    double meanMinutes = 0;   ///< in shadow in the whole month, mean over the receivers
+};
+std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown);
+
+/// month,sunlit_min,shadow_area_m2,mean_shadow_min: a line a set of the breakdown.
+std::string monthsCsv(const ShadowBreakdown& breakdown);
+
+/// building,source_id,name,attributed_min_m2,sole_min_m2: a line for each building that shades a receiver,
+/// the largest first; with several months two more columns for each of them ("attributed 2026-01", "sole
+/// 2026-01").
+std::string contributionsCsv(const ShadowBreakdown& breakdown, const City& city);
+
+}  // namespace noonmark
