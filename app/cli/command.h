@@ -20,6 +20,7 @@ void addSunCommand(CLI::App& app, Run& run);
 void addStudyCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);
+void addDevicesCommand(CLI::App& app, Run& run);
 
 /// One line on `err`: "noonmark-cli: what". Returns the code; exitCancelled when the error says that the work
 /// was cancelled.

@@ -55,6 +55,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addStudyCommand(app, run);
         addBenchCommand(app, run);
         addEnginesCommand(app, run);
+        addDevicesCommand(app, run);
         return parseAndRun(app, run, argc, argv, console);
     } catch (const std::exception& error) {
         say(console, error.what());

@@ -4,6 +4,7 @@
 #include "core/accumulate/interval_options.h"
 #include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/projected_shadows.h"
+#include "core/accumulate/ray_interval.h"
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/accumulate/shadow_accrual_map.h"
@@ -38,6 +39,39 @@ EngineOption binOption() {
         "Suns whose azimuth is less than this apart share one horizon; half the width takes twice as long"};
 }
 
+EngineOption sourcesOption() {
+    return {"rays",
+            "Sources by rays",
+            "",
+            0,
+            1,
+            0,
+            true,
+            "1: Embree finds what throws the shadow at an interval's ends; 0: filled polygons do, faster"};
+}
+
+EngineOption nearestHitOption() {
+    return {"nearest",
+            "Nearest hit",
+            "m",
+            InverseAccrualSettings::lowestNearestHitM,
+            InverseAccrualSettings::highestNearestHitM,
+            double(InverseAccrualSettings{}.nearestHitM),
+            false,
+            "Occluders nearer to a cell than this are left out (the paper: 1 m)"};
+}
+
+EngineOption deviceOption() {
+    return {"device",
+            "OpenCL device",
+            "",
+            -1,
+            63,
+            -1,
+            true,
+            "Which OpenCL device draws, as 'noonmark-cli devices' counts them; -1: the processor itself"};
+}
+
 Engine rayReference() {
     return {{"ray", "Ray reference",
              "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
@@ -64,24 +98,41 @@ Engine horizonSweep() {
 }
 
 Made inverseAccrual(const EngineSettings& settings) {
-    const auto map = InverseAccrualMap::make({.levels = int(settings.at("levels"))});
-    if (!map) return tl::make_unexpected(map.error());
-    return std::make_unique<GraphAccumulator>(*map, graphSettings(settings));
+    InverseAccrualSettings map{.levels = int(settings.at("levels")),
+                               .nearestHitM = float(settings.at("nearest"))};
+    if (settings.at("rays") != 0) map.sourceFinder = SourceFinderKind::rays;
+    if (settings.at("device") >= 0) map.openClDevice = int(settings.at("device"));
+    const auto engine = InverseAccrualMap::make(map);
+    if (!engine) return tl::make_unexpected(engine.error());
+    return std::make_unique<GraphAccumulator>(*engine, graphSettings(settings));
 }
 
 std::vector<EngineOption> inverseAccrualOptions() {
     std::vector<EngineOption> options = graphOptions();
     options.insert(options.begin(), levelsOption());
+    options.insert(options.end(), {nearestHitOption(), sourcesOption(), deviceOption()});
     return options;
 }
 
 Engine inverseAccrualMap() {
-    return {{"iam", "Inverse accrual map",
-             "Rays at the ends of each hour, shadows drawn as lines between; hours that look alike computed "
-             "once",
-             // Sources of two instants, masks, and some 30 maps of runs alive in a year.
-             200, inverseAccrualOptions()},
-            inverseAccrual};
+    return {
+        {"iam", "Inverse accrual map",
+         "What throws the shadows at the ends of each hour, moved along straight lines between; hours that "
+         "look alike computed once",
+         // Sources of two instants, masks, and some 30 maps of runs alive in a year.
+         200, inverseAccrualOptions()},
+        inverseAccrual};
+}
+
+Engine rayGraph() {
+    return {{"ray-graph", "Ray reference through the direction graph",
+             "Rays, with hours that look alike traced once: what the graph alone does to the error",
+             // Masks, and some 30 maps of runs alive in a year.
+             130, graphOptions()},
+            [](const EngineSettings& settings) -> Made {
+                return std::make_unique<GraphAccumulator>(std::make_shared<RayIntervals>(),
+                                                          graphSettings(settings));
+            }};
 }
 
 Made shadowAccrual(const EngineSettings& settings) {
@@ -102,8 +153,8 @@ Engine shadowAccrualMap() {
 }  // namespace
 
 const EngineList& coreEngines() {
-    static const EngineList list{rayReference(), projectedShadows(), horizonSweep(), shadowAccrualMap(),
-                                 inverseAccrualMap()};
+    static const EngineList list{rayReference(),     projectedShadows(),  horizonSweep(),
+                                 shadowAccrualMap(), inverseAccrualMap(), rayGraph()};
     return list;
 }
 

@@ -19,11 +19,11 @@ struct HorizonSweepSettings {
 /// the horizons behind it; then each receiver's gross and longest shadow are counted from its horizons, step
 /// by step and day by day.
 ///
-/// Error: that all suns of a bin are taken at their mean azimuth, and their altitudes at the nearest of 65,535
-/// levels (horizon/horizon_code.h: 0.0009 deg at most, too little to see beside the first). On a year of 8 h
-/// days in a dense city at 0.5 deg gross shadow is off by 0.04 % of the period in the mean and 0.22 % at most.
-/// The longest run is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of light is
-/// missed or seen two runs become one, or one two: single cells are off by up to a quarter
+/// Error: that all suns of a bin are taken at their mean azimuth, and their altitudes at the nearest of
+/// 65,535 levels (horizon/horizon_code.h: 0.0009 deg at most, too little to see beside the first). On a year
+/// of 8 h days in a dense city at 0.5 deg gross shadow is off by 0.04 % of the period in the mean and 0.22 %
+/// at most. The longest run is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of
+/// light is missed or seen two runs become one, or one two: single cells are off by up to a quarter
 /// (tests/benchmarks/horizon_bench.cpp). The answer does not depend on the number of threads, on tiles or on
 /// the order of buildings.
 ///

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "core/accumulate/horizon/lanes16.h"
+
 namespace noonmark {
 
 namespace {
@@ -14,6 +16,10 @@ void forReceivers(std::size_t count, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 8192), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
     });
+}
+
+NOONMARK_EVERY_ISA void runsOfMasks(const ShadowMask* masks, std::size_t count, int steps, MaskRuns* runs) {
+    for (std::size_t i = 0; i < count; ++i) runs[i] = runsOf(masks[i], steps);
 }
 
 // Runs that cross from one leg to the next are the suffix of one and the prefix of the other.
@@ -34,9 +40,10 @@ std::uint32_t longestAlong(const std::vector<PathLeg>& legs, std::size_t i) {
 std::vector<MaskRuns> IntervalTally::addEdge(std::span<const ShadowMask> masks,
                                              const DirectionGraph::Edge& edge) {
     std::vector<MaskRuns> runs(masks.size());
-    forReceivers(masks.size(), [&](std::size_t i) {
-        runs[i] = runsOf(masks[i], edge.sun.steps);
-        gross_[i] += std::uint64_t(runs[i].gross) * edge.weight;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, masks.size(), 8192), [&](const auto& range) {
+        runsOfMasks(&masks[range.begin()], range.size(), edge.sun.steps, &runs[range.begin()]);
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+            gross_[i] += std::uint64_t(runs[i].gross) * edge.weight;
     });
     intervals_ += edge.weight;
     steps_ += std::uint64_t(edge.weight) * std::uint64_t(edge.sun.steps);

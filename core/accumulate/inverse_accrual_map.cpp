@@ -7,7 +7,8 @@
 
 #include "core/accumulate/reach.h"
 #include "core/accumulate/shadow_lines_opencl.h"
-#include "core/accumulate/source_finder.h"
+#include "core/accumulate/sources/projected_source_finder.h"
+#include "core/accumulate/sources/ray_source_finder.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
@@ -25,13 +26,12 @@ Grid padded(const Grid& grid, int cells) {
 
 class InverseAccrualScene final : public IntervalScene {
 public:
-    InverseAccrualScene(RayScene scene, std::uint32_t buildingsUsed, const Receivers& receivers,
-                        const InverseAccrualSettings& settings, std::shared_ptr<ShadowLineDrawer> drawer)
+    InverseAccrualScene(std::unique_ptr<SourceFinder> finder, std::uint32_t buildingsUsed,
+                        const Receivers& receivers, int margin, std::shared_ptr<ShadowLineDrawer> drawer)
         : receivers_(receivers),
-          margin_(int(std::ceil(settings.marginM / receivers.grid.cellM))),
-          grid_(padded(receivers.grid, margin_)),
-          finder_(std::move(scene), grid_, std::vector<bool>(grid_.size(), true), settings.levels,
-                  settings.nearestHitM),
+          margin_(margin),
+          grid_(padded(receivers.grid, margin)),
+          finder_(std::move(finder)),
           drawer_(std::move(drawer)),
           masks_(grid_.size()) {
         cost_.buildingsUsed = buildingsUsed;
@@ -42,7 +42,7 @@ public:
         findSources(interval, stop);
         if (stop.stop_requested()) return cancelled();
         const Stopwatch watch;
-        std::ranges::fill(masks_, ShadowMask{0});
+        openReceivers();
         if (const auto drawn = drawer_->draw(grid_, atFirst_, motionForward(interval), masks_, stop); !drawn)
             return drawn;
         if (const auto drawn = drawer_->draw(grid_, atLast_, motionBackward(interval), masks_, stop); !drawn)
@@ -68,8 +68,14 @@ private:
     }
 
     void find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) {
-        finder_.find(towardsSun, sources, stop);
-        cost_.rays += finder_.raysAnInstant();
+        finder_->find(towardsSun, sources, stop);
+        cost_.rays += finder_->raysAnInstant();
+    }
+
+    // Only receivers' masks are looked at; the others count as full, for a drawer to pass over.
+    void openReceivers() {
+        std::ranges::fill(masks_, ~ShadowMask{0});
+        for (const std::uint32_t cell : receivers_.cells) masks_[wideCell(cell)] = 0;
     }
 
     // At t1 and at tn the rays know the answer; lines do not.
@@ -93,7 +99,7 @@ private:
     const Receivers& receivers_;
     int margin_;
     Grid grid_;
-    SourceFinder finder_;
+    std::unique_ptr<SourceFinder> finder_;
     std::shared_ptr<ShadowLineDrawer> drawer_;
     ShadowSources atFirst_, atLast_;
     std::optional<glm::dvec3> knownLast_;
@@ -105,13 +111,26 @@ Result<void> check(const InverseAccrualSettings& settings) {
     if (settings.levels < 1 || settings.levels > RayScene::maxLevels)
         return failure(fmt::format("{} source levels are out of range", settings.levels), "levels",
                        "Choose 1 to 8");
-    if (!(settings.nearestHitM >= 0.01F && settings.nearestHitM <= 10))
+    if (!(settings.nearestHitM >= InverseAccrualSettings::lowestNearestHitM &&
+          settings.nearestHitM <= InverseAccrualSettings::highestNearestHitM))
         return failure(fmt::format("A nearest hit of {} m is out of range", settings.nearestHitM),
                        "nearest hit", "Choose 0.01 to 10 m");
     if (!(settings.marginM >= 0 && settings.marginM <= 500))
         return failure(fmt::format("A margin of {} m is out of range", settings.marginM), "margin",
                        "Choose 0 to 500 m");
     return {};
+}
+
+Result<std::unique_ptr<SourceFinder>> finderOver(const City& city, const std::vector<std::uint32_t>& used,
+                                                 const Grid& grid, const InverseAccrualSettings& settings,
+                                                 std::stop_token stop) {
+    const float nearest = settings.nearestHitM;
+    if (settings.sourceFinder == SourceFinderKind::projected)
+        return std::make_unique<ProjectedSourceFinder>(surfaceFacets(city, used, grid, nearest), grid,
+                                                       settings.levels, nearest);
+    auto scene = RayScene::over(city, used, std::move(stop));
+    if (!scene) return tl::make_unexpected(scene.error());
+    return std::make_unique<RaySourceFinder>(std::move(*scene), grid, settings.levels, nearest);
 }
 
 }  // namespace
@@ -139,10 +158,11 @@ Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& ci
         return failure("Inverse accrual maps draw shadows on flat ground only, and this city has terrain",
                        "engine", "Choose the ray reference");
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, directions);
-    auto scene = RayScene::over(city, used, std::move(stop));
-    if (!scene) return tl::make_unexpected(scene.error());
-    return std::make_unique<InverseAccrualScene>(std::move(*scene), std::uint32_t(used.size()), receivers,
-                                                 settings_, drawer_);
+    const int margin = int(std::ceil(settings_.marginM / receivers.grid.cellM));
+    auto finder = finderOver(city, used, padded(receivers.grid, margin), settings_, std::move(stop));
+    if (!finder) return tl::make_unexpected(finder.error());
+    return std::make_unique<InverseAccrualScene>(std::move(*finder), std::uint32_t(used.size()), receivers,
+                                                 margin, drawer_);
 }
 
 std::string InverseAccrualMap::describe() const {

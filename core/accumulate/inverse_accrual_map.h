@@ -8,15 +8,23 @@
 
 namespace noonmark {
 
+/// How the sources of shadow at an interval's ends are found. Both find the same, but for rounding at edges.
+enum class SourceFinderKind : std::uint8_t {
+    projected,  ///< in object order: each surface's shadow is filled as a polygon of heights
+    rays,       ///< Embree's first hits (paper, section 5)
+};
+
 struct InverseAccrualSettings {
     /// Occluders followed from each place, nearest first; 1 to 8. Source of the default: paper, section 5.
     int levels = 3;
+    static constexpr float lowestNearestHitM = 0.01F, highestNearestHitM = 10;
     /// Hits nearer than this are left out, metres, 0.01 to 10. Source: paper, section 5 ("100 cm provides
     /// good results").
     float nearestHitM = 1;
     /// Lines also begin up to this far outside the region, and under its buildings: a shadow that comes from
     /// there was somewhere at t1, too. Metres, 0 to 500.
     double marginM = 48;
+    SourceFinderKind sourceFinder = SourceFinderKind::projected;
     /// Device of computeDevices() that draws; none: the processor.
     std::optional<int> openClDevice;
 };

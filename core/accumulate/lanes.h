@@ -26,6 +26,12 @@ public:
     [[nodiscard]] bool alongX() const { return alongX_; }
     [[nodiscard]] Stretch stretch(int lane) const;
 
+    /// The lanes [first, end) that are on the grid at a major position.
+    [[nodiscard]] Stretch lanesAt(int major) const {
+        const int low = -firstLane_ - bend_[std::size_t(major)];
+        return {low, low + (alongX_ ? grid_.rows : grid_.columns)};
+    }
+
     /// For devices that work out cell() by themselves: minor = lane + firstLane + bend[major].
     [[nodiscard]] int firstLane() const { return firstLane_; }
     [[nodiscard]] const std::vector<int>& bend() const { return bend_; }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
@@ -72,6 +74,7 @@ ShadowReach::ShadowReach(const SunSteps& sun) {
     }
     for (int bin = 0; bin < binCount; ++bin)
         if (longest[std::size_t(bin)] >= 0) bins_.push_back({awayFromSun(bin), longest[std::size_t(bin)]});
+    for (const Bin& bin : bins_) longest_ = std::max(longest_, bin.lengthPerMetre);
 }
 
 // The shadow of the box touches the receivers' box where the path of the box's displacement, a segment from
@@ -80,6 +83,9 @@ bool ShadowReach::touches(const Box2& box, double heightM, const Box2& receivers
     if (heightM <= 0 || box.empty() || receivers.empty()) return false;
     const glm::dvec2 low = glm::dvec2(receivers.low) - glm::dvec2(box.high);
     const glm::dvec2 high = glm::dvec2(receivers.high) - glm::dvec2(box.low);
+    const glm::dvec2 nearest = glm::max(glm::dvec2(0), glm::max(low, -high));
+    const double farthest = marginM + heightM * longest_ * (1 + binWidth);
+    if (glm::dot(nearest, nearest) > farthest * farthest) return false;  // most of a large city
     return std::any_of(bins_.begin(), bins_.end(), [&](const Bin& bin) {
         const double length = heightM * bin.lengthPerMetre;
         const double aside = marginM + length * binWidth / 2;

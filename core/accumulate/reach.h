@@ -27,6 +27,7 @@ private:
         double lengthPerMetre;  ///< of the longest shadow: 1 / tan of the lowest altitude
     };
     std::vector<Bin> bins_;  ///< only those visited
+    double longest_ = 0;     ///< largest lengthPerMetre
 };
 
 /// Indices of the buildings whose shadow can fall on a receiver at some step, ascending. The rest can be left

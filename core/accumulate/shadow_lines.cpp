@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/accumulate/change_map.h"
+#include "core/accumulate/horizon/lanes16.h"
 #include "core/accumulate/lanes.h"
+#include "core/accumulate/source_runs.h"
 
 namespace noonmark {
 
@@ -14,6 +18,8 @@ namespace {
 
 // Where the shadow of a point one metre up lies, seen from below it: metres.
 glm::dvec2 throwOf(glm::dvec3 sun) { return -glm::dvec2(sun.x, sun.y) / sun.z; }
+
+constexpr float beyondTable = StepTable::size + 1;
 
 // The sun's great circle meets a horizontal plane in a straight line, so one number tells where on it the
 // shadow is.
@@ -29,38 +35,175 @@ std::vector<double> fractions(const SunInterval& interval) {
     return result;
 }
 
-/// Draws all lines of one lane into a row of masks.
+/// Where one end of a run stands on its way: at entry `start` of the step table as seen from the first of
+/// some cells, and `perCell` more from each next.
+struct RunEnd {
+    float start;
+    float perCell;
+    /// `length`: cells moved in the whole interval; the first cell is `ahead` cells before the end's start.
+    static RunEnd over(float length, float ahead) {
+        const float perCell = float(StepTable::size) / std::max(length, 1e-6F);
+        return {ahead * perCell, perCell};
+    }
+    [[nodiscard]] int entry(int cell) const {
+        const float at = start + float(cell) * perCell;
+        return int((at < 0 ? -1 : at < beyondTable ? at : beyondTable) + 1);
+    }
+};
+
+// Shades each of some cells at the steps that `rear` has come to and `front` has not passed.
+NOONMARK_EVERY_ISA void shadeBetween(const ShadowMask* before, RunEnd rear, RunEnd front, int count,
+                                     ShadowMask* row) {
+    for (int i = 0; i < count; ++i) row[i] |= before[rear.entry(i)] & ~before[front.entry(i)];
+}
+
+/// The masks of one lane, in the order in which shadows move over it.
 class LanePen {
 public:
-    LanePen(const StepTable& table, double cellsPerMetre)
-        : table_(table), cellsPerMetre_(std::abs(float(cellsPerMetre))), sign_(cellsPerMetre < 0 ? -1 : 1) {}
+    void start(std::size_t cells) {
+        row_.resize(cells);
+        open_.assign(cells + 1, 0);
+    }
 
-    void line(std::span<ShadowMask> lane, int start, float heightM) const {
-        const float length = heightM * cellsPerMetre_;
-        const int room = sign_ > 0 ? int(lane.size()) - 1 - start : start;
-        const int last = int(std::min(length + 0.5F, float(room)));  // a low sun draws lines past any int
-        const float scale = float(StepTable::size) / std::max(length, 1e-6F);
-        int from = 0;
-        for (int cell = 0; cell <= last; ++cell) {
-            const int to = table_.firstBeyond[entry((float(cell) + 0.5F) * scale)];
-            // On a long line steps skip cells: the nearest step fills them, or the shadow would have holes.
-            const int nearest = table_.nearest[entry(float(cell) * scale)];
-            lane[std::size_t(start + sign_ * cell)] |=
-                from < to ? between(from, to) : between(nearest, nearest + 1);
-            from = to;
-        }
+    /// In order.
+    void setMask(int at, ShadowMask mask) {
+        row_[std::size_t(at)] = mask;
+        open_[std::size_t(at) + 1] = open_[std::size_t(at)] + (mask != ~ShadowMask{0});
+    }
+
+    // Each end reaches half a cell beyond its cell's centre. The surface between the ends shades what lies
+    // between them, whichever is ahead.
+    void draw(const SourceRun& run, const StepTable& table, const RunRule& rule) {
+        const float firstLength = run.firstM * rule.cellsPerMetre,
+                    lastLength = run.lastM * rule.cellsPerMetre;
+        const bool folds = run.first < run.last && rule.folds(run.firstM, run.lastM);
+        const int end = std::max(endOf(run.last, lastLength), folds ? endOf(run.first, firstLength) : 0);
+        if (open_[std::size_t(end)] == open_[std::size_t(run.first)]) return;
+        ShadowMask* row = &row_[std::size_t(run.first)];
+        const ShadowMask* before = table.before.data();
+        const auto width = float(run.last - run.first);
+        shadeBetween(before, RunEnd::over(firstLength, 0.5F), RunEnd::over(lastLength, -width - 0.5F),
+                     end - run.first, row);
+        if (folds)
+            shadeBetween(before, RunEnd::over(lastLength, 0.5F - width), RunEnd::over(firstLength, -0.5F),
+                         end - run.first, row);
+    }
+
+    [[nodiscard]] ShadowMask mask(int at) const { return row_[std::size_t(at)]; }
+
+private:
+    // A low sun draws lines past any int.
+    [[nodiscard]] int endOf(int cell, float length) const {
+        return std::min(cell + 1 + int(std::min(length, 1e6F) + 0.5F), int(row_.size()));
+    }
+
+    std::vector<ShadowMask> row_;
+    std::vector<std::uint32_t> open_;  // cells before this one whose masks were not full
+};
+
+struct DrawWith {
+    LanePen& pen;
+    const StepTable& table;
+    const RunRule& rule;
+    void operator()(const SourceRun& run) const { pen.draw(run, table, rule); }
+};
+
+/// Neighbouring lanes walked side by side, so that the cells at hand lie next to each other in memory.
+class LaneBlock {
+public:
+    static int lanesABlock(const Lanes& lanes) { return lanes.alongX() ? 1 : 16; }
+
+    LaneBlock(const Grid& grid, const Lanes& lanes, const StepTable& table, const RunRule& rule,
+              bool reversed)
+        : lanes_(lanes), size_(grid.size()), table_(table), rule_(rule), reversed_(reversed) {}
+
+    void draw(int first, int end, const ShadowSources& sources, const ChangeMap& changes,
+              std::span<ShadowMask> masks) {
+        start(first, end);
+        forEachCell(
+            [&](Lane& lane, int at, std::size_t cell, std::size_t) { lane.pen.setMask(at, masks[cell]); });
+        // A change is marked between a cell and the one before it in the order of major positions.
+        forEachCell([&](Lane& lane, int at, std::size_t cell, std::size_t before) {
+            if (at == 0)
+                lane.runs.change(at, {}, sourcesOf(sources, cell), DrawWith{lane.pen, table_, rule_});
+            else if (changes.at(reversed_ ? before : cell))
+                lane.runs.change(at, sourcesOf(sources, before), sourcesOf(sources, cell),
+                                 DrawWith{lane.pen, table_, rule_});
+        });
+        for (Lane& lane : lanesAtWork_) finish(lane, sources);
+        forEachCell(
+            [&](Lane& lane, int at, std::size_t cell, std::size_t) { masks[cell] = lane.pen.mask(at); });
     }
 
 private:
-    [[nodiscard]] ShadowMask between(int from, int to) const {
-        return table_.upTo[std::size_t(to)] & ~table_.upTo[std::size_t(from)];
+    struct Lane {
+        int number = 0;
+        Lanes::Stretch stretch;
+        OpenRuns runs;
+        LanePen pen;
+    };
+
+    void start(int first, int end) {
+        firstLane_ = first;
+        lanesAtWork_.resize(std::size_t(end - first));
+        from_ = std::numeric_limits<int>::max();
+        to_ = 0;
+        for (int number = first; number < end; ++number) {
+            Lane& lane = lanesAtWork_[std::size_t(number - first)];
+            lane.number = number;
+            lane.stretch = lanes_.stretch(number);
+            lane.runs = OpenRuns(rule_);
+            lane.pen.start(std::size_t(lane.stretch.end - lane.stretch.first));
+            from_ = std::min(from_, lane.stretch.first);
+            to_ = std::max(to_, lane.stretch.end);
+        }
     }
 
-    static std::size_t entry(float share) { return std::size_t(std::min(share, float(StepTable::size + 1))); }
+    void finish(Lane& lane, const ShadowSources& sources) const {
+        const auto [first, end] = lane.stretch;
+        if (first == end) return;
+        const std::size_t last = lanes_.cell(lane.number, reversed_ ? first : end - 1);
+        lane.runs.finish(end - first - 1, sourcesOf(sources, last), DrawWith{lane.pen, table_, rule_});
+    }
 
+    /// body(lane, position in the order of motion, cell, the cell before it where there is one).
+    template <class Body>
+    void forEachCell(const Body& body) {
+        for (int k = from_; k < to_; ++k) {
+            const int major = reversed_ ? from_ + to_ - 1 - k : k;
+            const int majorBefore = std::clamp(reversed_ ? major + 1 : major - 1, from_, to_ - 1);
+            const auto [low, high] = lanes_.lanesAt(major);
+            const int first = std::max(low, firstLane_);
+            const int end = std::min(high, firstLane_ + int(lanesAtWork_.size()));
+            // Lanes side by side lie side by side in memory where there is more than one.
+            const std::size_t cell = lanes_.cell(first, major), before = lanes_.cell(first, majorBefore);
+            for (int number = first; number < end; ++number) {
+                Lane& lane = lanesAtWork_[std::size_t(number - firstLane_)];
+                const std::size_t aside = std::size_t(number - first);
+                body(lane, reversed_ ? lane.stretch.end - 1 - major : major - lane.stretch.first,
+                     cell + aside, before + aside);
+            }
+        }
+    }
+
+    [[nodiscard]] CellSources sourcesOf(const ShadowSources& sources, std::size_t cell) const {
+        CellSources found;
+        for (std::size_t place = cell; found.count < sources.levels; ++found.count, place += size_) {
+            if (sources.heightM[place] <= 0) break;
+            found.heightM[std::size_t(found.count)] = sources.heightM[place];
+            found.building[std::size_t(found.count)] = sources.building[place];
+        }
+        return found;
+    }
+
+    const Lanes& lanes_;
+    std::size_t size_;
     const StepTable& table_;
-    float cellsPerMetre_;
-    int sign_;
+    RunRule rule_;
+    bool reversed_;
+    std::vector<Lane> lanesAtWork_;
+    int firstLane_ = 0;
+    int from_ = 0, to_ = 0;  // major positions of the block
 };
 
 class ProcessorDrawer final : public ShadowLineDrawer {
@@ -69,34 +212,21 @@ public:
                       std::span<ShadowMask> masks, std::stop_token stop) override {
         const Lanes lanes(grid, motion.shift);
         const StepTable table(motion.fraction);
-        const LanePen pen(table, (lanes.alongX() ? motion.shift.x : motion.shift.y) / grid.cellM);
-        tbb::parallel_for(tbb::blocked_range<int>(0, lanes.count(), 8), [&](const auto& range) {
-            std::vector<ShadowMask> row;
-            for (int lane = range.begin(); lane < range.end() && !stop.stop_requested(); ++lane)
-                drawLane(lanes, lane, grid, sources, pen, masks, row);
-        });
+        const float alongLanes = float((lanes.alongX() ? motion.shift.x : motion.shift.y) / grid.cellM);
+        const RunRule rule{std::abs(alongLanes), sources.steepestM};
+        const ChangeMap changes(grid, lanes, sources, {alongLanes, sources.steepestM});
+        const int wide = LaneBlock::lanesABlock(lanes);
+        tbb::parallel_for(
+            tbb::blocked_range<int>(0, (lanes.count() + wide - 1) / wide), [&](const auto& range) {
+                LaneBlock block(grid, lanes, table, rule, alongLanes < 0);
+                for (int i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
+                    block.draw(i * wide, std::min((i + 1) * wide, lanes.count()), sources, changes, masks);
+            });
         if (stop.stop_requested()) return cancelled();
         return {};
     }
 
     [[nodiscard]] std::string describe() const override { return "lines drawn on the processor"; }
-
-private:
-    static void drawLane(const Lanes& lanes, int lane, const Grid& grid, const ShadowSources& sources,
-                         const LanePen& pen, std::span<ShadowMask> masks, std::vector<ShadowMask>& row) {
-        const auto [first, end] = lanes.stretch(lane);
-        row.assign(std::size_t(end - first), 0);
-        for (int major = first; major < end; ++major) {
-            const std::size_t cell = lanes.cell(lane, major);
-            for (int level = 0; level < sources.levels; ++level) {
-                const float height = sources.heightM[std::size_t(level) * grid.size() + cell];
-                if (height <= 0) break;
-                pen.line(row, major - first, height);
-            }
-        }
-        for (int major = first; major < end; ++major)
-            masks[lanes.cell(lane, major)] |= row[std::size_t(major - first)];
-    }
 };
 
 }  // namespace
@@ -118,16 +248,14 @@ StepTable::StepTable(const std::vector<double>& fraction) {
     std::vector<double> ordered = fraction;
     if (falling) std::reverse(ordered.begin(), ordered.end());
     const int steps = int(ordered.size());
-    upTo.push_back(0);
+    before.push_back(0);
+    std::vector<ShadowMask> upTo{0};
     for (int position = 0; position < steps; ++position)
         upTo.push_back(upTo.back() | ShadowMask{1} << (falling ? steps - 1 - position : position));
     for (int entry = 0; entry < size + 2; ++entry) {
         const double share = double(entry) / size;
-        const auto beyond = std::lower_bound(ordered.begin(), ordered.end(), entry >= size ? 2.0 : share);
-        firstBeyond.push_back(std::uint8_t(beyond - ordered.begin()));
-        auto near = std::lower_bound(ordered.begin(), ordered.end(), share);
-        if (near == ordered.end() || (near != ordered.begin() && share - *(near - 1) < *near - share)) --near;
-        nearest.push_back(std::uint8_t(near - ordered.begin()));
+        const auto beyond = std::upper_bound(ordered.begin(), ordered.end(), entry >= size ? 2.0 : share);
+        before.push_back(upTo[std::size_t(beyond - ordered.begin())]);
     }
 }
 

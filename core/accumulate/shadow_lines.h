@@ -21,6 +21,8 @@ struct ShadowSources {
     std::vector<float>
         heightM;  ///< levels x grid size, level-major, grid order; above the ground; 0 = no occluder
     std::vector<std::uint32_t> building;  ///< the same shape; the building each point belongs to
+    /// Heights of neighbouring cells on one surface differ by no more than this, metres.
+    float steepestM = 4;
 };
 
 /// How a shadow moves over flat ground in an interval: a point h metres up throws its shadow, at step k, at
@@ -35,11 +37,14 @@ ShadowMotion motionForward(
 ShadowMotion motionBackward(
     const SunInterval& interval);  ///< lines that begin where the shadow lies at the last step
 
-/// Draws the line of every source into the cells' masks: bit k where the shadow lies at step k.
+/// Draws the line of every source into the cells' masks: bit k where the shadow lies at step k. Neighbours on
+/// a lane whose occluding points lie next to each other on one building are drawn as one: what they shade
+/// moves as a whole, from the step at which its front reaches a cell to the one at which its end leaves it.
 class ShadowLineDrawer {
 public:
     virtual ~ShadowLineDrawer() = default;
-    /// ORs into `masks` (grid order, grid size).
+    /// ORs into `masks` (grid order, grid size). Cells whose masks are full already cost little: fill those
+    /// that nobody asks for.
     [[nodiscard]] virtual Result<void> draw(const Grid& grid, const ShadowSources& sources,
                                             const ShadowMotion& motion, std::span<ShadowMask> masks,
                                             std::stop_token stop) = 0;
@@ -49,18 +54,16 @@ public:
 /// On the processor, one lane of cells after the other, all cores.
 std::unique_ptr<ShadowLineDrawer> makeShadowLineDrawer();
 
-/// Which steps fall into a cell of a line, looked up by how far along the line the cell lies. Shared by all
+/// Which steps have been passed at a place along a line, looked up by its share of the line. Shared by all
 /// drawers.
 class StepTable {
 public:
     static constexpr int size = 4096;
     explicit StepTable(const std::vector<double>& fraction);
 
-    // Both by share of the line, `size` entries to its end and two beyond it; positions count steps in the
-    // order along the line.
-    std::vector<std::uint8_t> firstBeyond;  ///< position of the first step at or beyond the share
-    std::vector<std::uint8_t> nearest;      ///< position of the step nearest to the share
-    std::vector<ShadowMask> upTo;           ///< bits of the first k positions; steps + 1 entries
+    /// Bits of the steps up to a share of the line, all of them beyond its end. Entry 0 stands for what lies
+    /// before its beginning; then by share, `size` entries to its end and two beyond it.
+    std::vector<ShadowMask> before;
 };
 
 }  // namespace noonmark

@@ -80,7 +80,7 @@ public:
     explicit OpenClDrawer(const cl::Device& device)
         : device_(device), context_(device), queue_(context_, device) {
         cl::Program program(context_, std::string(shadowLinesKernel));
-        program.build(std::vector<cl::Device>{device});
+        program.build(std::vector<cl::Device>{device}, "-cl-fp32-correctly-rounded-divide-sqrt");
         kernel_ = cl::Kernel(program, "draw_lanes");
     }
 
@@ -117,15 +117,14 @@ private:
         const cl::Buffer heights = readOnly(context_, sources.heightM);
         const cl::Buffer bend = readOnly(context_, lanes.bend());
         const cl::Buffer stretch = readOnly(context_, stretches);
-        const cl::Buffer beyond = readOnly(context_, table.firstBeyond);
-        const cl::Buffer nearest = readOnly(context_, table.nearest);
-        const cl::Buffer upTo = readOnly(context_, table.upTo);
+        const cl::Buffer buildings = readOnly(context_, sources.building);
+        const cl::Buffer before = readOnly(context_, table.before);
         cl_uint argument = 0;
         const auto set = [&](const auto& value) { kernel_.setArg(argument++, value); };
-        set(heights), set(sources.levels), set(grid.columns), set(grid.rows);
+        set(heights), set(buildings), set(sources.levels), set(grid.columns), set(grid.rows);
         set(int(lanes.alongX())), set(lanes.firstLane()), set(bend), set(stretch);
-        set(float(std::abs(cellsPerMetre))), set(cellsPerMetre < 0 ? -1 : 1);
-        set(beyond), set(nearest), set(upTo), set(out);
+        set(float(std::abs(cellsPerMetre))), set(sources.steepestM), set(int(cellsPerMetre < 0));
+        set(before), set(out);
         queue_.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(std::size_t(lanes.count())));
         // Mapping brings the masks back where the device keeps its own copy, and costs nothing where it does
         // not.

@@ -22,11 +22,20 @@ struct MaskRuns {
 /// The lowest `steps` bits set; `steps` 0 to 64.
 constexpr ShadowMask fullMask(int steps) { return steps == 0 ? 0 : ~ShadowMask{0} >> (maxMaskSteps - steps); }
 
-/// Length of the longest run of set bits. A run of r bits outlives r - 1 rounds of `mask &= mask << 1`.
+/// Length of the longest run of set bits. Masks of run starts for runs of 1, 2, 4 ... bits are met with each
+/// other from the longest down: twelve operations whatever the mask.
 constexpr int longestRun(ShadowMask mask) {
+    ShadowMask starts[6] = {mask};  // bit k of starts[i]: a run of 2^i bits begins at k
+    for (int i = 1; i < 6; ++i) starts[i] = starts[i - 1] & starts[i - 1] >> (1 << (i - 1));
     int length = 0;
-    for (; mask != 0; ++length) mask &= mask << 1;
-    return length;
+    ShadowMask found = ~ShadowMask{0};  // bit k: `length` bits from k on are set
+    for (int i = 5; i >= 0; --i) {
+        const ShadowMask longer = found & starts[i] >> length;
+        if (longer == 0) continue;
+        found = longer;
+        length += 1 << i;
+    }
+    return length == 63 && mask == ~ShadowMask{0} ? 64 : length;
 }
 
 /// `mask` must have no bit set beyond `steps`.

@@ -1,52 +1,133 @@
 // Draws the shadow lines of one lane of cells a work item. A lane's cells belong to no other lane, so plain reads and
-// writes will do. The host side and the meaning of every argument: core/accumulate/shadow_lines_opencl.cpp.
+// writes will do. The same algorithm, to the bit, as core/accumulate/shadow_lines.cpp and source_runs.h; the host side
+// and the meaning of every argument: core/accumulate/shadow_lines_opencl.cpp.
+#pragma OPENCL FP_CONTRACT OFF
 
 #define TABLE_SIZE 4096
+#define MAX_LEVELS 8
+#define GOES_ON -1
 
-inline int entry_of(float share) { return (int)min(share, (float)(TABLE_SIZE + 1)); }
+// Neighbouring cells whose occluding points lie next to each other on one building; cells are counted the way the
+// shadow moves.
+typedef struct {
+    int first;
+    int last;
+    float first_m;
+    float last_m;
+    uint building;
+} run_t;
 
-kernel void draw_lanes(global const float* height_m,      // levels x cells, level-major; 0 = no occluder
+// One lane and what is drawn into it.
+typedef struct {
+    global ulong* masks;
+    constant ulong* before;
+    global const int* bend;
+    int start;
+    int columns;
+    int along_x;
+    int reversed;
+    int2 part;
+    float cells_per_metre;
+    float steepest_m;
+} lane_t;
+
+inline size_t cell_at(const lane_t* lane, int at) {
+    const int major = lane->reversed ? lane->part.y - 1 - at : lane->part.x + at;
+    const int minor = lane->start + lane->bend[major];
+    return lane->along_x ? (size_t)minor * lane->columns + major : (size_t)major * lane->columns + minor;
+}
+
+inline bool same_surface(const lane_t* lane, float before_m, float after_m) {
+    const float higher = after_m - before_m;
+    return higher <= lane->steepest_m && higher >= -lane->steepest_m;
+}
+
+inline bool folds(const lane_t* lane, float before_m, float after_m) {
+    return (after_m - before_m) * lane->cells_per_metre < -1.5f;
+}
+
+inline ulong steps_at(const lane_t* lane, float per_cell, float ahead, int cell) {
+    const float start = ahead * per_cell;
+    const float way = (float)cell * per_cell;
+    const float at = start + way;
+    return lane->before[(int)((at < 0 ? -1 : at < TABLE_SIZE + 1 ? at : TABLE_SIZE + 1) + 1)];
+}
+
+inline int end_of(int cell, float length, int cells) {
+    return min(cell + 1 + (int)(min(length, 1e6f) + 0.5f), cells);
+}
+
+void shade(const lane_t* lane, int cell, ulong steps) {
+    const size_t target = cell_at(lane, cell);
+    const ulong now = lane->masks[target];
+    if ((now | steps) != now) lane->masks[target] = now | steps;
+}
+
+void draw_run(const lane_t* lane, const run_t* run) {
+    const int cells = lane->part.y - lane->part.x;
+    const float first_length = run->first_m * lane->cells_per_metre, last_length = run->last_m * lane->cells_per_metre;
+    const float per_first = (float)TABLE_SIZE / fmax(first_length, 1e-6f);
+    const float per_last = (float)TABLE_SIZE / fmax(last_length, 1e-6f);
+    const bool folded = run->first < run->last && folds(lane, run->first_m, run->last_m);
+    const float width = (float)(run->last - run->first);
+    const int end = max(end_of(run->last, last_length, cells), folded ? end_of(run->first, first_length, cells) : 0);
+    for (int i = 0; i < end - run->first; ++i) {
+        ulong steps = steps_at(lane, per_first, 0.5f, i) & ~steps_at(lane, per_last, -width - 0.5f, i);
+        if (folded) steps |= steps_at(lane, per_last, 0.5f - width, i) & ~steps_at(lane, per_first, -0.5f, i);
+        shade(lane, run->first + i, steps);
+    }
+}
+
+kernel void draw_lanes(global const float* height_m,  // levels x cells, level-major; 0 = no occluder
+                       global const uint* building,   // the same shape
                        int levels,
                        int columns,
                        int rows,
-                       int along_x,                         // 1: lanes run along x
+                       int along_x,                // 1: lanes run along x
                        int first_lane,
-                       global const int* bend,              // by major position
-                       global const int2* stretch,          // by lane: first and end major position
-                       float cells_per_metre,               // > 0
-                       int sign,                            // +1 or -1: which way along the lane
-                       constant const uchar* first_beyond,  // TABLE_SIZE + 2
-                       constant const uchar* nearest,       // TABLE_SIZE + 2
-                       constant const ulong* up_to,         // steps + 1
-                       global ulong* masks)                 // cells; ORed into
+                       global const int* bend,     // by major position
+                       global const int2* stretch, // by lane: first and end major position
+                       float cells_per_metre,      // > 0
+                       float steepest_m,
+                       int reversed,               // 1: shadows move against the lane
+                       constant ulong* before,     // TABLE_SIZE + 3: bits of the steps up to a share of the line
+                       global ulong* masks)        // cells; ORed into
 {
-    const int lane = get_global_id(0);
-    const int start = lane + first_lane;
-    const int2 part = stretch[lane];
-    const size_t cells = (size_t)columns * (size_t)rows;
+    const int number = get_global_id(0);
+    const lane_t lane = {masks,   before,   bend,            number + first_lane, columns,
+                         along_x, reversed, stretch[number], cells_per_metre,     steepest_m};
+    const size_t size = (size_t)columns * (size_t)rows;
+    const int cells = lane.part.y - lane.part.x;
+    run_t open[2][MAX_LEVELS];
+    int count = 0;
 
-    for (int major = part.x; major < part.y; ++major) {
-        const int minor = start + bend[major];
-        const size_t cell = along_x ? (size_t)minor * columns + major : (size_t)major * columns + minor;
-        for (int level = 0; level < levels; ++level) {
-            const float height = height_m[level * cells + cell];
+    for (int cell = 0; cell <= cells; ++cell) {
+        run_t* old = open[cell & 1];
+        run_t* next = open[1 - (cell & 1)];
+        int next_count = 0;
+        for (int level = 0; cell < cells && level < levels; ++level) {
+            const size_t place = level * size + cell_at(&lane, cell);
+            const float height = height_m[place];
             if (height <= 0) break;
-            const float length = height * cells_per_metre;
-            const int room = sign > 0 ? part.y - 1 - major : major - part.x;
-            const int last = (int)min(length + 0.5f, (float)room);
-            const float scale = (float)TABLE_SIZE / fmax(length, 1e-6f);
-            int from = 0;
-            for (int k = 0; k <= last; ++k) {
-                const int to = first_beyond[entry_of(((float)k + 0.5f) * scale)];
-                const int near = nearest[entry_of((float)k * scale)];
-                const ulong steps = from < to ? up_to[to] & ~up_to[from] : up_to[near + 1] & ~up_to[near];
-                const int at = major + sign * k;
-                const int across = start + bend[at];
-                const size_t target = along_x ? (size_t)across * columns + at : (size_t)at * columns + across;
-                const ulong now = masks[target];
-                if ((now | steps) != now) masks[target] = now | steps;
-                from = to;
+            run_t run = {cell, cell, height, height, building[place]};
+            for (int i = 0; i < count; ++i) {
+                if (old[i].last == GOES_ON || old[i].building != run.building ||
+                    !same_surface(&lane, old[i].last_m, height))
+                    continue;
+                if (folds(&lane, old[i].last_m, height)) {
+                    const run_t fold = {cell - 1, cell, old[i].last_m, height, run.building};
+                    draw_run(&lane, &fold);
+                    break;
+                }
+                run.first = old[i].first;
+                run.first_m = old[i].first_m;
+                old[i].last = GOES_ON;
+                break;
             }
+            next[next_count++] = run;
         }
+        for (int i = 0; i < count; ++i)
+            if (old[i].last != GOES_ON) draw_run(&lane, &old[i]);
+        count = next_count;
     }
 }

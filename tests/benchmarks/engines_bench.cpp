@@ -1,11 +1,12 @@
 // Every engine of core against the ray reference on one day: the error first, then the time, in turn in one
 // run.
 //
-//     engines_bench [FILE or number of buildings] [rounds]
+//     engines_bench [FILE or number of buildings] [rounds] [engines other than ray, all if none]
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "core/accumulate/engine_list.h"
@@ -60,6 +61,15 @@ CellError errorOf(const Scene& scene, const ShadowField& field, const ShadowFiel
     return error;
 }
 
+/// The ray reference, and those engines that were asked for.
+std::vector<std::string_view> engineKeys(std::span<char*> asked) {
+    std::vector<std::string_view> keys;
+    for (const auto& [engine, make] : coreEngines())
+        if (engine.key == "ray" || asked.empty() || std::ranges::count(asked, engine.key) > 0)
+            keys.push_back(engine.key);
+    return keys;
+}
+
 double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];
@@ -70,23 +80,26 @@ double median(std::vector<double> values) {
 int main(int argc, char** argv) {
     const Scene scene = dayScene(argc > 1 ? argv[1] : "43000");
     const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
+    const auto keys = engineKeys(std::span(argv, std::size_t(argc)).subspan(std::size_t(std::min(argc, 3))));
     const ShadowField truth = run(scene, "ray");
     std::map<std::string_view, std::vector<double>> wall, processor;
     for (int round = 0; round < rounds; ++round)
-        for (const auto& [engine, make] : coreEngines()) {
-            const Seconds seconds = secondsOf([&] { run(scene, engine.key); });
-            wall[engine.key].push_back(seconds.wall);
-            processor[engine.key].push_back(seconds.processor);
+        for (const std::string_view key : keys) {
+            const Seconds seconds = secondsOf([&] { run(scene, key); });
+            wall[key].push_back(seconds.wall);
+            processor[key].push_back(seconds.processor);
         }
     fmt::print("{} receivers, {} steps, medians of {} rounds\n", scene.receivers.cells.size(),
                scene.sun.steps.size(), rounds);
-    for (const auto& [engine, make] : coreEngines()) {
-        const CellError error = errorOf(scene, run(scene, engine.key), truth);
+    for (const std::string_view key : keys) {
+        const ShadowField field = run(scene, key);
+        const CellError error = errorOf(scene, field, truth);
         fmt::print(
             "{:10} {:7.3f} s wall {:7.3f} s processor {:6.1f} x rays | area {:+.4f} %, cell mean {:.5f} %, "
             "worst {:.0f} min\n",
-            engine.key, median(wall[engine.key]), median(processor[engine.key]),
-            median(processor["ray"]) / median(processor[engine.key]), error.areaPct, error.meanPct,
-            error.worstMin);
+            key, median(wall[key]), median(processor[key]), median(processor["ray"]) / median(processor[key]),
+            error.areaPct, error.meanPct, error.worstMin);
+        for (const auto& [stage, seconds] : field.cost.seconds)
+            fmt::print("{:>10} {:7.3f} s {}\n", "", seconds, stage);
     }
 }

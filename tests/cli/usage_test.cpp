@@ -52,6 +52,12 @@ TEST(Usage, enginesNameTheirOptions) {
     EXPECT_THAT(engines.out, HasSubstr("--option levels=3  1 to 8"));
 }
 
+TEST(Usage, devicesAreThoseToChooseFrom) {
+    const Spoken devices = noonmarkCli({"devices"});
+    EXPECT_EQ(devices.code, exitOk);
+    EXPECT_THAT(devices.out, HasSubstr("--option device="));
+}
+
 TEST(Usage, wrongCommandLines) {
     expectUsageError({}, "subcommand");
     expectUsageError({"paint"}, "paint");

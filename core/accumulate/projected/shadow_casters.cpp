@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/accumulate/projected/cell_coordinates.h"
 #include "core/city/mesh_topology.h"
 #include "core/city/triangulate.h"
 
@@ -14,10 +15,6 @@ namespace {
 using Kind = ShadowCaster::Kind;
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-glm::dvec2 cellsFromLocal(const Grid& grid, glm::dvec2 local) {
-    return {(local.x - grid.westM) / grid.cellM - 0.5, (local.y - grid.southM) / grid.cellM - 0.5};
-}
 
 bool isConvex(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {

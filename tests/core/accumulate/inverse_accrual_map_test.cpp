@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/measures/statistics.h"
+#include "core/samples/sample_city.h"
 #include "tests/core/accumulate/scenes.h"
 
 namespace noonmark {
@@ -72,14 +75,65 @@ TEST(FirstOccluders, fewerLevelsGiveTheNearest) {
     }
 }
 
-TEST(InverseAccrualMap, areaErrorUnderOnePercentAtThreeLevels) {
+TEST(InverseAccrualMap, areaErrorOfADayUnderOnePercentAtThreeLevels) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
         const City city = cityOf(randomBoxes(seed, 10));
         const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
-        const SunSteps sun = oneDay(arc(360, 50));
+        const SunSteps sun = oneDay(arc(720, 50));
         EXPECT_LT(areaErrorPercent(accrued(city, receivers, sun, {}), traced(city, receivers, sun)), 1)
             << seed;
     }
+}
+
+// 200 m square of a city on an hour of a random day, at dawn and dusk too, the sun 2 degrees up: lower, lines
+// are longer than any margin.
+struct RandomHour {
+    Receivers receivers;
+    SunSteps sun;
+
+    RandomHour(const City& city, std::mt19937& random) {
+        const auto between = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
+        const Box2 box = bounds(city);
+        const double west = between(box.low.x + 200, box.high.x - 400);
+        const double south = between(box.low.y + 200, box.high.y - 400);
+        receivers = receiversOver(city, float(west), float(south), float(west + 200), float(south + 200));
+        const auto low = [](const SunStep& step) { return step.altitudeDeg < 2; };
+        while (sun.steps.size() < 60 || std::ranges::any_of(sun.steps, low)) {
+            const Period period{.start = std::chrono::sys_days(std::chrono::January / 1 / 2026) +
+                                         std::chrono::days(int(between(0, 365))),
+                                .from = std::chrono::minutes(int(between(4 * 60, 20 * 60))),
+                                .hours = 1,
+                                .zone = "America/New_York"};
+            sun = sunSteps(period, {.place = city.frame.origin()}).value();
+        }
+    }
+};
+
+TEST(InverseAccrualMap, areaErrorOverRandomHoursAndPlacesByLevel) {
+    const City city = gridSample({.buildings = 2500}).value();
+    std::mt19937 random(21);
+    std::vector<std::vector<double>> errors(6);
+    for (int round = 0; round < 16; ++round) {
+        const RandomHour hour(city, random);
+        const ShadowField truth = traced(city, hour.receivers, hour.sun);
+        for (int levels = 1; levels <= 6; ++levels)
+            errors[std::size_t(levels - 1)].push_back(
+                areaErrorPercent(accrued(city, hour.receivers, hour.sun, {.levels = levels}), truth));
+    }
+    for (int levels = 3; levels <= 6; ++levels) {
+        std::vector<double>& sorted = errors[std::size_t(levels - 1)];
+        std::ranges::sort(sorted);
+        EXPECT_LT(std::accumulate(sorted.begin(), sorted.end(), 0.0) / double(sorted.size()), 1) << levels;
+        EXPECT_LE(sorted[sorted.size() / 2], 0.7) << levels;
+        // Shadows behind three others: a place in such depths needs a fourth level.
+        EXPECT_LE(sorted.back(), levels == 3 ? 5 : 2.6) << levels;
+    }
+    const auto sum = [](const std::vector<double>& all) {
+        return std::accumulate(all.begin(), all.end(), 0.0);
+    };
+    EXPECT_GT(sum(errors[0]), sum(errors[2]));  // one level is not enough
 }
 
 TEST(InverseAccrualMap, openClAndProcessorAgreeBitForBit) {

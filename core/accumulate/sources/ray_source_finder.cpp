@@ -1,4 +1,4 @@
-#include "core/accumulate/source_finder.h"
+#include "core/accumulate/sources/ray_source_finder.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -14,23 +14,21 @@ namespace {
 constexpr int packetSide = 4;  // cells: rays of a square of 4 x 4 stay together best
 }
 
-SourceFinder::SourceFinder(RayScene scene, const Grid& grid, const std::vector<bool>& wanted, int levels,
-                           float nearestHitM)
+RaySourceFinder::RaySourceFinder(RayScene scene, const Grid& grid, int levels, float nearestHitM)
     : scene_(std::move(scene)), grid_(grid), levels_(levels), nearestHitM_(nearestHitM) {
     for (int row = 0; row < grid.rows; row += packetSide)
         for (int column = 0; column < grid.columns; column += packetSide) {
             Packet packet;
             for (int y = row; y < std::min(row + packetSide, grid.rows); ++y)
                 for (int x = column; x < std::min(column + packetSide, grid.columns); ++x)
-                    if (wanted[grid.index(x, y)])
-                        packet.cells[std::size_t(packet.count++)] = std::uint32_t(grid.index(x, y));
-            if (packet.count > 0) packets_.push_back(packet);
-            rays_ += std::uint64_t(packet.count);
+                    packet.cells[std::size_t(packet.count++)] = std::uint32_t(grid.index(x, y));
+            packets_.push_back(packet);
         }
 }
 
-void SourceFinder::find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) const {
+void RaySourceFinder::find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) const {
     sources.levels = levels_;
+    sources.steepestM = steepestOnASurface(towardsSun, grid_.cellM);
     sources.heightM.assign(std::size_t(levels_) * grid_.size(), 0);
     sources.building.assign(sources.heightM.size(), 0);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets_.size(), 64), [&](const auto& range) {
@@ -42,8 +40,8 @@ void SourceFinder::find(glm::dvec3 towardsSun, ShadowSources& sources, const std
     });
 }
 
-void SourceFinder::find(const Packet& packet, glm::dvec3 towardsSun, ShadowSources& sources,
-                        std::vector<Occluder>& occluders) const {
+void RaySourceFinder::find(const Packet& packet, glm::dvec3 towardsSun, ShadowSources& sources,
+                           std::vector<Occluder>& occluders) const {
     std::array<glm::vec3, 16> origins;
     for (int i = 0; i < packet.count; ++i) {
         const std::uint32_t cell = packet.cells[std::size_t(i)];
