@@ -235,6 +235,8 @@ void DepthMaps::lookUp(int first, int count) {
     p.work.lookups += std::uint64_t(p.receiverCount) * std::uint64_t(count);
 }
 
+void DepthMaps::wait() const { glFinish(); }
+
 Result<void> DepthMaps::read(std::span<ShadowMask> masks) {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, parts_->masks);
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(masks.size_bytes()), masks.data());

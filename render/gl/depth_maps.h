@@ -45,6 +45,9 @@ public:
     /// Sets the receivers' bits of those steps; first = 0 begins anew.
     void lookUp(int first, int count);
 
+    /// Until the device has done what it was asked to.
+    void wait() const;
+
     /// Waits for the device. Error when something went wrong on the way, as a device without memory.
     Result<void> read(std::span<ShadowMask> masks);
 

@@ -20,6 +20,14 @@ SurfacePoints cellsOf(const Receivers& receivers) {
     return points;
 }
 
+// Software OpenGL takes seconds for an hour's maps, and no stop request reaches it within a draw.
+constexpr int layersInSoftware = 4;
+
+int layersADraw(GlPasses passes, const GlLimits& limits, int steps) {
+    if (passes == GlPasses::oneAStep) return 1;
+    return limits.software ? std::min(steps, layersInSoftware) : steps;
+}
+
 class GlScene final : public IntervalScene {
 public:
     GlScene(CasterFaces faces, const Receivers& receivers, const AccrualSettings& settings, GlPasses passes,
@@ -67,13 +75,15 @@ private:
 
     Result<void> shadeOnDevice(const IntervalCasters& casters, const SunInterval& interval,
                                std::span<ShadowMask> masks, const std::stop_token& stop) {
-        const int layers = passes_ == GlPasses::oneAStep ? 1 : interval.steps;
+        const int layers = layersADraw(passes_, context_->limits(), interval.steps);
         if (auto ok = prepareMaps(layers); !ok) return ok;
         maps_->take(casters, interval);
         for (int step = 0; step < interval.steps; step += layers) {
             if (stop.stop_requested()) return cancelled();
-            maps_->draw(step, layers);
-            maps_->lookUp(step, layers);
+            const int count = std::min(layers, interval.steps - step);
+            maps_->draw(step, count);
+            maps_->lookUp(step, count);
+            if (context_->limits().software) maps_->wait();
         }
         return maps_->read(masks);
     }

@@ -12,6 +12,8 @@ enum class GlPasses {
     /// The paper's baseline: for each step a depth map is drawn and all receivers are tested against it.
     oneAStep,
     /// Shadow accrual map: one draw fills the maps of all steps, one pass tests all receivers against them.
+    /// In
+    /// software a few steps at a time, so that it can be stopped.
     oneAnInterval,
 };
 

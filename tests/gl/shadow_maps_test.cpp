@@ -3,6 +3,7 @@
 #include <bit>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <stop_token>
 #include <thread>
 
 #include "core/accumulate/graph_accumulator.h"
@@ -164,6 +165,18 @@ TEST_F(ShadowMapsGl, scenesWorkOnAnyThreadAndSideBySide) {
     two.join();
     EXPECT_EQ(first, expected);
     EXPECT_EQ(second, expected);
+}
+
+TEST_F(ShadowMapsGl, stops) {
+    const City city = cityOf(randomBoxes(26, 4));
+    const Receivers receivers = receiversOver(city, -10, -10, 90, 90);
+    std::stop_source stop;
+    for (const GlPasses passes : {GlPasses::oneAStep, GlPasses::oneAnInterval}) {
+        const auto scene = onDevice(passes, {})->prepare(city, receivers, oneDay({{120, 30}}), {}).value();
+        std::vector<ShadowMask> masks(receivers.cells.size());
+        stop.request_stop();
+        EXPECT_TRUE(isCancelled(scene->shade(interval, masks, stop.get_token()).error()));
+    }
 }
 
 TEST_F(ShadowMapsGl, enginesAreChosenByTheirKeys) {

@@ -178,6 +178,26 @@ TEST(ShadowAccrualMap, doesNotDependOnTheNumberOfThreads) {
     for (const std::uint32_t cell : receivers.cells) ASSERT_EQ(one[cell], many[cell]);
 }
 
+TEST(ShadowAccrualMap, stops) {
+    const City city = cityOf(randomBoxes(6, 4));
+    const Receivers receivers = receiversOver(city, -10, -10, 90, 90);
+    const auto scene =
+        ShadowAccrualMap::make({}).value()->prepare(city, receivers, oneDay(arc(60, 40)), {}).value();
+    std::vector<ShadowMask> masks(receivers.cells.size());
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(isCancelled(scene->shade(hour(120, 135, 30, 40), masks, stop.get_token()).error()));
+}
+
+TEST(ShadowAccrualMap, refusesTerrain) {
+    City city = cityOf({{{0, 0, 0}, {1, 1, 1}}});
+    const Receivers receivers = receiversOver(city, -2, -2, 2, 2);
+    city.terrain = std::make_shared<const Terrain>(Terrain{{-5, -5, 5, 2, 2}, {0, 0, 0, 1}});
+    const auto scene = ShadowAccrualMap::make({}).value()->prepare(city, receivers, oneDay({{90, 20}}), {});
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().advice, "Choose the ray reference");
+}
+
 TEST(ShadowAccrualMap, saysWhatItLeftOut) {
     std::vector<Box3> boxes = randomBoxes(9, 4);
     boxes.push_back({{5000, 0, 0}, {5010, 10, 10}});
