@@ -31,11 +31,11 @@ std::optional<std::size_t> ExploredView::pointAt(glm::dvec3 place) const {
     const double row = std::floor(camera.heightPx * 0.5 - scale * glm::dot(seen, camera.up));
     if (!(column >= 0 && column < camera.widthPx && row >= 0 && row < camera.heightPx)) return std::nullopt;
     const auto pixel = std::uint32_t(row) * std::uint32_t(camera.widthPx) + std::uint32_t(column);
-    const auto found = std::ranges::lower_bound(surface.pixel, pixel);
-    if (found == surface.pixel.end() || *found != pixel) return std::nullopt;
-    const auto point = std::size_t(found - surface.pixel.begin());
-    const glm::dvec3 apart = glm::dvec3(surface.points.positions[point]) - place;
-    const double offSurface = std::abs(glm::dot(glm::dvec3(surface.points.normals[point]), apart));
+    const auto found = std::ranges::lower_bound(surface->pixel, pixel);
+    if (found == surface->pixel.end() || *found != pixel) return std::nullopt;
+    const auto point = std::size_t(found - surface->pixel.begin());
+    const glm::dvec3 apart = glm::dvec3(surface->points.positions[point]) - place;
+    const double offSurface = std::abs(glm::dot(glm::dvec3(surface->points.normals[point]), apart));
     if (offSurface > samePlaneM + samePlaneShare * sampleM(depth)) return std::nullopt;
     return point;
 }

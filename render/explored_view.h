@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "core/accumulate/surface_accumulator.h"
@@ -11,12 +12,16 @@ namespace noonmark {
 /// Shadow on everything that a camera sees: ground, roofs and facades, one sample every `spacingPx` pixels of
 /// the view.
 struct ExploredView {
-    PixelCamera camera;      ///< its pixels are the samples
-    int spacingPx = 1;       ///< device pixels of the view from sample to sample
-    VisibleSurface surface;  ///< where the samples lie
-    SurfaceShadow shadow;    ///< one a point of `surface`, over the days done
-    int daysDone = 0;
-    int days = 1;  ///< of the period
+    PixelCamera camera;                             ///< its pixels are the samples
+    int spacingPx = 1;                              ///< device pixels of the view from sample to sample
+    std::shared_ptr<const VisibleSurface> surface;  ///< where the samples lie; not null
+    /// One a point of `surface`: over the days done, or, of points that wait for their turn, what is known of
+    /// their surroundings so far; NaN: nothing.
+    SurfaceShadow shadow;
+    int daysDone = 0;            ///< of every point
+    std::size_t pointsDone = 0;  ///< the first ones, of the days that follow
+    int daysShown = 0;           ///< behind every value of `shadow`, at least
+    int days = 1;                ///< of the period
 
     /// How far samples lie apart at the camera's `distanceM`, metres across the line of sight.
     [[nodiscard]] double sampleM(double distanceM) const;

@@ -1,5 +1,6 @@
 #include "app/window/exploration.h"
 
+#include "core/accumulate/surface_accrual.h"
 #include "core/accumulate/surface_rays.h"
 
 namespace noonmark {
@@ -11,8 +12,24 @@ void Exploration::setCity(std::shared_ptr<const OpenCity> city) {
     answer_.reset();
     question_.city = std::move(city);
     question_.sun.reset();
-    engine_ = std::make_shared<SurfaceRays>(question_.city->picker.scene());
+    makeEngine();
     Q_EMIT changed();
+    ask();
+}
+
+void Exploration::makeEngine() {
+    if (byMaps_)
+        engine_ = {SurfaceAccrual::make({}, {}).value(), false};
+    else
+        engine_ = {std::make_shared<SurfaceRays>(question_.city->picker.scene()), true};
+}
+
+void Exploration::setByMaps(bool maps) {
+    if (byMaps_ == maps) return;
+    byMaps_ = maps;
+    slot_.drop();
+    if (!question_.city) return;
+    makeEngine();
     ask();
 }
 
@@ -59,7 +76,7 @@ void Exploration::refine() {
     slot_.start<ViewAnswer>(
         tr("Exploring"),
         [question = question_, before = answer_, engine = engine_](Progress& progress, std::stop_token stop) {
-            return refined(question, before.get(), *engine, progress, std::move(stop));
+            return refined(question, before.get(), engine, progress, std::move(stop));
         },
         [this](Result<ViewAnswer> answer) { take(std::move(answer)); });
 }

@@ -20,6 +20,8 @@ public:
     void setPeriod(const Period& period,
                    const Observer& observer);                 ///< nothing happens when both are as before
     void look(const CameraPose& pose, const ViewLens& lens);  ///< `lens` in device pixels
+    /// By shadow accrual maps, as in the paper, or by rays: exact, and on a processor as fast.
+    void setByMaps(bool maps);
     void setActive(bool active);  ///< begins or stops; what was found stays until something changes
 
     [[nodiscard]] bool working() const { return slot_.busy(); }
@@ -30,13 +32,15 @@ Q_SIGNALS:
     void failed(noonmark::Error error);
 
 private:
+    void makeEngine();
     void ask();     // anew, from the coarsest level
     void refine();  // one step further
     void take(Result<ViewAnswer> answer);
     [[nodiscard]] bool canAsk() const;
 
     ViewQuestion question_;
-    std::shared_ptr<const SurfaceAccumulator> engine_;
+    SurfaceEngine engine_;
+    bool byMaps_ = false;
     std::shared_ptr<const ViewAnswer> answer_;
     JobSlot slot_;
     bool active_ = false;

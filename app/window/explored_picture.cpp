@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <algorithm>
+#include <cmath>
 
 namespace noonmark {
 
@@ -18,7 +19,9 @@ bool isInstant(const ExploredView& view) { return view.days == 1 && view.shadow.
 Legend legendOf(const ExploredView& view, ShadowMeasure measure) {
     if (isInstant(view)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
     const std::vector<float>& minutes = minutesOf(view, measure);
-    const float most = minutes.empty() ? 0 : std::ranges::max(minutes);
+    float most = 0;
+    for (const float value : minutes)
+        if (value > most) most = value;  // NaN is not above anything
     const double top = std::max(view.shadow.sunlitMinutesPerDay, double(most));
     return {nameOf(measure), aboutOf(measure), legendScale(top), false};
 }
@@ -27,12 +30,14 @@ SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, d
     const std::vector<float>& minutes = minutesOf(view, measure);
     SurfacePicture picture;
     picture.camera = view.camera;
-    picture.soFar = view.daysDone < view.days;
+    picture.soFar = view.daysShown < view.days;
     const std::size_t pixels = std::size_t(view.camera.widthPx) * std::size_t(view.camera.heightPx);
     picture.samples.assign(pixels, {0, 0, 0, -1});
-    for (std::size_t point = 0; point < view.surface.pixel.size(); ++point) {
+    const VisibleSurface& surface = *view.surface;
+    for (std::size_t point = 0; point < surface.pixel.size(); ++point) {
+        if (std::isnan(minutes[point])) continue;
         const float share = std::clamp(float(double(minutes[point]) / top), 0.0F, 1.0F);
-        picture.samples[view.surface.pixel[point]] = {view.surface.points.positions[point], share};
+        picture.samples[surface.pixel[point]] = {surface.points.positions[point], share};
     }
     return picture;
 }
@@ -41,8 +46,8 @@ QString detailWords(const ExploredView& view, double distanceM) {
     const QString samples = view.spacingPx == 1 ? QObject::tr("every pixel")
                                                 : QObject::tr("a sample every %1 pixels").arg(view.spacingPx);
     const QString detail = QObject::tr("%1, %2 m").arg(samples).arg(view.sampleM(distanceM), 0, 'g', 2);
-    if (view.daysDone == view.days) return detail;
-    return QObject::tr("%1 of %2 days; %3").arg(view.daysDone).arg(view.days).arg(detail);
+    if (view.daysShown == view.days) return detail;
+    return QObject::tr("%1 of %2 days; %3").arg(view.daysShown).arg(view.days).arg(detail);
 }
 
 }  // namespace noonmark

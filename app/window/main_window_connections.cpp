@@ -113,6 +113,7 @@ void MainWindow::connectModes() {
         panel_->results().setMode(mode);
         exploration_.setActive(mode == ViewMode::exploration);
     });
+    connect(menus_.byMaps, &QAction::toggled, &exploration_, &Exploration::setByMaps);
     connect(&exploration_, &Exploration::changed, this,
             [this] { panel_->results().setExplored(exploration_.answer()); });
     connect(&exploration_, &Exploration::failed, &panel_->messages(), &MessageBar::showError);

@@ -24,20 +24,28 @@ struct ViewAnswer {
     int level = 0;  ///< in refinementLevels
 };
 
-/// From coarse to fine. A coarse level costs no more than `mostTests` tests of one sample at one step: of a
-/// long period it takes as many days, scattered over the whole of it. The finest takes all days, so many at a
-/// time.
+/// What shades the samples.
+struct SurfaceEngine {
+    std::shared_ptr<const SurfaceAccumulator> accumulator;
+    /// Its cost grows with the points and days asked for, so that the finest level may be taken in parts;
+    /// else all of it at once is the cheapest.
+    bool inParts = true;
+};
+
+/// From coarse to fine. A turn costs no more than `mostTests` tests of one sample at one step, where one day
+/// allows it: of a long period a coarse level takes as many days, scattered over the whole of it. The finest
+/// level takes all days, in turns of some days, or of some points on one day.
 struct RefinementLevel {
     int spacingPx = 1;
     double mostTests = 0;
 };
-inline constexpr RefinementLevel refinementLevels[] = {{8, 1e7}, {4, 2e7}, {2, 4e7}, {1, 4e7}};
+inline constexpr RefinementLevel refinementLevels[] = {{8, 1e7}, {4, 2e7}, {2, 4e7}, {1, 2.5e7}};
 
-/// The next answer: the coarsest level without one before (null), then finer ones, then more days of the
-/// finest. Each is true for the samples and days that it says. At least one day a call. Error: a period out
+/// The next answer: the coarsest level without one before (null), then finer ones, then more points and days
+/// of the finest. Each is true for the samples and days that it says. Error: a period out
 /// of range, a sun that never rises; cancelled() within 0.2 s.
 Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* before,
-                           const SurfaceAccumulator& engine, Progress& progress, std::stop_token stop);
+                           const SurfaceEngine& engine, Progress& progress, std::stop_token stop);
 
 /// Nothing is left to refine.
 bool isFinest(const ViewAnswer& answer);

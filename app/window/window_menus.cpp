@@ -67,6 +67,10 @@ WindowMenus::WindowMenus(QMainWindow& window) {
     faces->setCheckable(true);
     faces->setChecked(true);
     modes = view.addMenu(tr("&Mode"));
+    byMaps = added(view, tr("&Explore by shadow accrual maps"), {},
+                   tr("As in the paper, instead of rays: not exact at the borders of shadows, but hours that "
+                      "look alike are computed once"));
+    byMaps->setCheckable(true);
     docks = view.addMenu(tr("&Panels"));
 
     QMenu& help = *bar.addMenu(tr("&Help"));

@@ -34,6 +34,7 @@ struct WindowMenus {
     QAction* region;
     QAction* faces;  ///< checkable
     QMenu* modes;
+    QAction* byMaps;  ///< checkable
     QMenu* docks;
     QAction* keys;
 };

@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/window/explored_picture.h"
+#include "core/accumulate/surface_accrual.h"
 #include "core/accumulate/surface_rays.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
@@ -34,7 +35,7 @@ Period morning(int days = 1) {
 /// A view of the small city.
 struct Refinement : ::testing::Test {
     ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr};
-    SurfaceRays engine{question.city->picker.scene()};
+    SurfaceEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
     // All answers, from the first to the finest.
@@ -46,7 +47,8 @@ struct Refinement : ::testing::Test {
     }
 
     SurfaceShadow truthOf(const ViewAnswer& answer) {
-        return engine.accumulate(question.city->city(), answer.view.surface.points, *answer.sun, progress, {})
+        return engine.accumulator
+            ->accumulate(question.city->city(), answer.view.surface->points, *answer.sun, progress, {})
             .value();
     }
 };
@@ -59,7 +61,7 @@ TEST_F(Refinement, GoesFromCoarseToEveryPixel) {
     EXPECT_EQ(spacing, (std::vector{8, 4, 2, 1}));
     EXPECT_EQ(all.back().view.camera.widthPx, 160);
     EXPECT_EQ(all.back().view.camera.heightPx, 120);
-    EXPECT_LT(all.front().view.surface.points.size() * 50, all.back().view.surface.points.size());
+    EXPECT_LT(all.front().view.surface->points.size() * 50, all.back().view.surface->points.size());
 }
 
 TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
@@ -71,13 +73,52 @@ TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
     }
 }
 
+// A day at full resolution that takes long is filled in, over what the coarser level knew.
+TEST_F(Refinement, PointsThatWaitShowWhatIsKnownAroundThem) {
+    question.period.stepMinutes = 0.1;
+    question.lens = {40, 240, 180};
+    const auto all = answers();
+    ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
+    const ViewAnswer& half = all[all.size() - 2];
+    const SurfaceShadow& finest = all.back().view.shadow;
+    ASSERT_GT(half.view.pointsDone, 0U);
+    EXPECT_EQ(half.view.daysShown, 1) << "every value is one of the whole day";
+    int waiting = 0;
+    int alike = 0;
+    for (std::size_t i = 0; i < finest.grossMin.size(); ++i) {
+        if (i < half.view.pointsDone) {
+            ASSERT_EQ(half.view.shadow.grossMin[i], finest.grossMin[i]);
+        } else if (!std::isnan(half.view.shadow.grossMin[i])) {
+            ++waiting;
+            if (std::abs(half.view.shadow.grossMin[i] - finest.grossMin[i]) < 3) ++alike;
+        }
+    }
+    EXPECT_GT(waiting, int(finest.grossMin.size() - half.view.pointsDone) * 9 / 10);
+    EXPECT_GT(alike, waiting * 9 / 10);
+}
+
+TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
+    engine = {SurfaceAccrual::make({}, {}).value(), false};
+    question.period = morning(20);
+    const auto all = answers();
+    EXPECT_EQ(all.size(), 4U);
+    const SurfaceShadow rays =
+        SurfaceRays()
+            .accumulate(question.city->city(), all.back().view.surface->points, *all.back().sun, progress, {})
+            .value();
+    double error = 0;
+    for (std::size_t i = 0; i < rays.grossMin.size(); ++i)
+        error += std::abs(double(rays.grossMin[i] - all.back().view.shadow.grossMin[i]));
+    EXPECT_LT(error / double(rays.grossMin.size()), 180 * 0.02);
+}
+
 TEST_F(Refinement, SeesRoofsAndFacadesAndTheShadowOnThem) {
     const ViewAnswer finest = answers().back();
     int roofs = 0;
     int facades = 0;
-    for (std::size_t i = 0; i < finest.view.surface.points.size(); ++i) {
-        const glm::vec3 normal = finest.view.surface.points.normals[i];
-        if (normal.z > 0.9F && finest.view.surface.points.positions[i].z > 20) ++roofs;
+    for (std::size_t i = 0; i < finest.view.surface->points.size(); ++i) {
+        const glm::vec3 normal = finest.view.surface->points.normals[i];
+        if (normal.z > 0.9F && finest.view.surface->points.positions[i].z > 20) ++roofs;
         if (normal.z < 0.1F) ++facades;
     }
     EXPECT_GT(roofs, 100);
@@ -99,7 +140,7 @@ TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
         coarser = sample;
         const auto point = finest.view.pointAt({-70, 60, 0});
         ASSERT_TRUE(point);
-        const glm::dvec3 seen(finest.view.surface.points.positions[*point]);
+        const glm::dvec3 seen(finest.view.surface->points.positions[*point]);
         EXPECT_LT(glm::length(seen - glm::dvec3(-70, 60, 0)), sample) << "what a pixel shows is that near";
     }
 }
@@ -108,7 +149,7 @@ TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
 TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     question.period = morning(300);
     question.period.stepMinutes = 2;
-    question.lens = {40, 800, 600};
+    question.lens = {40, 400, 300};
     ViewAnswer answer = refined(question, nullptr, engine, progress, {}).value();
     ASSERT_EQ(answer.view.days, 300);
     const int coarseDays = answer.view.daysDone;
@@ -125,13 +166,13 @@ TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
 }
 
 TEST_F(Refinement, DaysTakenOneAfterTheOtherAddUp) {
-    question.period = morning(7);
+    question.period = morning(3);
     question.period.stepMinutes = 0.2;
-    question.lens = {40, 480, 360};
+    question.lens = {40, 200, 150};
     std::vector<ViewAnswer> all = answers();
     ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
     const SurfaceShadow truth = truthOf(all.back());
-    for (std::size_t i = 0; i < truth.grossMin.size(); i += 7) {
+    for (std::size_t i = 0; i < truth.grossMin.size(); ++i) {
         ASSERT_NEAR(all.back().view.shadow.grossMin[i], truth.grossMin[i], 1e-3);
         ASSERT_EQ(all.back().view.shadow.continuousMin[i], truth.continuousMin[i]);
     }
@@ -194,7 +235,7 @@ TEST_F(ExplorationTest, AnotherPeriodBeginsAnew) {
     noon.from = std::chrono::hours(12);
     exploration.setPeriod(noon, newYork());
     ASSERT_TRUE(waitFor([this] { return finest(); }));
-    EXPECT_EQ(before->view.surface.pixel, exploration.answer()->view.surface.pixel);
+    EXPECT_EQ(before->view.surface->pixel, exploration.answer()->view.surface->pixel);
     EXPECT_NE(before->view.shadow.grossMin, exploration.answer()->view.shadow.grossMin);
 }
 
@@ -216,7 +257,8 @@ TEST(ExploredView, KnowsNothingBehindACornerOrBesideThePicture) {
     const auto city = test::smallOpenCity();
     ExploredView view;
     view.camera = cameraOf({{0, -40, 0}, 300, 0, 30}, lens, 1);
-    view.surface = visibleSurface(city->picker.scene().value(), true, view.camera).value();
+    view.surface = std::make_shared<const VisibleSurface>(
+        visibleSurface(city->picker.scene().value(), true, view.camera).value());
     EXPECT_TRUE(view.pointAt({0, -60, 30})) << "the southern front";
     EXPECT_FALSE(view.pointAt({0, -20, 30})) << "the northern front is behind it";
     EXPECT_FALSE(view.pointAt({0, -600, 0})) << "behind the eye";

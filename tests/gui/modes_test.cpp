@@ -159,11 +159,11 @@ std::array<Share, 3> rightColours(const ExploredView& view, const QImage& image,
     std::array<Share, 3> shares;
     std::mt19937 random(5);
     for (int i = 0; i < 6000; ++i) {
-        const std::size_t point = random() % view.surface.points.size();
-        const int column = int(view.surface.pixel[point] % std::uint32_t(view.camera.widthPx));
-        const int row = int(view.surface.pixel[point] / std::uint32_t(view.camera.widthPx));
-        const bool level = view.surface.points.normals[point].z > 0.5F;
-        Share& share = shares[!level ? 2U : view.surface.points.positions[point].z > 1 ? 1U : 0U];
+        const std::size_t point = random() % view.surface->points.size();
+        const int column = int(view.surface->pixel[point] % std::uint32_t(view.camera.widthPx));
+        const int row = int(view.surface->pixel[point] / std::uint32_t(view.camera.widthPx));
+        const bool level = view.surface->points.normals[point].z > 0.5F;
+        Share& share = shares[!level ? 2U : view.surface->points.positions[point].z > 1 ? 1U : 0U];
         ++share.seen;
         const QColor due = shadowColour(double(view.shadow.grossMin[point]) / top);
         if (difference(image.pixelColor(column, row), due) <= 12) ++share.right;
