@@ -125,7 +125,6 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     if (const auto done = projection.run(field); !done) return tl::make_unexpected(done.error());
     const FillCount total = projection.total();
     field.cost.skipped["shadows that meet no receiver (casters x steps)"] = total.outOfReach;
-    field.cost.skipped["walls against a building as high"] = casters.hiddenWalls;
     progress.report(1, "filling shadows");
     return field;
 }

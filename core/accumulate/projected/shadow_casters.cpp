@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
 
 #include "core/accumulate/projected/cell_coordinates.h"
+#include "core/accumulate/ray_reference.h"
 #include "core/city/mesh_topology.h"
 #include "core/city/triangulate.h"
 
@@ -34,7 +36,14 @@ public:
         for (const Part& part : city_.buildings[building]->parts) addPart(part);
     }
 
-    ShadowCasters take() { return std::move(result_); }
+    // What throws most comes first: much of the rest falls where it is dark already.
+    ShadowCasters take() {
+        std::ranges::stable_sort(result_.casters, std::greater{}, [](const ShadowCaster& caster) {
+            const glm::dvec2 size = caster.high - caster.low;
+            return (size.x + size.y) * double(caster.topM - caster.bottomM);
+        });
+        return std::move(result_);
+    }
 
 private:
     void addPart(const Part& part) {
@@ -67,17 +76,21 @@ private:
         for (const glm::uvec3 t : mesh.triangles) {
             const glm::vec3 a = mesh.vertices[t.x], b = mesh.vertices[t.y], c = mesh.vertices[t.z];
             ShadowCaster& caster = add(Kind::face, {glm::vec2(a), glm::vec2(b), glm::vec2(c)});
-            caster.heights = {std::max(0.0F, a.z), std::max(0.0F, b.z), std::max(0.0F, c.z)};
-            caster.topM = std::max({a.z, b.z, c.z});
+            caster.heights = {seen(a.z), seen(b.z), seen(c.z)};
+            caster.topM = seen(std::max({a.z, b.z, c.z}));
             caster.twoSided = open;
         }
     }
 
     void addRing(Kind kind, const Part& part, const Ring& ring) {
         ShadowCaster& caster = add(kind, ring);
-        caster.bottomM = std::max(0.0F, part.bottomM);
-        caster.topM = kind == Kind::flat ? caster.bottomM : part.topM;
+        caster.bottomM = seen(part.bottomM);
+        caster.topM = kind == Kind::flat ? caster.bottomM : seen(part.topM);
     }
+
+    // A receiver stands where its rays begin: a little above the ground, a little east and north of its
+    // place.
+    static float seen(float heightM) { return std::max(0.0F, heightM - RayReferenceSettings::liftM); }
 
     ShadowCaster& add(Kind kind, const Ring& ring) {
         ShadowCaster caster{.kind = kind,
@@ -87,7 +100,8 @@ private:
         caster.low = glm::dvec2(1e30);
         caster.high = glm::dvec2(-1e30);
         for (const glm::vec2 point : ring) {
-            const glm::dvec2 cells = cellsFromLocal(grid_, glm::dvec2(point));
+            const glm::dvec2 cells =
+                cellsFromLocal(grid_, glm::dvec2(point) - double(RayReferenceSettings::asideM));
             result_.points.push_back(cells);
             caster.low = glm::min(caster.low, cells);
             caster.high = glm::max(caster.high, cells);
@@ -107,12 +121,9 @@ private:
 void sweep(std::span<const glm::dvec2> ring, glm::dvec2 near, glm::dvec2 far,
            std::vector<glm::dvec2>& polygon) {
     const glm::dvec2 move = far - near;
-    const auto facesMove = [&](std::size_t i) {
-        return cross(move, ring[(i + 1) % ring.size()] - ring[i]) > 0;
-    };
-    bool before = facesMove(ring.size() - 1);
+    bool before = cross(move, ring.front() - ring.back()) > 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        const bool now = facesMove(i);
+        const bool now = cross(move, ring[i + 1 < ring.size() ? i + 1 : 0] - ring[i]) > 0;
         // Where the side changes the point appears twice, joined by the edge that the corner draws.
         polygon.push_back(ring[i] + (before ? far : near));
         if (now != before) polygon.push_back(ring[i] + (now ? far : near));

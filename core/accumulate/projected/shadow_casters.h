@@ -13,7 +13,7 @@
 namespace noonmark {
 
 /// One convex piece of what throws a shadow on flat ground. Coordinates in cells of a grid (the centre of
-/// cell (0, 0) is at (0, 0)), heights in metres above the ground.
+/// cell (0, 0) is at (0, 0)), heights in metres above the receivers, which stand where rayOrigin() puts them.
 struct ShadowCaster {
     enum class Kind : std::uint8_t {
         prism,  ///< a convex polygon (counter-clockwise) from bottom to top
@@ -38,7 +38,6 @@ struct ShadowCaster {
 struct ShadowCasters {
     std::vector<ShadowCaster> casters;
     std::vector<glm::dvec2> points;
-    std::uint64_t hiddenWalls = 0;  ///< walls left out: another building at least as high stands against them
 
     [[nodiscard]] std::span<const glm::dvec2> pointsOf(const ShadowCaster& caster) const {
         return std::span(points).subspan(caster.firstPoint, caster.pointCount);

@@ -23,7 +23,7 @@ ShadowEvents::ShadowEvents(const Receivers& receivers)
     for (const std::uint32_t cell : receivers.cells) {
         const int column = int(cell % std::uint32_t(layout_.columns)),
                   row = int(cell / std::uint32_t(layout_.columns));
-        setRun(layout_.row(isReceiver_, row), column, column + 1);
+        layout_.set(isReceiver_, column, row);
     }
 }
 
@@ -68,9 +68,9 @@ void ShadowEvents::endRuns(std::size_t word, std::uint64_t ended, std::uint32_t 
 void ShadowEvents::finish(ShadowField& field) {
     for (std::size_t word = 0; word < shaded_.size(); ++word) change(word, 0, steps_);
     for (const std::uint32_t cell : receivers_.cells) {
-        const std::size_t column = cell % std::uint32_t(layout_.columns),
-                          row = cell / std::uint32_t(layout_.columns);
-        const CellState& state = cells_[row * std::size_t(layout_.wordsPerRow) * 64 + column];
+        const int column = int(cell % std::uint32_t(layout_.columns)),
+                  row = int(cell / std::uint32_t(layout_.columns));
+        const CellState& state = cells_[layout_.word(column, row) * 64 + std::size_t(column & 63)];
         field.grossMin[cell] = float(state.gross * field.stepMinutes / field.days);
         field.continuousMin[cell] = float(state.longest * field.stepMinutes);
     }

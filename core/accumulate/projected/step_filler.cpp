@@ -40,7 +40,14 @@ StepFiller::StepFiller(const ShadowCasters& casters, const Receivers& receivers,
       sun_(sun),
       layout_(receivers.grid),
       cellM_(receivers.grid.cellM),
-      receivers_(receivers) {}
+      receivers_(receivers),
+      noReceivers_(layout_.words(), ~std::uint64_t{0}) {
+    for (const std::uint32_t cell : receivers.cells) {
+        const int column = int(cell % std::uint32_t(layout_.columns));
+        noReceivers_[layout_.word(column, int(cell / std::uint32_t(layout_.columns)))] &=
+            ~(std::uint64_t{1} << (column & 63));
+    }
+}
 
 // The shadow of a point one metre up lies this far from the point below it.
 glm::dvec2 StepFiller::throwCells(std::size_t step) const {
@@ -70,9 +77,9 @@ FillCount StepFiller::fill(std::size_t first, std::size_t end, std::span<std::ui
     std::vector<glm::dvec2> polygon;
     const std::vector<std::uint32_t> inReach = castersInReach(first, end);
     count.outOfReach = (casters_.casters.size() - inReach.size()) * (end - first);
-    std::ranges::fill(rasters, 0);
     for (std::size_t step = first; step < end; ++step) {
         const auto raster = rasters.subspan((step - first) * layout_.words(), layout_.words());
+        std::ranges::copy(noReceivers_, raster.begin());
         const glm::dvec2 thrown = throwCells(step);
         for (const std::uint32_t index : inReach) {
             shadowOf(casters_, casters_.casters[index], thrown, polygon);

@@ -36,7 +36,8 @@ class StepFiller {
 public:
     StepFiller(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun);
 
-    /// Rasters of steps [first, end), each cleared first; `rasters` holds (end - first) x layout words.
+    /// Rasters of steps [first, end); `rasters` holds (end - first) x layout words, what was in them goes.
+    /// Cells that are no receivers are set from the start: what falls on them only need not be filled.
     FillCount fill(std::size_t first, std::size_t end, std::span<std::uint64_t> rasters) const;
 
 private:
@@ -48,6 +49,7 @@ private:
     BitLayout layout_;
     double cellM_;
     ReceiverCount receivers_;
+    std::vector<std::uint64_t> noReceivers_;  // raster
 };
 
 }  // namespace noonmark
