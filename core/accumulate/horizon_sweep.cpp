@@ -26,6 +26,7 @@ namespace {
 
 // For the ranks of one tile, were all its cells receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
+constexpr std::size_t mostOpenTriangles = 50'000;
 constexpr int largestTile = 1024;  // cells a side: a line of horizons stays in the first-level cache
 
 int tileSide(std::size_t bins) {
@@ -36,9 +37,10 @@ int tileSide(std::size_t bins) {
 /// Sweeps and counts, tile after tile.
 class Sweep {
 public:
-    Sweep(const WallList& walls, const Receivers& receivers, const SunSteps& sun, const BinnedSun& binned,
-          Progress& progress, std::stop_token stop)
+    Sweep(const WallList& walls, std::span<const OpenTriangle> open, const Receivers& receivers,
+          const SunSteps& sun, const BinnedSun& binned, Progress& progress, std::stop_token stop)
         : walls_(walls),
+          open_(open),
           receivers_(receivers),
           binned_(binned),
           count_(sun, binned),
@@ -75,6 +77,10 @@ private:
     // Whole numbers of steps: their sum is the same in any order.
     void sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, Sums& hidden) {
         tbb::enumerable_thread_specific<Sums> sums{[&] { return Sums(blocks.numbers()); }};
+        const auto numbers = open_.empty() ? std::vector<std::int32_t>{} : numbersOf(blocks, receivers_.grid);
+        tbb::enumerable_thread_specific<OpenSweep> opens{
+            [&] { return OpenSweep(open_, blocks.box(), numbers); }};
+        gaps_.assign(binned_.bins.size(), {});
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t bin) {
             if (stop_.stop_requested()) return;
@@ -83,7 +89,10 @@ private:
             outOfReach_.local() += sweepBin(sweeps_.local(), walls_, blocks, of.away, of.lowest(),
                                             receivers_.grid.cellM, codes, stop_);
             if (stop_.stop_requested()) return;
+            if (!open_.empty())
+                gaps_[bin] = opens.local().sweep(of.away, of.lowest(), receivers_.grid.cellM, codes);
             count_.addHidden(bin, codes, sums.local());
+            count_.addHidden(bin, gaps_[bin], sums.local());
             report(blocks, 0.8 * double(++done) / double(binned_.bins.size()));
         });
         for (const Sums& some : sums) std::ranges::transform(hidden, some, hidden.begin(), std::plus<>());
@@ -99,6 +108,7 @@ private:
             writeMinutes(blocks, part, hidden, count_.longestRuns(codes, part, lanes_.local()), field);
             report(blocks, 0.8 + 0.2 * double(++done) / double(partsOf(blocks)));
         });
+        if (!open_.empty()) count_.writeOpenRuns(blocks, codes, gaps_, field, stop_);
     }
 
     void report(const ReceiverBlocks& blocks, double fraction) {
@@ -108,6 +118,8 @@ private:
     }
 
     const WallList& walls_;
+    std::span<const OpenTriangle> open_;
+    std::vector<std::vector<Gap>> gaps_;  // of each bin of the tile at hand
     const Receivers& receivers_;
     const BinnedSun& binned_;
     PeriodCount count_;
@@ -119,13 +131,28 @@ private:
     tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};
 };
 
+// Open parts cost much more than walls: for each triangle every cell that it may shade is looked at.
+Result<std::vector<OpenTriangle>> trianglesOf(const OpenParts& open, const Grid& grid) {
+    std::vector<OpenTriangle> triangles;
+    for (const Part* part : open) addTriangles(*part, grid, triangles);
+    if (triangles.size() <= mostOpenTriangles) return triangles;
+    return failure(
+        fmt::format("The horizon sweep takes prisms that stand on the ground and up to {} triangles "
+                    "of other parts, and in reach there are {}",
+                    mostOpenTriangles, triangles.size()),
+        "engine", "Choose projected shadows or the ray reference");
+}
+
 Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 double binDeg, Progress& progress, const std::stop_token& stop) {
     ShadowField field = blankField(receivers, sun);
     const Stopwatch watch;
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
-    const auto walls = standingWalls(city, used, receivers.grid);
+    OpenParts open;
+    const auto walls = standingWalls(city, used, receivers.grid, &open);
     if (!walls) return tl::make_unexpected(walls.error());
+    const auto triangles = trianglesOf(open, receivers.grid);
+    if (!triangles) return tl::make_unexpected(triangles.error());
     const BinnedSun binned = binnedSun(sun, binDeg);
     field.engine = fmt::format(
         "Horizon sweep: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
@@ -135,7 +162,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
-    Sweep sweep(*walls, receivers, sun, binned, progress, stop);
+    Sweep sweep(*walls, *triangles, receivers, sun, binned, progress, stop);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms whose shadow cannot reach a tile (prisms x azimuth bins)"] =

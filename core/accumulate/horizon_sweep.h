@@ -27,8 +27,11 @@ struct HorizonSweepSettings {
 /// (tests/benchmarks/horizon_bench.cpp). The answer does not depend on the number of threads, on tiles or on
 /// the order of buildings.
 ///
-/// Refused, with an error that names another engine: terrain; parts in reach that hang or are general meshes;
-/// a bin width out of range; days of more than 32,767 steps.
+/// Parts that hang or are general meshes hide an interval of altitudes triangle by triangle, just those whose
+/// rays they would stop; receivers that see the sun below such a part are counted step by step.
+///
+/// Refused, with an error that names another engine: terrain; more than 50,000 triangles of such parts in
+/// reach; a bin width out of range; days of more than 32,767 steps.
 ///
 /// Cost, each shared by all cores: some 3 ms for each bin of 800 x 800 cells in a dense city for the sweep,
 /// steps x receivers x some 8 ps for the longest runs. Memory: up to half a GiB.

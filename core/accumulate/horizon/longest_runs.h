@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +27,18 @@ public:
 
     /// Of each receiver, in steps. `horizons`: one a bin. O(days x bins), and more where days look alike.
     [[nodiscard]] RunLanes of(std::span<const RunLanes> horizons) const;
+
+    /// Of one receiver, step by step: those in shadow are told by `hidden(place)`.
+    template <class Hidden>
+    [[nodiscard]] int ofOne(const Hidden& hidden) const {
+        int run = 0, longest = 0;
+        for (const TimedStep& step : steps_) {
+            if (step.startsRun) run = 0;
+            run = hidden(step.place) ? run + 1 : 0;
+            longest = std::max(longest, run);
+        }
+        return longest;
+    }
 
     [[nodiscard]] std::span<const TimedStep> steps() const { return steps_; }
 

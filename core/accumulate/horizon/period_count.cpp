@@ -1,5 +1,7 @@
 #include "core/accumulate/horizon/period_count.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace noonmark {
@@ -17,6 +19,11 @@ void copyLanes(const BinCodes& codes, std::size_t first, std::vector<RunLanes>& 
     }
 }
 
+std::span<const Gap> of(std::uint32_t number, std::span<const Gap> gaps) {
+    const auto own = std::ranges::equal_range(gaps, number, {}, &Gap::number);
+    return {own.begin(), own.end()};
+}
+
 }  // namespace
 
 PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned) : runs_(timedSteps(sun, binned)) {
@@ -27,6 +34,33 @@ void PeriodCount::addHidden(std::size_t bin, std::span<const HorizonCode> codes,
                             std::span<std::uint32_t> sums) const {
     const HiddenSuns& hidden = hidden_[bin];
     for (std::size_t i = 0; i < codes.size(); ++i) sums[i] += hidden(codes[i]);
+}
+
+void PeriodCount::addHidden(std::size_t bin, std::span<const Gap> gaps, std::span<std::uint32_t> sums) const {
+    for (const Gap& gap : gaps) sums[gap.number] += hidden_[bin](gap.high) - hidden_[bin](gap.low);
+}
+
+void PeriodCount::writeOpenRuns(const ReceiverBlocks& blocks, const BinCodes& codes,
+                                const std::vector<std::vector<Gap>>& gaps, ShadowField& field,
+                                const std::stop_token& stop) const {
+    std::vector<std::uint32_t> numbers;
+    for (const auto& bin : gaps)
+        for (const Gap& gap : bin) numbers.push_back(gap.number);
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t i) {
+        if (stop.stop_requested()) return;
+        const std::uint32_t number = numbers[i];
+        std::vector<std::span<const Gap>> own;
+        for (const auto& bin : gaps) own.push_back(of(number, bin));
+        const int longest = runs_.ofOne([&](const StepPlace& place) {
+            return codes[place.bin][number] > place.sun ||
+                   std::ranges::any_of(own[place.bin], [&](const Gap& gap) {
+                       return gap.low <= place.sun && place.sun < gap.high;
+                   });
+        });
+        field.continuousMin[blocks.cell(number)] = float(longest * field.stepMinutes);
+    });
 }
 
 RunLanes PeriodCount::longestRuns(const BinCodes& codes, std::size_t part,

@@ -53,10 +53,14 @@ tl::unexpected<Error> notStanding(const Building& building, const Part& part, st
 }  // namespace
 
 Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
-                              WallList& list) {
+                              WallList& list, OpenParts* open) {
     WallBuilder builder(grid, list);
     for (const Part& part : building.parts) {
         if (part.topM <= 0) continue;
+        if (open != nullptr && (part.mesh || part.hangs)) {
+            open->push_back(&part);
+            continue;
+        }
         if (part.mesh) return notStanding(building, part, "is a general mesh");
         if (part.hangs) return notStanding(building, part, "has open air below it");
         builder.add(part, number);
@@ -64,10 +68,11 @@ Result<void> addStandingWalls(const Building& building, std::uint32_t number, co
     return {};
 }
 
-Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
+Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid,
+                               OpenParts* open) {
     WallList list;
     for (const std::uint32_t index : buildings)
-        if (const auto added = addStandingWalls(*city.buildings[index], index, grid, list); !added)
+        if (const auto added = addStandingWalls(*city.buildings[index], index, grid, list, open); !added)
             return tl::make_unexpected(added.error());
     return list;
 }

@@ -35,13 +35,17 @@ struct WallList {
     }
 };
 
+/// What walls cannot describe: parts that hang or are general meshes. Not owned.
+using OpenParts = std::vector<const Part*>;
+
 /// Adds the prisms of a building, each taken from the ground up. A part that starts on another of its
-/// building is taken so too: what is below it is solid. Error where a part hangs or is a general mesh: a
-/// horizon cannot say what it hides.
+/// building is taken so too: what is below it is solid. Parts that hang or are general meshes go to `open`;
+/// where that is null they are an error: a horizon cannot say what they hide.
 Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
-                              WallList& list);
+                              WallList& list, OpenParts* open = nullptr);
 
 /// The prisms of some buildings, numbered by their index in the city.
-Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
+Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid,
+                               OpenParts* open = nullptr);
 
 }  // namespace noonmark
