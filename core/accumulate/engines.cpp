@@ -1,3 +1,4 @@
+#include "core/accumulate/auto_engine.h"
 #include "core/accumulate/engine_list.h"
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/horizon_sweep.h"
@@ -97,6 +98,18 @@ Engine horizonSweep() {
         }};
 }
 
+Engine autoEngine() {
+    return {{"auto",
+             "Automatic",
+             "Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result "
+             "says which and why",
+             24,
+             {binOption()}},
+            [](const EngineSettings& settings) -> Made {
+                return std::make_unique<AutoEngine>(settings.at("bin"));
+            }};
+}
+
 Made inverseAccrual(const EngineSettings& settings) {
     InverseAccrualSettings map{.levels = int(settings.at("levels")),
                                .nearestHitM = float(settings.at("nearest"))};
@@ -153,8 +166,8 @@ Engine shadowAccrualMap() {
 }  // namespace
 
 const EngineList& coreEngines() {
-    static const EngineList list{rayReference(),     projectedShadows(),  horizonSweep(),
-                                 shadowAccrualMap(), inverseAccrualMap(), rayGraph()};
+    static const EngineList list{rayReference(),      projectedShadows(), horizonSweep(), shadowAccrualMap(),
+                                 inverseAccrualMap(), rayGraph(),         autoEngine()};
     return list;
 }
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <new>
 
 #include "core/accumulate/blank_field.h"
@@ -17,6 +18,7 @@
 #include "core/accumulate/horizon/horizon_case.h"
 #include "core/accumulate/horizon/period_count.h"
 #include "core/accumulate/horizon/tile_horizons.h"
+#include "core/accumulate/partial_field.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
 
@@ -27,6 +29,7 @@ namespace {
 // For the ranks of one tile, were all its cells receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
 constexpr std::size_t mostOpenTriangles = 50'000;
+constexpr std::size_t partsShown = 16;
 constexpr int largestTile = 1024;  // cells a side: a line of horizons stays in the first-level cache
 
 int tileSide(std::size_t bins) {
@@ -48,12 +51,14 @@ public:
           stop_(std::move(stop)) {}
 
     Result<void> run(ShadowField& field) {
-        for (const TileBox& box : tilesOf(receivers_.grid, tileSide(binned_.bins.size()))) {
+        const std::vector<TileBox> tiles = tilesOf(receivers_.grid, tileSide(binned_.bins.size()));
+        oneTile_ = tiles.size() == 1;
+        for (const TileBox& box : tiles) {
             const ReceiverBlocks blocks(receivers_, box);
             if (blocks.receivers() == 0) continue;
             TileHorizons horizons(binned_.bins.size(), blocks.numbers());
             Sums hidden(blocks.numbers());
-            timed(field, "sweep", [&] { sweep(blocks, horizons, hidden); });
+            timed(field, "sweep", [&] { sweep(blocks, horizons, hidden, field); });
             if (stop_.stop_requested()) return cancelled();
             timed(field, "count", [&] { count(blocks, horizons, hidden, field); });
             if (stop_.stop_requested()) return cancelled();
@@ -75,14 +80,14 @@ private:
     }
 
     // Whole numbers of steps: their sum is the same in any order.
-    void sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, Sums& hidden) {
+    void sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, Sums& hidden, const ShadowField& field) {
         tbb::enumerable_thread_specific<Sums> sums{[&] { return Sums(blocks.numbers()); }};
         const auto numbers = open_.empty() ? std::vector<std::int32_t>{} : numbersOf(blocks, receivers_.grid);
         tbb::enumerable_thread_specific<OpenSweep> opens{
             [&] { return OpenSweep(open_, blocks.box(), numbers); }};
         gaps_.assign(binned_.bins.size(), {});
         std::atomic<std::size_t> done{0};
-        tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t bin) {
+        const auto sweepOne = [&](std::size_t bin) {
             if (stop_.stop_requested()) return;
             const AzimuthBin& of = binned_.bins[bin];
             const std::span<HorizonCode> codes = horizons.of(bin);
@@ -94,8 +99,40 @@ private:
             count_.addHidden(bin, codes, sums.local());
             count_.addHidden(bin, gaps_[bin], sums.local());
             report(blocks, 0.8 * double(++done) / double(binned_.bins.size()));
-        });
-        for (const Sums& some : sums) std::ranges::transform(hidden, some, hidden.begin(), std::plus<>());
+        };
+        const auto total = [&] {
+            Sums all(blocks.numbers());
+            for (const Sums& some : sums) std::ranges::transform(all, some, all.begin(), std::plus<>());
+            return all;
+        };
+        // Where somebody looks, bins from all over the sky, and in between what they come to.
+        PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
+        const std::size_t turns = sink == nullptr ? 1 : std::min(partsShown, binned_.bins.size());
+        for (std::size_t turn = 0; turn < turns; ++turn) {
+            const std::size_t some = (binned_.bins.size() - turn + turns - 1) / turns;
+            tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweepOne(turn + i * turns); });
+            if (sink != nullptr && turn + 1 < turns && !stop_.stop_requested() && sink->wants())
+                sink->take(partialOf(blocks, total(), turn, turns, field));
+        }
+        hidden = total();
+    }
+
+    // Of the first bins of every `turns`, up to `turn`.
+    [[nodiscard]] PartialField partialOf(const ReceiverBlocks& blocks, const Sums& hidden, std::size_t turn,
+                                         std::size_t turns, const ShadowField& blank) const {
+        PartialField partial{.field = blank};
+        std::size_t steps = 0, bins = 0;
+        for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin)
+            if (bin % turns <= turn) steps += binned_.bins[bin].suns.size(), ++bins;
+        const double minutes = blank.stepMinutes / blank.days;
+        partial.field.sunlitMinutesPerDay = double(steps) * minutes;
+        std::ranges::fill(partial.field.continuousMin, std::numeric_limits<float>::quiet_NaN());
+        for (std::size_t i = 0; i < hidden.size(); ++i)
+            if (blocks.cell(i) != ReceiverBlocks::padding)
+                partial.field.grossMin[blocks.cell(i)] = float(double(hidden[i]) * minutes);
+        partial.share = double(steps) / double(std::max<std::size_t>(1, count_.steps()));
+        partial.part = fmt::format("{} of {} azimuth bins", bins, binned_.bins.size());
+        return partial;
     }
 
     void count(const ReceiverBlocks& blocks, const TileHorizons& horizons, const Sums& hidden,
@@ -126,6 +163,7 @@ private:
     Progress& progress_;
     std::stop_token stop_;
     std::size_t receiversDone_ = 0;
+    bool oneTile_ = true;
     tbb::enumerable_thread_specific<SquareSweep> sweeps_;
     tbb::enumerable_thread_specific<std::vector<RunLanes>> lanes_;
     tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};

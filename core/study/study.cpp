@@ -39,7 +39,7 @@ Result<void> checkSun(const Study& study) {
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
 
 Result<void> checkBreakdown(const StudySettings& settings) {
-    if (!wantsBreakdown(settings) || settings.engine == "horizon") return {};
+    if (!wantsBreakdown(settings) || settings.engine == "horizon" || settings.engine == "auto") return {};
     return failure(
         fmt::format("Months and contributions come from the horizon sweep, not from the engine '{}'",
                     settings.engine),

@@ -21,6 +21,7 @@ public:
     /// Refers to `binned`, which must outlive it.
     PeriodCount(const SunSteps& sun, const BinnedSun& binned);
 
+    [[nodiscard]] std::size_t steps() const { return runs_.steps().size(); }
     [[nodiscard]] const HiddenSuns& hidden(std::size_t bin) const { return hidden_[bin]; }
 
     /// Adds for each number the steps that a bin's horizons hide.
