@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/accumulate/blank_field.h"
+#include "core/accumulate/graph_directions.h"
 #include "core/accumulate/interval_tally.h"
 #include "core/accumulate/partial_field.h"
 #include "core/stopwatch.h"
@@ -13,14 +14,6 @@
 namespace noonmark {
 
 namespace {
-
-SunSteps directionsOf(const DirectionGraph& graph) {
-    SunSteps directions;
-    for (const auto& edge : graph.edges)
-        for (int step = 0; step < edge.sun.steps; ++step)
-            directions.steps.push_back({.direction = glm::vec3(edge.sun.at(step))});
-    return directions;
-}
 
 /// Runs of the edges that a later path still needs: 4 bytes a receiver and edge, half of what the masks would
 /// take.
@@ -125,12 +118,6 @@ private:
     std::vector<ShadowMask> masks_;  // of the edge at work
     std::size_t shaded_ = 0;
 };
-
-// A step of less than a minute makes the intervals shorter: a mask holds 64 steps.
-DirectionGraphSettings fitting(DirectionGraphSettings settings, double stepMinutes) {
-    settings.intervalMinutes = std::min(settings.intervalMinutes, maxMaskSteps * stepMinutes);
-    return settings;
-}
 
 }  // namespace
 

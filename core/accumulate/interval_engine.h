@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -37,6 +38,15 @@ public:
     /// cores; cancelled() within 0.2 s.
     [[nodiscard]] virtual Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                                              std::stop_token stop) = 0;
+
+    /// Adds to cellSteps[building], one a building of the city, the steps of receivers at which that building
+    /// is the first thing on the way to the sun; each shaded step of a receiver is one building's. Error
+    /// where an engine does not know what throws its shadows.
+    [[nodiscard]] virtual Result<void> attribute(const SunInterval& /*interval*/,
+                                                 std::span<std::uint64_t> /*cellSteps*/, std::stop_token) {
+        return failure("This engine does not know what throws its shadows", "engine",
+                       "Choose the inverse accrual map or the horizon sweep");
+    }
 
     /// What all calls so far cost.
     [[nodiscard]] virtual Cost cost() const = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/accumulate/reach.h"
+#include "core/accumulate/shadow_claims.h"
 #include "core/accumulate/shadow_lines_opencl.h"
 #include "core/accumulate/sources/projected_source_finder.h"
 #include "core/accumulate/sources/ray_source_finder.h"
@@ -49,6 +50,16 @@ public:
             return drawn;
         takeReceivers(interval.steps, masks);
         cost_.seconds["draw"] += watch.seconds();
+        return {};
+    }
+
+    Result<void> attribute(const SunInterval& interval, std::span<std::uint64_t> cellSteps,
+                           std::stop_token stop) override {
+        findSources(interval, stop);
+        std::vector<bool> wanted(grid_.size());
+        for (const std::uint32_t cell : receivers_.cells) wanted[wideCell(cell)] = true;
+        claimSteps(grid_, {atFirst_, atLast_, interval}, wanted, cellSteps, stop);
+        if (stop.stop_requested()) return cancelled();
         return {};
     }
 

@@ -10,7 +10,7 @@
 #include "core/accumulate/change_map.h"
 #include "core/accumulate/horizon/lanes16.h"
 #include "core/accumulate/lanes.h"
-#include "core/accumulate/source_runs.h"
+#include "core/accumulate/run_sweep.h"
 
 namespace noonmark {
 
@@ -18,8 +18,6 @@ namespace {
 
 // Where the shadow of a point one metre up lies, seen from below it: metres.
 glm::dvec2 throwOf(glm::dvec3 sun) { return -glm::dvec2(sun.x, sun.y) / sun.z; }
-
-constexpr float beyondTable = StepTable::size + 1;
 
 // The sun's great circle meets a horizontal plane in a straight line, so one number tells where on it the
 // shadow is.
@@ -34,22 +32,6 @@ std::vector<double> fractions(const SunInterval& interval) {
     }
     return result;
 }
-
-/// Where one end of a run stands on its way: at entry `start` of the step table as seen from the first of
-/// some cells, and `perCell` more from each next.
-struct RunEnd {
-    float start;
-    float perCell;
-    /// `length`: cells moved in the whole interval; the first cell is `ahead` cells before the end's start.
-    static RunEnd over(float length, float ahead) {
-        const float perCell = float(StepTable::size) / std::max(length, 1e-6F);
-        return {ahead * perCell, perCell};
-    }
-    [[nodiscard]] int entry(int cell) const {
-        const float at = start + float(cell) * perCell;
-        return int((at < 0 ? -1 : at < beyondTable ? at : beyondTable) + 1);
-    }
-};
 
 // Shades each of some cells at the steps that `rear` has come to and `front` has not passed.
 NOONMARK_EVERY_ISA void shadeBetween(const ShadowMask* before, RunEnd rear, RunEnd front, int count,
@@ -71,32 +53,18 @@ public:
         open_[std::size_t(at) + 1] = open_[std::size_t(at)] + (mask != ~ShadowMask{0});
     }
 
-    // Each end reaches half a cell beyond its cell's centre. The surface between the ends shades what lies
-    // between them, whichever is ahead.
     void draw(const SourceRun& run, const StepTable& table, const RunRule& rule) {
-        const float firstLength = run.firstM * rule.cellsPerMetre,
-                    lastLength = run.lastM * rule.cellsPerMetre;
-        const bool folds = run.first < run.last && rule.folds(run.firstM, run.lastM);
-        const int end = std::max(endOf(run.last, lastLength), folds ? endOf(run.first, firstLength) : 0);
-        if (open_[std::size_t(end)] == open_[std::size_t(run.first)]) return;
+        const RunSweep sweep(run, rule, int(row_.size()));
+        if (open_[std::size_t(run.first + sweep.count)] == open_[std::size_t(run.first)]) return;
         ShadowMask* row = &row_[std::size_t(run.first)];
         const ShadowMask* before = table.before.data();
-        const auto width = float(run.last - run.first);
-        shadeBetween(before, RunEnd::over(firstLength, 0.5F), RunEnd::over(lastLength, -width - 0.5F),
-                     end - run.first, row);
-        if (folds)
-            shadeBetween(before, RunEnd::over(lastLength, 0.5F - width), RunEnd::over(firstLength, -0.5F),
-                         end - run.first, row);
+        shadeBetween(before, sweep.rear, sweep.front, sweep.count, row);
+        if (sweep.folds) shadeBetween(before, sweep.foldedRear, sweep.foldedFront, sweep.count, row);
     }
 
     [[nodiscard]] ShadowMask mask(int at) const { return row_[std::size_t(at)]; }
 
 private:
-    // A low sun draws lines past any int.
-    [[nodiscard]] int endOf(int cell, float length) const {
-        return std::min(cell + 1 + int(std::min(length, 1e6F) + 0.5F), int(row_.size()));
-    }
-
     std::vector<ShadowMask> row_;
     std::vector<std::uint32_t> open_;  // cells before this one whose masks were not full
 };
