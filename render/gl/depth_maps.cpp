@@ -1,7 +1,5 @@
 #include "render/gl/depth_maps.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
@@ -9,9 +7,9 @@
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
-#include "generated/accrual_shaders.h"
+#include "render/gl/accrual_programs.h"
+#include "render/gl/gl_errors.h"
 #include "render/gl/gl_names.h"
-#include "render/gl/gl_program.h"
 
 namespace noonmark {
 
@@ -46,30 +44,6 @@ glm::mat3 clipFromPlane(const MapFrame& frame) {
     clip[0][0] = 2.0 / frame.columns, clip[2][0] = 1.0 / frame.columns - 1;
     clip[1][1] = 2.0 / frame.rows, clip[2][1] = 1.0 / frame.rows - 1;
     return glm::mat3(clip * frame.texelFromPlane);
-}
-
-std::string head(bool layerInVertex) {
-    std::string text = "#version 430 core\n";
-    if (layerInVertex)
-        text += "#extension GL_ARB_shader_viewport_layer_array : require\n#define LAYER_IN_VERTEX\n";
-    return text;
-}
-
-Result<GlProgram> drawingProgram(bool layerInVertex) {
-    std::vector<GlProgram::Stage> stages{{GL_VERTEX_SHADER, shaders::throwVertex},
-                                         {GL_FRAGMENT_SHADER, shaders::depthFragment}};
-    if (!layerInVertex) stages.push_back({GL_GEOMETRY_SHADER, shaders::layerGeometry});
-    return GlProgram::make(head(layerInVertex), stages);
-}
-
-Result<void> checkErrors(const char* doing) {
-    const GLenum error = glGetError();
-    if (error == GL_NO_ERROR) return {};
-    while (glGetError() != GL_NO_ERROR) continue;
-    if (error == GL_OUT_OF_MEMORY)
-        return failure("The graphics device has not enough memory", doing, "Choose a smaller map");
-    return failure(fmt::format("The graphics device failed (OpenGL error {:#x})", error), doing,
-                   "Choose an engine that runs on the processor");
 }
 
 }  // namespace
@@ -136,12 +110,12 @@ Result<std::unique_ptr<DepthMaps>> DepthMaps::make(const GlLimits& limits, int c
                                                    int layers) {
     auto drawing = drawingProgram(limits.layerInVertex);
     if (!drawing) return tl::make_unexpected(drawing.error());
-    auto lookingUp = GlProgram::make(head(false), {{GL_COMPUTE_SHADER, shaders::lookUpCompute}});
+    auto lookingUp = lookUpProgram();
     if (!lookingUp) return tl::make_unexpected(lookingUp.error());
     std::unique_ptr<Parts> parts(
         new Parts{std::move(*drawing), std::move(*lookingUp), columns, rows, layers});
     parts->makeMaps();
-    if (const auto ok = checkErrors("depth maps"); !ok) return tl::make_unexpected(ok.error());
+    if (const auto ok = checkGlErrors("depth maps"); !ok) return tl::make_unexpected(ok.error());
     return std::unique_ptr<DepthMaps>(new DepthMaps(std::move(parts)));
 }
 
@@ -240,7 +214,7 @@ void DepthMaps::wait() const { glFinish(); }
 Result<void> DepthMaps::read(std::span<ShadowMask> masks) {
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, parts_->masks);
     glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(masks.size_bytes()), masks.data());
-    return checkErrors("shadow maps");
+    return checkGlErrors("shadow maps");
 }
 
 std::vector<float> DepthMaps::depths(int layer) const {

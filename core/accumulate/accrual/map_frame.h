@@ -18,6 +18,9 @@ namespace noonmark {
 /// Depth is w, metres towards the sun along the plane's normal: larger is nearer to the sun, and it is the
 /// same at every step.
 struct MapFrame {
+    /// Nearer to the warp's centre than this q nothing is drawn: it lies far off the map.
+    static constexpr double leastQ = 1e-3;
+
     glm::dvec3 origin{0};  ///< on the plane, local metres
     glm::dvec3 u{1, 0, 0};
     glm::dvec3 v{0, 1, 0};

@@ -8,7 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accumulate/accrual/interval_casters.h"
+#include "core/accumulate/accrual/slice_drawer.h"
 #include "core/accumulate/shadow_mask.h"
 
 namespace noonmark {

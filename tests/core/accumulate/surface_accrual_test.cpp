@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/accumulate/accrual/interval_casters.h"
+#include "core/accumulate/accrual/slice_drawer.h"
 #include "core/accumulate/accrual/trapezoid.h"
 #include "core/accumulate/surface_rays.h"
 #include "core/receivers/visible_surface.h"
