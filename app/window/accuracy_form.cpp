@@ -73,6 +73,9 @@ void AccuracyForm::fillEngines() {
     engine_->setObjectName(QStringLiteral("engine"));
     engine_->setToolTip(
         tr("How the shadow is computed; the ray reference is the truth that the others are held against"));
+    // A long name does not widen the dock.
+    engine_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    engine_->setMinimumContentsLength(18);
     for (const auto& [engine, make] : engines_) {
         engine_->addItem(text(engine.name), text(engine.key));
         engine_->setItemData(engine_->count() - 1, text(engine.about), Qt::ToolTipRole);

@@ -39,7 +39,7 @@ struct RefinementLevel {
     int spacingPx = 1;
     double mostTests = 0;
 };
-inline constexpr RefinementLevel refinementLevels[] = {{8, 1e7}, {4, 2e7}, {2, 4e7}, {1, 2.5e7}};
+inline constexpr RefinementLevel refinementLevels[] = {{8, 1e7}, {4, 2e7}, {2, 4e7}, {1, 5e7}};
 
 /// The next answer: the coarsest level without one before (null), then finer ones, then more points and days
 /// of the finest. Each is true for the samples and days that it says. Error: a period out

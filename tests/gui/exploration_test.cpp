@@ -75,8 +75,8 @@ TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
 
 // A day at full resolution that takes long is filled in, over what the coarser level knew.
 TEST_F(Refinement, PointsThatWaitShowWhatIsKnownAroundThem) {
-    question.period.stepMinutes = 0.1;
-    question.lens = {40, 240, 180};
+    question.period.stepMinutes = 0.05;
+    question.lens = {40, 300, 225};
     const auto all = answers();
     ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
     const ViewAnswer& half = all[all.size() - 2];
@@ -167,7 +167,7 @@ TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
 
 TEST_F(Refinement, DaysTakenOneAfterTheOtherAddUp) {
     question.period = morning(3);
-    question.period.stepMinutes = 0.2;
+    question.period.stepMinutes = 0.1;
     question.lens = {40, 200, 150};
     std::vector<ViewAnswer> all = answers();
     ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
