@@ -86,16 +86,14 @@ Engine projectedShadows() {
 }
 
 Engine horizonSweep() {
-    return {
-        {"horizon",
-         "Horizon sweep",
-         "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground, of "
-         "buildings that stand on it",
-         24,
-         {binOption()}},
-        [](const EngineSettings& settings) -> Made {
-            return std::make_unique<HorizonSweep>(HorizonSweepSettings{settings.at("bin")});
-        }};
+    return {{"horizon",
+             "Horizon sweep",
+             "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground",
+             24,
+             {binOption()}},
+            [](const EngineSettings& settings) -> Made {
+                return std::make_unique<HorizonSweep>(HorizonSweepSettings{settings.at("bin")});
+            }};
 }
 
 Engine autoEngine() {

@@ -57,8 +57,8 @@ public:
             const ReceiverBlocks blocks(receivers_, box);
             if (blocks.receivers() == 0) continue;
             TileHorizons horizons(binned_.bins.size(), blocks.numbers());
-            Sums hidden(blocks.numbers());
-            timed(field, "sweep", [&] { sweep(blocks, horizons, hidden, field); });
+            Sums hidden;
+            timed(field, "sweep", [&] { hidden = sweep(blocks, horizons, field); });
             if (stop_.stop_requested()) return cancelled();
             timed(field, "count", [&] { count(blocks, horizons, hidden, field); });
             if (stop_.stop_requested()) return cancelled();
@@ -79,42 +79,52 @@ private:
         field.cost.seconds[stage] += watch.seconds();
     }
 
-    // Whole numbers of steps: their sum is the same in any order.
-    void sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, Sums& hidden, const ShadowField& field) {
-        tbb::enumerable_thread_specific<Sums> sums{[&] { return Sums(blocks.numbers()); }};
-        const auto numbers = open_.empty() ? std::vector<std::int32_t>{} : numbersOf(blocks, receivers_.grid);
-        tbb::enumerable_thread_specific<OpenSweep> opens{
-            [&] { return OpenSweep(open_, blocks.box(), numbers); }};
-        gaps_.assign(binned_.bins.size(), {});
+    /// What the threads share while a tile is swept.
+    struct TileWork {
+        const ReceiverBlocks& blocks;
+        TileHorizons& horizons;
+        std::vector<std::int32_t> numbers;  // of cells, where there are open parts
+        tbb::enumerable_thread_specific<Sums> sums{[this] { return Sums(blocks.numbers()); }};
         std::atomic<std::size_t> done{0};
-        const auto sweepOne = [&](std::size_t bin) {
-            if (stop_.stop_requested()) return;
-            const AzimuthBin& of = binned_.bins[bin];
-            const std::span<HorizonCode> codes = horizons.of(bin);
-            outOfReach_.local() += sweepBin(sweeps_.local(), walls_, blocks, of.away, of.lowest(),
-                                            receivers_.grid.cellM, codes, stop_);
-            if (stop_.stop_requested()) return;
-            if (!open_.empty())
-                gaps_[bin] = opens.local().sweep(of.away, of.lowest(), receivers_.grid.cellM, codes);
-            count_.addHidden(bin, codes, sums.local());
-            count_.addHidden(bin, gaps_[bin], sums.local());
-            report(blocks, 0.8 * double(++done) / double(binned_.bins.size()));
-        };
-        const auto total = [&] {
+
+        // Whole numbers of steps: their sum is the same in any order.
+        Sums hidden() {
             Sums all(blocks.numbers());
             for (const Sums& some : sums) std::ranges::transform(all, some, all.begin(), std::plus<>());
             return all;
-        };
-        // Where somebody looks, bins from all over the sky, and in between what they come to.
+        }
+    };
+
+    // Where somebody looks, bins from all over the sky in turn, and in between what they come to.
+    Sums sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, const ShadowField& field) {
+        TileWork work{blocks, horizons, {}};
+        if (!open_.empty()) work.numbers = numbersOf(blocks, receivers_.grid);
+        gaps_.assign(binned_.bins.size(), {});
         PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
         const std::size_t turns = sink == nullptr ? 1 : std::min(partsShown, binned_.bins.size());
         for (std::size_t turn = 0; turn < turns; ++turn) {
             const std::size_t some = (binned_.bins.size() - turn + turns - 1) / turns;
-            tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweepOne(turn + i * turns); });
+            tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweep(turn + i * turns, work); });
             if (sink != nullptr && turn + 1 < turns && !stop_.stop_requested() && sink->wants())
-                sink->take(partialOf(blocks, total(), turn, turns, field));
+                sink->take(partialOf(blocks, work.hidden(), turn, turns, field));
         }
-        hidden = total();
+        return work.hidden();
+    }
+
+    void sweep(std::size_t bin, TileWork& work) {
+        if (stop_.stop_requested()) return;
+        const AzimuthBin& of = binned_.bins[bin];
+        const double cellM = receivers_.grid.cellM;
+        const std::span<HorizonCode> codes = work.horizons.of(bin);
+        outOfReach_.local() +=
+            sweepBin(sweeps_.local(), walls_, work.blocks, of.away, of.lowest(), cellM, codes, stop_);
+        if (!open_.empty())
+            gaps_[bin] = OpenSweep(open_, work.blocks.box(), work.numbers)
+                             .sweep(of.away, of.lowest(), cellM, codes, stop_);
+        if (stop_.stop_requested()) return;
+        count_.addHidden(bin, codes, work.sums.local());
+        count_.addHidden(bin, gaps_[bin], work.sums.local());
+        report(work.blocks, 0.8 * double(++work.done) / double(binned_.bins.size()));
     }
 
     // Of the first bins of every `turns`, up to `turn`.

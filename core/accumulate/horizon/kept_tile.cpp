@@ -29,6 +29,13 @@ void markReceivers(const std::vector<ReceiverBlocks::Masks>& rows, const Receive
                 parts[(blocks.blocks()[i].first + line * ReceiverBlocks::side) / lanesARun] = 1;
 }
 
+bool hasReceivers(const ReceiverBlocks& blocks, std::size_t part) {
+    const std::size_t end = std::min((part + 1) * lanesARun, blocks.numbers());
+    for (std::size_t number = part * lanesARun; number < end; ++number)
+        if (blocks.cell(number) != ReceiverBlocks::padding) return true;
+    return false;
+}
+
 }  // namespace
 
 KeptTile::KeptTile(const Receivers& receivers, const TileBox& box, std::size_t bins)
@@ -106,6 +113,7 @@ void KeptTile::write(const BinnedSun& binned, const PeriodCount& count, ShadowFi
     tbb::enumerable_thread_specific<std::vector<RunLanes>> lanes;
     tbb::parallel_for(std::size_t{0}, partsOf(blocks_), [&](std::size_t part) {
         if (stop.stop_requested() || !(all || count_.changed[part] != 0)) return;
+        if (!hasReceivers(blocks_, part)) return;
         writeMinutes(blocks_, part, count_.hidden, count.longestRuns(codes, part, lanes.local()), field);
     });
 }

@@ -42,14 +42,17 @@ void addTriangles(const Part& part, const Grid& grid, std::vector<OpenTriangle>&
 }
 
 std::vector<Gap> OpenSweep::sweep(glm::dvec2 away, HorizonCode lowest, double cellM,
-                                  std::span<HorizonCode> codes) {
+                                  std::span<HorizonCode> codes, const std::stop_token& stop) {
     const ShadowAxes axes(away);
     alongPerMetre_ = axes.alongPerDistance / cellM;
     lowest_ = lowest;
     lowestTan_ = double(steepnessOf(lowest) / (1 - steepnessOf(lowest)));
     gaps_.clear();
     merged_ = 0;
-    for (const OpenTriangle& triangle : triangles_) add(triangle, axes);
+    for (const OpenTriangle& triangle : triangles_) {
+        if (stop.stop_requested()) return {};
+        add(triangle, axes);
+    }
     merge();
     std::vector<Gap> open;
     for (const Gap& gap : gaps_) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/accumulate/horizon/horizon_code.h"
@@ -37,7 +38,8 @@ public:
 
     /// Raises `codes` where a part hides all from the horizon up; returns the rest, receiver by receiver in
     /// ascending order, disjoint and apart. About 10 ns a triangle and shaded cell.
-    std::vector<Gap> sweep(glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes);
+    std::vector<Gap> sweep(glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes,
+                           const std::stop_token& stop);
 
 private:
     void add(const OpenTriangle& triangle, const ShadowAxes& axes);
