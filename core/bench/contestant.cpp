@@ -58,7 +58,7 @@ StartList variedEngines(const EngineList& engines, const std::vector<double>& fa
         for (const EngineOption& option : engine.info.options) {
             std::vector<double> values;
             for (const double factor : factors) values.push_back(factor * option.usual);
-            std::erase(values, option.usual);
+            std::erase_if(values, [&](double value) { return fitting(option, value) == option.usual; });
             addLadder(list, engine, option, values, engines);
         }
     }
