@@ -36,6 +36,19 @@ struct Throw {
     double atOriginM = 0, perColumnM = 0, perRowM = 0;
 };
 
+/// An edge of what a facet throws: the rows it crosses, and where.
+struct EdgeLine {
+    int firstRow, endRow;
+    double column;  // at the first row
+    double slope;
+};
+
+/// Memory that is used again, facet after facet.
+struct FillScratch {
+    std::vector<EdgeLine> lines;
+    std::vector<double> crossings;
+};
+
 /// All facets at one instant.
 class ThrownFacets {
 public:
@@ -51,11 +64,13 @@ public:
         });
     }
 
-    void fill(NearestLevels& levels, int firstRow, int endRow, std::vector<double>& crossings) const {
+    void fill(NearestLevels& levels, int firstRow, int endRow, FillScratch& scratch) const {
         for (std::size_t i = 0; i < throws_.size(); ++i) {
             const int from = std::max(throws_[i].firstRow, firstRow),
                       to = std::min(throws_[i].endRow, endRow);
-            for (int row = from; row < to; ++row) fillRow(levels, i, row, row - firstRow, crossings);
+            if (from >= to) continue;
+            findLines(facets_.facets[i], scratch.lines);
+            for (int row = from; row < to; ++row) fillRow(levels, i, row, row - firstRow, scratch);
         }
     }
 
@@ -93,30 +108,34 @@ private:
         return box;
     }
 
-    void fillRow(NearestLevels& levels, std::size_t index, int row, int bandRow,
-                 std::vector<double>& crossings) const {
-        const SurfaceFacet& facet = facets_.facets[index];
+    void fillRow(NearestLevels& levels, std::size_t index, int row, int bandRow, FillScratch& scratch) const {
         const Throw& cast = throws_[index];
-        findCrossings(facet, row, crossings);
+        std::vector<double>& crossings = scratch.crossings;
+        crossings.clear();
+        for (const EdgeLine& line : scratch.lines)
+            if (row >= line.firstRow && row < line.endRow)
+                crossings.push_back(line.column + (row - line.firstRow) * line.slope);
+        std::ranges::sort(crossings);
         for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
             const int first = std::max(firstAtOrBeyond(crossings[k], grid_.columns), cast.firstColumn);
             const int end = std::min(firstAtOrBeyond(crossings[k + 1], grid_.columns), cast.endColumn);
             if (first < end)
                 levels.add({bandRow, first, end, cast.atOriginM + row * cast.perRowM, cast.perColumnM,
-                            nearestM_, facet.building});
+                            nearestM_, facets_.facets[index].building});
         }
     }
 
     // Half-open, as core/city/crossing.h.
-    void findCrossings(const SurfaceFacet& facet, double y, std::vector<double>& crossings) const {
-        crossings.clear();
+    void findLines(const SurfaceFacet& facet, std::vector<EdgeLine>& lines) const {
+        lines.clear();
         for (const auto& [from, to] : facets_.edgesOf(facet)) {
             glm::dvec2 a = thrown(from), b = thrown(to);
-            if ((a.y <= y) == (b.y <= y)) continue;
             if (a.y > b.y) std::swap(a, b);
-            crossings.push_back(a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y));
+            const int first = firstAtOrBeyond(a.y, grid_.rows), end = firstAtOrBeyond(b.y, grid_.rows);
+            if (first >= end) continue;
+            const double slope = (b.x - a.x) / (b.y - a.y);
+            lines.push_back({first, end, a.x + (first - a.y) * slope, slope});
         }
-        std::ranges::sort(crossings);
     }
 
     const SurfaceFacets& facets_;
@@ -153,10 +172,10 @@ void ProjectedSourceFinder::find(glm::dvec3 towardsSun, ShadowSources& sources,
         if (stop.stop_requested()) return;
         const FlushDenormals flush;
         NearestLevels& band = bands.local();
-        std::vector<double> crossings;
+        FillScratch scratch;
         const int first = number * rows, end = std::min(first + rows, grid_.rows);
         band.clear();
-        instant.fill(band, first, end, crossings);
+        instant.fill(band, first, end, scratch);
         copyBand(band, grid_, first, end, sources);
     });
 }
