@@ -9,7 +9,7 @@ namespace {
 
 constexpr double rowHeight = 1.62;  // of the size of the letters
 constexpr double columnGap = 1.1;
-constexpr double mostSpare = 5;
+constexpr double mostSpare = 3;
 
 using Row = std::vector<std::string>;
 

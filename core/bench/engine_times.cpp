@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -27,7 +28,9 @@ Result<Meeting> meeting(const BenchSite& site, const Receivers& receivers, Civil
     const Scene scene{site.city, receivers, *sun};
     const auto truth = truthOf(scene, receivers, work);
     if (!truth) return tl::make_unexpected(truth.error());
-    return contest(scene, engines.contestants, *truth, extent, work).map([&](std::vector<Placing> placings) {
+    Extent patient = extent;
+    patient.onceAboveS = std::numeric_limits<double>::infinity();
+    return contest(scene, engines.contestants, *truth, patient, work).map([&](std::vector<Placing> placings) {
         return Meeting{0, date, std::move(placings)};
     });
 }
@@ -128,7 +131,8 @@ Finding emptyFinding(const Extent& extent) {
     finding.key = "engine_times";
     finding.title = "All engines over places and days";
     finding.text = fmt::format(
-        "{} places, {} days of the year, {:g} h from 9:00 at every minute. From city to field, with all that "
+        "{} places, {} days of the year, {:g} h around noon at every minute. From city to field, with all "
+        "that "
         "an "
         "engine builds; each time is the median of {} runs, all engines in turn, after each one's result was "
         "held against rays. Every engine's times are sorted by themselves, as in the paper.",

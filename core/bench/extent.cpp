@@ -30,9 +30,9 @@ Extent quickExtent() {
     quick.resolutions = {256, 512, 1024, 2048};
     quick.dayCounts = {1, 7, 30, 365};
     quick.factors = {0.5, 1, 2};
-    quick.hoursADay = 3;
-    quick.settingsBelowS = 2.5;
-    quick.onceAboveS = 0.6;
+    quick.hoursADay = 1;
+    quick.settingsBelowS = 1;
+    quick.onceAboveS = 0.3;
     quick.neverAboveS = 20;
     quick.sampleReceivers = 2000;
     quick.words = wordsOf(quick);

@@ -13,7 +13,7 @@ struct Extent {
     int hours = 60;        ///< random hours and positions, for errors (paper, section 7: "a set of")
     int positions = 10;    ///< of the comparison of all engines
     int days = 20;         ///< of each position
-    double hoursADay = 6;  ///< from 9:00 on, of the comparison of all engines
+    double hoursADay = 6;  ///< from 9:00 on, around noon, of the comparison of all engines
     std::vector<int> resolutions{256, 512, 800, 1024, 1600, 2048};
     std::vector<int> dayCounts{1, 2, 5, 10, 30, 90, 180, 365};
     /// Every option of an engine is tried at these multiples of its usual value.

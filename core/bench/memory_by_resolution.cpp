@@ -111,6 +111,7 @@ Finding emptyFinding(const StartList& engines, const Extent& extent) {
 
 Result<Finding> memoryByResolution(const BenchSite& site, const Extent& extent, const StartList& engines,
                                    const Work& work) {
+    if (extent.resolutions.empty()) return failure("No resolution fits a square of this size");
     Finding finding = emptyFinding(engines, extent);
     Pieces pieces(work, "memory by resolution", extent.resolutions.size());
     for (const int resolution : extent.resolutions) {

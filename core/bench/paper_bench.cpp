@@ -105,7 +105,9 @@ Result<BenchReport> paperBench(const BenchSite& site, const Extent& extent, cons
     if (const auto fits = check(site); !fits) return tl::make_unexpected(fits.error());
     const Stopwatch watch;
     const Work work{progress, stop};
-    Experiments experiments(site, extent, engines, work);
+    Extent fitting = extent;
+    fitting.resolutions = fittingResolutions(site, extent.resolutions);
+    Experiments experiments(site, fitting, engines, work);
     experiments.makeAll();
     if (work.stopped()) return cancelled();
     BenchReport report{.title = "The paper's experiments, run again",

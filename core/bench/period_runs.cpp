@@ -33,26 +33,28 @@ std::string nameOf(int days) {
 /// What is known of a contestant from shorter periods.
 class History {
 public:
-    void add(int days, double seconds) {
-        before_ = last_;
-        last_ = {days, seconds};
-    }
+    void add(int days, double seconds) { periods_.push_back({days, seconds}); }
 
-    /// Seconds over so many days, where the last two periods grew almost in proportion; else 0: who knows.
+    /// Seconds over so many days, where the last three periods grew almost in proportion; else 0: who knows.
     [[nodiscard]] double expected(int days) const {
-        if (!(before_.seconds > 0) || last_.days <= before_.days) return 0;
-        const double growth =
-            std::log(last_.seconds / before_.seconds) / std::log(double(last_.days) / double(before_.days));
-        return growth > 0.8 ? last_.seconds * days / last_.days : 0;
+        if (periods_.size() < 3) return 0;
+        const Period* last = &periods_.back();
+        const bool proportional = growth(last[-2], last[-1]) > 0.75 && growth(last[-1], last[0]) > 0.75;
+        return proportional ? last->seconds * days / last->days : 0;
     }
 
 private:
     struct Period {
-        int days = 0;
+        int days = 1;
         double seconds = 0;
     };
-    Period before_;
-    Period last_;
+
+    /// 1: in proportion to the days; 0: not at all.
+    static double growth(const Period& from, const Period& to) {
+        return std::log(to.seconds / from.seconds) / std::log(double(to.days) / from.days);
+    }
+
+    std::vector<Period> periods_;
 };
 
 /// One period after the other, shortest first.

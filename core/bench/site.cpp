@@ -63,7 +63,8 @@ std::vector<CivilDate> randomDays(const BenchSite& site, int count) {
 }
 
 Result<SunSteps> sunOver(const BenchSite& site, CivilDate start, int days, double hours) {
-    return sunOver(site, Period{.start = start, .days = days, .hours = hours});
+    const auto from = std::chrono::minutes(int(60 * (12 - hours / 2)));
+    return sunOver(site, Period{.start = start, .days = days, .from = from, .hours = hours});
 }
 
 Result<SunSteps> sunOfYear(const BenchSite& site, double hours) {
@@ -85,6 +86,14 @@ SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count) {
                          sun.steps.begin() + std::ptrdiff_t(first + count));
     stretch.days.push_back({.count = std::uint32_t(count)});
     return stretch;
+}
+
+std::vector<int> fittingResolutions(const BenchSite& site, std::vector<int> cellsASide) {
+    std::erase_if(cellsASide, [&](int cells) {
+        const double cellM = site.sideM / cells;
+        return cellM < ReceiverSettings::minCellM || cellM > ReceiverSettings::maxCellM;
+    });
+    return cellsASide;
 }
 
 Result<Receivers> receiversAt(const BenchSite& site, int cellsASide, const std::stop_token& stop) {

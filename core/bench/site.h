@@ -30,7 +30,7 @@ std::vector<Region> randomSquares(const BenchSite& site, int count);
 /// Days of the site's year, chosen at random, in order.
 std::vector<CivilDate> randomDays(const BenchSite& site, int count);
 
-/// Every minute of `hours` a day, 9:00 first, as in the paper.
+/// Every minute of `hours` a day around noon: 6 h begin at 9:00, as in the paper.
 Result<SunSteps> sunOver(const BenchSite& site, CivilDate start, int days, double hours = 6);
 Result<SunSteps> sunOfYear(const BenchSite& site, double hours = 6);
 
@@ -42,6 +42,9 @@ Result<SunSteps> daylightOf(const BenchSite& site, CivilDate date);
 
 /// `count` steps of one day of `sun` from `first` on, as a day of its own.
 SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count);
+
+/// Those of `cellsASide` that make cells of the sizes that receivers may have.
+std::vector<int> fittingResolutions(const BenchSite& site, std::vector<int> cellsASide);
 
 /// The ground of the middle square, cut into so many cells a side (cells are 0.25 to 10 m).
 Result<Receivers> receiversAt(const BenchSite& site, int cellsASide, const std::stop_token& stop);

@@ -69,6 +69,7 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent, const StartLis
 
 Result<Finding> timeByResolution(const BenchSite& site, const Extent& extent, const StartList& engines,
                                  const Work& work) {
+    if (extent.resolutions.empty()) return failure("No resolution fits a square of this size");
     Finding finding = emptyFinding(site, extent, engines);
     Pieces pieces(work, "time by resolution", extent.resolutions.size());
     for (const int resolution : extent.resolutions) {
