@@ -11,6 +11,7 @@
 #include "app/cli/table.h"
 #include "app/input/load_city.h"
 #include "app/report/output_folder.h"
+#include "core/bench/horizon_bench.h"
 #include "core/bench/moments.h"
 #include "core/bench/paper_bench.h"
 #include "core/samples/sample_city.h"
@@ -82,15 +83,18 @@ void print(const bench::BenchReport& report, const std::vector<std::filesystem::
     for (const auto& file : files) out << "  " << file.string() << '\n';
 }
 
-int runPaperBench(const BenchOptions& options, const Console& console) {
+using Bench = Result<bench::BenchReport> (*)(const bench::BenchSite&, const bench::Extent&, const EngineList&,
+                                             Progress&, const std::stop_token&);
+
+int runBench(Bench bench, const BenchOptions& options, const Console& console) {
     const Interrupt interrupt;
     if (const auto folder = prepareFolder(options.out); !folder)
         return fail(console, folder.error(), exitFailed);
     std::optional<ProgressLine> progress(console);
     const auto site = siteOf(options, *progress, interrupt.token());
     if (!site) return fail(console, site.error(), exitUsage);
-    const auto report = bench::paperBench(*site, options.quick ? bench::quickExtent() : bench::fullExtent(),
-                                          allEngines(), *progress, interrupt.token());
+    const auto report = bench(*site, options.quick ? bench::quickExtent() : bench::fullExtent(), allEngines(),
+                              *progress, interrupt.token());
     progress.reset();
     if (!report) return fail(console, report.error(), exitFailed);
     const OffscreenQt qt;
@@ -129,19 +133,26 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
     command.add_flag("--json", options.json, "summary.json on standard output, nothing else");
 }
 
+void addBench(CLI::App& group, const char* name, const char* about, Bench bench, Run& run) {
+    const auto options = std::make_shared<BenchOptions>();
+    CLI::App* command = group.add_subcommand(name, about);
+    addBenchOptions(*command, *options);
+    command->callback([options, bench, &run] {
+        run = [options, bench](const Console& console) { return runBench(bench, *options, console); };
+    });
+}
+
 }  // namespace
 
 void addBenchCommand(CLI::App& app, Run& run) {
-    CLI::App* bench = app.add_subcommand("bench", "Measure time and error of the engines on this machine");
-    bench->require_subcommand(1);
-    const auto options = std::make_shared<BenchOptions>();
-    CLI::App* paper = bench->add_subcommand(
-        "paper",
-        "The experiments of the paper on shadow accrual maps, our value and the paper's side by side");
-    addBenchOptions(*paper, *options);
-    paper->callback([options, &run] {
-        run = [options](const Console& console) { return runPaperBench(*options, console); };
-    });
+    CLI::App* group = app.add_subcommand("bench", "Measure time and error of the engines on this machine");
+    group->require_subcommand(1);
+    addBench(*group, "paper",
+             "The experiments of the paper on shadow accrual maps, our value and the paper's side by side",
+             bench::paperBench, run);
+    addBench(*group, "horizon",
+             "The horizon sweep over a year, projected shadows over a day, edits: against their targets",
+             bench::horizonBench, run);
 }
 
 }  // namespace noonmark::cli

@@ -1,0 +1,42 @@
+#include "core/bench/horizon_bench.h"
+
+#include "core/bench/experiments.h"
+#include "core/bench/horizon_edits.h"
+#include "core/bench/horizon_scale.h"
+#include "core/bench/horizon_year.h"
+#include "core/bench/projected_day.h"
+
+namespace noonmark::bench {
+
+namespace {
+
+std::vector<SummaryFigure> horizonSummary() {
+    return {{"year_vs_ray", "a year by the horizon sweep, times as fast as rays", ">= 2000"},
+            {"year_cell_error_mean_pct", "its cell error, mean, % of the year", "<= 0.05"},
+            {"year_cell_error_max_pct", "its cell error, largest, %", "<= 0.5"},
+            {"day_vs_ray", "a day by projected shadows, times as fast as rays", ">= 25"},
+            {"day_mistagged_pct", "cells and minutes that they see otherwise, %", "<= 0.001"},
+            {"retime_fraction", "other hours on kept horizons, of the full sweep", "<= 0.05"},
+            {"edit_fraction", "a tower moved by 10 m, of the full sweep", "<= 0.02"},
+            {"edit_ms", "the same, ms", "< 33"}};
+}
+
+}  // namespace
+
+Result<BenchReport> horizonBench(const BenchSite& site, const Extent& extent, const EngineList& engines,
+                                 Progress& progress, const std::stop_token& stop) {
+    if (const auto fits = check(site); !fits) return tl::make_unexpected(fits.error());
+    const Work work{progress, stop};
+    Experiments experiments(work);
+    experiments.add("A year by the horizon sweep", [&] { return horizonYear(site, extent, engines, work); });
+    experiments.add("One day, every engine", [&] { return projectedDay(site, extent, engines, work); });
+    experiments.add("Other hours, and a tower that moves", [&] { return horizonEdits(site, extent, work); });
+    experiments.add("How the horizon sweep grows", [&] { return horizonScale(site, extent, work); });
+    return std::move(experiments)
+        .into({.title = "The exact engines against their targets",
+               .reference = "target",
+               .summary = horizonSummary()},
+              site, extent);
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/accumulate/engine_list.h"
+#include "core/bench/bench_report.h"
+#include "core/bench/extent.h"
+#include "core/bench/site.h"
+#include "core/bench/work.h"
+
+namespace noonmark::bench {
+
+/// The figures of the two exact engines against their targets: the horizon sweep over a year, with the curves
+/// of error and time, projected shadows over a day, and changes on kept horizons. Errors as in paperBench.
+Result<BenchReport> horizonBench(const BenchSite& site, const Extent& extent, const EngineList& engines,
+                                 Progress& progress, const std::stop_token& stop);
+
+}  // namespace noonmark::bench

@@ -1,0 +1,159 @@
+#include "core/bench/horizon_edits.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/accumulate/kept_horizons.h"
+#include "core/bench/moments.h"
+#include "core/stopwatch.h"
+
+namespace noonmark::bench {
+
+namespace {
+
+constexpr double hoursADay = 8, fewerHoursADay = 6;
+constexpr float towerSideM = 40, towerHighM = 200, moveM = 10;
+
+City withTower(City city, glm::vec2 middle) {
+    const glm::vec2 a = middle - towerSideM / 2, b = middle + towerSideM / 2;
+    Building tower;
+    tower.parts.push_back({.footprint = {{a, {b.x, a.y}, b, {a.x, b.y}}, {}}, .topM = towerHighM});
+    city.buildings.push_back(std::make_shared<const Building>(std::move(tower)));
+    return city;
+}
+
+/// A city with a tower, and its receivers.
+struct State {
+    City city;
+    Receivers receivers;
+};
+
+Result<State> stateOf(const BenchSite& site, float eastM, const Work& work) {
+    const Region square = middleSquare(site.city, site.sideM);
+    const Box2 box = bounds(square);
+    State state{withTower(site.city, (box.low + box.high) / 2.0F + glm::vec2(eastM, 0)), {}};
+    auto receivers = receiversOnGround(state.city, square, {}, work.stop);
+    if (!receivers) return tl::make_unexpected(receivers.error());
+    state.receivers = std::move(*receivers);
+    return state;
+}
+
+/// Kept horizons and the times of what is done with them. The first error ends it.
+class KeptStudy {
+public:
+    KeptStudy(KeptHorizons kept, const Work& work) : kept_(std::move(kept)), work_(work) {}
+
+    /// Seconds.
+    Result<double> retime(const SunSteps& sun) {
+        return timed([&] { return kept_.retime(sun, silent_, work_.stop); });
+    }
+    Result<double> change(const State& state) {
+        return timed([&] { return kept_.change(state.city, state.receivers, silent_, work_.stop); });
+    }
+
+    [[nodiscard]] const ShadowField& field() const { return field_; }
+
+private:
+    Result<double> timed(const auto& work) {
+        const Stopwatch watch;
+        auto field = work();
+        const double seconds = watch.seconds();
+        if (!field) return tl::make_unexpected(field.error());
+        field_ = std::move(*field);
+        return seconds;
+    }
+
+    KeptHorizons kept_;
+    const Work& work_;
+    NoProgress silent_;
+    ShadowField field_;
+};
+
+struct KeptTimes {
+    std::vector<double> full, retimes, edits;  ///< seconds
+};
+
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i] && !(std::isnan(a[i]) && std::isnan(b[i]))) return false;
+    return a.size() == b.size();
+}
+
+Result<KeptStudy> studyOf(const State& state, const Work& work) {
+    return KeptHorizons::make(state.city, state.receivers).map([&](KeptHorizons&& kept) {
+        return KeptStudy(std::move(kept), work);
+    });
+}
+
+Result<void> add(std::vector<double>& times, const Result<double>& seconds) {
+    if (!seconds) return tl::make_unexpected(seconds.error());
+    times.push_back(*seconds);
+    return {};
+}
+
+Result<void> measure(KeptTimes& times, const BenchSite& site, const Extent& extent, const SunSteps& year,
+                     const SunSteps& shorter, const Work& work) {
+    const auto here = stateOf(site, 0, work), there = stateOf(site, moveM, work);
+    if (!here || !there) return tl::make_unexpected(here ? there.error() : here.error());
+    auto fresh = studyOf(*there, work), study = studyOf(*here, work);
+    if (!fresh || !study) return tl::make_unexpected(fresh ? study.error() : fresh.error());
+    Result<void> state = add(times.full, fresh->retime(year));
+    if (state) state = add(times.full, study->retime(year));
+    if (state) state = add(times.edits, study->change(*there));
+    if (!state) return state;
+    if (!same(study->field().grossMin, fresh->field().grossMin) ||
+        !same(study->field().continuousMin, fresh->field().continuousMin))
+        return failure("The edited field differs from a fresh one", "kept horizons");
+    for (int run = 0; run < 2 * extent.runs && state; ++run)
+        state = add(times.edits, study->change(run % 2 == 0 ? *here : *there));
+    for (int run = 0; run < extent.runs && state; ++run) {
+        state = add(times.retimes, study->retime(shorter));
+        if (state) state = study->retime(year).map([](double) {});
+    }
+    return state;
+}
+
+void addRows(Finding& finding, const char* what, const std::vector<double>& seconds) {
+    for (const double one : seconds) finding.table.rows.push_back({std::string(what), one});
+    const Moments moments = momentsOf(seconds);
+    finding.comparisons[0].rows.push_back({what, fmt::format("{:.1f}", 1e3 * moments.median),
+                                           fmt::format("{:.1f}", 1e3 * moments.least),
+                                           fmt::format("{:.1f}", 1e3 * moments.most)});
+    ChartSeries series{.name = what, .colourOf = what, .joined = false};
+    for (std::size_t i = 0; i < seconds.size(); ++i)
+        series.points.push_back({double(i + 1), 1e3 * seconds[i], {}});
+    finding.charts[0].series.push_back(std::move(series));
+}
+
+}  // namespace
+
+Result<Finding> horizonEdits(const BenchSite& site, const Extent& extent, const Work& work) {
+    work.progress.report(0, "kept horizons");
+    const auto year = sunOfYear(site, hoursADay), shorter = sunOfYear(site, fewerHoursADay);
+    if (!year || !shorter) return tl::make_unexpected(year ? shorter.error() : year.error());
+    KeptTimes times;
+    if (const auto done = measure(times, site, extent, *year, *shorter, work); !done)
+        return tl::make_unexpected(done.error());
+    Finding finding;
+    finding.key = "horizon_edits";
+    finding.title = "Other hours, and a tower that moves";
+    finding.text =
+        "A year of 8 h days on kept horizons: the full sweep, the hours changed from 8 to 6 a day, and a "
+        "tower of "
+        "40 x 40 x 200 m in the middle moved by 10 m and back. The field after the first move equals a fresh "
+        "one, bit for bit.";
+    finding.table.columns = {"what", "time_s"};
+    finding.comparisons[0].header = {"", "median, ms", "least", "most"};
+    finding.charts = {{"Time of each run", {.label = "run", .whole = true}, {"time, ms", true}, {}}};
+    addRows(finding, "full sweep", times.full);
+    addRows(finding, "other hours", times.retimes);
+    addRows(finding, "tower moved", times.edits);
+    const double full = momentsOf(times.full).median, edit = momentsOf(times.edits).median;
+    finding.summary = {{"retime_fraction", momentsOf(times.retimes).median / full},
+                       {"edit_fraction", edit / full},
+                       {"edit_ms", 1e3 * edit}};
+    return finding;
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,96 @@
+#include "core/bench/horizon_year.h"
+
+#include <fmt/format.h>
+
+#include "core/accumulate/horizon_sweep.h"
+#include "core/bench/contest.h"
+#include "core/bench/moments.h"
+
+namespace noonmark::bench {
+
+namespace {
+
+constexpr double hoursADay = 8;
+
+double binOf(const Contestant& contestant) {
+    return contestant.setting.empty() ? HorizonSweepSettings{}.binDeg
+                                      : std::stod(contestant.setting.substr(4));
+}
+
+void addTo(Finding& finding, const Contestant& contestant, const Placing& placing, double raySeconds) {
+    const double binDeg = binOf(contestant);
+    TableCell seconds, ratio;
+    if (placing.timed()) {
+        seconds = placing.medianS;
+        ratio = raySeconds / placing.medianS;
+        finding.charts[0].series[0].points.push_back({binDeg, placing.error.cellMeanPct, {}});
+        finding.charts[0].series[1].points.push_back({binDeg, placing.error.cellP99Pct, {}});
+        finding.charts[0].series[2].points.push_back({binDeg, placing.error.cellMaxPct, {}});
+        finding.charts[1].series[0].points.push_back({1 / binDeg, placing.medianS, {}});
+    }
+    finding.table.rows.push_back({binDeg, placing.error.cellMeanPct, placing.error.cellP99Pct,
+                                  placing.error.cellMaxPct, seconds, double(placing.runs), ratio,
+                                  placing.refusal});
+    finding.comparisons[0].rows.push_back(
+        {fmt::format("{:g}", binDeg), fmt::format("{:.4f}", placing.error.cellMeanPct),
+         fmt::format("{:.3f}", placing.error.cellMaxPct), placing.timed() ? threeDigits(placing.medianS) : "",
+         placing.timed() ? threeDigits(raySeconds / placing.medianS) : ""});
+    if (!contestant.setting.empty() || !placing.timed()) return;
+    finding.summary = {{"year_vs_ray", raySeconds / placing.medianS},
+                       {"year_cell_error_mean_pct", placing.error.cellMeanPct},
+                       {"year_cell_error_max_pct", placing.error.cellMaxPct}};
+}
+
+Finding emptyFinding(const Extent& extent, double raySeconds) {
+    Finding finding;
+    finding.key = "horizon_year";
+    finding.title = "A year by the horizon sweep";
+    finding.text = fmt::format(
+        "A year of 8 h days at every minute in the middle of the city. Errors of gross shadow against the "
+        "ray "
+        "reference at {} receivers, of the sunlit time; the ray reference's time for all, {} s, is worked "
+        "out "
+        "from them. Medians of {} runs. All suns of a bin are taken at their mean azimuth: cells whose "
+        "horizon "
+        "ends within a bin, behind the corner of a tower, are farthest off.",
+        extent.sampleReceivers, threeDigits(raySeconds), extent.runs);
+    finding.table.columns = {"bin_deg",
+                             "cell_error_mean_pct",
+                             "cell_error_p99_pct",
+                             "cell_error_max_pct",
+                             "time_s",
+                             "runs",
+                             "times_ray",
+                             "refusal"};
+    finding.comparisons[0].header = {"bin, deg", "error, mean, %", "largest, %", "time, s", "x rays"};
+    finding.charts = {
+        {"Error by bin width",
+         {"bin, deg", true},
+         {"cell error, % of the year", true},
+         {{"mean", "ours"}, {"99 of 100 cells", "edge"}, {"largest", "most"}}},
+        {"Time by number of bins", {"bins a degree", true}, {"time, s", true}, {{"time", "ours"}}}};
+    return finding;
+}
+
+}  // namespace
+
+Result<Finding> horizonYear(const BenchSite& site, const Extent& extent, const EngineList& engines,
+                            const Work& work) {
+    work.progress.report(0, "a year by the horizon sweep");
+    const auto receivers = middleReceivers(site, work.stop);
+    if (!receivers) return tl::make_unexpected(receivers.error());
+    const auto sun = sunOfYear(site, hoursADay);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const Scene scene{site.city, *receivers, *sun};
+    const auto truth = truthOf(scene, sampleOf(*receivers, extent.sampleReceivers, site.seed), work);
+    if (!truth) return tl::make_unexpected(truth.error());
+    const auto widths = ladderOf(engines, "horizon", "bin", extent.binsDeg);
+    const auto placings = contest(scene, widths, *truth, extent, work);
+    if (!placings) return tl::make_unexpected(placings.error());
+    const double raySeconds = secondsForAll(*truth, *receivers);
+    Finding finding = emptyFinding(extent, raySeconds);
+    for (std::size_t i = 0; i < widths.size(); ++i) addTo(finding, widths[i], (*placings)[i], raySeconds);
+    return finding;
+}
+
+}  // namespace noonmark::bench

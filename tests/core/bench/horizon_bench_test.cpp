@@ -1,0 +1,56 @@
+#include "core/bench/horizon_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/core/bench/tiny_site.h"
+
+namespace noonmark::bench {
+namespace {
+
+class HorizonBenchTest : public testing::Test {
+protected:
+    static const BenchReport& report() {
+        static const BenchReport made = [] {
+            NoProgress silent;
+            Extent extent = tests::leastExtent();
+            extent.binsDeg = {0.5, 2};
+            return horizonBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
+        }();
+        return made;
+    }
+};
+
+TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
+    const auto json = nlohmann::ordered_json::parse(summaryJson(report()));
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) {
+        keys.push_back(key);
+        EXPECT_TRUE(value.is_number()) << key;
+    }
+    EXPECT_EQ(keys, (std::vector<std::string>{"year_vs_ray", "year_cell_error_mean_pct",
+                                              "year_cell_error_max_pct", "day_vs_ray", "day_mistagged_pct",
+                                              "retime_fraction", "edit_fraction", "edit_ms"}));
+    EXPECT_LT(json["year_cell_error_mean_pct"].get<double>(), 0.5);
+    EXPECT_LT(json["day_mistagged_pct"].get<double>(), 0.05);
+}
+
+TEST_F(HorizonBenchTest, widerBinsAreFartherOff) {
+    const Finding& year = report().findings.front();
+    ASSERT_EQ(year.key, "horizon_year") << year.text;
+    ASSERT_EQ(year.table.rows.size(), 2U);
+    EXPECT_LT(std::get<double>(year.table.rows[0][1]), std::get<double>(year.table.rows[1][1]));
+}
+
+TEST_F(HorizonBenchTest, everyExperimentIsMadeAndEveryRowHasEveryColumn) {
+    ASSERT_EQ(report().findings.size(), 4U);
+    for (const Finding& one : report().findings) {
+        EXPECT_FALSE(one.key.empty()) << one.title << ": " << one.text;
+        EXPECT_FALSE(one.table.rows.empty()) << one.key;
+        for (const auto& row : one.table.rows) EXPECT_EQ(row.size(), one.table.columns.size()) << one.key;
+    }
+}
+
+}  // namespace
+}  // namespace noonmark::bench
