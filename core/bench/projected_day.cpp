@@ -20,12 +20,10 @@ std::size_t differences(const std::vector<ShadowMask>& masks, std::span<const st
     const std::size_t steps = rasters.size() / layout.words();
     std::size_t count = 0;
     for (std::size_t i = 0; i < masks.size(); ++i) {
-        const std::uint32_t cell = receivers.cells[i];
-        const auto column = std::size_t(cell) % std::size_t(layout.columns);
-        const auto row = std::size_t(cell) / std::size_t(layout.columns);
-        const std::size_t word = row * std::size_t(layout.wordsPerRow) + column / 64;
+        const int column = int(receivers.cells[i]) % layout.columns;
+        const int row = int(receivers.cells[i]) / layout.columns;
         for (std::size_t step = 0; step < steps; ++step) {
-            const bool filled = (rasters[step * layout.words() + word] >> (column % 64) & 1U) != 0;
+            const bool filled = layout.at(rasters.subspan(step * layout.words()), column, row);
             count += std::size_t(filled != ((masks[i] >> step & 1U) != 0));
         }
     }

@@ -82,7 +82,7 @@ void addSpeedup(Finding& finding, const Times& times) {
     if (iam == times.end() || ray == times.end() || iam->second.empty() || ray->second.empty()) return;
     const DayTime &with = iam->second.back(), &rays = ray->second.back();
     if (with.days != 365 || rays.days != 365) return;
-    finding.summary["year_graph_speedup"] = rays.seconds / with.seconds;
+    if (!with.estimated) finding.summary["year_graph_speedup"] = rays.seconds / with.seconds;
     finding.comparisons.push_back(
         {{"a year through the graph", "ours", "paper"},
          {{"rays / IAM with graph", threeDigits(rays.seconds / with.seconds), "> 50"}}});

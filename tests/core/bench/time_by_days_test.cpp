@@ -27,6 +27,7 @@ TEST(TimeByDays, whoWasTooSlowIsWorkedOutInProportionAndMarked) {
     const auto& row = finding.table.rows.back();
     EXPECT_EQ(std::get<double>(row[3]), 730);
     EXPECT_EQ(std::get<std::string>(row.back()), "yes");
+    EXPECT_FALSE(finding.summary.contains("year_graph_speedup"));
 }
 
 TEST(TimeByDays, whoRefusedHasNoTime) {
