@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/city/mesh_outline.h"
 #include "core/samples/block_buildings.h"
 #include "core/samples/central_park_streets.h"
 #include "core/samples/central_park_towers.h"
@@ -12,6 +13,7 @@ namespace noonmark {
 
 namespace {
 
+constexpr double clearM = 3;          // free ground around a named tower
 constexpr std::uint32_t seed = 2017;  // the paper's year; any other would do
 
 // 60 m buildings in Midtown's middle, half of that far away; the avenues that look onto the park are higher.
@@ -28,7 +30,6 @@ StreetBox widened(const StreetBox& box, double byM) {
 }
 
 std::vector<StreetBox> clearedBoxes() {
-    constexpr double clearM = 3;
     std::vector<StreetBox> boxes{columbusCircle(), widened(timeWarnerPodium(), clearM)};
     for (const NamedTower& tower : caseStudyTowers()) boxes.push_back(widened(tower.floor, clearM));
     return boxes;
@@ -87,6 +88,35 @@ void addParkSides(City& city) {
             addBlock(city, settings, avenue, street);
 }
 
+// Street axes to another frame's metres.
+Footprint groundOf(const StreetPolygon& polygon, const Frame& frame) {
+    const Frame own = centralParkFrame();
+    Ring ring;
+    for (const glm::dvec2 corner : polygon)
+        ring.emplace_back(frame.localFromLonLat(own.lonLatFromLocal(StreetAxes{}.localFromStreet(corner))));
+    return {std::move(ring), {}};
+}
+
+// The lots of a block as addBlock() cuts them.
+std::vector<Lot> lotsOfBlock(Avenue avenue, int street) {
+    SampleRandom random(seed, int(avenue), street);
+    const BlockSettings settings = quarter(street < 59 ? broadwaySouth() : broadwayNorth());
+    std::vector<Lot> lots = lotsOf(blockAt(avenue, street), settings.widths, random);
+    for (const SkewedAvenue& broadway : settings.avenues) lots = cutBy(broadway, std::move(lots));
+    return lots;
+}
+
+std::vector<Lot> emptiedLots(const StreetBox& floor) {
+    std::vector<Lot> emptied;
+    for (int street = 49; street < 73; ++street)
+        for (int avenue = int(Avenue::tenth); avenue < int(Avenue::third); ++avenue) {
+            if (!blockAt(Avenue(avenue), street).overlaps(floor)) continue;
+            for (const Lot& lot : lotsOfBlock(Avenue(avenue), street))
+                if (lot.box.overlaps(widened(floor, clearM))) emptied.push_back(lot);
+        }
+    return emptied;
+}
+
 }  // namespace
 
 City centralParkSouthSample() {
@@ -100,13 +130,20 @@ City centralParkSouthSample() {
 }
 
 Region centralParkRegion(const City& city) {
-    const Frame frame = centralParkFrame();
-    Ring ring;
-    for (const glm::dvec2 corner : cornersOf(parkBox())) {
-        const LonLat place = frame.lonLatFromLocal(StreetAxes{}.localFromStreet(corner));
-        ring.emplace_back(city.frame.localFromLonLat(place));
+    return {"Central Park, 59th to 72nd Street", {groundOf(cornersOf(parkBox()), city.frame)}};
+}
+
+// Joined in street axes, where neighbours share their corners to the last bit.
+std::vector<CaseStudyLot> caseStudyLots(const City& city) {
+    std::vector<CaseStudyLot> lots;
+    for (const NamedTower& tower : caseStudyTowers()) {
+        std::vector<Footprint> pieces;
+        for (const Lot& lot : emptiedLots(tower.floor))
+            pieces.push_back({{lot.ground.begin(), lot.ground.end()}, {}});
+        for (const Footprint& joined : unionOf(pieces))
+            lots.push_back({tower.name, groundOf({joined.outer.begin(), joined.outer.end()}, city.frame)});
     }
-    return {"Central Park, 59th to 72nd Street", {Footprint{std::move(ring), {}}}};
+    return lots;
 }
 
 }  // namespace noonmark

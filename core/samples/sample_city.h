@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,5 +36,15 @@ City centralParkSouthSample();
 
 /// The park itself from 59th to 72nd Street, for regions and pictures, in the city's frame.
 Region centralParkRegion(const City& city);
+
+/// The ground around one of the seven towers of Central Park South.
+struct CaseStudyLot {
+    std::string tower;  ///< its name, and its id in the sample
+    Footprint ground;
+};
+
+/// The lots that stay empty for the seven towers, those of one tower joined: each holds its tower and no
+/// other building. In the city's frame, in the order of the towers.
+std::vector<CaseStudyLot> caseStudyLots(const City& city);
 
 }  // namespace noonmark

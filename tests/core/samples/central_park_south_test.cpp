@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "core/city/mesh_outline.h"
 #include "core/samples/sample_city.h"
 #include "tests/core/samples/sample_checks.h"
 
@@ -110,6 +111,24 @@ TEST(CentralParkSouth, theParkFollowsTheFrame) {
 
 TEST(CentralParkSouth, isAlwaysTheSame) {
     EXPECT_EQ(fingerprintOf(centralParkSouthSample()), fingerprintOf(centralParkSouthSample()));
+}
+
+TEST(CentralParkSouth, EveryCaseStudyTowerHasALotOfItsOwn) {
+    const City city = centralParkSouthSample();
+    const std::vector<CaseStudyLot> lots = caseStudyLots(city);
+    ASSERT_EQ(lots.size(), 7U);
+    for (std::size_t i = 0; i < lots.size(); ++i) {
+        const Footprint& tower = city.buildings[i]->parts[0].footprint;
+        EXPECT_EQ(lots[i].tower, city.buildings[i]->name);
+        EXPECT_LT(areaOutside(tower, {lots[i].ground}), 0.1) << lots[i].tower;
+        EXPECT_GT(area(lots[i].ground), 1.2 * area(tower)) << lots[i].tower;
+        for (std::size_t b = 0; b < city.buildings.size(); ++b) {
+            if (b == i) continue;
+            for (const Part& part : city.buildings[b]->parts)
+                EXPECT_LT(area(part.footprint) - areaOutside(part.footprint, {lots[i].ground}), 0.5)
+                    << lots[i].tower << ", " << city.buildings[b]->sourceId;
+        }
+    }
 }
 
 }  // namespace
