@@ -1,0 +1,90 @@
+#include "scenarios/impact/impact_text.h"
+
+#include <fmt/format.h>
+
+#include "core/study/warnings_json.h"
+#include "scenarios/settings_json.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json changeJson(const ChangeFigures& figures) {
+    return {{"gained_m2", figures.gainedM2},       {"lost_m2", figures.lostM2},
+            {"touched_m2", figures.touchedM2},     {"eased_m2", figures.easedM2},
+            {"mean_min", figures.meanMin},         {"most_gained_min", figures.mostGainedMin},
+            {"most_lost_min", figures.mostLostMin}};
+}
+
+Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
+    Json json = Json::array();
+    for (const double threshold : thresholds) {
+        const ImpactFigures figures = figuresOf(impact, threshold);
+        json.push_back({{"threshold_min", threshold},
+                        {"receiver_area_m2", figures.receiverAreaM2},
+                        {"gross", changeJson(figures.gross)},
+                        {"continuous", changeJson(figures.continuous)},
+                        {"shadow_area_change_m2", figures.shadowAreaChangeM2},
+                        {"became_building_m2", figures.becameBuildingM2},
+                        {"became_ground_m2", figures.becameGroundM2}});
+    }
+    return json;
+}
+
+Json definitions() {
+    return {{"change", "the field of `to` less the field of `from`, same engine, steps and receivers"},
+            {"gained_m2", "area where the minutes rose by more than the threshold"},
+            {"touched_m2", "area where they rose at all"},
+            {"shadow_area_change_m2",
+             "change of the sum over receivers of (share of the sunlit time in shadow x cell area)"},
+            {"by_building", "`to` less `to` without this building: what it shades alone"},
+            {"became_building_m2", "open ground in `from`, under a building in `to`: no receiver"}};
+}
+
+std::string line(const std::string& id, const std::string& name, const ImpactFigures& figures) {
+    const ChangeFigures& gross = figures.gross;
+    const ChangeFigures& continuous = figures.continuous;
+    return fmt::format(
+        "{},{},{:g},{:.1f},{:.1f},{:.1f},{:.1f},{:.3f},{:.2f},{:.2f},{:.1f},{:.1f},{:.1f},{:.1f},{:.1f}\r\n",
+        csvField(id), csvField(name), figures.thresholdMin, gross.gainedM2, gross.lostM2, gross.touchedM2,
+        gross.easedM2, gross.meanMin, gross.mostGainedMin, gross.mostLostMin, continuous.gainedM2,
+        continuous.lostM2, figures.shadowAreaChangeM2, figures.becameBuildingM2, figures.becameGroundM2);
+}
+
+}  // namespace
+
+std::string impactJson(const ImpactAnswer& answer) {
+    const Impact& total = answer.study.total;
+    Json json = settingsJson(answer.settings.study);
+    json["from"] = answer.from;
+    json["to"] = answer.to;
+    json["engine_settings"] = total.engine;
+    json["steps"] = answer.study.sun.steps.size();
+    json["sunlit_min_per_day"] = total.sunlitMinutesPerDay;
+    json["impact"] = figuresJson(total, answer.thresholdsMin);
+    json["by_building"] = Json::array();
+    for (const BuildingImpact& building : answer.study.byBuilding)
+        json["by_building"].push_back({{"id", building.id},
+                                       {"name", building.name},
+                                       {"impact", figuresJson(building.impact, answer.thresholdsMin)}});
+    json["definitions"] = definitions();
+    json["warnings"] = warningsJson(total.warnings);
+    return jsonText(json);
+}
+
+std::string impactCsv(const ImpactAnswer& answer) {
+    std::string csv =
+        "id,name,threshold_min,gained_m2,lost_m2,touched_m2,eased_m2,mean_min,most_gained_min,most_lost_min,"
+        "continuous_gained_m2,continuous_lost_m2,shadow_area_change_m2,became_building_m2,became_ground_"
+        "m2\r\n";
+    for (const double threshold : answer.thresholdsMin)
+        csv += line("", "all", figuresOf(answer.study.total, threshold));
+    for (const BuildingImpact& building : answer.study.byBuilding)
+        for (const double threshold : answer.thresholdsMin)
+            csv += line(building.id, building.name, figuresOf(building.impact, threshold));
+    return csv;
+}
+
+}  // namespace noonmark

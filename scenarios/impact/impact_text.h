@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/impact/impact_figures.h"
+
+namespace noonmark {
+
+/// An impact with the question that it answers, for files and kept results.
+struct ImpactAnswer {
+    std::string from;  ///< scenarios
+    std::string to;
+    ImpactSettings settings;
+    std::vector<double> thresholdsMin{30, 60};  ///< Boston's rules ask for 60
+    ImpactStudy study;
+};
+
+/// Keys are stable, units in their names; figures for every threshold, of all and of each new building.
+std::string impactJson(const ImpactAnswer& answer);
+
+/// One line for all and each new building and every threshold, with a heading; RFC 4180.
+std::string impactCsv(const ImpactAnswer& answer);
+
+}  // namespace noonmark

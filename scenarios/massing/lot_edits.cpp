@@ -1,0 +1,35 @@
+#include "scenarios/massing/lot_edits.h"
+
+#include "core/city/building_ground.h"
+#include "scenarios/edits/placed_building.h"
+#include "scenarios/massing/same_floor_area.h"
+
+namespace noonmark {
+
+std::vector<Edit> clearing(const City& city, const Footprint& lot) {
+    const Box2 box = bounds(lot);
+    std::vector<Edit> edits;
+    for (const auto& building : city.buildings) {
+        const Box2 other = bounds(*building);
+        const bool near = other.low.x < box.high.x && box.low.x < other.high.x && other.low.y < box.high.y &&
+                          box.low.y < other.high.y;
+        if (near && contains(lot, middleOf(*building))) edits.emplace_back(Demolish{building->sourceId});
+    }
+    return edits;
+}
+
+Result<Variant> variantOf(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
+                          double storeyHeightM) {
+    const Building& old = *city.buildings[building];
+    const auto given = givenBy(old, double(groundUnder(old, city)), storeyHeightM);
+    if (!given) return tl::make_unexpected(given.error());
+    auto massing = sameFloorArea(lot, *given, plateFactor);
+    if (!massing) return failure(massing.error().what, old.sourceId, massing.error().advice);
+    auto made = buildingOf(*massing, old.sourceId);
+    if (!made) return tl::make_unexpected(made.error());
+    made->name = old.name;
+    auto shape = std::make_shared<const Building>(*std::move(made));
+    return Variant{{old.sourceId, std::move(shape)}, *std::move(massing), given->grossFloorM2};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,47 @@
+#include "scenarios/settings_json.h"
+
+#include "core/version.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+Json settingsJson(const StudySettings& settings) {
+    Json engine{{"key", settings.engine}, {"settings", Json::object()}};
+    for (const auto& [key, value] : settings.engineSettings) engine["settings"][key] = value;
+    const Period& period = settings.period;
+    return {{"program", "Noonmark " + std::string(version())},
+            {"engine", engine},
+            {"period",
+             {{"text", textOf(period)},
+              {"start", textOf(period.start)},
+              {"days", period.days},
+              {"from", period.window ? Json() : Json(textOf(period.from))},
+              {"hours", period.window ? Json() : Json(period.hours)},
+              {"window", period.window ? Json(textOf(*period.window)) : Json()},
+              {"step_min", period.stepMinutes},
+              {"zone", period.zone},
+              {"refraction", period.refraction}}},
+            {"region", settings.region.name},
+            {"cell_m", settings.receivers.cellM}};
+}
+
+Json inputsJson(const std::vector<InputFile>& inputs) {
+    Json json = Json::array();
+    for (const InputFile& input : inputs) {
+        const bool made = input.sha256.empty();
+        json.push_back({{"path", input.path.string()},
+                        {"bytes", made ? Json() : Json(input.bytes)},
+                        {"sha256", made ? Json() : Json(input.sha256)}});
+    }
+    return json;
+}
+
+std::string csvField(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return quoted + '"';
+}
+
+}  // namespace noonmark

@@ -1,0 +1,65 @@
+#include "scenarios/weights/score_text.h"
+
+#include <fmt/format.h>
+
+#include "core/study/warnings_json.h"
+#include "scenarios/settings_json.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string textOf(std::chrono::year_month month) {
+    return fmt::format("{:04}-{:02}", int(month.year()), unsigned(month.month()));
+}
+
+Json monthsJson(const Score& score) {
+    Json json = Json::array();
+    for (const MonthFigures& month : score.months)
+        json.push_back({{"month", textOf(month.month)},
+                        {"sunlit_min", month.sunlitMinutes},
+                        {"shadow_area_m2", month.shadowAreaM2},
+                        {"score_m2", month.scoreM2}});
+    return json;
+}
+
+Json intervalsJson(const Score& score) {
+    Json json = Json::array();
+    for (const IntervalFigures& interval : score.intervals)
+        json.push_back({{"name", interval.name},
+                        {"weight", interval.weight},
+                        {"shadow_area_m2", interval.shadowAreaM2},
+                        {"score_m2", interval.scoreM2}});
+    return json;
+}
+
+}  // namespace
+
+std::string scoreJson(const ScoreAnswer& answer) {
+    Json json = settingsJson(answer.settings);
+    json["scenario"] = answer.scenario;
+    json["weights"] = answer.weights.name;
+    json["engine_settings"] = answer.score.engine;
+    json["receiver_area_m2"] = answer.score.receiverAreaM2;
+    json["score_m2"] = answer.score.scoreM2;
+    json["months"] = monthsJson(answer.score);
+    json["intervals"] = intervalsJson(answer.score);
+    json["definitions"] = {
+        {"score_m2",
+         "sum over intervals of weight x share of the interval's sunlit time in shadow, times cell area"},
+        {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"}};
+    json["warnings"] = warningsJson(answer.score.warnings);
+    return jsonText(json);
+}
+
+std::string scoreCsv(const ScoreAnswer& answer) {
+    std::string csv = "month,sunlit_min,shadow_area_m2,score_m2\r\n";
+    for (const MonthFigures& month : answer.score.months)
+        csv += fmt::format("{},{:g},{:.1f},{:.1f}\r\n", textOf(month.month), month.sunlitMinutes,
+                           month.shadowAreaM2, month.scoreM2);
+    return csv;
+}
+
+}  // namespace noonmark
