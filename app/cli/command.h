@@ -19,6 +19,9 @@ void addImportCommand(CLI::App& app, Run& run);
 void addSunCommand(CLI::App& app, Run& run);
 void addStudyCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
+void addProjectCommand(CLI::App& app, Run& run);
+void addImpactCommand(CLI::App& app, Run& run);
+void addScoreCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);
 void addDevicesCommand(CLI::App& app, Run& run);
 

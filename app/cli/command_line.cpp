@@ -54,6 +54,9 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addSunCommand(app, run);
         addStudyCommand(app, run);
         addBenchCommand(app, run);
+        addProjectCommand(app, run);
+        addImpactCommand(app, run);
+        addScoreCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);
         return parseAndRun(app, run, argc, argv, console);

@@ -33,7 +33,7 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     const Interrupt interrupt;
     ProgressLine progress(console);
     StudySettings settings = options.settings;
-    const auto period = orCode(periodFrom(options), exitUsage);
+    const auto period = orCode(periodFrom(options.period), exitUsage);
     if (!period) return tl::make_unexpected(period.error());
     settings.period = *period;
     if (auto engine = orCode(makeAccumulator(settings.engine, settings.engineSettings), exitUsage); !engine)

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/measure_options.h"
+#include "app/cli/number_range.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/table.h"
+#include "core/io/write_raster.h"
+#include "core/io/write_text.h"
+#include "scenarios/project/keep_result.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ImpactOptions {
+    MeasureOptions measure;
+    std::string from;
+    std::string to;
+    std::vector<double> thresholds{30, 60};
+    bool byBuilding = false;
+};
+
+Result<ImpactAnswer> answered(const ImpactOptions& options, const Project& project, const Console& console) {
+    const auto study = settingsFrom(options.measure, project);
+    if (!study) return tl::make_unexpected(study.error());
+    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
+    if (!before) return tl::make_unexpected(before.error());
+    if (!after) return tl::make_unexpected(after.error());
+    const ImpactSettings settings{*study, options.byBuilding};
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return runImpact(before->city, after->city, settings, progress, interrupt.token())
+        .map([&](ImpactStudy made) {
+            return ImpactAnswer{options.from, options.to, settings, options.thresholds, std::move(made)};
+        });
+}
+
+Result<void> writeFiles(const ImpactAnswer& answer, const MeasureOptions& options, const Frame& frame) {
+    const Impact& impact = answer.study.total;
+    return folderFor(options).and_then([&](const std::filesystem::path& folder) {
+        return writeGeoTiff(folder / "impact.tif", frame, impact.grid,
+                            {{"change of gross shadow", "min/day", &impact.grossMin},
+                             {"change of continuous shadow", "min", &impact.continuousMin}})
+            .and_then([&] { return writeText(folder / "impact.json", impactJson(answer)); })
+            .and_then([&] { return writeText(folder / "impact.csv", impactCsv(answer)); });
+    });
+}
+
+void addFigures(Table& table, const std::string& name, const Impact& impact,
+                const std::vector<double>& thresholds) {
+    for (const double threshold : thresholds) {
+        const ImpactFigures figures = figuresOf(impact, threshold);
+        table.add(
+            fmt::format("{}, over {:g} min", name, threshold),
+            fmt::format("{} m2 more shadow, {} m2 less", withCommas(std::size_t(figures.gross.gainedM2)),
+                        withCommas(std::size_t(figures.gross.lostM2))));
+    }
+}
+
+void print(const ImpactAnswer& answer, std::ostream& out) {
+    const Impact& impact = answer.study.total;
+    const ImpactFigures figures = figuresOf(impact, 0);
+    Table table;
+    table.add("from, to", fmt::format("{} -> {}", answer.from, answer.to));
+    table.add("period", textOf(answer.settings.study.period));
+    table.add("engine", impact.engine);
+    table.add("receivers", fmt::format("{:.0f} m2 of open ground in both", figures.receiverAreaM2));
+    table.add("no receivers", fmt::format("{:.0f} m2 became building, {:.0f} m2 became ground",
+                                          figures.becameBuildingM2, figures.becameGroundM2));
+    table.add("touched", fmt::format("{:.0f} m2 more shadow, {:.0f} m2 less", figures.gross.touchedM2,
+                                     figures.gross.easedM2));
+    table.add("change",
+              fmt::format("mean {:.2f}, most {:.1f} min a day of {:.1f} sunlit; shadow area {:+.0f} m2",
+                          figures.gross.meanMin, figures.gross.mostGainedMin, impact.sunlitMinutesPerDay,
+                          figures.shadowAreaChangeM2));
+    addFigures(table, "all", impact, answer.thresholdsMin);
+    for (const BuildingImpact& building : answer.study.byBuilding)
+        addFigures(table, building.name.empty() ? building.id : building.name, building.impact,
+                   answer.thresholdsMin);
+    table.print(out);
+    printWarnings(out, impact.warnings);
+}
+
+int runImpactCommand(const ImpactOptions& options, const Console& console) {
+    auto disk = ProjectFile::open(options.measure.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    const auto answer = answered(options, disk->project(), console);
+    if (!answer) return fail(console, answer.error(), exitUsage);
+    const auto written = writeFiles(*answer, options.measure, disk->project().city->frame);
+    if (!written) return fail(console, written.error(), exitFailed);
+    if (!options.measure.keep.empty())
+        if (const auto saved = disk->save(withResult(disk->project(), options.measure.keep, *answer)); !saved)
+            return fail(console, saved.error(), exitFailed);
+    if (options.measure.json)
+        console.out << impactJson(*answer) << '\n';
+    else
+        print(*answer, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addImpactCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<ImpactOptions>();
+    CLI::App* command =
+        app.add_subcommand("impact", "Measure what one scenario of a project changes against another");
+    addMeasureOptions(*command, options->measure);
+    command->add_option("--from", options->from, "The scenario to compare with")
+        ->default_val(existingCity)
+        ->type_name("NAME");
+    command->add_option("--to", options->to, "The scenario that changes it")->required()->type_name("NAME");
+    command->add_option("--threshold", options->thresholds, "Minutes a day that count; one or more")
+        ->capture_default_str()
+        ->check(within(0, 1440))
+        ->type_name("MIN");
+    command->add_flag("--by-building", options->byBuilding, "What each new building shades alone, too");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runImpactCommand(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

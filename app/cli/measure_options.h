@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "app/cli/console.h"
+#include "app/cli/period_options.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark::cli {
+
+/// What `impact` and `score` share: project, region, period, cells, engine, and where the answer goes.
+struct MeasureOptions {
+    std::string file;
+    std::string region;
+    PeriodOptions period{.hourOption = "--at"};
+    StudySettings settings;
+    std::string out;
+    std::string keep;
+    bool json = false;
+};
+
+void addMeasureOptions(CLI::App& command, MeasureOptions& options);
+
+/// The settings with region and period read. Error: a region that the project does not have and that is
+/// neither a box nor a file; what periodFrom refuses.
+Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project& project);
+
+/// Makes the folder of `out`. Error: it cannot be made.
+Result<std::filesystem::path> folderFor(const MeasureOptions& options);
+
+}  // namespace noonmark::cli

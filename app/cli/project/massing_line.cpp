@@ -1,0 +1,18 @@
+#include "app/cli/project/massing_line.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/cli/table.h"
+
+namespace noonmark::cli {
+
+std::string lineOf(const MassingFigures& figures) {
+    return fmt::format("{} storeys, {:.1f} m; gross floor area {} m2, ratio {:.1f}, coverage {:.0f} %",
+                       figures.storeys, figures.heightM,
+                       withCommas(std::size_t(std::llround(figures.grossFloorM2))), figures.floorAreaRatio,
+                       figures.coverage * 100);
+}
+
+}  // namespace noonmark::cli

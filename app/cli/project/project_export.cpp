@@ -1,0 +1,44 @@
+#include <memory>
+
+#include "app/cli/project/change_project.h"
+#include "app/cli/project/project_commands.h"
+#include "app/cli/save_city.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ExportOptions {
+    std::string file;
+    std::string scenario;
+    std::string out;
+    bool json = false;
+};
+
+int runExport(const ExportOptions& options, const Console& console) {
+    const auto disk = ProjectFile::open(options.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    const auto city = cityOf(disk->project(), options.scenario);
+    if (!city) return fail(console, city.error(), exitUsage);
+    return saveCity(city->city, options.out, options.json, console);
+}
+
+}  // namespace
+
+void addProjectExport(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<ExportOptions>();
+    CLI::App* command =
+        project.add_subcommand("export", "Write a scenario's city as a GeoPackage of its own");
+    addProjectFile(*command, options->file);
+    command->add_option("--scenario", options->scenario, "Which city")
+        ->default_val(existingCity)
+        ->type_name("NAME");
+    command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
+    command->add_flag("--json", options->json, "Say what was written as JSON");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runExport(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "app/cli/number_range.h"
+#include "app/cli/project/change_project.h"
+#include "app/cli/project/massing_line.h"
+#include "app/cli/project/project_commands.h"
+#include "scenarios/edits/building_ids.h"
+#include "scenarios/massing/lot_edits.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ExtrudeOptions {
+    std::string file;
+    std::string scenario;
+    std::string lot;
+    std::string on;  // a building, whose footprint is the lot
+    std::string id;
+    bool clear = false;
+    MassingSettings massing;
+    double sharePercent = 0;  // 0: not stated
+    double areaM2 = 0;
+    int podiumStoreys = 0;
+    double podiumPercent = 100;
+    std::vector<std::string> setbacks;  // HEIGHT:INSET
+};
+
+Result<Setback> setbackFrom(const std::string& text) {
+    Setback setback;
+    const char* const end = text.data() + text.size();
+    const auto [colon, first] = std::from_chars(text.data(), end, setback.aboveM);
+    if (first == std::errc{} && colon != end && *colon == ':') {
+        const auto [last, second] = std::from_chars(colon + 1, end, setback.insetM);
+        if (second == std::errc{} && last == end) return setback;
+    }
+    return failure("It is no setback", text, "Give HEIGHT:INSET in metres, for example 60:3");
+}
+
+Result<MassingSettings> settingsFrom(const ExtrudeOptions& options) {
+    MassingSettings settings = options.massing;
+    if (options.sharePercent != 0) settings.plate.shareOfLot = options.sharePercent / 100;
+    if (options.areaM2 != 0) settings.plate.areaM2 = options.areaM2;
+    if (options.podiumStoreys != 0)
+        settings.podium = Podium{options.podiumStoreys, {.shareOfLot = options.podiumPercent / 100}};
+    for (const std::string& text : options.setbacks) {
+        const auto setback = setbackFrom(text);
+        if (!setback) return tl::make_unexpected(setback.error());
+        settings.setbacks.push_back(*setback);
+    }
+    return settings;
+}
+
+// The lot, and the edits that make it free.
+struct Site {
+    Footprint lot;
+    std::vector<Edit> edits;
+};
+
+Result<Site> siteOf(const ExtrudeOptions& options, const Project& project, const City& city) {
+    if (options.on.empty()) {
+        const auto lot = lotNamed(project, options.lot);
+        if (!lot) return tl::make_unexpected(lot.error());
+        return Site{lot->outline, options.clear ? clearing(city, lot->outline) : std::vector<Edit>{}};
+    }
+    const auto found = findBuilding(city, options.on);
+    if (!found) return tl::make_unexpected(found.error());
+    const Building& old = *city.buildings[*found];
+    return Site{old.parts.front().footprint, {Demolish{old.sourceId}}};
+}
+
+Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
+    const auto scenario = scenarioToChange(project, options.scenario);
+    if (!scenario) return tl::make_unexpected(scenario.error());
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const auto site = siteOf(options, project, city->city);
+    if (!site) return tl::make_unexpected(site.error());
+    const auto massing = settingsFrom(options).and_then(
+        [&](const MassingSettings& settings) { return massingOn(site->lot, settings); });
+    if (!massing) return tl::make_unexpected(massing.error());
+    const auto building = buildingOf(*massing, options.id);
+    if (!building) return tl::make_unexpected(building.error());
+    auto& edits = (*scenario)->edits;
+    edits.insert(edits.end(), site->edits.begin(), site->edits.end());
+    edits.emplace_back(AddBuilding{std::make_shared<const Building>(*building)});
+    if (const auto works = cityOf(project, options.scenario); !works)
+        return tl::make_unexpected(works.error());
+    return fmt::format("{}: {}\n", options.id, lineOf(massing->figures));
+}
+
+void addShapeOptions(CLI::App& command, ExtrudeOptions& options) {
+    MassingSettings& massing = options.massing;
+    CLI::Option* storeys =
+        command.add_option("--storeys", massing.storeys, "How many, the podium's too")->type_name("N");
+    command.add_option("--height", massing.heightM, "Total height, m")->excludes(storeys)->type_name("M");
+    command.add_option("--storey-height", massing.storeyHeightM, "Of every storey, 2 to 10 m")
+        ->capture_default_str()
+        ->type_name("M");
+    CLI::Option* share =
+        command
+            .add_option("--plate-share", options.sharePercent,
+                        "Floor plate of the tower as a share of the lot, % (default: all of it)")
+            ->check(within(0.1, 100))
+            ->type_name("PERCENT");
+    command.add_option("--plate-area", options.areaM2, "Floor plate of the tower, m2")
+        ->check(within(1, 1e7))
+        ->excludes(share)
+        ->type_name("M2");
+    CLI::Option* podium =
+        command.add_option("--podium", options.podiumStoreys, "Storeys of a podium below the tower")
+            ->type_name("N");
+    command.add_option("--podium-share", options.podiumPercent, "Floor plate of the podium, % of the lot")
+        ->capture_default_str()
+        ->needs(podium)
+        ->check(within(0.1, 100))
+        ->type_name("PERCENT");
+    command
+        .add_option("--setback", options.setbacks,
+                    "Above HEIGHT m the walls stand INSET m further in; any number")
+        ->type_name("HEIGHT:INSET");
+    command.add_option("--turn", massing.clockwiseDeg, "Turn the tower on its lot, degrees clockwise")
+        ->type_name("DEG");
+}
+
+}  // namespace
+
+void addProjectExtrude(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<ExtrudeOptions>();
+    CLI::App* command = project.add_subcommand("extrude", "Build a tower on a lot in a scenario");
+    addProjectFile(*command, options->file);
+    command->add_option("--scenario", options->scenario, "The scenario to change")
+        ->required()
+        ->type_name("NAME");
+    CLI::Option_group* where = command->add_option_group("where");
+    where->add_option("--lot", options->lot, "A lot of the project")->type_name("NAME");
+    where->add_option("--on", options->on, "A building: demolished, its outline is the lot")
+        ->type_name("BUILDING");
+    where->require_option(1);
+    command->add_flag("--clear", options->clear, "Demolish what stands on the lot");
+    command->add_option("--id", options->id, "Id and name of the new building")
+        ->required()
+        ->type_name("NAME");
+    addShapeOptions(*command, *options);
+    command->callback([options, &run] {
+        run = [options](const Console& console) {
+            return changeProject(options->file, console,
+                                 [&](Project& changed) { return extrude(*options, changed); });
+        };
+    });
+}
+
+}  // namespace noonmark::cli

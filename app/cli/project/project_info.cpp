@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/project/change_project.h"
+#include "app/cli/project/project_commands.h"
+#include "app/cli/table.h"
+#include "core/study/warnings_json.h"
+#include "scenarios/project/autosave.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoOptions {
+    std::string file;
+    bool json = false;
+};
+
+template <class List, class NameOf>
+Json namesOf(const List& list, NameOf nameOf) {
+    Json names = Json::array();
+    for (const auto& one : list) names.push_back(nameOf(one));
+    return names;
+}
+
+constexpr auto ownName = [](const auto& one) { return one.name; };
+constexpr auto sharedName = [](const auto& one) { return one->name; };
+
+Json scenarioJson(const Scenario& scenario) {
+    Json edits = Json::array();
+    for (const Edit& edit : scenario.edits) edits.push_back(textOf(edit));
+    return {{"name", scenario.name},
+            {"base", scenario.base.empty() ? existingCity : scenario.base.c_str()},
+            {"edits", edits}};
+}
+
+Json infoJson(const ProjectFile& disk) {
+    const Project& project = disk.project();
+    Json scenarios = Json::array();
+    for (const Scenario& scenario : project.scenarios) scenarios.push_back(scenarioJson(scenario));
+    return {{"file", disk.path().string()},
+            {"saves", disk.saves()},
+            {"buildings", project.city->buildings.size()},
+            {"terrain", bool(project.city->terrain)},
+            {"attribution", project.attribution},
+            {"regions", namesOf(project.regions, ownName)},
+            {"lots", namesOf(project.lots, ownName)},
+            {"scenarios", scenarios},
+            {"weights", namesOf(project.weights, ownName)},
+            {"periods", namesOf(project.periods, ownName)},
+            {"results", namesOf(project.results, sharedName)},
+            {"unsaved_work", bool(recoveryOf(disk.path()))}};
+}
+
+std::string joined(const Json& names) {
+    std::string text;
+    for (const Json& name : names) text += (text.empty() ? "" : ", ") + name.get<std::string>();
+    return text.empty() ? "none" : text;
+}
+
+void print(const Json& info, std::ostream& out) {
+    Table table;
+    table.add("buildings", withCommas(info["buildings"].get<std::size_t>()));
+    table.add("terrain", info["terrain"].get<bool>() ? "yes" : "none: flat ground");
+    for (const char* key : {"regions", "lots", "weights", "periods", "results"})
+        table.add(key, joined(info[key]));
+    if (info["unsaved_work"].get<bool>()) table.add("recovery", "unsaved work lies beside the file");
+    table.print(out);
+    for (const Json& scenario : info["scenarios"]) {
+        out << fmt::format("\n{} (from {})\n", scenario["name"].get<std::string>(),
+                           scenario["base"].get<std::string>());
+        for (const Json& edit : scenario["edits"]) out << "  " << edit.get<std::string>() << '\n';
+    }
+}
+
+int runInfo(const InfoOptions& options, const Console& console) {
+    const auto disk = ProjectFile::open(options.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    const Json info = infoJson(*disk);
+    if (options.json)
+        console.out << jsonText(info) << '\n';
+    else
+        print(info, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addProjectInfo(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command = project.add_subcommand("info", "Say what a project holds");
+    addProjectFile(*command, options->file);
+    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

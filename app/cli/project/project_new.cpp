@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/load_city.h"
+#include "app/cli/project/project_commands.h"
+#include "app/cli/table.h"
+#include "core/io/read_region.h"
+#include "core/samples/sample_city.h"
+#include "scenarios/edits/building_ids.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct NewOptions {
+    std::string file;
+    ReadOptions read;
+    std::vector<std::string> regions;  // NAME=W,S,E,N or NAME=FILE
+    std::vector<std::string> lots;
+    bool replace = false;
+};
+
+// "Park=park.geojson" as a region of that name.
+Result<Region> placeFrom(const std::string& text, const Frame& frame) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return failure("A place needs a name", text, "Give NAME=west,south,east,north or NAME=FILE");
+    return readRegion(text.substr(equals + 1), frame).map([&](Region region) {
+        region.name = text.substr(0, equals);
+        return region;
+    });
+}
+
+Result<void> addRegions(Project& project, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+        auto region = placeFrom(text, project.city->frame);
+        if (!region) return tl::make_unexpected(region.error());
+        project.regions.push_back(*std::move(region));
+    }
+    return {};
+}
+
+// Several polygons are several lots.
+Result<void> addLots(Project& project, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+        const auto place = placeFrom(text, project.city->frame);
+        if (!place) return tl::make_unexpected(place.error());
+        for (std::size_t i = 0; i < place->polygons.size(); ++i)
+            project.lots.push_back(
+                {i == 0 ? place->name : fmt::format("{} ({})", place->name, i + 1), place->polygons[i]});
+    }
+    return {};
+}
+
+// The sample brings its places along.
+void addSamplePlaces(Project& project, const LoadedCity& loaded) {
+    if (loaded.files != std::vector<std::string>{"sample:central-park-south"}) return;
+    Region park = centralParkRegion(*project.city);
+    park.name = "Park";
+    project.regions.push_back(std::move(park));
+    for (const CaseStudyLot& lot : caseStudyLots(*project.city))
+        project.lots.push_back({lot.tower, lot.ground});
+}
+
+Result<Project> projectFrom(const NewOptions& options, const LoadedCity& loaded) {
+    Project project;
+    project.city = std::make_shared<const City>(withUniqueIds(loaded.read.city));
+    project.attribution = loaded.read.attribution;
+    project.inputs = loaded.inputs;
+    addSamplePlaces(project, loaded);
+    return addRegions(project, options.regions)
+        .and_then([&] { return addLots(project, options.lots); })
+        .map([&] { return std::move(project); });
+}
+
+int runNew(const NewOptions& options, const Console& console) {
+    const auto loaded = loadCity(options.read, console);
+    if (!loaded) return fail(console, loaded.error(), exitUsage);
+    const auto project = projectFrom(options, *loaded);
+    if (!project) return fail(console, project.error(), exitUsage);
+    const auto made =
+        ProjectFile::create(options.file, *project,
+                            options.replace ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
+    if (!made) return fail(console, made.error(), exitFailed);
+    console.out << fmt::format("{}: {} buildings, {} regions, {} lots\n", options.file,
+                               withCommas(project->city->buildings.size()), project->regions.size(),
+                               project->lots.size());
+    printWarnings(console.out, loaded->read.warnings);
+    return exitOk;
+}
+
+}  // namespace
+
+void addProjectNew(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<NewOptions>();
+    CLI::App* command = project.add_subcommand("new", "Begin a project with a city");
+    command->add_option("project", options->file, "The file to make")
+        ->required()
+        ->type_name("NAME.noonmark.gpkg");
+    addReadOptions(*command, options->read);
+    command->add_option("--region", options->regions, "Where shadow is measured; any number")
+        ->type_name("NAME=W,S,E,N|FILE");
+    command->add_option("--lot", options->lots, "Ground to build on; any number")
+        ->type_name("NAME=W,S,E,N|FILE");
+    command->add_flag("--replace", options->replace, "Write over a file of this name");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runNew(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

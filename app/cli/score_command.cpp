@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/measure_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/table.h"
+#include "core/io/write_raster.h"
+#include "core/io/write_text.h"
+#include "scenarios/project/keep_result.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ScoreOptions {
+    MeasureOptions measure;
+    std::string scenario;
+    std::string weights;
+};
+
+Result<ScoreAnswer> answered(const ScoreOptions& options, const Project& project, const Console& console) {
+    auto settings = settingsFrom(options.measure, project);
+    if (!settings) return tl::make_unexpected(settings.error());
+    auto weights = weightsNamed(project, options.weights);
+    if (!weights) return tl::make_unexpected(weights.error());
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    auto score = runScore(city->city, *settings, *weights, progress, interrupt.token());
+    if (!score) return tl::make_unexpected(score.error());
+    return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score)};
+}
+
+Result<void> writeFiles(const ScoreAnswer& answer, const MeasureOptions& options, const Frame& frame) {
+    return folderFor(options).and_then([&](const std::filesystem::path& folder) {
+        return writeGeoTiff(folder / "score.tif", frame, answer.score.grid,
+                            {{"shadow score", "", &answer.score.score}})
+            .and_then([&] { return writeText(folder / "score.json", scoreJson(answer)); })
+            .and_then([&] { return writeText(folder / "score.csv", scoreCsv(answer)); });
+    });
+}
+
+void print(const ScoreAnswer& answer, std::ostream& out) {
+    const Score& score = answer.score;
+    Table table;
+    table.add("scenario", answer.scenario);
+    table.add("period", textOf(answer.settings.period));
+    table.add("weights", answer.weights.name);
+    table.add("engine", score.engine);
+    table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
+    table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} a m2)", score.scoreM2,
+                                   score.scoreM2 / std::max(1.0, score.receiverAreaM2)));
+    for (const MonthFigures& month : score.months)
+        table.add(
+            fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
+            fmt::format("shadow area {:9.0f} m2, score {:+9.0f} m2", month.shadowAreaM2, month.scoreM2));
+    table.print(out);
+    printWarnings(out, score.warnings);
+}
+
+int runScoreCommand(const ScoreOptions& options, const Console& console) {
+    auto disk = ProjectFile::open(options.measure.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    const auto answer = answered(options, disk->project(), console);
+    if (!answer) return fail(console, answer.error(), exitUsage);
+    const auto written = writeFiles(*answer, options.measure, disk->project().city->frame);
+    if (!written) return fail(console, written.error(), exitFailed);
+    if (!options.measure.keep.empty())
+        if (const auto saved = disk->save(withResult(disk->project(), options.measure.keep, *answer)); !saved)
+            return fail(console, saved.error(), exitFailed);
+    if (options.measure.json)
+        console.out << scoreJson(*answer) << '\n';
+    else
+        print(*answer, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addScoreCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<ScoreOptions>();
+    CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
+    addMeasureOptions(*command, options->measure);
+    command->add_option("--scenario", options->scenario, "Which city")
+        ->default_val(existingCity)
+        ->type_name("NAME");
+    command->add_option("--weights", options->weights, "A time-weight table of the project")
+        ->default_val("default")
+        ->type_name("NAME");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runScoreCommand(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

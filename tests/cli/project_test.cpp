@@ -1,0 +1,131 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "scenarios/project/project_file.h"
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using noonmark::tests::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string textOf(const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class ProjectCommand : public testing::Test {
+protected:
+    void SetUp() override {
+        const Spoken made = noonmarkCli({"project", "new", file_, "sample:central-park-south"});
+        ASSERT_EQ(made.code, 0) << made.err;
+        EXPECT_THAT(made.out, HasSubstr("1 regions, 7 lots"));
+    }
+
+    Spoken project(const std::string& command, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"project", command, file_};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    Spoken measured(const std::string& command, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{command,    file_,
+                                           "--region", "Park",
+                                           "--start",  "2026-12-21",
+                                           "--at",     "12:00",
+                                           "--hours",  "1",
+                                           "--step",   "10",
+                                           "--zone",   "America/New_York",
+                                           "--cell",   "10",
+                                           "--out",    folder_.path("out").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    [[nodiscard]] Project opened() const { return ProjectFile::open(file_).value().project(); }
+
+    TemporaryFolder folder_;
+    std::string file_ = folder_.path("park.noonmark.gpkg").string();
+};
+
+TEST_F(ProjectCommand, AWholeStudy) {
+    ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
+    ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
+    const Spoken impact = measured("impact", {"--from", "Before", "--to", "Existing", "--by-building",
+                                              "--json", "--threshold", "5", "20", "--keep", "towers"});
+    ASSERT_EQ(impact.code, 0) << impact.err;
+    const auto json = impact.json();
+    ASSERT_EQ(json["impact"].size(), 2U);
+    EXPECT_GT(json["impact"][0]["gross"]["gained_m2"].get<double>(), 1000);
+    EXPECT_GT(json["impact"][0]["gross"]["gained_m2"], json["impact"][1]["gross"]["gained_m2"]);
+    EXPECT_EQ(json["impact"][0]["gross"]["lost_m2"], 0);
+    ASSERT_EQ(json["by_building"].size(), 2U);
+    EXPECT_EQ(json["by_building"][0]["id"], "One57");
+    EXPECT_EQ(textOf(folder_.path("out/impact.json")) + "\n", impact.out);
+    EXPECT_THAT(textOf(folder_.path("out/impact.csv")),
+                AllOf(HasSubstr("id,name,threshold_min"), HasSubstr("\r\nOne57,One57,20,")));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path("out/impact.tif")));
+    ASSERT_EQ(opened().results.size(), 1U);
+    EXPECT_EQ(opened().results[0]->baseline, "Before");
+}
+
+TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
+    ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
+    ASSERT_EQ(project("demolish", {"520 Park Avenue", "--scenario", "A"}).code, 0);
+    const Spoken built = project(
+        "extrude", {"--scenario", "A", "--lot", "520 Park Avenue", "--id", "New tower", "--storeys", "40",
+                    "--storey-height", "4", "--plate-share", "50", "--podium", "5", "--setback", "80:2"});
+    ASSERT_EQ(built.code, 0) << built.err;
+    EXPECT_THAT(built.out, HasSubstr("New tower: 40 storeys, 160.0 m"));
+    ASSERT_EQ(project("add-scenario", {"B", "--base", "A"}).code, 0);
+    const Spoken wider = project("variant", {"One57", "520 Park Avenue", "--scenario", "B"});
+    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue is gone
+    EXPECT_THAT(wider.err, HasSubstr("There is no such building"));
+    const Spoken variant = project("variant", {"One57", "--scenario", "B"});
+    ASSERT_EQ(variant.code, 0) << variant.err;
+    EXPECT_THAT(variant.out, HasSubstr("One57: 306.1 m -> 44 storeys, 154.0 m"));
+    const auto city = cityOf(opened(), "B").value();
+    EXPECT_EQ(city.changes.added.size(), 2U);
+    const Spoken info = project("info", {"--json"});
+    EXPECT_EQ(info.json()["scenarios"][1]["base"], "A");
+    const auto out = folder_.path("b.gpkg").string();
+    EXPECT_EQ(project("export", {"--scenario", "B", "--out", out}).code, 0);
+    EXPECT_THAT(noonmarkCli({"info", out}).out, HasSubstr("buildings"));
+}
+
+TEST_F(ProjectCommand, ScoresAYear) {
+    const Spoken score =
+        measured("score", {"--days", "365", "--weights", "default", "--json"});
+    ASSERT_EQ(score.code, 0) << score.err;
+    EXPECT_EQ(score.json()["months"].size(), 12U);
+    EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
+    EXPECT_THAT(textOf(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
+}
+
+TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
+    EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 1);
+    EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
+                HasSubstr("The existing city is not changed"));
+    EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
+                HasSubstr("There is no such scenario"));
+    ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
+    EXPECT_EQ(project("add-scenario", {"A"}).code, 2);
+    EXPECT_EQ(project("demolish", {"One57", "nothing", "--scenario", "A"}).code, 2);
+    EXPECT_THAT(project("extrude", {"--scenario", "A", "--lot", "One57", "--id", "x", "--storeys", "9",
+                                    "--setback", "9"})
+                    .err,
+                HasSubstr("HEIGHT:INSET"));
+    EXPECT_THAT(project("variant", {"One57", "--scenario", "A", "--plate", "0"}).err, HasSubstr("largest"));
+    EXPECT_TRUE(opened().scenarios[0].edits.empty());
+    EXPECT_THAT(measured("impact", {"--to", "C"}).err, HasSubstr("There is no such scenario"));
+    EXPECT_THAT(measured("score", {"--weights", "mine"}).err, HasSubstr("'default'"));
+    EXPECT_EQ(noonmarkCli({"project", "info", folder_.path("gone").string()}).code, 2);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
