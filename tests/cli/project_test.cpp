@@ -102,7 +102,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
     const Spoken score =
         measured("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
-    EXPECT_EQ(score.json()["months"].size(), 12U);
+    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: two of it
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
     EXPECT_THAT(textOf(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
 }
