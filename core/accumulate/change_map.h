@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "core/accumulate/lanes.h"
@@ -19,6 +21,18 @@ public:
     /// Whether the sources of this cell do not simply go on from the one before it on the lane (in the order
     /// of major positions).
     [[nodiscard]] bool at(std::size_t cell) const { return changed_[cell] != 0; }
+
+    /// body(i) for every i of 0 .. count - 1 with at(first + i), in order. Eight cells at a time: few change.
+    template <class Body>
+    void forEachFrom(std::size_t first, std::size_t count, const Body& body) const {
+        for (std::size_t i = 0; i < count; i += 8) {
+            std::uint64_t marks = 0;
+            std::memcpy(&marks, &changed_[first + i], std::min<std::size_t>(8, count - i));
+            if (marks == 0) continue;
+            for (std::size_t k = i; k < std::min(i + 8, count); ++k)
+                if (at(first + k)) body(k);
+        }
+    }
 
 private:
     void markRow(int row);

@@ -88,19 +88,16 @@ public:
     void draw(int first, int end, const ShadowSources& sources, const ChangeMap& changes,
               std::span<ShadowMask> masks) {
         start(first, end);
-        forEachCell(
-            [&](Lane& lane, int at, std::size_t cell, std::size_t) { lane.pen.setMask(at, masks[cell]); });
-        // A change is marked between a cell and the one before it in the order of major positions.
-        forEachCell([&](Lane& lane, int at, std::size_t cell, std::size_t before) {
-            if (at == 0)
-                lane.runs.change(at, {}, sourcesOf(sources, cell), DrawWith{lane.pen, table_, rule_});
-            else if (changes.at(reversed_ ? before : cell))
-                lane.runs.change(at, sourcesOf(sources, before), sourcesOf(sources, cell),
-                                 DrawWith{lane.pen, table_, rule_});
+        for (Lane& lane : lanesAtWork_)
+            forEachCell(lane, [&](int at, std::size_t cell) { lane.pen.setMask(at, masks[cell]); });
+        for (Lane& lane : lanesAtWork_) begin(lane, sources);
+        forEachChange(changes, [&](Lane& lane, int at, std::size_t cell, std::size_t before) {
+            lane.runs.change(at, sourcesOf(sources, before), sourcesOf(sources, cell),
+                             DrawWith{lane.pen, table_, rule_});
         });
         for (Lane& lane : lanesAtWork_) finish(lane, sources);
-        forEachCell(
-            [&](Lane& lane, int at, std::size_t cell, std::size_t) { masks[cell] = lane.pen.mask(at); });
+        for (Lane& lane : lanesAtWork_)
+            forEachCell(lane, [&](int at, std::size_t cell) { masks[cell] = lane.pen.mask(at); });
     }
 
 private:
@@ -127,31 +124,78 @@ private:
         }
     }
 
+    // Where the lane is entered and left, in the order of motion.
+    [[nodiscard]] std::size_t firstCell(const Lane& lane) const {
+        return lanes_.cell(lane.number, reversed_ ? lane.stretch.end - 1 : lane.stretch.first);
+    }
+    [[nodiscard]] std::size_t lastCell(const Lane& lane) const {
+        return lanes_.cell(lane.number, reversed_ ? lane.stretch.first : lane.stretch.end - 1);
+    }
+
+    void begin(Lane& lane, const ShadowSources& sources) const {
+        if (lane.stretch.first == lane.stretch.end) return;
+        lane.runs.change(0, {}, sourcesOf(sources, firstCell(lane)), DrawWith{lane.pen, table_, rule_});
+    }
+
     void finish(Lane& lane, const ShadowSources& sources) const {
         const auto [first, end] = lane.stretch;
         if (first == end) return;
-        const std::size_t last = lanes_.cell(lane.number, reversed_ ? first : end - 1);
-        lane.runs.finish(end - first - 1, sourcesOf(sources, last), DrawWith{lane.pen, table_, rule_});
+        lane.runs.finish(end - first - 1, sourcesOf(sources, lastCell(lane)),
+                         DrawWith{lane.pen, table_, rule_});
     }
 
-    /// body(lane, position in the order of motion, cell, the cell before it where there is one).
+    /// The cells of one major position: those of lanes side by side lie side by side in memory, where there
+    /// is more than one.
+    struct Front {
+        int major = 0;
+        int firstLane = 0;
+        std::size_t count = 0;
+        std::size_t cell = 0;    ///< of the first lane
+        std::size_t before = 0;  ///< the one before it in the order of motion, where there is one
+    };
+
+    /// body(front), in the order of motion.
     template <class Body>
-    void forEachCell(const Body& body) {
+    void forEachFront(const Body& body) const {
         for (int k = from_; k < to_; ++k) {
             const int major = reversed_ ? from_ + to_ - 1 - k : k;
             const int majorBefore = std::clamp(reversed_ ? major + 1 : major - 1, from_, to_ - 1);
             const auto [low, high] = lanes_.lanesAt(major);
             const int first = std::max(low, firstLane_);
             const int end = std::min(high, firstLane_ + int(lanesAtWork_.size()));
-            // Lanes side by side lie side by side in memory where there is more than one.
-            const std::size_t cell = lanes_.cell(first, major), before = lanes_.cell(first, majorBefore);
-            for (int number = first; number < end; ++number) {
-                Lane& lane = lanesAtWork_[std::size_t(number - firstLane_)];
-                const std::size_t aside = std::size_t(number - first);
-                body(lane, reversed_ ? lane.stretch.end - 1 - major : major - lane.stretch.first,
-                     cell + aside, before + aside);
-            }
+            if (first < end)
+                body(Front{major, first, std::size_t(end - first), lanes_.cell(first, major),
+                           lanes_.cell(first, majorBefore)});
         }
+    }
+
+    Lane& laneOf(const Front& front, std::size_t aside) {
+        return lanesAtWork_[std::size_t(front.firstLane - firstLane_) + aside];
+    }
+
+    [[nodiscard]] int position(const Lane& lane, int major) const {
+        return reversed_ ? lane.stretch.end - 1 - major : major - lane.stretch.first;
+    }
+
+    /// body(position in the order of motion, cell).
+    template <class Body>
+    void forEachCell(const Lane& lane, const Body& body) const {
+        const auto [first, end] = lane.stretch;
+        for (int at = 0; at < end - first; ++at)
+            body(at, lanes_.cell(lane.number, reversed_ ? end - 1 - at : first + at));
+    }
+
+    /// body(lane, position in the order of motion, cell, the cell before it): where the sources change. A
+    /// change is marked between a cell and the one before it in the order of major positions.
+    template <class Body>
+    void forEachChange(const ChangeMap& changes, const Body& body) {
+        forEachFront([&](const Front& front) {
+            changes.forEachFrom(reversed_ ? front.before : front.cell, front.count, [&](std::size_t aside) {
+                Lane& lane = laneOf(front, aside);
+                if (const int at = position(lane, front.major); at > 0)
+                    body(lane, at, front.cell + aside, front.before + aside);
+            });
+        });
     }
 
     [[nodiscard]] CellSources sourcesOf(const ShadowSources& sources, std::size_t cell) const {
