@@ -13,6 +13,7 @@
 #include "app/report/output_folder.h"
 #include "app/report/study_files.h"
 #include "core/io/read_region.h"
+#include "core/study/error_words.h"
 
 namespace noonmark::cli {
 
@@ -93,6 +94,7 @@ void print(const Study& study, const std::vector<std::filesystem::path>& files, 
                           figures.maxGrossMin, study.field.sunlitMinutesPerDay));
     table.add("continuous shadow", fmt::format("mean {:.1f}, longest {:.1f} min", figures.meanContinuousMin,
                                                figures.maxContinuousMin));
+    for (const ErrorLine& line : errorLines(study)) table.add(line.name, line.value);
     addCost(table, study);
     table.print(out);
     out << "\nFiles\n";

@@ -5,6 +5,24 @@
 
 namespace noonmark::cli {
 
+namespace {
+
+void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
+    CLI::Option* count =
+        command
+            .add_option("--error-sample", sample.receivers,
+                        "Receivers computed again by the ray reference, for the error; 0: none")
+            ->capture_default_str()
+            ->check(CLI::Range(0, ErrorSampleSettings::mostReceivers))
+            ->type_name("N");
+    command
+        .add_flag_callback(
+            "--no-error-sample", [&sample] { sample.receivers = 0; }, "Leave the error unmeasured")
+        ->excludes(count);
+}
+
+}  // namespace
+
 void addReceiverOptions(CLI::App& command, StudySettings& settings) {
     command.add_option("--cell", settings.receivers.cellM, "Size of a cell, m")
         ->capture_default_str()
@@ -31,6 +49,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->type_name("W,S,E,N|FILE");
     addReceiverOptions(command, settings);
     addEngineOptions(command, settings);
+    addErrorOptions(command, settings.errorSample);
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")
         ->required()
         ->type_name("DIR");

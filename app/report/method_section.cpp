@@ -1,6 +1,7 @@
 #include "app/report/report_sections.h"
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
+#include "core/study/error_words.h"
 
 namespace noonmark {
 
@@ -8,7 +9,7 @@ namespace {
 
 QString engineWords(const Study& study) {
     QString words = QStringLiteral("Engine: %1.").arg(QString::fromStdString(study.field.engine));
-    if (study.settings.engine == "ray")
+    if (study.byReference())
         words += QStringLiteral(
             " From each receiver one line is traced to the centre of the sun at each step; the step is in "
             "shadow if a "
@@ -54,10 +55,30 @@ QString frameWords(const Study& study) {
         .arg(latLonWords(study.city.frame.origin()), QString::fromStdString(study.city.frame.projString()));
 }
 
+QString cellErrorWords(const Study& study, const CellError& error) {
+    const auto percent = [&](double minutes) { return amountWords(error.percent(minutes), 3); };
+    const LonLat worst = study.city.frame.lonLatFromLocal(error.worstM);
+    return QStringLiteral(
+               "%1 % in the mean, %2 % at the 99th percentile, %3 % (%4 min) at the worst of them (%5)")
+        .arg(percent(error.meanMin), percent(error.p99Min), percent(error.maxMin), amountWords(error.maxMin),
+             latLonWords(worst));
+}
+
+QString measuredErrorWords(const Study& study, const SampledError& error) {
+    return QStringLiteral(
+               "Measured on %1 of the %2 receivers, spread over the region and traced again by the ray "
+               "reference "
+               "over the same %3 steps: shadow area off by %4 % of the ground (standard error %5); gross "
+               "shadow "
+               "by %6, of the sunlit time; continuous shadow by %7, of the longest day.")
+        .arg(countWords(error.receivers), countWords(error.ofReceivers), countWords(study.sun.steps.size()),
+             amountWords(error.areaPct, 4), amountWords(error.areaStandardErrorPct, 4),
+             cellErrorWords(study, error.gross), cellErrorWords(study, error.continuous));
+}
+
 QString engineErrorWords(const Study& study) {
-    if (study.settings.engine != "ray")
-        return QStringLiteral(
-            "This engine's error against the ray reference was not measured for this study.");
+    if (study.error) return measuredErrorWords(study, *study.error);
+    if (!study.byReference()) return QString::fromStdString(whyNoError(study));
     return QStringLiteral(
                "The ray reference is what every other engine is measured against: for the city as it is "
                "modelled, each receiver and "

@@ -4,6 +4,7 @@
 
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
+#include "core/study/error_words.h"
 
 namespace noonmark {
 
@@ -38,6 +39,13 @@ std::vector<ResultRow> shadowRows(const Study& study) {
     return rows;
 }
 
+void addErrorRows(std::vector<ResultRow>& rows, const Study& study) {
+    for (const ErrorLine& line : errorLines(study))
+        rows.push_back({QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
+                        QString::fromStdString(line.value),
+                        tr("Against the ray reference, on a sample of the receivers over the same steps")});
+}
+
 ResultRow speedRow(const Study& study) {
     const double seconds = accumulateSeconds(study);
     const double megaRays = seconds > 0 ? double(study.field.cost.rays) / seconds * 1e-6 : 0;
@@ -61,6 +69,7 @@ std::vector<ResultRow> resultRowsOf(const Study& study) {
     rows.push_back({tr("Time"), amountWords(accumulateSeconds(study), 2) + QStringLiteral(" s"),
                     tr("Seconds that the engine took")});
     rows.push_back({tr("Period"), QString::fromStdString(textOf(study.settings.period)), {}});
+    addErrorRows(rows, study);
     rows.push_back({tr("Engine"), QString::fromStdString(study.field.engine), {}});
     return rows;
 }

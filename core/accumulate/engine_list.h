@@ -46,6 +46,9 @@ struct Engine {
 /// In the order to show them; keys differ.
 using EngineList = std::vector<Engine>;
 
+/// Key of the truth that other engines are measured against.
+inline constexpr std::string_view referenceEngine = "ray";
+
 /// Every engine of core. To add one: engines.cpp and nothing else.
 const EngineList& coreEngines();
 

@@ -74,7 +74,7 @@ EngineOption deviceOption() {
 }
 
 Engine rayReference() {
-    return {{"ray", "Ray reference",
+    return {{referenceEngine, "Ray reference",
              "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
             [](const EngineSettings&) -> Made { return std::make_unique<RayReference>(); }};
 }

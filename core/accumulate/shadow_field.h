@@ -27,7 +27,8 @@ struct ShadowField {
     double stepMinutes = 1;
     int days = 1;
 
-    std::string engine;  ///< name and settings in words, for the report
+    std::string engine;     ///< name and settings in words, for the report
+    std::string engineKey;  ///< of the engine that made it ("ray"); engines that only choose another set it
     Warnings warnings;
     Cost cost;
 };

@@ -117,6 +117,13 @@ void addPeriod(CommandLine& line, const Period& period) {
     line.flag(!period.refraction, "--no-refraction");
 }
 
+// The one that was picked, unless its options or what is asked of it are not for it.
+std::string engineToName(const Study& study) {
+    const StudySettings& settings = study.settings;
+    const bool plain = settings.engineSettings.empty() && !settings.byMonth && !settings.contributions;
+    return plain && !study.field.engineKey.empty() ? study.field.engineKey : settings.engine;
+}
+
 void addSettings(CommandLine& line, const Study& study) {
     const StudySettings& settings = study.settings;
     const StudySettings usual;
@@ -126,11 +133,13 @@ void addSettings(CommandLine& line, const Study& study) {
                 fmt::to_string(settings.temperatureC));
     line.option("--region", boxTextOf(settings.region, study.city.frame).value_or(regionFileName));
     line.option("--cell", fmt::format("{}", study.field.grid.cellM));
-    line.option("--engine", settings.engine);
+    line.option("--engine", engineToName(study));
     for (const auto& [key, value] : settings.engineSettings)
         line.option("--option", fmt::format("{}={}", key, value));
     if (settings.byMonth) line.option("--by", "month");
     line.flag(settings.contributions, "--contributions");
+    line.unless(settings.errorSample.receivers == usual.errorSample.receivers, "--error-sample",
+                fmt::to_string(settings.errorSample.receivers));
 }
 
 /// Read because another file needs it: not named on the command line.

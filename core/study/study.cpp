@@ -80,6 +80,25 @@ Result<void> computed(Study& study, const Accumulator& engine, Progress& progres
         .and_then([&] { return brokenDown(study, progress, stop); });
 }
 
+bool wantsError(const Study& study) {
+    return study.settings.errorSample.receivers > 0 && !study.byReference();
+}
+
+// A study is not lost for want of its error: only a stop request ends it.
+Result<void> measureError(Study& study, Progress& progress, const std::stop_token& stop) {
+    const Stopwatch watch;
+    const auto error = sampledError(study.city, study.receivers, study.sun, study.field,
+                                    study.settings.errorSample, progress, stop);
+    if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
+    if (error)
+        study.error = *error;
+    else
+        study.warnings.push_back(
+            {WarningKind::leftOut, "the error against the ray reference", error.error().text()});
+    study.seconds["error_sample"] = watch.seconds();
+    return {};
+}
+
 }  // namespace
 
 Observer observerOf(const City& city, const StudySettings& settings) {
@@ -103,8 +122,11 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     Study study{.city = city, .settings = settings};
     if (auto done = computed(study, **engine, progress, stop); !done)
         return tl::make_unexpected(done.error());
+    if (study.field.engineKey.empty()) study.field.engineKey = settings.engine;
     study.statistics = statisticsOf(study.field);
     study.warnings = study.field.warnings;
+    if (wantsError(study))
+        if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;
 } catch (const std::bad_alloc&) {

@@ -10,6 +10,7 @@
 #include "core/accumulate/engine_list.h"
 #include "core/accumulate/horizon_breakdown.h"
 #include "core/io/read_city.h"
+#include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
@@ -37,7 +38,8 @@ struct StudySettings {
     EngineSettings engineSettings;  ///< what differs from the engine's usual settings
     bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep only
     bool contributions = false;     ///< and what each building does; by the horizon sweep only
-    double pressureHPa = 1010;      ///< for refraction
+    ErrorSampleSettings errorSample;
+    double pressureHPa = 1010;  ///< for refraction
     double temperatureC = 10;
     /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
     /// 3/4 of what is free.
@@ -55,9 +57,14 @@ struct Study {
     ShadowStatistics statistics;
     std::optional<ShadowBreakdown>
         breakdown;  ///< by month (else all in one) and by building, where asked for
+    /// Against the ray reference; nothing where that was switched off, could not be done (a warning says so)
+    /// or the engine is the reference itself.
+    std::optional<SampledError> error;
     std::map<std::string, double>
-        seconds;        ///< by stage: "read", "sun", "receivers", "accumulate"; and "total"
+        seconds;        ///< by stage: "read", "sun", "receivers", "accumulate", "error_sample"; and "total"
     Warnings warnings;  ///< of reading and of computing
+
+    [[nodiscard]] bool byReference() const { return field.engineKey == referenceEngine; }
     std::vector<InputFile> inputs;
     ReadSettings reading;  ///< how the inputs were read: a report says how to repeat it; set by who read them
     std::string attribution;

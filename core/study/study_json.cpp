@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/study/breakdown_text.h"
+#include "core/study/error_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
 #include "core/study/warnings_json.h"
@@ -117,15 +118,20 @@ Json monthsJson(const Study& study) {
 }
 
 Json definitions() {
-    return {{"gross", "minutes a receiver is in shadow per day, averaged over the days of the period"},
-            {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
-            {"shadow_area_m2", "sum over receivers of the fraction of time in shadow times the cell area"},
-            {"fraction_of_time",
-             "of the time in the period that the sun is above the horizon; steps with the sun below it are "
-             "left out"},
-            {"receiver",
-             "a cell of the region whose centre is on the ground, outside every footprint that stands on it"},
-            {"azimuth", "from true north, clockwise"}};
+    return {
+        {"gross", "minutes a receiver is in shadow per day, averaged over the days of the period"},
+        {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
+        {"shadow_area_m2", "sum over receivers of the fraction of time in shadow times the cell area"},
+        {"fraction_of_time",
+         "of the time in the period that the sun is above the horizon; steps with the sun below it are "
+         "left out"},
+        {"error",
+         "of the engine against the ray reference on a sample of receivers and all steps: area_pct, its "
+         "shadow area less the reference's over the sample's area; gross and continuous, the absolute "
+         "differences of the cells over whole_min (the sunlit minutes of a mean day, of the longest day)"},
+        {"receiver",
+         "a cell of the region whose centre is on the ground, outside every footprint that stands on it"},
+        {"azimuth", "from true north, clockwise"}};
 }
 
 }  // namespace
@@ -134,6 +140,7 @@ std::string studyJson(const Study& study) {
     Json json;
     json["program"] = std::string("Noonmark ") + std::string(version());
     json["engine"] = study.settings.engine;
+    json["engine_used"] = study.field.engineKey;
     json["engine_options"] = study.settings.engineSettings;
     json["engine_settings"] = study.field.engine;
     json["period"] = periodJson(study.settings.period, study.sun);
@@ -142,6 +149,7 @@ std::string studyJson(const Study& study) {
     json["sunlit_min_per_day"] = study.field.sunlitMinutesPerDay;
     json["receivers"] = study.statistics.receivers;
     addFigures(json, study.statistics);
+    json["error"] = errorJson(study);
     addCost(json, study);
     if (study.settings.byMonth) json["by_month"] = monthsJson(study);
     json["region"] = regionJson(study);

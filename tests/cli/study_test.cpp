@@ -97,6 +97,19 @@ TEST_F(StudyCommand, figuresAndKeys) {
     EXPECT_EQ(json["inputs"][0]["sha256"].get<std::string>().size(), 64U);
 }
 
+TEST_F(StudyCommand, theErrorIsMeasuredUnlessItIsSwitchedOff) {
+    const Spoken spoken = study({"--engine", "iam"});
+    ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+    EXPECT_THAT(spoken.out, HasSubstr("cell error, gross"));
+    const auto json = study({"--engine", "iam", "--json", "--error-sample", "40"}).json();
+    EXPECT_EQ(json["error"]["sample_receivers"], 40);
+    EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--error-sample 40"));
+    const auto without = study({"--engine", "iam", "--json", "--no-error-sample"}).json();
+    EXPECT_TRUE(without["error"]["gross"].is_null());
+    EXPECT_THAT(without["repeat"].get<std::string>(), HasSubstr("--error-sample 0"));
+    EXPECT_FALSE(without["seconds"].contains("error_sample"));
+}
+
 TEST_F(StudyCommand, refractionCanBeLeftOut) {
     EXPECT_EQ(study({"--json"}).json()["period"]["refraction"], true);
     EXPECT_EQ(study({"--json", "--no-refraction"}).json()["period"]["refraction"], false);

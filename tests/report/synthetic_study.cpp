@@ -68,6 +68,7 @@ Study syntheticStudy() {
     addCells(study);
     study.sun = sixHours();
     study.field.sunlitMinutesPerDay = 360;
+    study.field.engineKey = "ray";
     study.field.engine = "Ray reference: Embree, one occlusion ray a receiver and step";
     study.field.cost.buildingsUsed = 2;
     study.statistics = statisticsOf(study.field);

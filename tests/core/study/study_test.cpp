@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/study/error_words.h"
+
 namespace noonmark {
 namespace {
 
@@ -128,6 +130,51 @@ TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
     EXPECT_EQ(json["inputs"][0]["sha256"], "abc");
     EXPECT_TRUE(json["inputs"][1]["sha256"].is_null());
     EXPECT_THAT(json["definitions"]["fraction_of_time"].get<std::string>(), HasSubstr("above the horizon"));
+}
+
+TEST(RunStudy, measuresTheErrorOfEveryEngineButTheReference) {
+    StudySettings settings = aroundTheTower();
+    EXPECT_FALSE(run(settings)->error);
+    settings.engine = "iam";
+    const auto study = run(settings);
+    ASSERT_TRUE(study) << errorOf(study);
+    ASSERT_TRUE(study->error);
+    EXPECT_EQ(study->error->receivers, 300U);
+    EXPECT_EQ(study->error->ofReceivers, study->receivers.cells.size());
+    EXPECT_EQ(study->error->rays, 300U * 36U);
+    EXPECT_TRUE(study->seconds.contains("error_sample"));
+    EXPECT_GE(study->seconds.at("total"),
+              study->seconds.at("accumulate") + study->seconds.at("error_sample"));
+    settings.errorSample.receivers = 0;
+    EXPECT_FALSE(run(settings)->error);
+}
+
+TEST(StudyJson, theErrorsKeysAreThereMeasuredOrNot) {
+    StudySettings settings = aroundTheTower();
+    settings.engine = "projected";
+    const auto measured = nlohmann::json::parse(studyJson(*run(settings)))["error"];
+    EXPECT_EQ(measured["sample_receivers"], 300);
+    EXPECT_EQ(measured["gross"]["whole_min"], 360);
+    EXPECT_LE(measured["gross"]["mean_pct"], measured["gross"]["max_pct"]);
+    EXPECT_TRUE(measured["continuous"]["worst_lonlat"].is_array());
+    EXPECT_TRUE(measured["seconds"].is_number());
+    EXPECT_TRUE(measured["why_not"].is_null());
+    settings.errorSample.receivers = 0;
+    const auto left = nlohmann::json::parse(studyJson(*run(settings)))["error"];
+    ASSERT_EQ(left.size(), measured.size());
+    for (const auto& [key, value] : measured.items()) EXPECT_TRUE(left.contains(key)) << key;
+    EXPECT_TRUE(left["area_pct"].is_null());
+    EXPECT_THAT(left["why_not"].get<std::string>(), HasSubstr("switched off"));
+}
+
+TEST(ErrorLines, sayWhatWasMeasuredOrWhyNot) {
+    StudySettings settings = aroundTheTower();
+    EXPECT_THAT(errorLines(*run(settings)).front().value, HasSubstr("reference itself"));
+    settings.engine = "projected";
+    const auto lines = errorLines(*run(settings));
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_EQ(lines[0].name, "area error");
+    EXPECT_THAT(lines[3].value, HasSubstr("300 of 3000 receivers"));
 }
 
 TEST(StudyJson, aSolarWindowReplacesTheHours) {

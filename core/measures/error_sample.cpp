@@ -1,0 +1,114 @@
+#include "core/measures/error_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "core/accumulate/ray_reference.h"
+
+namespace noonmark {
+
+namespace {
+
+/// Says what the reference is traced for, and keeps its few cells from those who look at running results.
+class SampleProgress final : public Progress {
+public:
+    explicit SampleProgress(Progress& progress) : progress_(progress) {}
+    void report(double fraction, std::string_view) override {
+        progress_.report(fraction, "measuring the error on a sample");
+    }
+
+private:
+    Progress& progress_;
+};
+
+/// Points of the unit square that fill it evenly, however many are taken.
+class EvenPoints {
+public:
+    explicit EvenPoints(std::uint32_t seed) {
+        std::mt19937 random(seed);
+        at_ = {double(random()) * 0x1p-32, double(random()) * 0x1p-32};
+    }
+    glm::dvec2 next() {
+        constexpr double plastic = 1.32471795724474602596;  // solves x^3 = x + 1
+        at_ = {std::fmod(at_.x + 1 / plastic, 1), std::fmod(at_.y + 1 / (plastic * plastic), 1)};
+        return at_;
+    }
+
+private:
+    glm::dvec2 at_{0};
+};
+
+std::uint32_t cellAt(const Grid& grid, glm::dvec2 share) {
+    const auto place = [](double s, int count) { return std::min(int(s * count), count - 1); };
+    return std::uint32_t(grid.index(place(share.x, grid.columns), place(share.y, grid.rows)));
+}
+
+ComparedCell compared(const ShadowField& field, const ShadowField& truth, std::uint32_t cell) {
+    const auto columns = std::uint32_t(field.grid.columns);
+    return {field.grid.centre(int(cell % columns), int(cell / columns)), field.grossMin[cell],
+            truth.grossMin[cell], field.continuousMin[cell], truth.continuousMin[cell]};
+}
+
+}  // namespace
+
+std::size_t sampleSize(const ErrorSampleSettings& settings, std::size_t steps) {
+    const auto wanted = std::uint64_t(std::clamp(settings.receivers, 0, ErrorSampleSettings::mostReceivers));
+    const std::uint64_t affordable = ErrorSampleSettings::mostRays / std::max<std::size_t>(1, steps);
+    return std::min(wanted, std::max<std::uint64_t>(affordable, ErrorSampleSettings::leastReceivers));
+}
+
+std::vector<std::uint32_t> spreadReceivers(const Receivers& receivers, std::size_t count,
+                                           std::uint32_t seed) {
+    if (receivers.cells.size() <= count) return receivers.cells;
+    EvenPoints points(seed);
+    std::set<std::uint32_t> chosen;
+    for (std::size_t tried = 0; tried < 1000 * count && chosen.size() < count; ++tried) {
+        const std::uint32_t cell = cellAt(receivers.grid, points.next());
+        if (receivers.kind[cell] == CellKind::ground) chosen.insert(cell);
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+Receivers onlyReceivers(const Receivers& receivers, std::vector<std::uint32_t> cells) {
+    Receivers some{receivers.grid, receivers.kind, receivers.groundM, std::move(cells)};
+    std::ranges::replace(some.kind, CellKind::ground, CellKind::outside);
+    for (const std::uint32_t cell : some.cells) some.kind[cell] = CellKind::ground;
+    return some;
+}
+
+Result<std::vector<ComparedCell>> comparedWithReference(const City& city, const Receivers& receivers,
+                                                        const SunSteps& sun, const ShadowField& field,
+                                                        std::vector<std::uint32_t> cells, Progress& progress,
+                                                        std::stop_token stop) {
+    const Receivers sample = onlyReceivers(receivers, std::move(cells));
+    SampleProgress sampling(progress);
+    const auto truth = RayReference().accumulate(city, sample, sun, sampling, std::move(stop));
+    if (!truth) return tl::make_unexpected(truth.error());
+    std::vector<ComparedCell> pairs;
+    for (const std::uint32_t cell : sample.cells) pairs.push_back(compared(field, *truth, cell));
+    return pairs;
+}
+
+double longestDayMinutes(const SunSteps& sun) {
+    std::uint32_t steps = 0;
+    for (const SunDay& day : sun.days) steps = std::max(steps, day.count);
+    return steps * sun.stepMinutes;
+}
+
+Result<SampledError> sampledError(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                  const ShadowField& field, const ErrorSampleSettings& settings,
+                                  Progress& progress, std::stop_token stop) {
+    auto cells = spreadReceivers(receivers, sampleSize(settings, sun.steps.size()), settings.seed);
+    return comparedWithReference(city, receivers, sun, field, std::move(cells), progress, std::move(stop))
+        .map([&](const std::vector<ComparedCell>& pairs) {
+            SampledError error = errorOf(pairs, field.sunlitMinutesPerDay, longestDayMinutes(sun));
+            error.ofReceivers = receivers.cells.size();
+            error.rays = std::uint64_t(pairs.size()) * sun.steps.size();
+            return error;
+        });
+}
+
+}  // namespace noonmark

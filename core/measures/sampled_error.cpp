@@ -1,0 +1,56 @@
+#include "core/measures/sampled_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace noonmark {
+
+namespace {
+
+template <class Difference>
+CellError cellErrorOf(std::span<const ComparedCell> cells, double wholeMin, const Difference& difference) {
+    CellError error{.wholeMin = wholeMin};
+    std::vector<double> off;
+    for (const ComparedCell& cell : cells) {
+        off.push_back(std::abs(difference(cell)));
+        error.meanMin += off.back() / double(cells.size());
+        if (off.size() > 1 && off.back() <= error.maxMin) continue;
+        error.maxMin = off.back();
+        error.worstM = cell.centreM;
+    }
+    if (off.empty()) return error;
+    const auto rank = std::size_t(std::ceil(0.99 * double(off.size()))) - 1;  // nearest rank
+    std::ranges::nth_element(off, off.begin() + std::ptrdiff_t(rank));
+    error.p99Min = off[rank];
+    return error;
+}
+
+double grossDifference(const ComparedCell& cell) { return cell.grossMin - cell.referenceGrossMin; }
+
+double continuousDifference(const ComparedCell& cell) {
+    return cell.continuousMin - cell.referenceContinuousMin;
+}
+
+// Cells are of one size: the error of the area is the mean of theirs.
+void addArea(SampledError& error, std::span<const ComparedCell> cells) {
+    const auto count = double(cells.size());
+    double mean = 0, squares = 0;
+    for (const ComparedCell& cell : cells) mean += grossDifference(cell) / count;
+    for (const ComparedCell& cell : cells) squares += std::pow(grossDifference(cell) - mean, 2);
+    error.areaPct = error.gross.percent(mean);
+    if (cells.size() > 1)
+        error.areaStandardErrorPct = error.gross.percent(std::sqrt(squares / (count - 1) / count));
+}
+
+}  // namespace
+
+SampledError errorOf(std::span<const ComparedCell> cells, double sunlitMinutesPerDay, double longestDayMin) {
+    SampledError error{.receivers = cells.size()};
+    error.gross = cellErrorOf(cells, sunlitMinutesPerDay, grossDifference);
+    error.continuous = cellErrorOf(cells, longestDayMin, continuousDifference);
+    addArea(error, cells);
+    return error;
+}
+
+}  // namespace noonmark
