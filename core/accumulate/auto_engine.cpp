@@ -18,21 +18,22 @@ namespace {
 constexpr double shortSeconds = 2;
 
 struct Choice {
+    const char* key;
     std::unique_ptr<Accumulator> engine;
     std::string why;
 };
 
 Choice chosen(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg) {
     if (city.terrain || !receivers.flat())
-        return {std::make_unique<RayReference>(), "rays, since there is terrain"};
+        return {"ray", std::make_unique<RayReference>(), "rays, since there is terrain"};
     const std::size_t buildings = buildingsInReach(city, receivers, sun).size();
     const ExpectedSeconds seconds = expectedSeconds(receivers, buildings, sun, binDeg);
     const std::string expected = fmt::format("expected {:.2g} s by projected shadows, {:.2g} s by the sweep",
                                              seconds.projected, seconds.horizon);
     if (seconds.projected <= std::max(shortSeconds, seconds.horizon))
-        return {std::make_unique<ProjectedShadows>(),
+        return {"projected", std::make_unique<ProjectedShadows>(),
                 fmt::format("projected shadows, exact and quick enough here ({})", expected)};
-    return {std::make_unique<HorizonSweep>(HorizonSweepSettings{binDeg}),
+    return {"horizon", std::make_unique<HorizonSweep>(HorizonSweepSettings{binDeg}),
             fmt::format("the horizon sweep, since the period is long ({})", expected)};
 }
 
@@ -51,13 +52,16 @@ ExpectedSeconds expectedSeconds(const Receivers& receivers, std::size_t building
 Result<ShadowField> AutoEngine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
                                            Progress& progress, std::stop_token stop) const {
     const Choice choice = chosen(city, receivers, sun, binDeg_);
-    std::string why = choice.why;
+    std::string why = choice.why, key = choice.key;
     Result<ShadowField> field = choice.engine->accumulate(city, receivers, sun, progress, stop);
     if (!field && !isCancelled(field.error())) {
         why = fmt::format("rays, since {} refused: {}", choice.why, field.error().what);
+        key = "ray";
         field = RayReference().accumulate(city, receivers, sun, progress, std::move(stop));
     }
-    if (field) field->engine = fmt::format("{} (chosen: {})", field->engine, why);
+    if (!field) return field;
+    field->engine = fmt::format("{} (chosen: {})", field->engine, why);
+    field->engineKey = key;
     return field;
 }
 

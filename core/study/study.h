@@ -34,7 +34,7 @@ struct StudySettings {
     Region region;
     ReceiverSettings receivers;
     Period period;
-    std::string engine = "ray";
+    std::string engine = "auto";
     EngineSettings engineSettings;  ///< what differs from the engine's usual settings
     bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep only
     bool contributions = false;     ///< and what each building does; by the horizon sweep only

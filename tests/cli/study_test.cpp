@@ -82,7 +82,8 @@ TEST_F(StudyCommand, standardOutputIsTheJsonFileAndNothingElse) {
 
 TEST_F(StudyCommand, figuresAndKeys) {
     const auto json = study({"--json"}).json();
-    EXPECT_EQ(json["engine"], "ray");
+    EXPECT_EQ(json["engine"], "auto");
+    EXPECT_EQ(json["engine_used"], "projected");
     EXPECT_EQ(json["steps"], 36);
     EXPECT_EQ(json["buildings_used"], 2);
     EXPECT_GT(json["receivers"], 3000);

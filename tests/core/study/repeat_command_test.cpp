@@ -16,6 +16,7 @@ Study aStudy() {
     study.city.frame = Frame(LonLat{-73.984, 40.754});
     study.settings.region = regionFromLocalBox({{0, 0}, {120, 80}});
     study.settings.period.zone = "America/New_York";
+    study.settings.engine = "ray";
     return study;
 }
 

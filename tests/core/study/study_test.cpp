@@ -31,6 +31,7 @@ StudySettings aroundTheTower() {
     StudySettings settings;
     settings.region = regionFromLocalBox({{-50, -50}, {60, 60}});
     settings.receivers.cellM = 2;
+    settings.engine = "ray";
     settings.period.zone = "America/New_York";
     settings.period.stepMinutes = 10;
     return settings;
@@ -54,6 +55,20 @@ TEST(RunStudy, fillsEveryPart) {
     EXPECT_LE(study->statistics.maxContinuousMin, study->statistics.maxGrossMin);
     for (const char* stage : {"receivers", "sun", "accumulate", "total"})
         EXPECT_TRUE(study->seconds.contains(stage)) << stage;
+}
+
+TEST(RunStudy, picksAnEngineByItself) {
+    StudySettings settings = aroundTheTower();
+    settings.engine = StudySettings().engine;
+    const auto study = run(settings);
+    ASSERT_TRUE(study) << errorOf(study);
+    EXPECT_EQ(study->field.engineKey, "projected");
+    EXPECT_TRUE(study->error);
+    const auto json = nlohmann::json::parse(studyJson(*study));
+    EXPECT_EQ(json["engine"], "auto");
+    EXPECT_EQ(json["engine_used"], "projected");
+    EXPECT_THAT(json["engine_settings"].get<std::string>(), HasSubstr("chosen: projected shadows"));
+    EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--engine projected"));
 }
 
 TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
