@@ -41,9 +41,10 @@ private:
     glm::dvec2 at_{0};
 };
 
-std::uint32_t cellAt(const Grid& grid, glm::dvec2 share) {
+/// Column and row.
+glm::ivec2 cellAt(const Grid& grid, glm::dvec2 share) {
     const auto place = [](double s, int count) { return std::min(int(s * count), count - 1); };
-    return std::uint32_t(grid.index(place(share.x, grid.columns), place(share.y, grid.rows)));
+    return {place(share.x, grid.columns), place(share.y, grid.rows)};
 }
 
 ComparedCell compared(const ShadowField& field, const ShadowField& truth, std::uint32_t cell) {
@@ -66,8 +67,25 @@ std::vector<std::uint32_t> spreadReceivers(const Receivers& receivers, std::size
     EvenPoints points(seed);
     std::set<std::uint32_t> chosen;
     for (std::size_t tried = 0; tried < 1000 * count && chosen.size() < count; ++tried) {
-        const std::uint32_t cell = cellAt(receivers.grid, points.next());
-        if (receivers.kind[cell] == CellKind::ground) chosen.insert(cell);
+        const glm::ivec2 at = cellAt(receivers.grid, points.next());
+        const std::size_t cell = receivers.grid.index(at.x, at.y);
+        if (receivers.kind[cell] == CellKind::ground) chosen.insert(std::uint32_t(cell));
+    }
+    return {chosen.begin(), chosen.end()};
+}
+
+std::vector<std::uint32_t> spreadReceivers(const Receivers& piece, const Grid& whole, std::size_t points,
+                                           std::uint32_t seed) {
+    const Grid& grid = piece.grid;
+    const int west = int(std::lround((grid.westM - whole.westM) / whole.cellM));
+    const int south = int(std::lround((grid.southM - whole.southM) / whole.cellM));
+    EvenPoints places(seed);
+    std::set<std::uint32_t> chosen;
+    for (std::size_t i = 0; i < points; ++i) {
+        const glm::ivec2 at = cellAt(whole, places.next()) - glm::ivec2(west, south);
+        if (at.x < 0 || at.y < 0 || at.x >= grid.columns || at.y >= grid.rows) continue;
+        const std::size_t cell = grid.index(at.x, at.y);
+        if (piece.kind[cell] == CellKind::ground) chosen.insert(std::uint32_t(cell));
     }
     return {chosen.begin(), chosen.end()};
 }

@@ -35,6 +35,11 @@ std::size_t sampleSize(const ErrorSampleSettings& settings, std::size_t steps);
 /// where there are fewer, or where receivers are less than a thousandth of the grid. O(count).
 std::vector<std::uint32_t> spreadReceivers(const Receivers& receivers, std::size_t count, std::uint32_t seed);
 
+/// The receivers of one piece of a larger grid that lie at the first `points` places of such a sequence over
+/// the whole: pieces together hold each place once. Ascending. O(points).
+std::vector<std::uint32_t> spreadReceivers(const Receivers& piece, const Grid& whole, std::size_t points,
+                                           std::uint32_t seed);
+
 /// A copy with `cells` (ascending) as its only receivers; the other ground cells count as outside the region.
 Receivers onlyReceivers(const Receivers& receivers, std::vector<std::uint32_t> cells);
 

@@ -9,46 +9,43 @@ namespace noonmark {
 
 namespace {
 
-class Sums {
-public:
-    explicit Sums(const ShadowField& field) : field_(field) {}
-
-    void add(std::size_t cell) {
-        const float gross = field_.grossMin[cell];
-        if (std::isnan(gross)) return;
-        const float continuous = field_.continuousMin[cell];
-        ++result_.receivers;
-        grossSum_ += gross;
-        continuousSum_ += continuous;
-        result_.maxGrossMin = std::max(result_.maxGrossMin, double(gross));
-        result_.maxContinuousMin = std::max(result_.maxContinuousMin, double(continuous));
-    }
-
-    [[nodiscard]] ShadowStatistics result() const {
-        ShadowStatistics statistics = result_;
-        const double count = double(statistics.receivers);
-        statistics.receiverAreaM2 = count * field_.grid.cellAreaM2();
-        if (statistics.receivers == 0) return statistics;
-        statistics.meanGrossMin = grossSum_ / count;
-        statistics.meanContinuousMin = continuousSum_ / count;
-        if (field_.sunlitMinutesPerDay > 0)
-            statistics.shadowAreaM2 = grossSum_ / field_.sunlitMinutesPerDay * field_.grid.cellAreaM2();
-        return statistics;
-    }
-
-private:
-    const ShadowField& field_;
-    ShadowStatistics result_;
-    double grossSum_ = 0;
-    double continuousSum_ = 0;
-};
+void addCell(ShadowSums& sums, const ShadowField& field, std::size_t cell) {
+    const float gross = field.grossMin[cell];
+    if (std::isnan(gross)) return;
+    const float continuous = field.continuousMin[cell];
+    sums.add({1, gross, continuous, gross, continuous});
+}
 
 }  // namespace
 
+void ShadowSums::add(const ShadowSums& piece) {
+    receivers += piece.receivers;
+    grossMin += piece.grossMin;
+    continuousMin += piece.continuousMin;
+    maxGrossMin = std::max(maxGrossMin, piece.maxGrossMin);
+    maxContinuousMin = std::max(maxContinuousMin, piece.maxContinuousMin);
+}
+
+ShadowSums sumsOf(const ShadowField& field) {
+    ShadowSums sums;
+    for (std::size_t cell = 0; cell < field.grossMin.size(); ++cell) addCell(sums, field, cell);
+    return sums;
+}
+
+ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2) {
+    if (sums.receivers == 0) return {};
+    const auto count = double(sums.receivers);
+    ShadowStatistics statistics{.receivers = sums.receivers, .receiverAreaM2 = count * cellAreaM2};
+    statistics.meanGrossMin = sums.grossMin / count;
+    statistics.meanContinuousMin = sums.continuousMin / count;
+    statistics.maxGrossMin = sums.maxGrossMin;
+    statistics.maxContinuousMin = sums.maxContinuousMin;
+    if (sunlitMinutesPerDay > 0) statistics.shadowAreaM2 = sums.grossMin / sunlitMinutesPerDay * cellAreaM2;
+    return statistics;
+}
+
 ShadowStatistics statisticsOf(const ShadowField& field) {
-    Sums sums(field);
-    for (std::size_t cell = 0; cell < field.grossMin.size(); ++cell) sums.add(cell);
-    return sums.result();
+    return statisticsOf(sumsOf(field), field.sunlitMinutesPerDay, field.grid.cellAreaM2());
 }
 
 ShadowStatistics statisticsOf(const ShadowField& field, const Region& region) {
@@ -57,10 +54,10 @@ ShadowStatistics statisticsOf(const ShadowField& field, const Region& region) {
         forEachRun(polygon, field.grid, [&](int row, int first, int end) {
             for (int column = first; column < end; ++column) inside[field.grid.index(column, row)] = true;
         });
-    Sums sums(field);
+    ShadowSums sums;
     for (std::size_t cell = 0; cell < inside.size(); ++cell)
-        if (inside[cell]) sums.add(cell);
-    return sums.result();
+        if (inside[cell]) addCell(sums, field, cell);
+    return statisticsOf(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
 }
 
 }  // namespace noonmark

@@ -17,6 +17,21 @@ struct ShadowStatistics {
     double maxContinuousMin = 0;
 };
 
+/// What the figures of several pieces of one field are made from. Pieces have the same period and cell size.
+struct ShadowSums {
+    std::size_t receivers = 0;
+    double grossMin = 0;  ///< sum over the receivers
+    double continuousMin = 0;
+    double maxGrossMin = 0;
+    double maxContinuousMin = 0;
+
+    void add(const ShadowSums& piece);
+};
+ShadowSums sumsOf(const ShadowField& field);
+
+/// Figures of the sums; `sunlitMinutesPerDay` and `cellAreaM2` as the pieces have them.
+ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2);
+
 /// Over all receivers of the field. O(cells), sums in double.
 ShadowStatistics statisticsOf(const ShadowField& field);
 

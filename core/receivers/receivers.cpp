@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-Grid gridOver(const Box2& box, double cellM) {
+Grid gridOfBox(const Box2& box, double cellM) {
     Grid grid;
     grid.cellM = cellM;
     grid.westM = std::floor(double(box.low.x) / cellM) * cellM;
@@ -33,9 +33,15 @@ void mark(Receivers& receivers, const Footprint& footprint, CellKind from, CellK
     });
 }
 
+bool overlaps(const Box2& box, const Grid& grid) {
+    return !box.empty() && box.low.x <= grid.eastM() && box.high.x >= grid.westM &&
+           box.low.y <= grid.northM() && box.high.y >= grid.southM;
+}
+
 void markBuildings(Receivers& receivers, const City& city, const std::stop_token& stop) {
     for (const auto& building : city.buildings) {
         if (stop.stop_requested()) return;
+        if (!overlaps(bounds(*building), receivers.grid)) continue;
         for (const Part& part : building->parts) {
             const glm::vec2 corner =
                 part.footprint.outer.empty() ? glm::vec2(0) : part.footprint.outer.front();
@@ -59,21 +65,22 @@ void sampleGround(Receivers& receivers, const City& city, const std::stop_token&
             receivers.groundM[grid.index(column, row)] = elevationAt(*city.terrain, grid.centre(column, row));
 }
 
-Result<Grid> checkedGrid(const Region& region, double cellM) {
+}  // namespace
+
+Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings) {
+    const double cellM = settings.cellM;
     if (!(cellM >= ReceiverSettings::minCellM && cellM <= ReceiverSettings::maxCellM))
         return failure(fmt::format("A cell of {} m is out of range", cellM), "cell size",
                        "Choose 0.25 to 10 m");
     const Box2 box = bounds(region);
     if (box.empty()) return failure("The region has no area", region.name, "Draw a polygon with an inside");
-    const Grid grid = gridOver(box, cellM);
+    const Grid grid = gridOfBox(box, cellM);
     if (grid.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
         return failure(fmt::format("The region has {:.1f} billion cells", double(grid.size()) * 1e-9),
                        region.name,
                        "Choose larger cells or a smaller region; up to 2.1 billion cells can be numbered");
     return grid;
 }
-
-}  // namespace
 
 glm::vec3 Receivers::position(std::uint32_t cell) const {
     const int column = int(cell % std::uint32_t(grid.columns));
@@ -83,10 +90,15 @@ glm::vec3 Receivers::position(std::uint32_t cell) const {
 
 Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
                                     const std::stop_token& stop) {
-    const auto grid = checkedGrid(region, settings.cellM);
-    if (!grid) return tl::make_unexpected(grid.error());
+    return gridOver(region, settings).and_then([&](const Grid& grid) {
+        return receiversInPart(city, region, grid, stop);
+    });
+}
+
+Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
+                                  const std::stop_token& stop) {
     Receivers receivers;
-    receivers.grid = *grid;
+    receivers.grid = part;
     receivers.kind.assign(receivers.grid.size(), CellKind::outside);
     for (const Footprint& polygon : region.polygons)
         mark(receivers, polygon, CellKind::outside, CellKind::ground);

@@ -40,6 +40,14 @@ struct ReceiverSettings {
 Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
                                     const std::stop_token& stop = {});
 
+/// The grid of such receivers: all of the region's box. The same errors.
+Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings);
+
+/// The cells of any part of that grid, as they are in the whole. O(cells of the part + buildings).
+/// cancelled() when stopped.
+Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
+                                  const std::stop_token& stop = {});
+
 /// A copy of the cells of `receivers` in rows [firstRow, lastRow), for work in tiles.
 Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow);
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/receivers/grid.h"
+
+namespace noonmark {
+
+/// A grid cut into squares of `side` cells, counted from its NORTH-WEST corner, row after row southwards, as
+/// raster files are: those at the eastern and southern edge are smaller.
+struct TilePlan {
+    Grid whole;
+    int side = 1;  ///< cells, above 0
+
+    [[nodiscard]] int columns() const { return (whole.columns + side - 1) / side; }
+    [[nodiscard]] int rows() const { return (whole.rows + side - 1) / side; }
+    [[nodiscard]] std::size_t count() const { return std::size_t(columns()) * std::size_t(rows()); }
+
+    /// The cells of tile 0 .. count() - 1.
+    [[nodiscard]] Grid tile(std::size_t number) const {
+        const int west = int(number % std::size_t(columns())) * side;
+        const int north = whole.rows - int(number / std::size_t(columns())) * side;  // row above its first
+        const int south = std::max(0, north - side);
+        return {whole.westM + west * whole.cellM, whole.southM + south * whole.cellM, whole.cellM,
+                std::min(side, whole.columns - west), north - south};
+    }
+};
+
+}  // namespace noonmark
