@@ -8,8 +8,8 @@
 #include "app/report/output_folder.h"
 #include "app/report/study_report.h"
 #include "core/io/write_city.h"
-#include "core/io/write_raster.h"
 #include "core/study/breakdown_text.h"
+#include "core/study/map_bands.h"
 #include "core/study/region_text.h"
 #include "core/study/repeat_command.h"
 
@@ -18,9 +18,7 @@ namespace noonmark {
 namespace {
 
 Result<void> writeRaster(const Study& study, const std::filesystem::path& file) {
-    return writeGeoTiff(file, study.city.frame, study.field.grid,
-                        {{"gross shadow", "min/day", &study.field.grossMin},
-                         {"continuous shadow", "min", &study.field.continuousMin}});
+    return writeGeoTiff(file, study.city.frame, study.field.grid, mapBands(study.field));
 }
 
 Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {

@@ -3,8 +3,10 @@
 #include <ogr_spatialref.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "core/io/gdal_calls.h"
 #include "core/io/pending_file.h"
@@ -14,8 +16,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr int tileCells = 256;
-
 tl::unexpected<Error> notWritten(const std::filesystem::path& file, const std::string& why) {
     return failure("The map could not be written: " + why, file.string(),
                    "Check that the folder exists, can be written to and has room");
@@ -24,11 +24,11 @@ tl::unexpected<Error> notWritten(const std::filesystem::path& file, const std::s
 GDALDatasetUniquePtr created(const std::filesystem::path& file, const Grid& grid, std::size_t bands) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     if (driver == nullptr) return nullptr;
-    const std::string tile = fmt::format("{}", tileCells);
+    const std::string block = fmt::format("{}", GeoTiffWriter::blockCells);
     CPLStringList options;
     options.SetNameValue("TILED", "YES");
-    options.SetNameValue("BLOCKXSIZE", tile.c_str());
-    options.SetNameValue("BLOCKYSIZE", tile.c_str());
+    options.SetNameValue("BLOCKXSIZE", block.c_str());
+    options.SetNameValue("BLOCKYSIZE", block.c_str());
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("PREDICTOR", "3");  // differences of floats: half the size
     options.SetNameValue("INTERLEAVE", "BAND");
@@ -46,58 +46,115 @@ bool place(GDALDataset& dataset, const Frame& frame, const Grid& grid) {
     return dataset.SetSpatialRef(&plane) == CE_None && dataset.SetGeoTransform(corner.data()) == CE_None;
 }
 
-bool fill(GDALRasterBand& to, const RasterBand& from, const Grid& grid) {
-    to.SetDescription(from.name.c_str());
-    to.SetUnitType(from.unit.c_str());
-    to.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
-    // Our rows run northwards, the file's southwards: begin at the last row and step back. GDAL only reads
-    // through the pointer.
-    const auto lineBytes = GSpacing(sizeof(float)) * grid.columns;
-    auto* lastRow = const_cast<float*>(from.values->data() + grid.index(0, grid.rows - 1));
-    return to.RasterIO(GF_Write, 0, 0, grid.columns, grid.rows, lastRow, grid.columns, grid.rows, GDT_Float32,
-                       sizeof(float), -lineBytes, nullptr) == CE_None;
+void describe(GDALDataset& dataset, const std::vector<RasterBand>& bands) {
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        GDALRasterBand& band = *dataset.GetRasterBand(int(i) + 1);
+        band.SetDescription(bands[i].name.c_str());
+        band.SetUnitType(bands[i].unit.c_str());
+        band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+    }
 }
 
-bool addOverviews(GDALDataset& dataset, const Grid& grid) {
+// Our rows run northwards, the file's southwards: begin at the last row and step back.
+bool transfer(GDALRWFlag direction, GDALRasterBand& band, float* values, const Grid& part, int fileColumn,
+              int fileRow) {
+    const auto lineBytes = GSpacing(sizeof(float)) * part.columns;
+    return band.RasterIO(direction, fileColumn, fileRow, part.columns, part.rows,
+                         values + part.index(0, part.rows - 1), part.columns, part.rows, GDT_Float32,
+                         sizeof(float), -lineBytes, nullptr) == CE_None;
+}
+
+int goOn(double, const char*, void* stop) {
+    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
+}
+
+bool addOverviews(GDALDataset& dataset, const Grid& grid, std::stop_token stop) {
     std::vector<int> factors;
-    for (int factor = 2; std::max(grid.columns, grid.rows) > tileCells * factor / 2; factor *= 2)
+    for (int factor = 2; std::max(grid.columns, grid.rows) > GeoTiffWriter::blockCells * factor / 2;
+         factor *= 2)
         factors.push_back(factor);
     if (factors.empty()) return true;
-    return dataset.BuildOverviews("AVERAGE", int(factors.size()), factors.data(), 0, nullptr, nullptr,
-                                  nullptr) == CE_None;
-}
-
-bool writeAll(GDALDataset& dataset, const Frame& frame, const Grid& grid,
-              const std::vector<RasterBand>& bands) {
-    if (!place(dataset, frame, grid)) return false;
-    for (std::size_t i = 0; i < bands.size(); ++i)
-        if (!fill(*dataset.GetRasterBand(int(i) + 1), bands[i], grid)) return false;
-    dataset.FlushCache(false);
-    return addOverviews(dataset, grid);
-}
-
-Result<void> checkedBands(const std::filesystem::path& file, const Grid& grid,
-                          const std::vector<RasterBand>& bands) {
-    if (grid.columns < 1 || grid.rows < 1 || bands.empty())
-        return notWritten(file, "there are no cells or no bands");
-    for (const RasterBand& band : bands)
-        if (band.values == nullptr || band.values->size() != grid.size())
-            return notWritten(file, fmt::format("band '{}' does not have one value a cell", band.name));
-    return {};
+    return dataset.BuildOverviews("AVERAGE", int(factors.size()), factors.data(), 0, nullptr, goOn, &stop) ==
+           CE_None;
 }
 
 }  // namespace
 
+struct GeoTiffWriter::Pending {
+    PendingFile pending;
+    std::filesystem::path file;
+    Grid grid;
+    GDALDatasetUniquePtr dataset;
+};
+
+GeoTiffWriter::GeoTiffWriter(std::unique_ptr<Pending> pending) : pending_(std::move(pending)) {}
+GeoTiffWriter::GeoTiffWriter(GeoTiffWriter&&) noexcept = default;
+GeoTiffWriter& GeoTiffWriter::operator=(GeoTiffWriter&&) noexcept = default;
+GeoTiffWriter::~GeoTiffWriter() = default;
+
+Result<GeoTiffWriter> GeoTiffWriter::create(const std::filesystem::path& file, const Frame& frame,
+                                            const Grid& grid, const std::vector<RasterBand>& bands) {
+    if (grid.columns < 1 || grid.rows < 1 || bands.empty())
+        return notWritten(file, "there are no cells or no bands");
+    const GdalCalls calls;
+    std::unique_ptr<Pending> pending(new Pending{PendingFile(file), file, grid, nullptr});
+    pending->dataset = created(pending->pending.path(), grid, bands.size());
+    if (!pending->dataset || !place(*pending->dataset, frame, grid)) return notWritten(file, calls.why());
+    describe(*pending->dataset, bands);
+    if (calls.failed()) return notWritten(file, calls.why());
+    return GeoTiffWriter(std::move(pending));
+}
+
+Result<void> GeoTiffWriter::write(const Grid& part, const std::vector<const std::vector<float>*>& values) {
+    const GdalCalls calls;
+    const Grid& grid = pending_->grid;
+    const int column = int(std::lround((part.westM - grid.westM) / grid.cellM));
+    const int fileRow = int(std::lround((grid.northM() - part.northM()) / grid.cellM));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        auto* first = const_cast<float*>(values[i]->data());  // GDAL only reads through it
+        if (!transfer(GF_Write, *pending_->dataset->GetRasterBand(int(i) + 1), first, part, column, fileRow))
+            return notWritten(pending_->file, calls.why());
+    }
+    return {};
+}
+
+Result<void> GeoTiffWriter::finish(bool overviews, const std::stop_token& stop) {
+    const GdalCalls calls;
+    pending_->dataset->FlushCache(false);
+    const bool whole = !overviews || addOverviews(*pending_->dataset, pending_->grid, stop);
+    pending_->dataset.reset();  // flushes: a full disk shows here
+    if (stop.stop_requested()) return cancelled();
+    if (!whole || calls.failed()) return notWritten(pending_->file, calls.why());
+    return pending_->pending.commit();
+}
+
 Result<void> writeGeoTiff(const std::filesystem::path& file, const Frame& frame, const Grid& grid,
                           const std::vector<RasterBand>& bands) {
-    if (auto sound = checkedBands(file, grid, bands); !sound) return sound;
+    std::vector<const std::vector<float>*> values;
+    for (const RasterBand& band : bands) {
+        if (band.values == nullptr || band.values->size() != grid.size())
+            return notWritten(file, fmt::format("band '{}' does not have one value a cell", band.name));
+        values.push_back(band.values);
+    }
+    auto writer = GeoTiffWriter::create(file, frame, grid, bands);
+    if (!writer) return tl::make_unexpected(writer.error());
+    return writer->write(grid, values).and_then([&] { return writer->finish(); });
+}
+
+Result<std::vector<std::vector<float>>> readGeoTiff(const std::filesystem::path& file, const Grid& grid) {
     const GdalCalls calls;
-    PendingFile pending(file);
-    GDALDatasetUniquePtr dataset = created(pending.path(), grid, bands.size());
-    const bool written = dataset && writeAll(*dataset, frame, grid, bands);
-    dataset.reset();  // flushes: a full disk shows here
-    if (!written || calls.failed()) return notWritten(file, calls.why());
-    return pending.commit();
+    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
+    if (!dataset || dataset->GetRasterXSize() != grid.columns || dataset->GetRasterYSize() != grid.rows)
+        return failure("The map is not the one that was written here", file.string(),
+                       "Remove it and run again");
+    std::vector<std::vector<float>> bands(std::size_t(dataset->GetRasterCount()));
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        bands[i].resize(grid.size());
+        if (!transfer(GF_Read, *dataset->GetRasterBand(int(i) + 1), bands[i].data(), grid, 0, 0))
+            return failure("The map could not be read: " + calls.why(), file.string(),
+                           "Remove it and run again");
+    }
+    return bands;
 }
 
 }  // namespace noonmark

@@ -147,16 +147,49 @@ TEST_F(WriteRaster, aFailureKeepsTheOldFile) {
 TEST_F(WriteRaster, saysWhereItCannotWrite) {
     const Grid grid{0, 0, 1, 2, 2};
     const std::vector<float> values(grid.size(), 5);
-    const auto written = writeGeoTiff(folder.path("no/such/map.tif"), Frame({0, 0}), grid, {{"a", "b", &values}});
+    const auto written =
+        writeGeoTiff(folder.path("no/such/map.tif"), Frame({0, 0}), grid, {{"a", "b", &values}});
     ASSERT_FALSE(written);
     EXPECT_THAT(written.error().text(), HasSubstr("no/such/map.tif"));
 }
 
 TEST_F(WriteRaster, refusesABandOfAnotherSize) {
     const std::vector<float> values(3, 5);
-    EXPECT_FALSE(writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2}, {{"a", "b", &values}}));
-    EXPECT_FALSE(writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2}, {{"a", "b", nullptr}}));
+    EXPECT_FALSE(
+        writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2}, {{"a", "b", &values}}));
+    EXPECT_FALSE(
+        writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2}, {{"a", "b", nullptr}}));
     EXPECT_TRUE(folder.names().empty());
+}
+
+TEST_F(WriteRaster, pieceByPieceIsTheSameAsAtOnce) {
+    const Grid grid{-30, 50, 1, 700, 610};
+    std::vector<float> gross(grid.size()), longest(grid.size());
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        gross[i] = i % 7 == 0 ? nothing : float(i % 360);
+        longest[i] = float(i % 91);
+    }
+    const std::vector<RasterBand> bands{{"gross shadow", "min/day", &gross},
+                                        {"continuous shadow", "min", &longest}};
+    auto writer = GeoTiffWriter::create(folder.path("map.tif"), Frame({-73.98, 40.75}), grid, bands);
+    ASSERT_TRUE(writer);
+    for (const auto& [firstRow, endRow] : {std::pair{0, 98}, std::pair{98, 610}}) {
+        const Grid part{-30, 50.0 + firstRow, 1, 700, endRow - firstRow};
+        const auto from = std::ptrdiff_t(grid.index(0, firstRow)), to = std::ptrdiff_t(grid.index(0, endRow));
+        const std::vector<float> a(gross.begin() + from, gross.begin() + to);
+        const std::vector<float> b(longest.begin() + from, longest.begin() + to);
+        ASSERT_TRUE(writer->write(part, {&a, &b}));
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder.path("map.tif")));
+    ASSERT_TRUE(writer->finish());
+    const auto read = readGeoTiff(folder.path("map.tif"), grid);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->at(1), longest);
+    for (std::size_t i = 0; i < grid.size(); ++i)
+        ASSERT_TRUE(read->at(0)[i] == gross[i] || (std::isnan(read->at(0)[i]) && std::isnan(gross[i])));
+    EXPECT_EQ(opened(folder.path("map.tif"))->GetRasterBand(1)->GetOverviewCount(), 2);
+    EXPECT_FALSE(readGeoTiff(folder.path("map.tif"), {0, 0, 1, 10, 10}));
+    EXPECT_FALSE(readGeoTiff(folder.path("none.tif"), grid));
 }
 
 }  // namespace
