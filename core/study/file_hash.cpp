@@ -1,0 +1,53 @@
+#include <cctype>
+#include <fstream>
+#include <system_error>
+
+#include "core/study/sha256.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+namespace {
+
+/// Empty where it can't be read to its end.
+std::string sha256Of(std::istream& file) {
+    Sha256 sum;
+    std::vector<char> piece(1 << 20);
+    while (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0)
+        sum.add(piece.data(), std::size_t(file.gcount()));
+    return file.bad() ? std::string() : sum.hex();
+}
+
+std::vector<std::string> companionsOf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& letter : extension) letter = char(std::tolower(static_cast<unsigned char>(letter)));
+    if (extension == ".shp") return {".dbf", ".shx", ".prj", ".cpg"};
+    if (extension == ".gltf") return {".bin"};
+    if (extension == ".asc" || extension == ".tif" || extension == ".tiff") return {".prj", ".tfw"};
+    return {};
+}
+
+}  // namespace
+
+Result<InputFile> inputFile(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    std::ifstream file(path, std::ios::binary);
+    const std::string sum = !error && file ? sha256Of(file) : std::string();
+    if (sum.empty())
+        return failure("The file cannot be read", path.string(), "Check its name and that you may read it");
+    return InputFile{path, bytes, sum};
+}
+
+Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path) {
+    auto main = inputFile(path);
+    if (!main) return tl::make_unexpected(main.error());
+    std::vector<InputFile> files{*std::move(main)};
+    for (const std::string& extension : companionsOf(path)) {
+        auto companion = inputFile(std::filesystem::path(path).replace_extension(extension));
+        if (companion) files.push_back(*std::move(companion));
+    }
+    return files;
+}
+
+}  // namespace noonmark
