@@ -18,6 +18,7 @@ void addInfoCommand(CLI::App& app, Run& run);
 void addImportCommand(CLI::App& app, Run& run);
 void addSunCommand(CLI::App& app, Run& run);
 void addStudyCommand(CLI::App& app, Run& run);
+void addCityStudyCommand(CLI::App& app, Run& run);
 void addBenchCommand(CLI::App& app, Run& run);
 void addProjectCommand(CLI::App& app, Run& run);
 void addImpactCommand(CLI::App& app, Run& run);

@@ -53,6 +53,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addImportCommand(app, run);
         addSunCommand(app, run);
         addStudyCommand(app, run);
+        addCityStudyCommand(app, run);
         addBenchCommand(app, run);
         addProjectCommand(app, run);
         addImpactCommand(app, run);

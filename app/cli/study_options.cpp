@@ -43,16 +43,23 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
     addPeriodOptions(command, options.period);
     StudySettings& settings = options.settings;
     command
-        .add_option("--region", options.region,
-                    "Where to measure: west,south,east,north in degrees, or a polygon file")
+        .add_option(
+            "--region", options.region,
+            "Where to measure: west,south,east,north in degrees, a polygon file, or city: the box around "
+            "all buildings")
         ->required()
-        ->type_name("W,S,E,N|FILE");
+        ->type_name("W,S,E,N|FILE|city");
     addReceiverOptions(command, settings);
     addEngineOptions(command, settings);
     addErrorOptions(command, settings.errorSample);
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")
         ->required()
         ->type_name("DIR");
+    command.add_flag("--json", options.json, "study.json on standard output, nothing else");
+}
+
+void addPieceOptions(CLI::App& command, StudyOptions& options) {
+    StudySettings& settings = options.settings;
     command
         .add_option_function<std::string>(
             "--by", [&settings](const std::string&) { settings.byMonth = true; },
@@ -62,7 +69,6 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
     command.add_flag("--contributions", settings.contributions,
                      "What each building shades, and shades alone, as a table and a map (engine horizon)");
     command.add_flag("--cells-csv", options.cellsCsv, "Write cells.csv too: one line a receiver");
-    command.add_flag("--json", options.json, "study.json on standard output, nothing else");
 }
 
 }  // namespace noonmark::cli

@@ -20,7 +20,11 @@ struct StudyOptions {
     bool cellsCsv = false;
 };
 
+/// What every study takes.
 void addStudyOptions(CLI::App& command, StudyOptions& options);
+
+/// What a study in one piece takes besides: months, contributions, the cells as a table.
+void addPieceOptions(CLI::App& command, StudyOptions& options);
 
 /// --cell, --pressure and --temperature.
 void addReceiverOptions(CLI::App& command, StudySettings& settings);

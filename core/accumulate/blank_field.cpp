@@ -11,8 +11,8 @@ void countSkipped(Cost& cost, const Receivers& receivers, const SunSteps& sun) {
     const auto cellsThatAre = [&](CellKind kind) {
         return std::uint64_t(std::count(receivers.kind.begin(), receivers.kind.end(), kind));
     };
-    cost.skipped["cells under buildings"] = cellsThatAre(CellKind::building);
-    cost.skipped["cells outside the region"] = cellsThatAre(CellKind::outside);
+    cost.skipped[cellsUnderBuildings] = cellsThatAre(CellKind::building);
+    cost.skipped[cellsOutside] = cellsThatAre(CellKind::outside);
     cost.skipped["steps with the sun below the horizon"] = sun.belowHorizon;
 }
 

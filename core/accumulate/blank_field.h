@@ -6,6 +6,10 @@
 
 namespace noonmark {
 
+/// Keys of Cost.skipped that every result has.
+inline constexpr const char* cellsUnderBuildings = "cells under buildings";
+inline constexpr const char* cellsOutside = "cells outside the region";
+
 /// What every engine starts from: the receivers' grid, 0 minutes at receivers and NaN elsewhere, the period's
 /// figures, and in Cost.skipped the cells and steps that no engine has to touch.
 ShadowField blankField(const Receivers& receivers, const SunSteps& sun);

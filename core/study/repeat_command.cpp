@@ -151,8 +151,8 @@ bool goesAlong(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string repeatCommand(const Study& study, std::size_t width) {
-    CommandLine line("noonmark-cli study");
+std::string repeatCommand(const Study& study, std::size_t width, const std::string& command) {
+    CommandLine line("noonmark-cli " + command);
     for (const InputFile& input : study.inputs)
         if (!goesAlong(input.path)) line.file(input.path.filename().string());
     if (study.inputs.empty()) line.file("FILE");

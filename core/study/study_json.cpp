@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/accumulate/blank_field.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
 #include "core/study/repeat_command.h"
@@ -57,14 +58,17 @@ Json regionJson(const Study& study) {
 
 Json cellsJson(const Study& study) {
     const Grid& grid = study.receivers.grid;
-    const auto count = [&](CellKind kind) { return std::ranges::count(study.receivers.kind, kind); };
+    const auto count = [&](const char* reason) {
+        const auto found = study.field.cost.skipped.find(reason);
+        return found == study.field.cost.skipped.end() ? 0 : found->second;
+    };
     return {{"cell_m", grid.cellM},
             {"columns", grid.columns},
             {"rows", grid.rows},
             {"west_m", grid.westM},
             {"south_m", grid.southM},
-            {"outside_region", count(CellKind::outside)},
-            {"under_buildings", count(CellKind::building)},
+            {"outside_region", count(cellsOutside)},
+            {"under_buildings", count(cellsUnderBuildings)},
             {"crs", study.city.frame.projString()},
             {"row_order", "row 0 is the southernmost; in shadow.tif the northernmost"}};
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <stop_token>
+#include <utility>
+
+#include "app/cli/console.h"
+#include "app/cli/study_options.h"
+#include "app/input/load_city.h"
+
+namespace noonmark::cli {
+
+/// An error with the code that it ends the program with.
+struct Failure {
+    Error error;
+    ExitCode code = exitFailed;
+};
+
+template <class T>
+tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
+    return std::move(result).map_error([code](Error error) { return Failure{std::move(error), code}; });
+}
+
+/// What the options ask, of which city.
+struct AskedStudy {
+    LoadedCity loaded;
+    StudySettings settings;
+};
+
+/// Reads the city and the region and tries the folder: all that can be wrong before the work begins.
+tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progress& progress,
+                                             const std::stop_token& stop);
+
+}  // namespace noonmark::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <stop_token>
+
+#include "core/geo/frame.h"
+#include "core/progress.h"
+#include "core/receivers/tile_plan.h"
+#include "core/study/tile_journal.h"
+
+namespace noonmark {
+
+/// One GeoTIFF with overviews from the finished tiles of a journal, NaN in empty ones. Holds one tile in
+/// memory. Error: a tile that can't be read, a map that can't be written; cancelled().
+Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
+                         const std::filesystem::path& file, Progress& progress, const std::stop_token& stop);
+
+}  // namespace noonmark

@@ -1,0 +1,78 @@
+#include "core/study/study_hash.h"
+
+#include <fmt/format.h>
+
+#include "core/study/sha256.h"
+#include "core/version.h"
+
+namespace noonmark {
+
+namespace {
+
+template <class T>
+void addAll(Sha256& sum, const std::vector<T>& values) {
+    sum.add(values.size());
+    sum.add(values.data(), values.size() * sizeof(T));
+}
+
+// The number of points parts what follows from what comes next.
+void addFootprint(Sha256& sum, const Footprint& footprint) {
+    addAll(sum, footprint.outer);
+    sum.add(footprint.holes.size());
+    for (const Ring& hole : footprint.holes) addAll(sum, hole);
+}
+
+void addPart(Sha256& sum, const Part& part) {
+    addFootprint(sum, part.footprint);
+    sum.add(part.bottomM);
+    sum.add(part.topM);
+    sum.add(part.hangs);
+    sum.add(bool(part.mesh));
+    if (!part.mesh) return;
+    addAll(sum, part.mesh->vertices);
+    addAll(sum, part.mesh->triangles);
+}
+
+void addGrid(Sha256& sum, const Grid& grid) {
+    for (const double number : {grid.westM, grid.southM, grid.cellM}) sum.add(number);
+    sum.add(grid.columns);
+    sum.add(grid.rows);
+}
+
+void addCity(Sha256& sum, const City& city) {
+    const LonLat origin = city.frame.origin();
+    for (const double number : {origin.lonDeg, origin.latDeg, city.frame.originElevationM()}) sum.add(number);
+    sum.add(city.buildings.size());
+    for (const auto& building : city.buildings) {
+        sum.add(building->parts.size());
+        for (const Part& part : building->parts) addPart(sum, part);
+    }
+    sum.add(bool(city.terrain));
+    if (!city.terrain) return;
+    addGrid(sum, city.terrain->grid);
+    addAll(sum, city.terrain->elevationM);
+}
+
+// As text, in which every setting that matters has its place.
+void addSettings(Sha256& sum, const StudySettings& settings) {
+    const Period& period = settings.period;
+    sum.add(fmt::format("{};{};{};{};{};{};", textOf(period), period.hours, period.stepMinutes,
+                        period.refraction, settings.pressureHPa, settings.temperatureC));
+    if (period.window) sum.add(fmt::format("{};", int(period.window->rule)));
+    sum.add(fmt::format("{};{};{};{};", settings.receivers.cellM, settings.engine,
+                        settings.errorSample.receivers, settings.errorSample.seed));
+    for (const auto& [key, value] : settings.engineSettings) sum.add(fmt::format("{}={};", key, value));
+    for (const Footprint& polygon : settings.region.polygons) addFootprint(sum, polygon);
+}
+
+}  // namespace
+
+std::string studyHash(const City& city, const StudySettings& settings) {
+    Sha256 sum;
+    sum.add(version());
+    addCity(sum, city);
+    addSettings(sum, settings);
+    return sum.hex();
+}
+
+}  // namespace noonmark

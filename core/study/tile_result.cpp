@@ -1,0 +1,57 @@
+#include "core/study/tile_result.h"
+
+namespace noonmark {
+
+using Json = nlohmann::json;
+
+namespace {
+
+Json jsonOf(const ComparedCell& cell) {
+    return {cell.centreM.x,         cell.centreM.y,     cell.grossMin,
+            cell.referenceGrossMin, cell.continuousMin, cell.referenceContinuousMin};
+}
+
+ComparedCell comparedCellFrom(const Json& json) {
+    return {{json.at(0), json.at(1)}, json.at(2), json.at(3), json.at(4), json.at(5)};
+}
+
+TileResult resultFrom(const Json& json) {
+    const Json& sums = json.at("sums");
+    TileResult result{json.at("tile"), {sums.at(0), sums.at(1), sums.at(2), sums.at(3), sums.at(4)}};
+    result.cost.rays = json.at("rays");
+    result.cost.skipped = json.at("skipped");
+    result.cost.seconds = json.at("stages");
+    result.engineKey = json.at("engine");
+    result.engine = json.at("engine_settings");
+    for (const Json& cell : json.at("compared")) result.compared.push_back(comparedCellFrom(cell));
+    result.seconds = json.at("seconds");
+    result.errorSeconds = json.at("error_seconds");
+    return result;
+}
+
+}  // namespace
+
+Json jsonOf(const TileResult& result) {
+    const ShadowSums& sums = result.sums;
+    Json compared = Json::array();
+    for (const ComparedCell& cell : result.compared) compared.push_back(jsonOf(cell));
+    return {{"tile", result.number},
+            {"sums",
+             {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
+            {"rays", result.cost.rays},
+            {"skipped", result.cost.skipped},
+            {"stages", result.cost.seconds},
+            {"engine", result.engineKey},
+            {"engine_settings", result.engine},
+            {"compared", compared},
+            {"seconds", result.seconds},
+            {"error_seconds", result.errorSeconds}};
+}
+
+std::optional<TileResult> tileResultFrom(const Json& json) try {
+    return resultFrom(json);
+} catch (const Json::exception&) {
+    return std::nullopt;
+}
+
+}  // namespace noonmark

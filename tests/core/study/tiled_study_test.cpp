@@ -1,0 +1,242 @@
+#include "core/study/tiled_study.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/io/write_raster.h"
+#include "core/study/memory_need.h"
+#include "core/study/remaining_time.h"
+#include "core/study/study_hash.h"
+#include "tests/core/accumulate/scenes.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using testing::HasSubstr;
+
+City town() {
+    City city = cityOf(randomBoxes(11, 10));
+    city.frame = Frame({-73.98, 40.75});
+    return city;
+}
+
+StudySettings question(const std::string& engine) {
+    StudySettings settings;
+    settings.region = {"cut", {{{{-30, -30}, {220, -10}, {210, 230}, {40, 200}}, {}}}};
+    settings.period.zone = "America/New_York";
+    settings.period.stepMinutes = 20;
+    settings.period.days = 2;
+    settings.engine = engine;
+    return settings;
+}
+
+Study inOnePiece(const City& city, const StudySettings& settings) {
+    NoProgress progress;
+    return runStudy(city, settings, progress, {}).value();
+}
+
+void expectSame(const ShadowStatistics& a, const ShadowStatistics& b, double share) {
+    EXPECT_EQ(a.receivers, b.receivers);
+    EXPECT_EQ(a.receiverAreaM2, b.receiverAreaM2);
+    EXPECT_NEAR(a.shadowAreaM2 / b.shadowAreaM2, 1, share);
+    EXPECT_NEAR(a.meanGrossMin / b.meanGrossMin, 1, share);
+    EXPECT_NEAR(a.meanContinuousMin / b.meanContinuousMin, 1, share);
+}
+
+bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+std::size_t differences(const std::vector<float>& a, const std::vector<float>& b) {
+    std::size_t count = a.size() == b.size() ? 0 : a.size() + b.size();
+    for (std::size_t i = 0; count <= a.size() && i < a.size(); ++i) count += same(a[i], b[i]) ? 0 : 1;
+    return count;
+}
+
+class TiledStudyTest : public testing::Test {
+protected:
+    [[nodiscard]] Result<TiledStudy> run(const StudySettings& settings, Progress& progress,
+                                         std::stop_token stop = {}) const {
+        return runTiledStudy(city, {settings, 64}, file, progress, std::move(stop));
+    }
+    [[nodiscard]] Result<TiledStudy> run(const StudySettings& settings) const {
+        NoProgress progress;
+        return run(settings, progress);
+    }
+    [[nodiscard]] std::vector<std::vector<float>> bands(const Grid& grid) const {
+        return readGeoTiff(file, grid).value();
+    }
+
+    City city = town();
+    TemporaryFolder folder;
+    std::filesystem::path file = folder.path("shadow.tif");
+};
+
+TEST_F(TiledStudyTest, isTheSameAsInOnePiece) {
+    const Study whole = inOnePiece(city, question("ray"));
+    const auto tiled = run(question("ray"));
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    EXPECT_EQ(tiled->plan.count(), 20U);
+    EXPECT_GT(tiled->emptyTiles, 0U);
+    EXPECT_EQ(tiled->tilesByEngine.at("ray"), 20 - tiled->emptyTiles);
+    expectSame(tiled->study.statistics, whole.statistics, 1e-12);
+    EXPECT_EQ(tiled->study.statistics.maxGrossMin, whole.statistics.maxGrossMin);
+    EXPECT_EQ(tiled->study.statistics.maxContinuousMin, whole.statistics.maxContinuousMin);
+    const auto cells = bands(whole.field.grid);
+    EXPECT_EQ(differences(cells.at(0), whole.field.grossMin), 0U);
+    EXPECT_EQ(differences(cells.at(1), whole.field.continuousMin), 0U);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"shadow.tif"});
+}
+
+TEST_F(TiledStudyTest, projectedShadowsAndTheSweepTooButForCellsAtAnEdge) {
+    for (std::string engine : {"projected", "horizon"}) {
+        if (engine == "horizon") city = cityOf({{{0, 0, 0}, {90, 40, 60}}, {{130, 90, 0}, {190, 150, 45}}});
+        const Study whole = inOnePiece(city, question(engine));
+        const auto tiled = run(question(engine));
+        ASSERT_TRUE(tiled) << tiled.error().text();
+        expectSame(tiled->study.statistics, whole.statistics, 1e-4);
+        const auto cells = bands(whole.field.grid);
+        EXPECT_LE(differences(cells.at(0), whole.field.grossMin), whole.statistics.receivers / 500);
+        ASSERT_TRUE(tiled->study.error);
+        EXPECT_NEAR(double(tiled->study.error->receivers), 300, 100);
+        EXPECT_LT(std::abs(tiled->study.error->areaPct), 0.5) << engine;
+    }
+}
+
+TEST_F(TiledStudyTest, jsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
+    const auto whole = nlohmann::json::parse(studyJson(inOnePiece(city, question("ray"))));
+    const auto tiled = nlohmann::json::parse(tiledStudyJson(*run(question("ray"))));
+    for (const auto& [key, value] : whole.items()) EXPECT_TRUE(tiled.contains(key)) << key;
+    for (const char* key : {"receivers", "cells", "region", "rays", "buildings_used", "sunlit_min_per_day"})
+        EXPECT_EQ(tiled[key], whole[key]) << key;
+    EXPECT_EQ(tiled["tiles"]["count"], 20);
+    EXPECT_EQ(tiled["engine_used"], "ray");
+    EXPECT_THAT(tiled["repeat"].get<std::string>(), HasSubstr("noonmark-cli city-study"));
+}
+
+/// Asks for a stop when so many tiles have been begun, and keeps what it was told.
+struct StopAtTile final : Progress {
+    explicit StopAtTile(int tile) : name(fmt::format("tile {} of", tile)) {}
+    void report(double fraction, std::string_view stage) override {
+        if (fraction < 0 || fraction > 1) wrong = true;
+        if (stage.starts_with(name)) stop.request_stop();
+    }
+    std::string name;
+    bool wrong = false;
+    std::stop_source stop;
+};
+
+TEST_F(TiledStudyTest, goesOnWhereItWasStoppedAndGivesTheSame) {
+    const StudySettings settings = question("iam");
+    const auto unbroken = run(settings);
+    ASSERT_TRUE(unbroken) << unbroken.error().text();
+    const auto cells = bands(unbroken->plan.whole);
+    std::mt19937 random(5);
+    for (int round = 0; round < 4; ++round) {
+        std::filesystem::remove(file);
+        StopAtTile watcher(2 + int(random() % 13));
+        const auto stopped = run(settings, watcher, watcher.stop.get_token());
+        ASSERT_FALSE(stopped) << watcher.name;
+        EXPECT_TRUE(isCancelled(stopped.error()));
+        EXPECT_FALSE(watcher.wrong);
+        EXPECT_FALSE(std::filesystem::exists(file));
+        const auto resumed = run(settings);
+        ASSERT_TRUE(resumed) << resumed.error().text();
+        EXPECT_GT(resumed->resumedTiles, 0U);
+        EXPECT_LT(resumed->resumedTiles, 20U);
+        expectSame(resumed->study.statistics, unbroken->study.statistics, 0);
+        EXPECT_EQ(resumed->study.error->areaPct, unbroken->study.error->areaPct);
+        EXPECT_EQ(resumed->study.error->receivers, unbroken->study.error->receivers);
+        EXPECT_EQ(differences(bands(unbroken->plan.whole).at(0), cells.at(0)), 0U);
+        EXPECT_EQ(differences(bands(unbroken->plan.whole).at(1), cells.at(1)), 0U);
+    }
+}
+
+TEST_F(TiledStudyTest, aBrokenTileIsSaidAndTheMapIsNotMade) {
+    StopAtTile watcher(13);
+    ASSERT_FALSE(run(question("ray"), watcher, watcher.stop.get_token()));
+    for (const auto& entry : std::filesystem::directory_iterator(file.string() + ".tiles"))
+        if (entry.path().extension() == ".tif") std::filesystem::resize_file(entry.path(), 50);
+    const auto broken = run(question("ray"));
+    ASSERT_FALSE(broken);
+    EXPECT_THAT(broken.error().text(), HasSubstr("tile-"));
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(TiledStudyTest, finishedTilesOfOtherSettingsAreNotMixedIn) {
+    StopAtTile watcher(9);
+    ASSERT_FALSE(run(question("ray"), watcher, watcher.stop.get_token()));
+    StudySettings other = question("ray");
+    other.period.hours = 5;
+    const auto refused = run(other);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().text(), HasSubstr("another study"));
+    EXPECT_TRUE(run(question("ray")));
+}
+
+TEST_F(TiledStudyTest, refusesWhatRunStudyRefuses) {
+    StudySettings settings = question("ray");
+    settings.period.from = std::chrono::hours(0);
+    settings.period.hours = 2;
+    EXPECT_THAT(run(settings).error().text(), HasSubstr("below the horizon"));
+    settings = question("magic");
+    EXPECT_THAT(run(settings).error().text(), HasSubstr("magic"));
+    settings = question("ray");
+    settings.memoryLimit = 1000;
+    EXPECT_THAT(run(settings).error().text(), HasSubstr("would need"));
+    NoProgress progress;
+    EXPECT_FALSE(runTiledStudy(city, {question("ray"), 20}, file, progress, {}));
+    city = cityOf({{{-500, -500, 0}, {700, 700, 30}}});
+    EXPECT_THAT(run(question("ray")).error().text(), HasSubstr("open ground"));
+}
+
+TEST_F(TiledStudyTest, memoryIsThatOfATileNotOfTheRegion) {
+    StudySettings settings = question("ray");
+    settings.region = regionFromLocalBox({{-30, -30}, {220, 230}});
+    settings.memoryLimit = memoryNeed(city, settings) - 500'000;
+    NoProgress progress;
+    EXPECT_FALSE(runStudy(city, settings, progress, {}));
+    EXPECT_TRUE(run(settings));
+}
+
+TEST(StudyHash, everySettingAndEveryPointCounts) {
+    const City city = town();
+    const StudySettings settings = question("ray");
+    const std::string hash = studyHash(city, settings);
+    EXPECT_EQ(hash.size(), 64U);
+    EXPECT_EQ(studyHash(town(), question("ray")), hash);
+    std::vector<StudySettings> others(8, settings);
+    others[0].period.hours = 5;
+    others[1].period.refraction = false;
+    others[2].receivers.cellM = 2;
+    others[3].engine = "iam";
+    others[4].engineSettings["levels"] = 2;
+    others[5].region.polygons.front().outer.front().x += 1;
+    others[6].errorSample.receivers = 299;
+    others[7].temperatureC = 11;
+    for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(studyHash(city, others[i]), hash) << i;
+    City higher = city;
+    Building building = *city.buildings[40];
+    building.parts.front().topM += 0.01F;
+    higher.buildings[40] = std::make_shared<const Building>(building);
+    EXPECT_NE(studyHash(higher, settings), hash);
+    building = *city.buildings[40];
+    building.name = "Renamed";
+    higher.buildings[40] = std::make_shared<const Building>(building);
+    EXPECT_EQ(studyHash(higher, settings), hash);
+}
+
+TEST(RemainingTime, inWords) {
+    EXPECT_EQ(remainingWords(3), "about 10 s left");
+    EXPECT_EQ(remainingWords(41), "about 50 s left");
+    EXPECT_EQ(remainingWords(1500), "about 25 min left");
+    EXPECT_EQ(remainingWords(9000), "about 2.5 h left");
+}
+
+}  // namespace
+}  // namespace noonmark
