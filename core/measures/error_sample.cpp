@@ -6,23 +6,12 @@
 #include <set>
 #include <utility>
 
-#include "core/accumulate/ray_reference.h"
+#include "core/accumulate/reach.h"
+#include "core/measures/compared_cells.h"
 
 namespace noonmark {
 
 namespace {
-
-/// Says what the reference is traced for, and keeps its few cells from those who look at running results.
-class SampleProgress final : public Progress {
-public:
-    explicit SampleProgress(Progress& progress) : progress_(progress) {}
-    void report(double fraction, std::string_view) override {
-        progress_.report(fraction, "measuring the error on a sample");
-    }
-
-private:
-    Progress& progress_;
-};
 
 /// Points of the unit square that fill it evenly, however many are taken.
 class EvenPoints {
@@ -45,12 +34,6 @@ private:
 glm::ivec2 cellAt(const Grid& grid, glm::dvec2 share) {
     const auto place = [](double s, int count) { return std::min(int(s * count), count - 1); };
     return {place(share.x, grid.columns), place(share.y, grid.rows)};
-}
-
-ComparedCell compared(const ShadowField& field, const ShadowField& truth, std::uint32_t cell) {
-    const auto columns = std::uint32_t(field.grid.columns);
-    return {field.grid.centre(int(cell % columns), int(cell / columns)), field.grossMin[cell],
-            truth.grossMin[cell], field.continuousMin[cell], truth.continuousMin[cell]};
 }
 
 }  // namespace
@@ -102,12 +85,11 @@ Result<std::vector<ComparedCell>> comparedWithReference(const City& city, const 
                                                         std::vector<std::uint32_t> cells, Progress& progress,
                                                         std::stop_token stop) {
     const Receivers sample = onlyReceivers(receivers, std::move(cells));
-    SampleProgress sampling(progress);
-    const auto truth = RayReference().accumulate(city, sample, sun, sampling, std::move(stop));
-    if (!truth) return tl::make_unexpected(truth.error());
-    std::vector<ComparedCell> pairs;
-    for (const std::uint32_t cell : sample.cells) pairs.push_back(compared(field, *truth, cell));
-    return pairs;
+    if (stop.stop_requested()) return cancelled();
+    return RayScene::over(city, buildingsInReach(city, sample, sun), stop)
+        .and_then([&](const RayScene& scene) {
+            return comparedByRays(scene, sample, sun, field, sample.cells, progress, stop);
+        });
 }
 
 double longestDayMinutes(const SunSteps& sun) {

@@ -2,6 +2,7 @@
 
 #include "core/accumulate/blank_field.h"
 #include "core/io/write_raster.h"
+#include "core/measures/compared_cells.h"
 #include "core/stopwatch.h"
 #include "core/study/map_bands.h"
 
@@ -37,7 +38,7 @@ Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::st
 }
 
 Result<TileResult> TileRunner::computed(std::size_t tile, const Receivers& receivers, Progress& progress,
-                                        const std::stop_token& stop) const {
+                                        const std::stop_token& stop) {
     TileResult result{.number = tile};
     if (receivers.cells.empty()) {
         result.cost = blankField(receivers, sun_).cost;
@@ -55,13 +56,18 @@ Result<TileResult> TileRunner::computed(std::size_t tile, const Receivers& recei
 }
 
 Result<void> TileRunner::compare(TileResult& result, const Receivers& receivers, const ShadowField& field,
-                                 Progress& progress, const std::stop_token& stop) const {
+                                 Progress& progress, const std::stop_token& stop) {
     if (settings_.errorSample.receivers == 0 || result.engineKey == referenceEngine) return {};
     const Stopwatch watch;
     const std::size_t places = placesAReceiver * sampleSize(settings_.errorSample, sun_.steps.size());
-    auto cells = spreadReceivers(receivers, plan_.whole, places, settings_.errorSample.seed);
+    const auto cells = spreadReceivers(receivers, plan_.whole, places, settings_.errorSample.seed);
     if (cells.empty()) return {};
-    auto compared = comparedWithReference(city_, receivers, sun_, field, std::move(cells), progress, stop);
+    if (!scene_) {
+        auto scene = RayScene::over(city_, stop);
+        if (!scene) return tl::make_unexpected(scene.error());
+        scene_ = *std::move(scene);
+    }
+    auto compared = comparedByRays(*scene_, receivers, sun_, field, cells, progress, stop);
     if (!compared) return tl::make_unexpected(compared.error());
     result.compared = *std::move(compared);
     result.errorSeconds = watch.seconds();

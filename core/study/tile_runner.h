@@ -1,8 +1,9 @@
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <stop_token>
 
+#include "core/accumulate/ray_scene.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/study.h"
 #include "core/study/tile_journal.h"
@@ -20,9 +21,9 @@ public:
 
 private:
     Result<TileResult> computed(std::size_t tile, const Receivers& receivers, Progress& progress,
-                                const std::stop_token& stop) const;
+                                const std::stop_token& stop);
     Result<void> compare(TileResult& result, const Receivers& receivers, const ShadowField& field,
-                         Progress& progress, const std::stop_token& stop) const;
+                         Progress& progress, const std::stop_token& stop);
 
     const City& city_;
     const StudySettings& settings_;
@@ -30,6 +31,7 @@ private:
     const Accumulator& engine_;
     const TilePlan& plan_;
     TileJournal& journal_;
+    std::optional<RayScene> scene_;  ///< of the whole city, from the first tile that is compared on
 };
 
 }  // namespace noonmark

@@ -82,6 +82,13 @@ std::uint32_t buildingsUsed(const City& city, const Region& region, const SunSte
     }));
 }
 
+// Each tile left others out: what counts is what no tile needed.
+void countBuildings(Study& study) {
+    const auto skipped = study.field.cost.skipped.find("buildings whose shadow cannot reach a receiver");
+    if (skipped != study.field.cost.skipped.end())
+        skipped->second = study.city.buildings.size() - study.field.cost.buildingsUsed;
+}
+
 std::string engineWords(const TiledStudy& tiled, const std::string& first) {
     std::string keys;
     for (const auto& [key, count] : tiled.tilesByEngine)
@@ -106,6 +113,7 @@ void addTiles(TiledStudy& tiled, const TileJournal& journal) {
         ++tiled.tilesByEngine[result.engineKey];
         if (first.empty()) first = result.engine;
     }
+    countBuildings(study);
     const ShadowField& field = study.field;
     study.statistics = statisticsOf(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
     study.field.engine = engineWords(tiled, first);
