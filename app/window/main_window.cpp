@@ -138,7 +138,7 @@ void MainWindow::showOpenFailure(const Error& error) {
 void MainWindow::showCity() {
     panel_->messages().hide();
     panel_->showCity(workbench_.city());
-    mode_.setAnalysisEngine(analysisEngine(workbench_.city()->city()));
+    mode_.setAnalysisEngine(StudySettings().engine);
     exploration_.setCity(workbench_.city());
     options_->setMiddle(middleOf(workbench_.city()->city()));
     docks_.results->show(nullptr);

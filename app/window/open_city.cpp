@@ -18,13 +18,10 @@ Result<OpenCity> openCity(const std::vector<std::string>& files, const ReadSetti
     return open;
 }
 
-std::string analysisEngine(const City& city) { return city.terrain ? "ray" : "projected"; }
-
 StudySettings firstSettings(const LoadedCity& loaded) {
     StudySettings settings;
     settings.region = firstRegion(loaded);
     settings.receivers.cellM = 2;
-    settings.engine = analysisEngine(loaded.read.city);
     settings.period.zone = zoneNear(loaded.read.city.frame.origin()).toStdString();
     return settings;
 }

@@ -18,12 +18,7 @@ struct OpenCity {
 Result<OpenCity> openCity(const std::vector<std::string>& files, const ReadSettings& settings,
                           Progress& progress, std::stop_token stop);
 
-/// The engine to begin an analysis with. On flat ground projected shadows: exact at every step, and faster
-/// than the paper's inverse accrual map, which takes the sun's path as straight; elsewhere the ray reference,
-/// the only one that takes uneven ground as it is.
-std::string analysisEngine(const City& city);
-
-/// Settings to begin with: first region, the time zone nearest to the city, cells of 2 m, the engine above.
+/// Settings to begin with: first region, the time zone nearest to the city, cells of 2 m, the engine picked by itself.
 StudySettings firstSettings(const LoadedCity& loaded);
 
 /// A study over a city that was read from files, with the files' hashes and warnings.

@@ -164,8 +164,8 @@ Engine shadowAccrualMap() {
 }  // namespace
 
 const EngineList& coreEngines() {
-    static const EngineList list{autoEngine(),       rayReference(),      projectedShadows(), horizonSweep(),
-                                 shadowAccrualMap(), inverseAccrualMap(), rayGraph()};
+    static const EngineList list{rayReference(),      projectedShadows(), horizonSweep(), shadowAccrualMap(),
+                                 inverseAccrualMap(), rayGraph(),         autoEngine()};
     return list;
 }
 
