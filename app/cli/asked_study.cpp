@@ -1,5 +1,6 @@
 #include "app/cli/asked_study.h"
 
+#include "app/input/all_engines.h"
 #include "app/report/output_folder.h"
 #include "core/io/read_region.h"
 
@@ -23,7 +24,10 @@ tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progre
     const auto period = orCode(periodFrom(options.period), exitUsage);
     if (!period) return tl::make_unexpected(period.error());
     settings.period = *period;
-    if (auto engine = orCode(makeAccumulator(settings.engine, settings.engineSettings), exitUsage); !engine)
+    if (auto engine =
+            orCode(makeAccumulator(settings.engine, settings.engineSettings, enginesWith(settings.engine)),
+                   exitUsage);
+        !engine)
         return tl::make_unexpected(engine.error());
     auto loaded = orCode(loadCity(options.read.files, options.read.settings, progress, stop), exitUsage);
     if (!loaded) return tl::make_unexpected(loaded.error());

@@ -9,13 +9,13 @@
 #include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/table.h"
+#include "app/input/all_engines.h"
 #include "app/input/load_city.h"
 #include "app/report/output_folder.h"
 #include "core/bench/horizon_bench.h"
 #include "core/bench/moments.h"
 #include "core/bench/paper_bench.h"
 #include "core/samples/sample_city.h"
-#include "render/gl/gl_engines.h"
 
 namespace noonmark::cli {
 
@@ -40,12 +40,6 @@ Result<City> cityOf(const BenchOptions& options, Progress& progress, const std::
     return loadCity({options.city}, {}, progress, stop).map([](LoadedCity&& loaded) {
         return std::move(loaded.read.city);
     });
-}
-
-EngineList allEngines() {
-    EngineList engines = coreEngines();
-    engines.insert(engines.end(), glEngines().begin(), glEngines().end());
-    return engines;
 }
 
 std::string cityName(const BenchOptions& options) {

@@ -9,6 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/study_table.h"
+#include "app/input/all_engines.h"
 #include "app/report/output_folder.h"
 #include "core/study/region_text.h"
 #include "core/study/repeat_command.h"
@@ -32,7 +33,7 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
     if (!asked) return tl::make_unexpected(asked.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
     auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells}, file,
-                                      progress, interrupt.token()),
+                                      progress, interrupt.token(), enginesWith(asked->settings.engine)),
                         exitFailed);
     if (tiled) addReading(tiled->study, asked->loaded);
     return tiled;

@@ -20,12 +20,6 @@ std::optional<std::pair<std::string, double>> settingFrom(const std::string& tex
     return std::pair{text.substr(0, equals), value};
 }
 
-CLI::Validator engineKey() {
-    std::vector<std::string> keys;
-    for (const Engine& engine : coreEngines()) keys.emplace_back(engine.info.key);
-    return CLI::IsMember(keys);
-}
-
 CLI::Validator engineSetting() {
     return CLI::Validator(
         [](std::string& text) {
@@ -39,7 +33,6 @@ CLI::Validator engineSetting() {
 void addEngineOptions(CLI::App& command, StudySettings& settings) {
     command.add_option("--engine", settings.engine, "How to compute: see noonmark-cli engines")
         ->capture_default_str()
-        ->check(engineKey())
         ->type_name("ENGINE");
     command
         .add_option_function<std::vector<std::string>>(

@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "app/cli/command.h"
-#include "core/accumulate/engine_list.h"
+#include "app/input/all_engines.h"
 
 namespace noonmark::cli {
 
@@ -16,7 +16,7 @@ std::string optionLine(const EngineOption& option) {
 }
 
 int printEngines(const Console& console) {
-    for (const auto& [info, make] : coreEngines()) {
+    for (const auto& [info, make] : allEngines()) {
         console.out << fmt::format("{:<10} {}\n    {}\n", info.key, info.name, info.about);
         for (const EngineOption& option : info.options) console.out << optionLine(option);
     }

@@ -9,6 +9,7 @@
 #include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/study_table.h"
+#include "app/input/all_engines.h"
 #include "app/report/study_files.h"
 
 namespace noonmark::cli {
@@ -20,8 +21,9 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     ProgressLine progress(console);
     auto asked = askedStudy(options, progress, interrupt.token());
     if (!asked) return tl::make_unexpected(asked.error());
-    auto study =
-        orCode(runStudy(asked->loaded.read.city, asked->settings, progress, interrupt.token()), exitFailed);
+    auto study = orCode(runStudy(asked->loaded.read.city, asked->settings, progress, interrupt.token(),
+                                 enginesWith(asked->settings.engine)),
+                        exitFailed);
     if (study) addReading(*study, asked->loaded);
     return study;
 }

@@ -1,5 +1,6 @@
 #include "app/window/open_city.h"
 
+#include "app/input/all_engines.h"
 #include "app/window/zone_guess.h"
 
 namespace noonmark {
@@ -28,7 +29,8 @@ StudySettings firstSettings(const LoadedCity& loaded) {
 
 Result<Study> studyOf(const LoadedCity& loaded, const StudySettings& settings, Progress& progress,
                       std::stop_token stop) {
-    auto study = runStudy(loaded.read.city, settings, progress, std::move(stop));
+    auto study =
+        runStudy(loaded.read.city, settings, progress, std::move(stop), enginesWith(settings.engine));
     if (study) addReading(*study, loaded);
     return study;
 }

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/input/all_engines.h"
 #include "app/window/accuracy_form.h"
 #include "app/window/period_form.h"
 #include "app/window/progress_strip.h"
@@ -29,7 +30,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       period_(new PeriodForm),
-      accuracy_(new AccuracyForm),
+      accuracy_(new AccuracyForm(allEngines())),
       progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
     run_ = new QPushButton(tr("Run study"));
     run_->setObjectName(QStringLiteral("run"));

@@ -1,4 +1,5 @@
 #include "app/window/study_document.h"
+#include "app/input/all_engines.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +81,7 @@ TEST(StudyDock, OffersEveryEngine) {
     StudyDocument document;
     const StudyDock dock(document);
     const auto* engine = dock.findChild<QComboBox*>(QStringLiteral("engine"));
-    ASSERT_EQ(std::size_t(engine->count()), coreEngines().size());
+    ASSERT_EQ(std::size_t(engine->count()), allEngines().size());
     EXPECT_EQ(engine->currentData().toString().toStdString(), document.settings().engine);
 }
 
