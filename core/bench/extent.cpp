@@ -32,7 +32,7 @@ Extent quickExtent() {
     quick.binsDeg = {0.25, 0.5, 1, 2};
     quick.factors = {0.5, 1, 2};
     quick.hoursADay = 1;
-    quick.settingsBelowS = 1;
+    quick.settingsBelowS = 0.25;
     quick.onceAboveS = 0.3;
     quick.neverAboveS = 20;
     quick.sampleReceivers = 2000;
