@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace noonmark {
 
@@ -44,12 +45,15 @@ std::string whyNoError(const Study& study) {
 std::vector<ErrorLine> errorLines(const Study& study) {
     if (!study.error) return {{"error", whyNoError(study)}};
     const SampledError& error = *study.error;
-    std::vector<ErrorLine> lines{{"area error", fmt::format("{:+.4f} % of the ground, standard error {:.4f}",
-                                                            error.areaPct, error.areaStandardErrorPct)},
-                                 {"cell error, gross", cellWords(study, error.gross)}};
-    if (study.sun.steps.size() > 1)
-        lines.push_back({"cell error, continuous", cellWords(study, error.continuous)});
-    lines.push_back({"error measured on", sampleWords(study, error)});
+    std::vector<ErrorLine> lines;
+    const auto add = [&lines](std::string name, std::string value) {
+        lines.push_back({std::move(name), std::move(value)});
+    };
+    add("area error", fmt::format("{:+.4f} % of the ground, standard error {:.4f}", error.areaPct,
+                                  error.areaStandardErrorPct));
+    add("cell error, gross", cellWords(study, error.gross));
+    if (study.sun.steps.size() > 1) add("cell error, continuous", cellWords(study, error.continuous));
+    add("error measured on", sampleWords(study, error));
     return lines;
 }
 
