@@ -26,17 +26,6 @@ Json settingsJson(const StudySettings& settings) {
             {"cell_m", settings.receivers.cellM}};
 }
 
-Json inputsJson(const std::vector<InputFile>& inputs) {
-    Json json = Json::array();
-    for (const InputFile& input : inputs) {
-        const bool made = input.sha256.empty();
-        json.push_back({{"path", input.path.string()},
-                        {"bytes", made ? Json() : Json(input.bytes)},
-                        {"sha256", made ? Json() : Json(input.sha256)}});
-    }
-    return json;
-}
-
 std::string csvField(const std::string& text) {
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";

@@ -11,9 +11,6 @@ namespace noonmark {
 /// study.json.
 nlohmann::ordered_json settingsJson(const StudySettings& settings);
 
-/// The files a city was read from: [{"path", "bytes", "sha256"}]; null where there is none.
-nlohmann::ordered_json inputsJson(const std::vector<InputFile>& inputs);
-
 /// A field of a CSV file (RFC 4180).
 std::string csvField(const std::string& text);
 

@@ -5,13 +5,12 @@
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/measure_options.h"
 #include "app/cli/number_range.h"
 #include "app/cli/progress_line.h"
+#include "app/cli/run_measure.h"
 #include "app/cli/table.h"
 #include "core/io/write_raster.h"
 #include "core/io/write_text.h"
-#include "scenarios/project/keep_result.h"
 
 namespace noonmark::cli {
 
@@ -87,20 +86,8 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
 }
 
 int runImpactCommand(const ImpactOptions& options, const Console& console) {
-    auto disk = ProjectFile::open(options.measure.file);
-    if (!disk) return fail(console, disk.error(), exitUsage);
-    const auto answer = answered(options, disk->project(), console);
-    if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = writeFiles(*answer, options.measure, disk->project().city->frame);
-    if (!written) return fail(console, written.error(), exitFailed);
-    if (!options.measure.keep.empty())
-        if (const auto saved = disk->save(withResult(disk->project(), options.measure.keep, *answer)); !saved)
-            return fail(console, saved.error(), exitFailed);
-    if (options.measure.json)
-        console.out << impactJson(*answer) << '\n';
-    else
-        print(*answer, console.out);
-    return exitOk;
+    const auto answer = [&](const Project& project) { return answered(options, project, console); };
+    return runMeasure<ImpactAnswer>(options.measure, {answer, writeFiles, impactJson, print}, console);
 }
 
 }  // namespace

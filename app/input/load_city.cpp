@@ -1,10 +1,10 @@
 #include "app/input/load_city.h"
 
 #include <algorithm>
-#include <chrono>
 #include <glm/common.hpp>
 
 #include "core/samples/sample_city.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
@@ -61,11 +61,11 @@ Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSet
                             Progress& progress, std::stop_token stop) {
     auto inputs = inputsOf(files);
     if (!inputs) return tl::make_unexpected(inputs.error());
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto read = readOrMake(files, settings, progress, std::move(stop));
     if (!read) return tl::make_unexpected(read.error());
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    return LoadedCity{files, settings, *std::move(read), *std::move(inputs), took.count()};
+    const double seconds = watch.seconds();
+    return LoadedCity{files, settings, *std::move(read), *std::move(inputs), seconds};
 }
 
 void addReading(Study& study, const LoadedCity& loaded) {

@@ -10,26 +10,13 @@
 #include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 #include "core/io/stand_on_terrain.h"
+#include "core/progress_share.h"
 
 namespace noonmark {
 
 namespace {
 
 using Path = std::filesystem::path;
-
-// One file's share of the whole progress.
-class FileProgress final : public Progress {
-public:
-    FileProgress(Progress& whole, std::size_t index, std::size_t count)
-        : whole_(whole), index_(index), count_(count) {}
-    void report(double fraction, std::string_view stage) override {
-        whole_.report((double(index_) + fraction) / double(count_), stage);
-    }
-
-private:
-    Progress& whole_;
-    std::size_t index_, count_;
-};
 
 struct InputFile {
     Path path;
@@ -78,7 +65,7 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
     std::ranges::stable_sort(turns, {}, [&](const InputFile* file) { return turnOf(*file, settings); });
     for (std::size_t i = 0; i < turns.size(); ++i) {
         if (stop.stop_requested()) return cancelled();
-        FileProgress share(progress, i, turns.size());
+        ProgressShare share(progress, i, turns.size());
         auto piece = readPiece(*turns[i], settings, share, stop);
         if (!piece) return tl::make_unexpected(piece.error());
         if (!settings.frame) settings.frame = piece->frame;

@@ -4,6 +4,7 @@
 #include "core/accumulate/blank_field.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
+#include "core/study/inputs_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
 #include "core/study/warnings_json.h"
@@ -71,17 +72,6 @@ Json cellsJson(const Study& study) {
             {"under_buildings", count(cellsUnderBuildings)},
             {"crs", study.city.frame.projString()},
             {"row_order", "row 0 is the southernmost; in shadow.tif the northernmost"}};
-}
-
-Json inputsJson(const std::vector<InputFile>& inputs) {
-    Json json = Json::array();
-    for (const InputFile& input : inputs) {
-        const bool made = input.sha256.empty();
-        json.push_back({{"path", input.path.string()},
-                        {"bytes", made ? Json() : Json(input.bytes)},
-                        {"sha256", made ? Json() : Json(input.sha256)}});
-    }
-    return json;
 }
 
 void addFigures(Json& json, const ShadowStatistics& statistics) {

@@ -5,8 +5,8 @@
 #include <new>
 #include <unordered_set>
 
+#include "core/progress_share.h"
 #include "core/study/memory_need.h"
-#include "scenarios/progress_share.h"
 
 namespace noonmark {
 

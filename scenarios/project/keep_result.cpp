@@ -1,5 +1,6 @@
 #include "scenarios/project/keep_result.h"
 
+#include "core/study/inputs_json.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {

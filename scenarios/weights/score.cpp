@@ -5,9 +5,9 @@
 #include <limits>
 #include <new>
 
+#include "core/progress_share.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/memory_need.h"
-#include "scenarios/progress_share.h"
 #include "scenarios/weights/time_pieces.h"
 
 namespace noonmark {

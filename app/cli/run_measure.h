@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/measure_options.h"
+#include "scenarios/project/keep_result.h"
+
+namespace noonmark::cli {
+
+/// What differs between the measures of a project. `Answer` has a withResult() (keep_result.h).
+template <class Answer>
+struct Measure {
+    std::function<Result<Answer>(const Project&)> answer;
+    Result<void> (*writeFiles)(const Answer&, const MeasureOptions&, const Frame&);
+    std::string (*json)(const Answer&);
+    void (*print)(const Answer&, std::ostream&);
+};
+
+/// Opens the project, measures, writes the files, keeps the result in the project where that is asked for,
+/// and says it. Returns the exit code.
+template <class Answer>
+int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, const Console& console) {
+    auto disk = ProjectFile::open(options.file);
+    if (!disk) return fail(console, disk.error(), exitUsage);
+    const Result<Answer> answer = measure.answer(disk->project());
+    if (!answer) return fail(console, answer.error(), exitUsage);
+    const auto written = measure.writeFiles(*answer, options, disk->project().city->frame);
+    if (!written) return fail(console, written.error(), exitFailed);
+    if (!options.keep.empty())
+        if (const auto saved = disk->save(withResult(disk->project(), options.keep, *answer)); !saved)
+            return fail(console, saved.error(), exitFailed);
+    if (options.json)
+        console.out << measure.json(*answer) << '\n';
+    else
+        measure.print(*answer, console.out);
+    return exitOk;
+}
+
+}  // namespace noonmark::cli
