@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/accumulate/surface_accumulator.h"
 #include "core/receivers/visible_surface.h"
@@ -22,6 +23,7 @@ struct ExploredView {
     std::size_t pointsDone = 0;  ///< the first ones, of the days that follow
     int daysShown = 0;           ///< behind every value of `shadow`, at least
     int days = 1;                ///< of the period
+    std::string running;         ///< what of the period `shadow` tells instead, while it is found; else empty
 
     /// How far samples lie apart at the camera's `distanceM`, metres across the line of sight.
     [[nodiscard]] double sampleM(double distanceM) const;

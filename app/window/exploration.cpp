@@ -5,7 +5,12 @@
 
 namespace noonmark {
 
-Exploration::Exploration(QObject* parent) : QObject(parent) {}
+Exploration::Exploration(QObject* parent) : QObject(parent) {
+    connect(&slot_, &JobSlot::started, this, [this](const Job& job) {
+        connect(&job, &Job::partial, this, [this](const auto& running) { takeRunning(*running); });
+    });
+    connect(&slot_, &JobSlot::ended, this, [this] { running_.reset(); });
+}
 
 void Exploration::setCity(std::shared_ptr<const OpenCity> city) {
     slot_.drop();
@@ -66,6 +71,7 @@ bool Exploration::canAsk() const { return active_ && question_.city && question_
 void Exploration::ask() {
     if (!canAsk()) return;
     answer_.reset();
+    running_.reset();
     refine();
 }
 
@@ -89,11 +95,20 @@ void Exploration::take(Result<ViewAnswer> answer) {
     }
     answer_ = std::make_shared<const ViewAnswer>(*std::move(answer));
     question_.sun = answer_->sun;
+    if (engine_.inParts && answer_->turn.tests > 0) question_.turnTests = turnTestsAfter(*answer_);
     Q_EMIT changed();
     if (waiting_)
         ask();
     else
         refine();
+}
+
+void Exploration::takeRunning(const PartialField& running) {
+    if (!answer_ || engine_.inParts) return;
+    auto shown = withRunning(*answer_, running);
+    if (!shown) return;
+    running_ = std::make_shared<const ViewAnswer>(*std::move(shown));
+    Q_EMIT changed();
 }
 
 }  // namespace noonmark

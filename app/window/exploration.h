@@ -25,7 +25,8 @@ public:
     void setActive(bool active);  ///< begins or stops; what was found stays until something changes
 
     [[nodiscard]] bool working() const { return slot_.busy(); }
-    [[nodiscard]] std::shared_ptr<const ViewAnswer> answer() const { return answer_; }  ///< null: none yet
+    /// With the running result of the work at hand, where there is one; null: none yet.
+    [[nodiscard]] std::shared_ptr<const ViewAnswer> answer() const { return running_ ? running_ : answer_; }
 
 Q_SIGNALS:
     void changed();  ///< another answer, or none any more
@@ -36,12 +37,14 @@ private:
     void ask();     // anew, from the coarsest level
     void refine();  // one step further
     void take(Result<ViewAnswer> answer);
+    void takeRunning(const PartialField& running);
     [[nodiscard]] bool canAsk() const;
 
     ViewQuestion question_;
     SurfaceEngine engine_;
     bool byMaps_ = false;
     std::shared_ptr<const ViewAnswer> answer_;
+    std::shared_ptr<const ViewAnswer> running_;
     JobSlot slot_;
     bool active_ = false;
     bool fresh_ = false;    // the job at work is the coarsest picture of a view

@@ -26,11 +26,13 @@ Legend legendOf(const ExploredView& view, ShadowMeasure measure) {
     return {nameOf(measure), aboutOf(measure), legendScale(top), false};
 }
 
+bool isSoFar(const ExploredView& view) { return !view.running.empty() || view.daysShown < view.days; }
+
 SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top) {
     const std::vector<float>& minutes = minutesOf(view, measure);
     SurfacePicture picture;
     picture.camera = view.camera;
-    picture.soFar = view.daysShown < view.days;
+    picture.soFar = isSoFar(view);
     const std::size_t pixels = std::size_t(view.camera.widthPx) * std::size_t(view.camera.heightPx);
     picture.samples.assign(pixels, {0, 0, 0, -1});
     const VisibleSurface& surface = *view.surface;
@@ -46,7 +48,9 @@ QString detailWords(const ExploredView& view, double distanceM) {
     const QString samples = view.spacingPx == 1 ? QObject::tr("every pixel")
                                                 : QObject::tr("a sample every %1 pixels").arg(view.spacingPx);
     const QString detail = QObject::tr("%1, %2 m").arg(samples).arg(view.sampleM(distanceM), 0, 'g', 2);
-    if (view.daysShown == view.days) return detail;
+    if (!view.running.empty())
+        return QObject::tr("%1; %2").arg(QString::fromStdString(view.running)).arg(detail);
+    if (!isSoFar(view)) return detail;
     return QObject::tr("%1 of %2 days; %3").arg(view.daysShown).arg(view.days).arg(detail);
 }
 

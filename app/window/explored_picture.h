@@ -8,6 +8,9 @@ namespace noonmark {
 
 Legend legendOf(const ExploredView& view, ShadowMeasure measure);
 
+/// Whether it tells of a part of the period only.
+bool isSoFar(const ExploredView& view);
+
 /// `top` minutes have the last colour of the palette. O(samples).
 SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top);
 

@@ -18,7 +18,7 @@ QString soFarWords(const PartialField& partial) {
 
 QString noteOf(const ViewAnswer& answer, double distanceM) {
     const QString words = detailWords(answer.view, distanceM);
-    if (answer.view.daysShown < answer.view.days) return QObject::tr("So far: %1").arg(words);
+    if (isSoFar(answer.view)) return QObject::tr("So far: %1").arg(words);
     return !isFinest(answer) ? QObject::tr("Refining: %1").arg(words) : words;
 }
 
@@ -78,7 +78,7 @@ void ResultLayer::showExplored() {
     view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), legend.scale.top));
     strip_.setLegend(legend);
     const double distance = glm::length(explored_->view.camera.eye - view_.pose().target);
-    strip_.setNote(noteOf(*explored_, distance), explored_->view.daysShown < explored_->view.days);
+    strip_.setNote(noteOf(*explored_, distance), isSoFar(explored_->view));
 }
 
 void ResultLayer::showGround() {

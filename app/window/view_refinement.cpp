@@ -1,19 +1,18 @@
 #include "app/window/view_refinement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "core/accumulate/scattered_order.h"
-#include "core/sun/chosen_days.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
 
 constexpr float surroundingsM = 100;
-constexpr int finestLevel = int(std::size(refinementLevels)) - 1;
+constexpr int finestLevel = int(std::size(refinementSpacingsPx)) - 1;
+constexpr double turnSeconds = 0.12;  // leaves as much again for five pictures a second
 
 Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, const std::stop_token& stop) {
     if (question.sun) return question.sun;
@@ -27,78 +26,6 @@ Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, cons
     return std::make_shared<const SunSteps>(*std::move(sun));
 }
 
-/// What is done in one go: some days of all points, or one day of some points.
-struct Turn {
-    std::size_t firstPoint = 0;
-    std::size_t points = 0;
-    int days = 1;
-};
-
-Turn nextTurn(const ViewAnswer& answer, const SunSteps& sun, bool inParts) {
-    const ExploredView& view = answer.view;
-    const std::size_t all = view.surface->points.size();
-    const int daysLeft = view.days - view.daysDone;
-    const bool finest = answer.level == finestLevel;
-    if (finest && !inParts) return {0, all, daysLeft};
-    const double stepsADay = double(sun.steps.size()) / double(sun.dayCount());
-    const double pointDays =
-        std::max(1.0, refinementLevels[answer.level].mostTests / std::max(1.0, stepsADay));
-    const double days = std::floor(pointDays / std::max(1.0, double(all)));
-    if (!finest || days >= 1) return {0, all, int(std::clamp(days, 1.0, double(daysLeft)))};
-    return {view.pointsDone, std::min(all - view.pointsDone, std::size_t(pointDays)), 1};
-}
-
-// Days number `first` to `first + count` of an order in which every beginning is spread over the period.
-SunSteps scatteredDays(const SunSteps& sun, int first, int count) {
-    const std::size_t all = sun.dayCount();
-    const std::size_t stride = scatteringStride(all);
-    std::vector<std::size_t> days;
-    for (int k = first; k < first + count; ++k) days.push_back(std::size_t(k) * stride % all);
-    return chosenDays(sun, days);
-}
-
-SurfacePoints pointsOf(const SurfacePoints& all, const Turn& turn) {
-    if (turn.points == all.size()) return all;
-    const auto some = [&turn](const std::vector<glm::vec3>& values) {
-        const auto first = values.begin() + std::ptrdiff_t(turn.firstPoint);
-        return std::vector<glm::vec3>(first, first + std::ptrdiff_t(turn.points));
-    };
-    return {some(all.positions), some(all.normals), all.eye};
-}
-
-double meanOver(double a, int daysOfA, double b, int daysOfB) {
-    return b + (a - b) * (double(daysOfA) / (daysOfA + daysOfB));
-}
-
-// Two parts of a period in one: gross is a mean over days, continuous the longest of any day.
-void join(ExploredView& view, const Turn& turn, const SurfaceShadow& more) {
-    const int before = view.daysDone;
-    SurfaceShadow& shadow = view.shadow;
-    for (std::size_t i = 0; i < turn.points; ++i) {
-        float& gross = shadow.grossMin[turn.firstPoint + i];
-        float& longest = shadow.continuousMin[turn.firstPoint + i];
-        gross = before == 0 ? more.grossMin[i]
-                            : float(meanOver(double(gross), before, double(more.grossMin[i]), turn.days));
-        longest = before == 0 ? more.continuousMin[i] : std::max(longest, more.continuousMin[i]);
-    }
-    if (turn.firstPoint > 0) return;
-    shadow.sunlitMinutesPerDay =
-        before == 0 ? more.sunlitMinutesPerDay
-                    : meanOver(shadow.sunlitMinutesPerDay, before, more.sunlitMinutesPerDay, turn.days);
-    shadow.engine = more.engine;
-}
-
-void count(ExploredView& view, const Turn& turn) {
-    view.pointsDone = turn.firstPoint + turn.points;
-    if (view.pointsDone < view.surface->points.size()) {
-        view.daysShown = std::clamp(view.daysShown, 0, std::max(turn.days, view.daysDone));
-        return;
-    }
-    view.pointsDone = 0;
-    view.daysDone += turn.days;
-    view.daysShown = view.daysDone;
-}
-
 // What a coarser view knows of the points of a finer one.
 void takeOver(ExploredView& view, const ViewAnswer* coarser) {
     const float unknown = std::numeric_limits<float>::quiet_NaN();
@@ -106,6 +33,7 @@ void takeOver(ExploredView& view, const ViewAnswer* coarser) {
     view.shadow.continuousMin = view.shadow.grossMin;
     if (!coarser) return;
     view.daysShown = coarser->view.daysShown;
+    view.shadow.sunlitMinutesPerDay = coarser->view.shadow.sunlitMinutesPerDay;
     for (std::size_t i = 0; i < view.surface->points.size(); ++i) {
         const auto known = coarser->view.pointAt(glm::dvec3(view.surface->points.positions[i]));
         if (!known) continue;
@@ -134,28 +62,40 @@ Box2 surroundingsOf(const OpenCity& city) {
     return {box.low - glm::vec2(surroundingsM), box.high + glm::vec2(surroundingsM)};
 }
 
+WantedDays wantedDays(const ViewAnswer& answer) {
+    return {answer.coarseDays, answer.level == finestLevel ? answer.view.days : answer.coarseDays};
+}
+
+ViewTurn turnOf(const ViewAnswer& answer, const SurfaceEngine& engine, double mostTests) {
+    // The first picture of a view has no holes.
+    const WantedDays wanted = wantedDays(answer);
+    if (!engine.inParts || answer.first) return allTheRest(answer.view, wanted.all, *answer.sun);
+    return nextTurn(answer.view, wanted, *answer.sun, mostTests);
+}
+
 Result<ViewAnswer> withMore(ViewAnswer answer, const ViewQuestion& question, const SurfaceEngine& engine,
                             Progress& progress, std::stop_token stop) {
     ExploredView& view = answer.view;
-    const Turn turn = nextTurn(answer, *answer.sun, engine.inParts);
+    answer.turn = turnOf(answer, engine, question.turnTests);
+    const Stopwatch watch;
     const auto shadow = engine.accumulator->accumulate(
-        question.city->city(), pointsOf(view.surface->points, turn),
-        scatteredDays(*answer.sun, view.daysDone, turn.days), progress, std::move(stop));
+        question.city->city(), pointsOf(view.surface->points, answer.turn),
+        daysOf(*answer.sun, view.daysDone, answer.turn.days), progress, std::move(stop));
     if (!shadow) return tl::make_unexpected(shadow.error());
-    join(view, turn, *shadow);
-    count(view, turn);
+    answer.turnSeconds = watch.seconds();
+    answer.first = false;
+    join(view, answer.turn, *shadow);
     return answer;
 }
 
-Result<ViewAnswer> atLevel(int level, const ViewQuestion& question, const ViewAnswer* coarser,
-                           const SurfaceEngine& engine, Progress& progress, const std::stop_token& stop) {
-    auto sun = sunOf(question, stop);
-    if (!sun) return tl::make_unexpected(sun.error());
+// The camera of a level, and what it sees; nothing of its shadow yet.
+Result<ViewAnswer> lookedAt(int level, const ViewQuestion& question, std::shared_ptr<const SunSteps> sun,
+                            const std::stop_token& stop) {
     ViewAnswer answer;
     answer.level = level;
-    answer.sun = *std::move(sun);
+    answer.sun = std::move(sun);
     answer.view.days = int(answer.sun->dayCount());
-    answer.view.spacingPx = refinementLevels[level].spacingPx;
+    answer.view.spacingPx = refinementSpacingsPx[level];
     answer.view.camera = cameraOf(question.pose, question.lens, answer.view.spacingPx);
     const City& city = question.city->city();
     const auto surface =
@@ -163,18 +103,65 @@ Result<ViewAnswer> atLevel(int level, const ViewQuestion& question, const ViewAn
     if (!surface) return tl::make_unexpected(surface.error());
     answer.view.surface =
         std::make_shared<const VisibleSurface>(within(surroundingsOf(*question.city), *surface));
-    takeOver(answer.view, coarser);
-    return withMore(std::move(answer), question, engine, progress, stop);
+    return answer;
+}
+
+// The coarsest is for views of so many pixels that a day of the second would keep the user waiting.
+int firstLevel(const ViewQuestion& question, const SunSteps& sun) {
+    const PixelCamera camera = cameraOf(question.pose, question.lens, refinementSpacingsPx[1]);
+    const double tests = double(camera.widthPx) * camera.heightPx * stepsADay(sun);
+    return tests > 3 * std::max(question.turnTests, firstTurnTests) ? 0 : 1;
+}
+
+Result<ViewAnswer> firstAnswer(const ViewQuestion& question, const SurfaceEngine& engine, Progress& progress,
+                               const std::stop_token& stop) {
+    auto sun = sunOf(question, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const int level = firstLevel(question, **sun);
+    auto answer = lookedAt(level, question, *std::move(sun), stop);
+    if (!answer) return answer;
+    answer->first = true;
+    answer->coarseDays = coarseDays(answer->view.surface->points.size(), *answer->sun);
+    takeOver(answer->view, nullptr);
+    return withMore(*std::move(answer), question, engine, progress, stop);
+}
+
+Result<ViewAnswer> finerAnswer(const ViewQuestion& question, const ViewAnswer& coarser,
+                               const SurfaceEngine& engine, Progress& progress, const std::stop_token& stop) {
+    auto answer = lookedAt(coarser.level + 1, question, coarser.sun, stop);
+    if (!answer) return answer;
+    answer->coarseDays = coarser.coarseDays;
+    takeOver(answer->view, &coarser);
+    // Running results of what is done at once need something to stand on.
+    if (!engine.inParts && answer->level == finestLevel) return answer;
+    return withMore(*std::move(answer), question, engine, progress, stop);
 }
 
 }  // namespace
 
+double turnTestsAfter(const ViewAnswer& answer) {
+    const double asFast = answer.turn.tests * turnSeconds / std::max(answer.turnSeconds, 1e-6);
+    return std::clamp(asFast, leastTurnTests, 1e10);
+}
+
 Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* before,
                            const SurfaceEngine& engine, Progress& progress, std::stop_token stop) {
-    if (!before) return atLevel(0, question, nullptr, engine, progress, stop);
-    if (before->level < finestLevel)
-        return atLevel(before->level + 1, question, before, engine, progress, stop);
+    if (!before) return firstAnswer(question, engine, progress, stop);
+    if (before->level < finestLevel && before->view.daysDone == wantedDays(*before).all)
+        return finerAnswer(question, *before, engine, progress, stop);
     return withMore(*before, question, engine, progress, std::move(stop));
+}
+
+std::optional<ViewAnswer> withRunning(const ViewAnswer& answer, const PartialField& running) {
+    const ExploredView& view = answer.view;
+    const bool sameTurn = view.daysDone == 0 && running.field.grossMin.size() == view.surface->points.size();
+    if (!sameTurn || running.share * view.days <= view.daysShown) return std::nullopt;
+    ViewAnswer shown = answer;
+    shown.view.shadow.grossMin = running.field.grossMin;
+    shown.view.shadow.continuousMin = running.field.continuousMin;
+    shown.view.shadow.sunlitMinutesPerDay = running.field.sunlitMinutesPerDay;
+    shown.view.running = running.part;
+    return shown;
 }
 
 bool isFinest(const ViewAnswer& answer) {

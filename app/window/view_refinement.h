@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/window/open_city.h"
+#include "app/window/view_turn.h"
+#include "core/accumulate/partial_field.h"
 #include "render/explored_view.h"
 
 namespace noonmark {
@@ -15,37 +18,45 @@ struct ViewQuestion {
     Period period;
     Observer observer;                    ///< from where the sun is seen
     std::shared_ptr<const SunSteps> sun;  ///< of the period, where known already
+    double turnTests = firstTurnTests;    ///< see turnTestsAfter()
 };
 
 /// What is known of a view so far. Immutable: each refinement makes a new one.
 struct ViewAnswer {
     ExploredView view;
     std::shared_ptr<const SunSteps> sun;
-    int level = 0;  ///< in refinementLevels
+    int level = 0;       ///< in refinementSpacingsPx
+    int coarseDays = 1;  ///< that a level takes before a finer one begins
+    bool first = false;  ///< of a view
+    ViewTurn turn;       ///< the last one
+    double turnSeconds = 0;
 };
 
 /// What shades the samples.
 struct SurfaceEngine {
     std::shared_ptr<const SurfaceAccumulator> accumulator;
-    /// Its cost grows with the points and days asked for, so that the finest level may be taken in parts;
-    /// else all of it at once is the cheapest.
+    /// Its cost grows with the points and days asked for, so that a level may be taken in parts; else all of
+    /// it at once is the cheapest, and the engine hands out running results.
     bool inParts = true;
 };
 
-/// From coarse to fine. A turn costs no more than `mostTests` tests of one sample at one step, where one day
-/// allows it: of a long period a coarse level takes as many days, scattered over the whole of it. The finest
-/// level takes all days, in turns of some days, or of some points on one day.
-struct RefinementLevel {
-    int spacingPx = 1;
-    double mostTests = 0;
-};
-inline constexpr RefinementLevel refinementLevels[] = {{8, 1e7}, {4, 2e7}, {2, 4e7}, {1, 5e7}};
+/// Pixels from sample to sample, from coarse to fine. The first is left out where the second is quick enough.
+inline constexpr int refinementSpacingsPx[] = {16, 8, 4, 2, 1};
 
-/// The next answer: the coarsest level without one before (null), then finer ones, then more points and days
-/// of the finest. Each is true for the samples and days that it says. Error: a period out
-/// of range, a sun that never rises; cancelled() within 0.2 s.
+/// How many tests the next turn may take, to end in time for five pictures a second on the machine that did
+/// the last one.
+double turnTestsAfter(const ViewAnswer& answer);
+
+/// The next answer: a coarse level without one before (null), then finer ones, each at first with what the
+/// coarser one knew, then in turns with its own points and days; the finest takes all days, the others as
+/// many as the first. Each answer is true for the samples and days that it says. Error: a period out of
+/// range, a sun that never rises; cancelled() within 0.2 s.
 Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* before,
                            const SurfaceEngine& engine, Progress& progress, std::stop_token stop);
+
+/// With a running result of the turn that follows `answer`, where that says more than the answer does: more
+/// of the period than the days behind it; else nothing.
+std::optional<ViewAnswer> withRunning(const ViewAnswer& answer, const PartialField& running);
 
 /// Nothing is left to refine.
 bool isFinest(const ViewAnswer& answer);

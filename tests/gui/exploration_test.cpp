@@ -34,7 +34,8 @@ Period morning(int days = 1) {
 
 /// A view of the small city.
 struct Refinement : ::testing::Test {
-    ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr};
+    ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr,
+                          leastTurnTests};
     SurfaceEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
@@ -64,6 +65,39 @@ TEST_F(Refinement, GoesFromCoarseToEveryPixel) {
     EXPECT_LT(all.front().view.surface->points.size() * 50, all.back().view.surface->points.size());
 }
 
+TEST_F(Refinement, BeginsCoarserWhereAViewHasVeryManyPixels) {
+    question.lens = {40, 4096, 3072};
+    question.period.hours = 10;
+    question.period.stepMinutes = 1;
+    const ViewAnswer first = refined(question, nullptr, engine, progress, {}).value();
+    EXPECT_EQ(first.view.spacingPx, 16);
+    EXPECT_EQ(first.view.daysDone, 1) << "and has no holes";
+    question.sun = first.sun;
+    question.turnTests = 1e9;
+    EXPECT_EQ(refined(question, nullptr, engine, progress, {}).value().view.spacingPx, 8)
+        << "where the machine is quick";
+}
+
+// No turn is longer than the last one lets expect, and none of two turns of the same work is longer.
+TEST_F(Refinement, TurnsAreAsLongAsFivePicturesASecondAllow) {
+    ViewAnswer answer;
+    answer.turn.tests = 7e6;
+    answer.turnSeconds = 0.1;
+    EXPECT_GT(turnTestsAfter(answer), 7e6);
+    EXPECT_LT(turnTestsAfter(answer), 14e6);
+    answer.turnSeconds = 10;
+    EXPECT_EQ(turnTestsAfter(answer), leastTurnTests);
+    answer.turnSeconds = 0;
+    EXPECT_LT(turnTestsAfter(answer), 1e11);
+
+    question.lens = {40, 320, 240};
+    for (const double turnTests : {1e5, 3e5}) {
+        question.turnTests = turnTests;
+        for (const ViewAnswer& found : answers())
+            EXPECT_TRUE(found.level == 1 || found.turn.tests <= turnTests) << found.level;
+    }
+}
+
 TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
     for (const ViewAnswer& answer : answers()) {
         const SurfaceShadow truth = truthOf(answer);
@@ -78,8 +112,8 @@ TEST_F(Refinement, PointsThatWaitShowWhatIsKnownAroundThem) {
     question.period.stepMinutes = 0.05;
     question.lens = {40, 300, 225};
     const auto all = answers();
-    ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
     const ViewAnswer& half = all[all.size() - 2];
+    ASSERT_EQ(half.level, all.back().level) << "the finest level takes several turns";
     const SurfaceShadow& finest = all.back().view.shadow;
     ASSERT_GT(half.view.pointsDone, 0U);
     EXPECT_EQ(half.view.daysShown, 1) << "every value is one of the whole day";
@@ -101,7 +135,9 @@ TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
     engine = {SurfaceAccrual::make({}, {}).value(), false};
     question.period = morning(20);
     const auto all = answers();
-    EXPECT_EQ(all.size(), 4U);
+    ASSERT_EQ(all.size(), 5U);
+    EXPECT_EQ(all[3].view.daysDone, 0) << "seen at every pixel, with what the coarser one knew";
+    EXPECT_EQ(all[4].turn.days, 20);
     const SurfaceShadow rays =
         SurfaceRays()
             .accumulate(question.city->city(), all.back().view.surface->points, *all.back().sun, progress, {})
@@ -110,6 +146,30 @@ TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
     for (std::size_t i = 0; i < rays.grossMin.size(); ++i)
         error += std::abs(double(rays.grossMin[i] - all.back().view.shadow.grossMin[i]));
     EXPECT_LT(error / double(rays.grossMin.size()), 180 * 0.02);
+}
+
+// What is running is shown when it tells more of the period than what is there.
+TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
+    engine = {SurfaceAccrual::make({}, {}).value(), false};
+    question.period = morning(20);
+    const auto all = answers();
+    ViewAnswer begun = all[3];
+    begun.view.daysShown = 5;
+    PartialField running;
+    running.field.grossMin.assign(begun.view.surface->points.size(), 3);
+    running.field.continuousMin.assign(begun.view.surface->points.size(), 2);
+    running.field.sunlitMinutesPerDay = 60;
+    running.part = "4 of 12 sun intervals";
+    running.share = 0.2;
+    EXPECT_FALSE(withRunning(begun, running)) << "5 days of 20 tell more";
+    running.share = 0.3;
+    const auto shown = withRunning(begun, running);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(shown->view.shadow.grossMin, running.field.grossMin);
+    EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 60);
+    EXPECT_TRUE(surfacePicture(shown->view, ShadowMeasure::gross, 180).soFar);
+    EXPECT_TRUE(detailWords(shown->view, 350).startsWith(QStringLiteral("4 of 12 sun intervals")));
+    EXPECT_FALSE(withRunning(all[2], running)) << "of another level";
 }
 
 TEST_F(Refinement, SeesRoofsAndFacadesAndTheShadowOnThem) {
@@ -165,17 +225,31 @@ TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     EXPECT_LT(error / double(truth.grossMin.size()), 2) << "scattered days stand for the whole, minutes";
 }
 
-TEST_F(Refinement, DaysTakenOneAfterTheOtherAddUp) {
-    question.period = morning(3);
-    question.period.stepMinutes = 0.1;
-    question.lens = {40, 200, 150};
-    std::vector<ViewAnswer> all = answers();
-    ASSERT_GT(all.size(), 5U) << "the finest level takes several turns";
-    const SurfaceShadow truth = truthOf(all.back());
-    for (std::size_t i = 0; i < truth.grossMin.size(); ++i) {
-        ASSERT_NEAR(all.back().view.shadow.grossMin[i], truth.grossMin[i], 1e-3);
-        ASSERT_EQ(all.back().view.shadow.continuousMin[i], truth.continuousMin[i]);
+TEST_F(Refinement, PointsAndDaysTakenInTurnsAddUp) {
+    question.period = morning(7);
+    const ViewAnswer finest = answers().back();
+    ExploredView view = finest.view;
+    view.daysDone = 0;
+    view.daysShown = 0;
+    const double dayTests = double(view.surface->points.size()) * stepsADay(*finest.sun);
+    std::vector<int> daysOfTurns;
+    while (view.daysDone < 7) {
+        const ViewTurn turn = nextTurn(view, {2, 7}, *finest.sun, dayTests * (view.daysDone < 4 ? 0.7 : 9));
+        const SurfaceShadow found =
+            engine.accumulator
+                ->accumulate(question.city->city(), pointsOf(view.surface->points, turn),
+                             daysOf(*finest.sun, view.daysDone, turn.days), progress, {})
+                .value();
+        join(view, turn, found);
+        daysOfTurns.push_back(turn.days);
     }
+    EXPECT_EQ(daysOfTurns, (std::vector{2, 2, 2, 1, 1, 1, 1, 3}))
+        << "parts of two days, of one, then the rest";
+    for (std::size_t i = 0; i < view.shadow.grossMin.size(); ++i) {
+        ASSERT_NEAR(view.shadow.grossMin[i], finest.view.shadow.grossMin[i], 1e-3);
+        ASSERT_EQ(view.shadow.continuousMin[i], finest.view.shadow.continuousMin[i]);
+    }
+    EXPECT_NEAR(view.shadow.sunlitMinutesPerDay, finest.view.shadow.sunlitMinutesPerDay, 1e-9);
 }
 
 TEST_F(Refinement, ASunThatNeverRisesIsSaid) {
@@ -207,7 +281,7 @@ TEST_F(ExplorationTest, ShowsCoarseFirstAndEndsFine) {
     ASSERT_TRUE(waitFor([this] { return finest() && !exploration.working(); }));
     std::vector<int> levels;
     for (const auto& answer : seen) levels.push_back(answer->level);
-    EXPECT_EQ(levels, (std::vector{0, 1, 2, 3}));
+    EXPECT_EQ(levels, (std::vector{1, 2, 3, 4}));
 }
 
 TEST_F(ExplorationTest, ANewerViewOvertakesAnOlderOne) {
