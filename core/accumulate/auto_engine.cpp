@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-#include <string>
 
+#include "core/accumulate/engine_list.h"
 #include "core/accumulate/horizon_sweep.h"
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
@@ -17,24 +16,11 @@ namespace {
 
 constexpr double shortSeconds = 2;
 
-struct Choice {
-    const char* key;
-    std::unique_ptr<Accumulator> engine;
-    std::string why;
-};
-
-Choice chosen(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg) {
-    if (city.terrain || !receivers.flat())
-        return {"ray", std::make_unique<RayReference>(), "rays, since there is terrain"};
-    const std::size_t buildings = buildingsInReach(city, receivers, sun).size();
-    const ExpectedSeconds seconds = expectedSeconds(receivers, buildings, sun, binDeg);
-    const std::string expected = fmt::format("expected {:.2g} s by projected shadows, {:.2g} s by the sweep",
-                                             seconds.projected, seconds.horizon);
-    if (seconds.projected <= std::max(shortSeconds, seconds.horizon))
-        return {"projected", std::make_unique<ProjectedShadows>(),
-                fmt::format("projected shadows, exact and quick enough here ({})", expected)};
-    return {"horizon", std::make_unique<HorizonSweep>(HorizonSweepSettings{binDeg}),
-            fmt::format("the horizon sweep, since the period is long ({})", expected)};
+std::size_t mostInReach(std::span<const City* const> cities, const Receivers& receivers,
+                        const SunSteps& sun) {
+    std::size_t most = 0;
+    for (const City* city : cities) most = std::max(most, buildingsInReach(*city, receivers, sun).size());
+    return most;
 }
 
 }  // namespace
@@ -49,20 +35,44 @@ ExpectedSeconds expectedSeconds(const Receivers& receivers, std::size_t building
             .horizon = bins * (cells * 5e-9 + buildings * 0.05e-6) + cells * steps * 3e-12};
 }
 
+Result<ShadowField> EngineChoice::accumulate(const City& city, const Receivers& receivers,
+                                             const SunSteps& sun, Progress& progress,
+                                             std::stop_token stop) const {
+    return engine->accumulate(city, receivers, sun, progress, std::move(stop)).map([&](ShadowField field) {
+        field.engine = fmt::format("{} (chosen: {})", field.engine, why);
+        field.engineKey = key;
+        return field;
+    });
+}
+
+EngineChoice raysSince(const EngineChoice& refused, const Error& error) {
+    return {referenceEngine, std::make_unique<RayReference>(),
+            fmt::format("rays, since {} refused: {}", refused.why, error.what)};
+}
+
+EngineChoice AutoEngine::choose(std::span<const City* const> cities, const Receivers& receivers,
+                                const SunSteps& sun) const {
+    const bool terrain = std::ranges::any_of(cities, [](const City* city) { return bool(city->terrain); });
+    if (terrain || !receivers.flat())
+        return {referenceEngine, std::make_unique<RayReference>(), "rays, since there is terrain"};
+    const ExpectedSeconds seconds =
+        expectedSeconds(receivers, mostInReach(cities, receivers, sun), sun, binDeg_);
+    const std::string expected = fmt::format("expected {:.2g} s by projected shadows, {:.2g} s by the sweep",
+                                             seconds.projected, seconds.horizon);
+    if (seconds.projected <= std::max(shortSeconds, seconds.horizon))
+        return {"projected", std::make_unique<ProjectedShadows>(),
+                fmt::format("projected shadows, exact and quick enough here ({})", expected)};
+    return {"horizon", std::make_unique<HorizonSweep>(HorizonSweepSettings{binDeg_}),
+            fmt::format("the horizon sweep, since the period is long ({})", expected)};
+}
+
 Result<ShadowField> AutoEngine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
                                            Progress& progress, std::stop_token stop) const {
-    const Choice choice = chosen(city, receivers, sun, binDeg_);
-    std::string why = choice.why, key = choice.key;
-    Result<ShadowField> field = choice.engine->accumulate(city, receivers, sun, progress, stop);
-    if (!field && !isCancelled(field.error())) {
-        why = fmt::format("rays, since {} refused: {}", choice.why, field.error().what);
-        key = "ray";
-        field = RayReference().accumulate(city, receivers, sun, progress, std::move(stop));
-    }
-    if (!field) return field;
-    field->engine = fmt::format("{} (chosen: {})", field->engine, why);
-    field->engineKey = key;
-    return field;
+    const City* const cities[]{&city};
+    const EngineChoice choice = choose(cities, receivers, sun);
+    Result<ShadowField> field = choice.accumulate(city, receivers, sun, progress, stop);
+    if (field || isCancelled(field.error())) return field;
+    return raysSince(choice, field.error()).accumulate(city, receivers, sun, progress, std::move(stop));
 }
 
 }  // namespace noonmark

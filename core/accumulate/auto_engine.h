@@ -1,6 +1,8 @@
 #pragma once
 
-#include <array>
+#include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "core/accumulate/accumulator.h"
@@ -18,6 +20,21 @@ struct ExpectedSeconds {
 ExpectedSeconds expectedSeconds(const Receivers& receivers, std::size_t buildingsInReach, const SunSteps& sun,
                                 double binDeg);
 
+/// An engine that was chosen, and why.
+struct EngineChoice {
+    std::string_view key;  ///< of coreEngines()
+    std::unique_ptr<Accumulator> engine;
+    std::string why;  ///< "rays, since there is terrain"
+
+    /// The engine's field, which says that it was chosen and why.
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop) const;
+};
+
+/// The ray reference, where the chosen engine refused: it takes every case.
+EngineChoice raysSince(const EngineChoice& refused, const Error& error);
+
 /// Chooses the engine and says in the field's `engine` which one and why: on terrain the ray reference; on
 /// flat ground projected shadows, which are exact, where they are expected to take no longer than the horizon
 /// sweep or no more than 2 s; else the horizon sweep, whose cells are off by 0.04 % of a long period in the
@@ -28,6 +45,11 @@ public:
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const override;
+
+    /// One engine for fields that are to be compared with each other, by the city that costs most: fields of
+    /// two engines would differ where the cities do not.
+    [[nodiscard]] EngineChoice choose(std::span<const City* const> cities, const Receivers& receivers,
+                                      const SunSteps& sun) const;
 
 private:
     double binDeg_;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <unordered_set>
 
+#include "core/accumulate/auto_engine.h"
 #include "core/progress_share.h"
 #include "core/study/memory_need.h"
 
@@ -43,6 +45,15 @@ public:
 
     Result<ImpactStudy> run(const City& before, const City& after) {
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
+        auto study = compare(before, after);
+        if (study || isCancelled(study.error()) || !choice_ || choice_->key == referenceEngine) return study;
+        choice_ = raysSince(*choice_, study.error());
+        return compare(before, after);
+    }
+
+private:
+    Result<ImpactStudy> compare(const City& before, const City& after) {
+        done_ = 0;
         const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};
         fields_ = 2 + fresh.size();
         ImpactStudy study{.sun = sun_};
@@ -58,7 +69,6 @@ public:
         return study;
     }
 
-private:
     Result<void> prepare(const City& before, const City& after) {
         const StudySettings& study = settings_.study;
         auto engine = makeAccumulator(study.engine, study.engineSettings, engines_);
@@ -72,9 +82,18 @@ private:
             return failure("No cell of the region is open ground in both cities", study.region.name,
                            "Choose a larger region, or smaller cells");
         return checked(study.period).and_then([&](const Period& period) {
-            return sunSteps(period, observerOf(Study{.city = after, .settings = study}), stop_)
-                .and_then([&](SunSteps sun) { return keep(std::move(sun)); });
+            return sunSteps(period, observerOf(after, study), stop_)
+                .and_then([&](SunSteps sun) { return keep(std::move(sun)); })
+                .map([&] { chooseOnce(before, after); });
         });
+    }
+
+    // Left to itself `auto` would choose for every city anew, and the fields would differ by the engines too.
+    void chooseOnce(const City& before, const City& after) {
+        const auto* automatic = dynamic_cast<const AutoEngine*>(engine_.get());
+        if (automatic == nullptr) return;
+        const City* const cities[]{&before, &after};
+        choice_ = automatic->choose(cities, common_.receivers, sun_);
     }
 
     Result<void> keep(SunSteps sun) {
@@ -86,6 +105,7 @@ private:
 
     Result<ShadowField> fieldOf(const City& city) {
         ProgressShare share(progress_, done_++, fields_);
+        if (choice_) return choice_->accumulate(city, common_.receivers, sun_, share, stop_);
         return engine_->accumulate(city, common_.receivers, sun_, share, stop_);
     }
 
@@ -105,6 +125,7 @@ private:
     Progress& progress_;
     std::stop_token stop_;
     std::unique_ptr<Accumulator> engine_;
+    std::optional<EngineChoice> choice_;  // by the engine auto, for all fields
     CommonReceivers common_;
     SunSteps sun_;
     std::size_t fields_ = 2;

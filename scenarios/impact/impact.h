@@ -59,7 +59,8 @@ struct ImpactStudy {
     SunSteps sun;
 };
 
-/// Both fields with the same engine, receivers and steps. A building is new when `before` does not share it
+/// All fields with the same engine, receivers and steps; the engine auto is asked once, and what it chose is
+/// said in `engine`. A building is new when `before` does not share it
 /// (its pointer): both cities come from one project. Error: as of runStudy, or no cell is open ground in
 /// both. Costs two fields, and one for each new building.
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,

@@ -127,6 +127,49 @@ TEST(Impact, EveryEngineSeesTheSame) {
             << engine;
 }
 
+// Houses in rows and columns, 8 m apart, north of the x axis.
+City manyHouses(int rows, int columns) {
+    City city = threeHouses();
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const float west = 8.0F * float(column), south = 8.0F * float(row);
+            city.buildings.push_back(shared(
+                house(std::to_string(row * columns + column), box(west, south, west + 3, south + 3), 6)));
+        }
+    return city;
+}
+
+TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
+    City empty = threeHouses();
+    empty.buildings.clear();
+    ImpactSettings settings = morning("auto");
+    settings.study.region = regionFromLocalBox({{0, 0}, {80, 160}});
+    settings.study.period.days = 60;  // for the empty city alone projected shadows would do
+    settings.study.period.hours = 8;
+    settings.study.period.stepMinutes = 1;
+    const ImpactStudy study = impactOf(empty, manyHouses(20, 20), settings);
+    EXPECT_EQ(study.before.engineKey, "horizon");
+    EXPECT_EQ(study.after.engineKey, "horizon");
+    EXPECT_EQ(study.before.engine, study.after.engine);
+    EXPECT_THAT(study.total.engine, testing::HasSubstr("since the period is long"));
+    const ImpactStudy alone = impactOf(empty, empty, settings);
+    EXPECT_EQ(alone.before.engineKey, "projected");
+}
+
+TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
+    ImpactSettings settings = morning("auto");
+    settings.study.region = regionFromLocalBox({{0, -120}, {2, 40}});
+    settings.study.receivers.cellM = 1;
+    settings.study.period.from = std::chrono::hours(0);
+    settings.study.period.hours = 24;
+    settings.study.period.stepMinutes = 1.0 / 60;  // more steps than the sweep counts in a day
+    const City before = threeHouses();
+    const ImpactStudy study = impactOf(before, with(before, {Demolish{"c"}}), settings);
+    EXPECT_EQ(study.before.engineKey, "ray");
+    EXPECT_EQ(study.after.engineKey, "ray");
+    EXPECT_THAT(study.total.engine, testing::HasSubstr("refused"));
+}
+
 TEST(Impact, SaysWhatIsMissing) {
     NoProgress progress;
     ImpactSettings settings = morning("none");
