@@ -41,6 +41,7 @@ public:
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const override;
+    [[nodiscard]] const HorizonSweepSettings& settings() const { return settings_; }
 
 private:
     HorizonSweepSettings settings_;

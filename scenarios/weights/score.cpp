@@ -1,86 +1,100 @@
 #include "scenarios/weights/score.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
-#include <limits>
 #include <new>
 
+#include "core/accumulate/auto_engine.h"
+#include "core/accumulate/horizon_breakdown.h"
 #include "core/progress_share.h"
 #include "core/receivers/rasterize.h"
 #include "core/study/memory_need.h"
+#include "scenarios/weights/score_sum.h"
 #include "scenarios/weights/time_pieces.h"
 
 namespace noonmark {
 
 namespace {
 
-// Sunlit minutes of every interval, in the table's order.
-std::vector<double> sunlitOf(const std::vector<TimePiece>& pieces, std::size_t intervals) {
-    std::vector<double> minutes(intervals, 0);
-    for (const TimePiece& piece : pieces)
-        if (piece.interval) minutes[*piece.interval] += piece.sun.sunlitMinutes();
-    return minutes;
-}
+// Beyond it the maps of a sweep take more memory (4 bytes a cell and piece) than it is worth.
+constexpr std::size_t mostCellsInSweep = std::size_t{1} << 27U;
+constexpr std::size_t mostPiecesInSweep = 40;
 
-MonthFigures& figuresFor(std::vector<MonthFigures>& months, std::chrono::year_month month) {
-    const auto found = std::ranges::find(months, month, &MonthFigures::month);
-    if (found != months.end()) return *found;
-    return months.emplace_back(MonthFigures{.month = month});
-}
-
-// Adds fields of pieces up to a score. Until finish() the months' shadow areas are cell-minutes x m2.
-class ScoreSum {
+// The same steps, added up with weights.
+class Scoring {
 public:
-    ScoreSum(const Receivers& receivers, const TimeWeights& weights, std::vector<double> sunlit)
-        : receivers_(receivers),
+    Scoring(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
+            const TimeWeights& weights, Progress& progress, std::stop_token stop)
+        : city_(city),
+          receivers_(receivers),
+          sun_(sun),
           weights_(weights),
-          sunlit_(std::move(sunlit)),
-          sum_(receivers.grid.size(), 0) {
-        for (const WeightedInterval& interval : weights.intervals)
-            score_.intervals.push_back({interval.name, interval.weight});
-    }
+          pieces_(piecesOf(sun, zone, weights)),
+          progress_(progress),
+          stop_(std::move(stop)) {}
 
-    void add(const TimePiece& piece, const ShadowField& field) {
-        const double days = double(piece.sun.dayCount());
-        const double cellM2 = receivers_.grid.cellAreaM2();
-        const double perMinute = piece.interval ? 1 / sunlit_[*piece.interval] : 0;
-        const double weight = piece.interval ? weights_.intervals[*piece.interval].weight : 0;
-        double minutes = 0;
-        for (const std::uint32_t cell : receivers_.cells) {
-            const double shaded = double(field.grossMin[cell]) * days;
-            minutes += shaded;
-            sum_[cell] += weight * shaded * perMinute;
+    Result<Score> run(const Accumulator& engine) {
+        const auto* automatic = dynamic_cast<const AutoEngine*>(&engine);
+        if (automatic == nullptr) return by(engine);
+        const City* const cities[]{&city_};
+        EngineChoice choice = automatic->choose(cities, receivers_, sun_);
+        auto score = by(*choice.engine);
+        if (!score && !isCancelled(score.error()) && choice.key != referenceEngine) {
+            choice = raysSince(choice, score.error());
+            score = by(*choice.engine);
         }
-        MonthFigures& month = figuresFor(score_.months, piece.month);
-        month.sunlitMinutes += piece.sun.sunlitMinutes();
-        month.shadowAreaM2 += minutes * cellM2;
-        month.scoreM2 += weight * minutes * perMinute * cellM2;
-        if (piece.interval) score_.intervals[*piece.interval].shadowAreaM2 += minutes * perMinute * cellM2;
-        score_.engine = field.engine;
-        if (score_.warnings.empty()) score_.warnings = field.warnings;
-    }
-
-    Score finish() && {
-        score_.grid = receivers_.grid;
-        score_.score.assign(sum_.size(), std::numeric_limits<float>::quiet_NaN());
-        for (const std::uint32_t cell : receivers_.cells) {
-            score_.score[cell] = float(sum_[cell]);
-            score_.scoreM2 += sum_[cell] * receivers_.grid.cellAreaM2();
-        }
-        score_.receiverAreaM2 = double(receivers_.cells.size()) * receivers_.grid.cellAreaM2();
-        for (MonthFigures& month : score_.months) month.shadowAreaM2 /= month.sunlitMinutes;
-        for (IntervalFigures& interval : score_.intervals)
-            interval.scoreM2 = interval.weight * interval.shadowAreaM2;
-        std::ranges::sort(score_.months, {}, &MonthFigures::month);
-        return std::move(score_);
+        if (score) score->engine += fmt::format(" (chosen: {})", choice.why);
+        return score;
     }
 
 private:
+    Result<Score> by(const Accumulator& engine) {
+        const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine);
+        if (sweep != nullptr && pieces_.size() <= mostPiecesInSweep &&
+            pieces_.size() * receivers_.grid.size() <= mostCellsInSweep)
+            if (auto score = inOneSweep(sweep->settings()); score || isCancelled(score.error())) return score;
+        return pieceByPiece(engine);  // parts that hang, which only the whole engine takes, too
+    }
+
+    Result<Score> inOneSweep(const HorizonSweepSettings& settings) {
+        const auto breakdown = horizonBreakdown(city_, receivers_, sun_, setsOf(pieces_, sun_),
+                                                {.sweep = settings}, progress_, stop_);
+        if (!breakdown) return tl::make_unexpected(breakdown.error());
+        ScoreSum sum(receivers_, weights_, pieces_);
+        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown->minutes[i]);
+        Score score = std::move(sum).finish();
+        score.engine =
+            fmt::format("Horizon sweep: azimuth bins of {:g} deg, one sweep for all months and intervals",
+                        settings.binDeg);
+        return score;
+    }
+
+    Result<Score> pieceByPiece(const Accumulator& engine) {
+        ScoreSum sum(receivers_, weights_, pieces_);
+        std::string words;
+        Warnings warnings;
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            ProgressShare share(progress_, i, pieces_.size());
+            const auto field = engine.accumulate(city_, receivers_, pieces_[i].sun, share, stop_);
+            if (!field) return tl::make_unexpected(field.error());
+            sum.add(pieces_[i], field->grossMin, double(pieces_[i].sun.dayCount()));
+            words = field->engine;
+            if (warnings.empty()) warnings = field->warnings;
+        }
+        Score score = std::move(sum).finish();
+        score.engine = std::move(words);
+        score.warnings = std::move(warnings);
+        return score;
+    }
+
+    const City& city_;
     const Receivers& receivers_;
+    const SunSteps& sun_;
     const TimeWeights& weights_;
-    std::vector<double> sunlit_;
-    std::vector<double> sum_;
-    Score score_;
+    std::vector<TimePiece> pieces_;
+    Progress& progress_;
+    std::stop_token stop_;
 };
 
 }  // namespace
@@ -89,15 +103,7 @@ Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSte
                       const TimeWeights& weights, const Accumulator& engine, Progress& progress,
                       const std::stop_token& stop) {
     if (const auto sound = checked(weights); !sound) return tl::make_unexpected(sound.error());
-    const std::vector<TimePiece> pieces = piecesOf(sun, zone, weights);
-    ScoreSum sum(receivers, weights, sunlitOf(pieces, weights.intervals.size()));
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        ProgressShare share(progress, i, pieces.size());
-        const auto field = engine.accumulate(city, receivers, pieces[i].sun, share, stop);
-        if (!field) return tl::make_unexpected(field.error());
-        sum.add(pieces[i], *field);
-    }
-    return std::move(sum).finish();
+    return Scoring(city, receivers, sun, zone, weights, progress, stop).run(engine);
 }
 
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
@@ -113,7 +119,7 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
         return failure("No cell of the region lies on open ground", settings.region.name,
                        "Choose a region outside the buildings, or smaller cells");
     const auto sun = checked(settings.period).and_then([&](const Period& period) {
-        return sunSteps(period, observerOf(Study{.city = city, .settings = settings}), stop);
+        return sunSteps(period, observerOf(city, settings), stop);
     });
     if (!sun) return tl::make_unexpected(sun.error());
     if (sun->steps.empty())

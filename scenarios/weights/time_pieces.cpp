@@ -30,14 +30,16 @@ TimePiece& pieceFor(std::vector<TimePiece>& pieces, year_month month, std::optio
                     double stepMinutes) {
     for (TimePiece& piece : pieces)
         if (piece.month == month && piece.interval == interval) return piece;
-    pieces.push_back({month, interval, {.stepMinutes = stepMinutes}});
+    pieces.push_back({month, interval, {.stepMinutes = stepMinutes}, {}});
     return pieces.back();
 }
 
-void add(SunSteps& sun, const SunStep& step, CivilDate dayOf) {
+void add(TimePiece& piece, const SunSteps& whole, std::uint32_t number, CivilDate dayOf) {
+    SunSteps& sun = piece.sun;
     if (sun.days.empty() || sun.days.back().date != dayOf)
         sun.days.push_back({.date = dayOf, .first = std::uint32_t(sun.steps.size())});
-    sun.steps.push_back(step);
+    sun.steps.push_back(whole.steps[number]);
+    piece.steps.push_back(number);
     ++sun.days.back().count;
 }
 
@@ -49,10 +51,16 @@ std::vector<TimePiece> piecesOf(const SunSteps& sun, const Zone& zone, const Tim
         for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
             const WallTime time = wallTimeOf(sun.steps[i], zone);
             const year_month month{time.date.year(), time.date.month()};
-            add(pieceFor(pieces, month, intervalAt(weights, time), sun.stepMinutes).sun, sun.steps[i],
-                day.date);
+            add(pieceFor(pieces, month, intervalAt(weights, time), sun.stepMinutes), sun, i, day.date);
         }
     return pieces;
+}
+
+StepSets setsOf(const std::vector<TimePiece>& pieces, const SunSteps& sun) {
+    StepSets sets{std::vector<std::string>(pieces.size()), std::vector<std::uint16_t>(sun.steps.size())};
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        for (const std::uint32_t step : pieces[i].steps) sets.ofStep[step] = std::uint16_t(i);
+    return sets;
 }
 
 }  // namespace noonmark

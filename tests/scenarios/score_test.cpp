@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/accumulate/horizon_sweep.h"
+#include "core/accumulate/projected_shadows.h"
 #include "scenarios/weights/time_pieces.h"
 #include "tests/scenarios/small_town.h"
 
@@ -13,6 +15,7 @@ namespace {
 
 using namespace std::chrono;
 using namespace std::chrono_literals;
+using testing::AllOf;
 using testing::HasSubstr;
 
 StudySettings year() {
@@ -130,6 +133,82 @@ TEST(Score, AnIntervalOverSeveralMonthsIsOneFraction) {
     const Score score = scored(days, all);
     EXPECT_EQ(score.months.size(), 2U);
     EXPECT_NEAR(score.scoreM2, studied(days).statistics.shadowAreaM2, 1e-4 * score.scoreM2);
+}
+
+// The horizon sweep as any other engine: it runs for every month by itself.
+class PlainSweep final : public Accumulator {
+public:
+    Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                   Progress& progress, std::stop_token stop) const override {
+        return HorizonSweep().accumulate(city, receivers, sun, progress, std::move(stop));
+    }
+};
+
+Score scoredBy(const Accumulator& engine, const City& city, const StudySettings& settings) {
+    const Receivers receivers = receiversOnGround(city, settings.region, settings.receivers).value();
+    const SunSteps sun = sunSteps(settings.period, observerOf(city, settings), {}).value();
+    const Zone zone = Zone::named(settings.period.zone).value();
+    NoProgress progress;
+    return scoreOf(city, receivers, sun, zone, monthlyWeights(), engine, progress, {}).value();
+}
+
+void expectAlike(const Score& made, const Score& plain, double share) {
+    ASSERT_EQ(made.months.size(), plain.months.size());
+    for (std::size_t i = 0; i < made.months.size(); ++i) {
+        EXPECT_EQ(made.months[i].sunlitMinutes, plain.months[i].sunlitMinutes);
+        EXPECT_NEAR(made.months[i].shadowAreaM2, plain.months[i].shadowAreaM2, share * made.receiverAreaM2);
+        EXPECT_NEAR(made.months[i].scoreM2, plain.months[i].scoreM2, share * made.receiverAreaM2);
+    }
+    ASSERT_EQ(made.intervals.size(), plain.intervals.size());
+    for (std::size_t i = 0; i < made.intervals.size(); ++i)
+        EXPECT_NEAR(made.intervals[i].scoreM2, plain.intervals[i].scoreM2, share * made.receiverAreaM2);
+}
+
+TEST(Score, OneSweepForAllMonthsIsASweepForEach) {
+    StudySettings settings = year();
+    settings.receivers.cellM = 2;
+    settings.period.stepMinutes = 5;
+    const Score one = scoredBy(HorizonSweep(), threeHouses(), settings);
+    EXPECT_THAT(one.engine, HasSubstr("one sweep for all months"));
+    expectAlike(one, scoredBy(PlainSweep(), threeHouses(), settings), 5e-4);
+    expectAlike(one, scoredBy(ProjectedShadows(), threeHouses(), settings), 5e-4);
+}
+
+TEST(Score, OfOneMonthOneSweepIsTheSweepToTheLastBit) {
+    StudySettings settings = year();
+    settings.period.start = 2026y / June / 1;
+    settings.period.days = 30;
+    const Score one = scoredBy(HorizonSweep(), threeHouses(), settings);
+    const Score plain = scoredBy(PlainSweep(), threeHouses(), settings);
+    for (std::size_t i = 0; i < one.score.size(); ++i)
+        ASSERT_TRUE(std::isnan(plain.score[i]) || std::abs(one.score[i] - plain.score[i]) < 1e-6F) << i;
+    EXPECT_NEAR(one.scoreM2, plain.scoreM2, 1e-6 * plain.scoreM2);
+}
+
+TEST(Score, PartsThatHangAreTakenByTheWholeSweep) {
+    City city = threeHouses();
+    city.buildings.push_back(shared(house("bridge", box(10, 20, 30, 26), 12, 8)));
+    Building bridge = *city.buildings.back();
+    bridge.parts[0].hangs = true;
+    city.buildings.back() = shared(bridge);
+    StudySettings settings = year();
+    settings.period.days = 40;
+    const Score made = scoredBy(HorizonSweep(), city, settings);
+    EXPECT_THAT(made.engine, testing::Not(HasSubstr("one sweep")));
+    expectAlike(made, scoredBy(PlainSweep(), city, settings), 0);
+}
+
+TEST(Score, TheEngineAutoIsAskedOnceForTheWholePeriod) {
+    StudySettings settings = year();
+    settings.engine = "auto";
+    const Score made = scored(settings, monthlyWeights());
+    EXPECT_THAT(made.engine, HasSubstr("chosen: projected shadows"));
+    expectAlike(made, scored(year(), monthlyWeights()), 1e-4);
+    settings.period.stepMinutes = 1;  // of one month alone projected shadows would take less than 2 s
+    settings.region = regionFromLocalBox({{-20, -20}, {-18, 100}});
+    settings.receivers.cellM = 0.5;
+    EXPECT_THAT(scored(settings, monthlyWeights()).engine,
+                AllOf(HasSubstr("one sweep for all months"), HasSubstr("since the period is long")));
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+#include "scenarios/weights/score_sum.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace noonmark {
+
+namespace {
+
+std::vector<double> sunlitOf(const std::vector<TimePiece>& pieces, std::size_t intervals) {
+    std::vector<double> minutes(intervals, 0);
+    for (const TimePiece& piece : pieces)
+        if (piece.interval) minutes[*piece.interval] += piece.sun.sunlitMinutes();
+    return minutes;
+}
+
+MonthFigures& figuresFor(std::vector<MonthFigures>& months, std::chrono::year_month month) {
+    const auto found = std::ranges::find(months, month, &MonthFigures::month);
+    if (found != months.end()) return *found;
+    return months.emplace_back(MonthFigures{.month = month});
+}
+
+}  // namespace
+
+ScoreSum::ScoreSum(const Receivers& receivers, const TimeWeights& weights,
+                   const std::vector<TimePiece>& pieces)
+    : receivers_(receivers),
+      weights_(weights),
+      sunlit_(sunlitOf(pieces, weights.intervals.size())),
+      sum_(receivers.grid.size(), 0) {
+    for (const WeightedInterval& interval : weights.intervals)
+        score_.intervals.push_back({interval.name, interval.weight});
+}
+
+void ScoreSum::add(const TimePiece& piece, const std::vector<float>& minutes, double factor) {
+    const double cellM2 = receivers_.grid.cellAreaM2();
+    const double perMinute = piece.interval ? 1 / sunlit_[*piece.interval] : 0;
+    const double weight = piece.interval ? weights_.intervals[*piece.interval].weight : 0;
+    double all = 0;
+    for (const std::uint32_t cell : receivers_.cells) {
+        const double shaded = double(minutes[cell]) * factor;
+        all += shaded;
+        sum_[cell] += weight * shaded * perMinute;
+    }
+    MonthFigures& month = figuresFor(score_.months, piece.month);
+    month.sunlitMinutes += piece.sun.sunlitMinutes();
+    month.shadowAreaM2 += all * cellM2;
+    month.scoreM2 += weight * all * perMinute * cellM2;
+    if (piece.interval) score_.intervals[*piece.interval].shadowAreaM2 += all * perMinute * cellM2;
+}
+
+Score ScoreSum::finish() && {
+    score_.grid = receivers_.grid;
+    score_.score.assign(sum_.size(), std::numeric_limits<float>::quiet_NaN());
+    for (const std::uint32_t cell : receivers_.cells) {
+        score_.score[cell] = float(sum_[cell]);
+        score_.scoreM2 += sum_[cell] * receivers_.grid.cellAreaM2();
+    }
+    score_.receiverAreaM2 = double(receivers_.cells.size()) * receivers_.grid.cellAreaM2();
+    for (MonthFigures& month : score_.months) month.shadowAreaM2 /= month.sunlitMinutes;
+    for (IntervalFigures& interval : score_.intervals)
+        interval.scoreM2 = interval.weight * interval.shadowAreaM2;
+    std::ranges::sort(score_.months, {}, &MonthFigures::month);
+    return std::move(score_);
+}
+
+}  // namespace noonmark
