@@ -19,17 +19,14 @@ namespace {
 // Edges are told apart by both bins and by the number of steps; without merging, by a running number.
 using EdgeKey = std::tuple<std::uint32_t, std::uint32_t, int, std::uint64_t>;
 
-int binsInRing(int ring, double boundDeg) {
-    const double widest = std::cos(Degrees{ring * boundDeg}.radians().value) * 360.0;
-    return std::max(1, int(std::ceil(widest / boundDeg - 1e-9)));
-}
-
 class GraphBuilder {
 public:
     GraphBuilder(const SunSteps& sun, const DirectionGraphSettings& settings)
-        : sun_(sun), settings_(settings) {
-        stepsAnInterval_ = std::max(1, int(std::floor(settings.intervalMinutes / sun.stepMinutes + 1e-9)));
-    }
+        : sun_(sun),
+          settings_(settings),
+          stepsAnInterval_(std::max(1, int(std::floor(settings.intervalMinutes / sun.stepMinutes + 1e-9)))),
+          graph_{.bins = {sun, settings.boundDeg, stepsAnInterval_ * sun.stepMinutes},
+                 .stepMinutes = sun.stepMinutes} {}
 
     DirectionGraph build() {
         for (const SunDay& day : sun_.days) addDay(day);
@@ -71,9 +68,9 @@ private:
         const SunStep& from = sun_.steps[first];
         const SunStep& to = sun_.steps[last];
         const int steps = int(last - first) + 1;
-        const std::uint32_t fromBin =
-            binOf(double(from.azimuthDeg), double(from.altitudeDeg), settings_.boundDeg);
-        const std::uint32_t toBin = binOf(double(to.azimuthDeg), double(to.altitudeDeg), settings_.boundDeg);
+        const std::uint32_t fromBin = graph_.bins.of(glm::dvec3(from.direction));
+        // An interval ends where the next begins.
+        const std::uint32_t toBin = graph_.bins.of(glm::dvec3(to.direction), sun_.stepMinutes);
         const EdgeKey key{fromBin, toBin, steps, settings_.merge ? 0 : graph_.intervals};
         const auto [place, isNew] = edgeOf_.try_emplace(key, std::uint32_t(graph_.edges.size()));
         if (isNew) {
@@ -117,7 +114,7 @@ private:
 
     const SunSteps& sun_;
     const DirectionGraphSettings& settings_;
-    int stepsAnInterval_ = 1;
+    int stepsAnInterval_;
     DirectionGraph graph_;
     std::vector<Ends> ends_;
     std::map<EdgeKey, std::uint32_t> edgeOf_;
@@ -147,14 +144,6 @@ glm::dvec3 SunInterval::at(int step) const {
     if (angle < 1e-12) return first;
     const double share = double(step) / double(steps - 1);
     return (std::sin((1 - share) * angle) * first + std::sin(share * angle) * last) / std::sin(angle);
-}
-
-std::uint32_t binOf(double azimuthDeg, double altitudeDeg, double boundDeg) {
-    const int rings = int(std::ceil(90.0 / boundDeg - 1e-9));
-    const int ring = std::clamp(int(std::floor(altitudeDeg / boundDeg)), 0, rings - 1);
-    const int count = binsInRing(ring, boundDeg);
-    const int column = std::clamp(int(std::floor(azimuthDeg / 360.0 * count)), 0, count - 1);
-    return std::uint32_t(ring) * 4096U + std::uint32_t(column);
 }
 
 Result<DirectionGraph> directionGraph(const SunSteps& sun, const DirectionGraphSettings& settings) {

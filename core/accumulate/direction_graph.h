@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/accumulate/direction_bins.h"
 #include "core/accumulate/interval_engine.h"
 #include "core/result.h"
 #include "core/sun/sun_steps.h"
@@ -10,8 +11,8 @@
 namespace noonmark {
 
 struct DirectionGraphSettings {
-    /// Directions that share a bin are at most this far apart in azimuth arc and in altitude, degrees, 0.1
-    /// to 20. Source of the default: paper, section 7.
+    /// Directions that share a bin are at most this far apart, degrees, 0.1 to 20. Source of the default:
+    /// paper, section 7.
     double boundDeg = 5;
     double intervalMinutes = 60;  ///< 0.1 to 120
     bool merge = true;            ///< false: every interval of every day is its own edge (no error from bins)
@@ -19,7 +20,8 @@ struct DirectionGraphSettings {
 
 /// The intervals of a period with those that look alike computed once (paper, section 6).
 struct DirectionGraph {
-    /// All intervals that lead from one bin to another in the same number of steps. `sun` runs between the
+    /// All intervals that lead from one bin to another, where the next interval begins, in the same number of
+    /// steps. `sun` runs between the
     /// mean directions of those that take it, which lie closer to each of them than the bins' centres do.
     struct Edge {
         SunInterval sun;
@@ -34,6 +36,8 @@ struct DirectionGraph {
     };
     /// What one or more days do; days that do the same are listed once.
     using Path = std::vector<Leg>;
+    DirectionBins bins;
+    double stepMinutes = 1;
     std::vector<Edge> edges;
     std::vector<Path> paths;      ///< ordered so that paths that share edges are near each other
     std::uint64_t intervals = 0;  ///< before merging
@@ -42,9 +46,5 @@ struct DirectionGraph {
 /// Error when a setting is out of range, naming the range. Leftover steps at the end of a window make a
 /// shorter interval. O(steps).
 Result<DirectionGraph> directionGraph(const SunSteps& sun, const DirectionGraphSettings& settings);
-
-/// Number of the hemisphere's bin for a direction: rings of altitude `boundDeg` high, cut so that no bin is
-/// wider than that along its lower edge.
-std::uint32_t binOf(double azimuthDeg, double altitudeDeg, double boundDeg);
 
 }  // namespace noonmark

@@ -13,9 +13,9 @@ std::string wordsOf(const Extent& extent) {
         "settings "
         "where an engine takes less than {:g} s; what takes more than {:g} s is run once, what would take "
         "more "
-        "than {:g} s is worked out or left out.",
+        "than {:g} s is worked out or left out; the graph's errors on {} receivers of a place.",
         extent.hours, full.hours, extent.positions, full.positions, extent.days, full.days, extent.hoursADay,
-        full.hoursADay, extent.settingsBelowS, extent.onceAboveS, extent.neverAboveS);
+        full.hoursADay, extent.settingsBelowS, extent.onceAboveS, extent.neverAboveS, extent.graphReceivers);
 }
 
 }  // namespace
@@ -25,6 +25,7 @@ Extent fullExtent() { return {}; }
 Extent quickExtent() {
     Extent quick;
     quick.hours = 8;
+    quick.graphReceivers = 25'000;
     quick.positions = 2;
     quick.days = 2;
     quick.resolutions = {256, 512, 1024, 2048};

@@ -9,8 +9,11 @@ namespace noonmark::bench {
 
 /// How much is measured. Everything that is left out against the full extent is said in `words`.
 struct Extent {
-    int sunTimes = 1000;   ///< random times of the year, for the sun's own figures
-    int hours = 60;        ///< random hours and positions, for errors (paper, section 7: "a set of")
+    int sunTimes = 1000;  ///< random times of the year, for the sun's own figures
+    int hours = 60;       ///< random hours and positions, for errors (paper, section 7: "a set of")
+    /// Of the direction graph's errors: random hours, dealt in turn to the positions, and receivers of each.
+    int graphHours = 60, graphPositions = 10;
+    std::size_t graphReceivers = std::numeric_limits<std::size_t>::max();
     int positions = 10;    ///< of the comparison of all engines
     int days = 20;         ///< of each position
     double hoursADay = 6;  ///< from 9:00 on, around noon, of the comparison of all engines

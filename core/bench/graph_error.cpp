@@ -28,8 +28,7 @@ struct Hour {
 /// The hours of a year and their edges.
 class YearOfHours {
 public:
-    YearOfHours(const SunSteps& year, const DirectionGraph& graph)
-        : year_(year), edges_(graph, DirectionGraphSettings{}.boundDeg) {}
+    YearOfHours(const SunSteps& year, const DirectionGraph& graph) : year_(year), edges_(graph) {}
 
     /// Compares one random hour; nothing where the sun is not up all the hour.
     std::optional<Hour> compare(const RayMasks& rays, std::mt19937& random) const {
@@ -72,20 +71,21 @@ private:
 
 Result<std::vector<Hour>> comparedHours(const BenchSite& site, const Extent& extent, const Work& work,
                                         const YearOfHours& year) {
+    const auto scene = RayScene::over(site.city, work.stop);
+    if (!scene) return tl::make_unexpected(scene.error());
     std::mt19937 random(site.seed);
     std::vector<Hour> hours;
-    const std::vector<Region> squares = randomSquares(site, extent.positions);
-    Pieces pieces(work, "the direction graph's shadows", std::size_t(extent.hours));
-    for (int position = 0; position < extent.positions; ++position) {
+    const std::vector<Region> squares = randomSquares(site, extent.graphPositions);
+    Pieces pieces(work, "the direction graph's shadows", std::size_t(extent.graphHours));
+    for (int position = 0; position < extent.graphPositions; ++position) {
         const auto receivers = receiversOnGround(site.city, squares[std::size_t(position)], {}, work.stop);
         if (!receivers) return tl::make_unexpected(receivers.error());
         if (receivers->cells.empty()) continue;
-        const auto rays = RayMasks::over(site.city, *receivers, work.stop);
-        if (!rays) return tl::make_unexpected(rays.error());
-        for (int k = position; k < extent.hours; k += extent.positions) {
+        const RayMasks rays(*scene, sampleOf(*receivers, extent.graphReceivers, site.seed));
+        for (int k = position; k < extent.graphHours; k += extent.graphPositions) {
             pieces.next();
             if (work.stopped()) return cancelled();
-            if (auto hour = year.compare(*rays, random)) {
+            if (auto hour = year.compare(rays, random)) {
                 hour->position = position + 1;
                 hours.push_back(std::move(*hour));
             }
@@ -121,7 +121,7 @@ Finding findingOf(const std::vector<Hour>& hours, const Extent& extent) {
         "Rays at every minute of {} random hours at {} places, once towards the sun and once along the edge "
         "that the graph (bound 5 deg, a year of 6 h days) uses in its stead. Areas are of the receivers' "
         "area, as the paper's; mistagged is the share of cells and minutes with the wrong answer.",
-        hours.size(), extent.positions);
+        hours.size(), extent.graphPositions);
     finding.table.columns = {
         "position",       "date",         "begin", "shadow_area_pct", "shadow_area_graph_pct",
         "area_error_pct", "mistagged_pct"};

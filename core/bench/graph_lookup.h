@@ -11,7 +11,7 @@ namespace noonmark::bench {
 class GraphLookup {
 public:
     /// The graph outlives it.
-    GraphLookup(const DirectionGraph& graph, double boundDeg) : boundDeg_(boundDeg) {
+    explicit GraphLookup(const DirectionGraph& graph) : bins_(graph.bins), stepMinutes_(graph.stepMinutes) {
         for (const auto& edge : graph.edges) edges_[{{edge.fromBin, edge.toBin}, edge.sun.steps}] = &edge;
     }
 
@@ -19,18 +19,17 @@ public:
     /// graph's period took it.
     [[nodiscard]] const DirectionGraph::Edge* find(const SunStep& first, const SunStep& last,
                                                    int steps) const {
-        const auto found = edges_.find({{binOf(first), binOf(last)}, steps});
+        const std::uint32_t from = bins_.of(glm::dvec3(first.direction)),
+                            to = bins_.of(glm::dvec3(last.direction), stepMinutes_);
+        const auto found = edges_.find({{from, to}, steps});
         return found == edges_.end() ? nullptr : found->second;
     }
 
 private:
     using Key = std::pair<std::pair<std::uint32_t, std::uint32_t>, int>;
 
-    [[nodiscard]] std::uint32_t binOf(const SunStep& step) const {
-        return noonmark::binOf(double(step.azimuthDeg), double(step.altitudeDeg), boundDeg_);
-    }
-
-    double boundDeg_;
+    DirectionBins bins_;
+    double stepMinutes_;
     std::map<Key, const DirectionGraph::Edge*> edges_;
 };
 

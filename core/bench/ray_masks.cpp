@@ -21,12 +21,14 @@ std::vector<DirectionPacket> packetsOf(std::span<const glm::dvec3> directions) {
 
 }  // namespace
 
+RayMasks::RayMasks(RayScene scene, const Receivers& receivers) : scene_(std::move(scene)) {
+    for (const std::uint32_t cell : receivers.cells) origins_.push_back(rayOrigin(receivers.position(cell)));
+}
+
 Result<RayMasks> RayMasks::over(const City& city, const Receivers& receivers, const std::stop_token& stop) {
-    auto scene = RayScene::over(city, stop);
-    if (!scene) return tl::make_unexpected(scene.error());
-    std::vector<glm::vec3> origins;
-    for (const std::uint32_t cell : receivers.cells) origins.push_back(rayOrigin(receivers.position(cell)));
-    return RayMasks(std::move(*scene), std::move(origins));
+    return RayScene::over(city, stop).map([&](RayScene&& scene) {
+        return RayMasks(std::move(scene), receivers);
+    });
 }
 
 std::vector<ShadowMask> RayMasks::of(std::span<const glm::dvec3> directions) const {

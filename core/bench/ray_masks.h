@@ -16,16 +16,14 @@ namespace noonmark::bench {
 /// set where it is in shadow of direction k.
 class RayMasks {
 public:
-    /// All buildings of the city; the receivers outlive it.
+    RayMasks(RayScene scene, const Receivers& receivers);
+    /// All buildings of the city.
     static Result<RayMasks> over(const City& city, const Receivers& receivers, const std::stop_token& stop);
 
     /// One mask for each of receivers.cells. At most 64 directions, unit vectors. All cores.
     [[nodiscard]] std::vector<ShadowMask> of(std::span<const glm::dvec3> directions) const;
 
 private:
-    RayMasks(RayScene scene, std::vector<glm::vec3> origins)
-        : scene_(std::move(scene)), origins_(std::move(origins)) {}
-
     RayScene scene_;
     std::vector<glm::vec3> origins_;
 };

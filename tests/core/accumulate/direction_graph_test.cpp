@@ -6,8 +6,10 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <random>
+#include <set>
 
 #include "core/accumulate/graph_accumulator.h"
+#include "core/sun/sun_steps.h"
 #include "core/units.h"
 
 namespace noonmark {
@@ -93,20 +95,47 @@ TEST(ShadowMask, runsAgreeWithCounting) {
     EXPECT_EQ(runsOf(fullMask(64), 64), (MaskRuns{64, 64, 64, 64}));
 }
 
-TEST(DirectionGraph, binsAreNoWiderThanTheBound) {
+TEST(DirectionBins, areNoWiderThanTheBound) {
+    const DirectionBins bins(greatCircleDays(5, 365, 1), 5, 60);
     std::mt19937 random(5);
-    std::uniform_real_distribution<double> azimuth(0, 360), altitude(0, 90);
-    std::map<std::uint32_t, std::vector<glm::dvec3>> bins;
+    std::normal_distribution<double> any;
+    std::map<std::uint32_t, std::vector<glm::dvec3>> members;
     for (int i = 0; i < 40000; ++i) {
-        const double a = azimuth(random), e = altitude(random);
-        const double ca = Degrees{a}.radians().value, ce = Degrees{e}.radians().value;
-        bins[binOf(a, e, 5)].push_back(
-            {std::sin(ca) * std::cos(ce), std::cos(ca) * std::cos(ce), std::sin(ce)});
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+        members[bins.of(direction)].push_back(direction);
     }
-    const double furthest = std::cos(Degrees{5 * std::sqrt(2.0) + 0.01}.radians().value);
-    for (const auto& [bin, directions] : bins)
+    const double furthest = std::cos(Degrees{5.01}.radians().value);
+    for (const auto& [bin, directions] : members)
         for (const glm::dvec3& direction : directions)
             EXPECT_GT(glm::dot(direction, directions.front()), furthest) << bin;
+}
+
+// The circles of the bins are the sun's: through a day it stays between two of them.
+TEST(DirectionBins, aDayStaysInOneRing) {
+    for (const double latitudeDeg : {-66.0, -34.0, 0.0, 40.7, 69.6}) {
+        const Observer observer{.place = {0, latitudeDeg}};
+        const SunSteps sun = sunSteps({.hours = 6}, observer).value();
+        const DirectionBins bins(sun, 5, 60);
+        std::set<std::uint32_t> rings;
+        for (const SunStep& step : sun.steps) rings.insert(bins.of(glm::dvec3(step.direction)) >> 16U);
+        EXPECT_EQ(rings.size(), 1U) << latitudeDeg;
+    }
+}
+
+// The paper has 299 edges for a year's 2,190 hours; so has New York here, to a few, with directions nearer.
+TEST(DirectionGraph, aYearOfSixHoursHasAsManyEdgesAsThePapers) {
+    const SunSteps sun =
+        sunSteps({.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}},
+                  .days = 365,
+                  .from = std::chrono::hours(9),
+                  .hours = 6,
+                  .zone = "America/New_York"},
+                 {.place = {-73.98, 40.75}})
+            .value();
+    const DirectionGraph graph = directionGraph(sun, {}).value();
+    EXPECT_EQ(graph.intervals, 2190U);
+    EXPECT_LE(graph.edges.size(), 299U);
+    EXPECT_LT(directionGraph(sun, {.boundDeg = 10})->edges.size(), graph.edges.size());
 }
 
 TEST(DirectionGraph, mergesIntervalsThatLookAlikeAndLosesNone) {

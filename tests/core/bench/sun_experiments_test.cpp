@@ -36,13 +36,13 @@ TEST(SunLinearity, agreesWithThePapersTable) {
 TEST(GraphBound, edgesAreThoseCountedOneByOne) {
     const BenchSite site = tests::tinySite();
     const SunSteps year = sunOfYear(site).value();
+    const DirectionBins bins(year, 5, 60);
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const SunDay& day : year.days)
         for (std::uint32_t hour = 0; hour < 6; ++hour) {
             const SunStep &first = year.steps[day.first + hour * 60],
                           &last = year.steps[day.first + hour * 60 + 59];
-            pairs.emplace(binOf(double(first.azimuthDeg), double(first.altitudeDeg), 5),
-                          binOf(double(last.azimuthDeg), double(last.altitudeDeg), 5));
+            pairs.emplace(bins.of(glm::dvec3(first.direction)), bins.of(glm::dvec3(last.direction), 1));
         }
     NoProgress silent;
     const Finding finding = graphBound(site, {}, {silent, {}}).value();
@@ -63,7 +63,7 @@ TEST(GraphBound, directionsAreAlikeWithinTheBound) {
 TEST(GraphError, areaErrorIsNeverMoreThanWhatIsMistagged) {
     NoProgress silent;
     Extent extent = tests::leastExtent();
-    extent.hours = 6;
+    extent.graphHours = 6;
     const Finding finding = graphError(tests::tinySite(), extent, {silent, {}}).value();
     ASSERT_GE(finding.table.rows.size(), 5U);
     for (std::size_t row = 0; row < finding.table.rows.size(); ++row) {

@@ -20,6 +20,8 @@ inline Extent leastExtent() {
     Extent extent;
     extent.sunTimes = 100;
     extent.hours = 2;
+    extent.graphHours = 2;
+    extent.graphPositions = 1;
     extent.positions = 1;
     extent.days = 2;
     extent.hoursADay = 1;
