@@ -19,11 +19,6 @@ namespace noonmark {
 
 namespace {
 
-// Steps that share a list of the casters in reach, and the least that one task fills.
-constexpr std::size_t stepsATask = 15;
-// Rasters of this many bytes are filled before they are counted.
-constexpr std::size_t batchBytes = std::size_t{64} << 20U;
-
 Result<void> checkFlat(const City& city, const Receivers& receivers) {
     if (city.terrain || !receivers.flat())
         return failure("Projected shadows fall on flat ground only, and this city has terrain", "engine",
@@ -31,65 +26,58 @@ Result<void> checkFlat(const City& city, const Receivers& receivers) {
     return {};
 }
 
-/// Fills and counts, batch after batch.
+/// Fills and counts band after band of rows: its raster, and what its cells count, stay in cache.
 class Projection {
 public:
     Projection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
                Progress& progress, std::stop_token stop)
-        : sun_(sun),
-          layout_(receivers.grid),
-          filler_(casters, receivers, sun),
-          events_(receivers),
+        : casters_(casters),
+          receivers_(receivers),
+          sun_(sun),
+          where_(receivers),
+          bands_(bandsOf(receivers.grid)),
           progress_(progress),
           stop_(std::move(stop)) {}
 
-    Result<void> run(ShadowField& field) {
-        const std::size_t batch = std::clamp(batchBytes / (layout_.words() * sizeof(std::uint64_t)),
-                                             std::size_t{1}, std::max<std::size_t>(1, sun_.steps.size()));
-        rasters_.resize(batch * layout_.words());
-        for (std::size_t first = 0; first < sun_.steps.size(); first += batch) {
-            const std::size_t end = std::min(first + batch, sun_.steps.size());
-            timed(field, "fill", [&] { fill(first, end); });
-            if (stop_.stop_requested()) return cancelled();
-            timed(field, "count", [&] { count(first, end); });
-        }
-        timed(field, "count", [&] { events_.finish(field); });
-        return {};
-    }
-
-    FillCount total() {
-        return counts_.combine([](FillCount a, const FillCount& b) {
-            return FillCount{a.polygons + b.polygons, a.rows + b.rows, a.outOfReach + b.outOfReach};
-        });
+    Result<FillCount> run(ShadowField& field) {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, bands_.size(), 1),
+            [&](const auto& range) {
+                for (std::size_t i = range.begin(); i < range.end(); ++i) count(bands_[i], field);
+            },
+            tbb::simple_partitioner());
+        if (stop_.stop_requested()) return cancelled();
+        return counts_.combine([](FillCount a, const FillCount& b) { return a += b; });
     }
 
 private:
-    template <class Work>
-    void timed(ShadowField& field, const char* stage, Work&& work) {
-        const Stopwatch watch;
-        work();
-        field.cost.seconds[stage] += watch.seconds();
+    void count(const RowBand& band, ShadowField& field) {
+        if (stop_.stop_requested()) return;
+        StepFiller filler(casters_, where_, receivers_, sun_, band);
+        ShadowEvents events(filler.layout(), band, filler.noReceivers());
+        std::vector<StepWords> rasters(filler.layout().words());
+        const std::span words(rasters.data()->words, rasters.size() * stepsTogether);
+        for (std::size_t step = 0; step < sun_.steps.size(); step += stepsTogether) {
+            if (!goOn()) return;
+            filler.fill(step, words);
+            events.add(words, startsOfRuns(step));
+        }
+        events.finish(sun_.steps.size(), field);
+        counts_.local() += filler.count();
     }
 
-    void fill(std::size_t first, std::size_t end) {
-        const std::size_t tasks = (end - first + stepsATask - 1) / stepsATask;
-        tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
-            if (stop_.stop_requested()) return;
-            const std::size_t from = first + task * stepsATask, to = std::min(from + stepsATask, end);
-            const FillCount done = filler_.fill(
-                from, to,
-                std::span(rasters_).subspan((from - first) * layout_.words(), (to - from) * layout_.words()));
-            FillCount& sum = counts_.local();
-            sum = {sum.polygons + done.polygons, sum.rows + done.rows, sum.outOfReach + done.outOfReach};
-            progress_.report(double(filled_ += to - from) / double(sun_.steps.size()), "filling shadows");
-        });
+    // Reports eight more steps of a band.
+    bool goOn() {
+        const double all = double(sun_.steps.size()) * double(bands_.size());
+        progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");
+        return !stop_.stop_requested();
     }
 
-    void count(std::size_t first, std::size_t end) {
-        const auto starts = std::make_unique<bool[]>(end - first);
-        for (std::size_t step = first; step < end; ++step)
+    [[nodiscard]] ShadowEvents::StartsRun startsOfRuns(std::size_t first) const {
+        ShadowEvents::StartsRun starts{};
+        for (std::size_t step = first; step < std::min(first + stepsTogether, sun_.steps.size()); ++step)
             starts[step - first] = step == 0 || startsRun(step);
-        events_.add(std::span(rasters_).first((end - first) * layout_.words()), {starts.get(), end - first});
+        return starts;
     }
 
     [[nodiscard]] bool startsRun(std::size_t step) const {
@@ -98,14 +86,14 @@ private:
         return newDay || sun_.steps[step].slot != sun_.steps[step - 1].slot + 1;
     }
 
+    const ShadowCasters& casters_;
+    const Receivers& receivers_;
     const SunSteps& sun_;
-    BitLayout layout_;
-    StepFiller filler_;
-    ShadowEvents events_;
+    ReceiverCount where_;
+    std::vector<RowBand> bands_;
     Progress& progress_;
     std::stop_token stop_;
-    std::vector<std::uint64_t> rasters_;
-    std::atomic<std::size_t> filled_{0};
+    std::atomic<std::size_t> done_{0};
     tbb::combinable<FillCount> counts_;
 };
 
@@ -121,10 +109,10 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
     field.cost.seconds["build"] = watch.seconds();
-    Projection projection(casters, receivers, sun, progress, stop);
-    if (const auto done = projection.run(field); !done) return tl::make_unexpected(done.error());
-    const FillCount total = projection.total();
-    field.cost.skipped["shadows that meet no receiver (casters x steps)"] = total.outOfReach;
+    const auto total = Projection(casters, receivers, sun, progress, stop).run(field);
+    if (!total) return tl::make_unexpected(total.error());
+    field.cost.seconds["fill and count"] = watch.seconds() - field.cost.seconds["build"];
+    field.cost.skipped["shadows that meet no receiver (casters x steps x bands of rows)"] = total->outOfReach;
     progress.report(1, "filling shadows");
     return field;
 }
@@ -147,8 +135,17 @@ Result<std::vector<std::uint64_t>> projectedRasters(const City& city, const Rece
                                                     const SunSteps& sun) {
     if (const auto flat = checkFlat(city, receivers); !flat) return tl::make_unexpected(flat.error());
     const ShadowCasters casters = shadowCasters(city, buildingsInReach(city, receivers, sun), receivers.grid);
-    std::vector<std::uint64_t> rasters(sun.steps.size() * BitLayout(receivers.grid).words());
-    StepFiller(casters, receivers, sun).fill(0, sun.steps.size(), rasters);
+    const ReceiverCount where(receivers);
+    StepFiller filler(casters, where, receivers, sun, {0, receivers.grid.rows});
+    const std::size_t words = filler.layout().words();
+    std::vector<std::uint64_t> rasters(sun.steps.size() * words);
+    std::vector<StepWords> eight(words);
+    for (std::size_t first = 0; first < sun.steps.size(); first += stepsTogether) {
+        filler.fill(first, {eight.data()->words, words * stepsTogether});
+        for (std::size_t step = first; step < std::min(first + stepsTogether, sun.steps.size()); ++step)
+            for (std::size_t word = 0; word < words; ++word)
+                rasters[step * words + word] = eight[word].words[step - first];
+    }
     return rasters;
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/accumulate/accrual/ground_lookup.h"
 #include "core/accumulate/accrual/slice_stack.h"
-#include "core/accumulate/projected/step_filler.h"
+#include "core/accumulate/projected/receiver_count.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/accumulate/projected/step_filler.h"
+#include "core/accumulate/projected/receiver_count.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
 #include "render/gl/depth_maps.h"

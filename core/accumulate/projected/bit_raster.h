@@ -18,11 +18,12 @@ struct BitLayout {
     int stride =
         0;  ///< words from one column of words to the next: all rows, and some for vectors to run over
 
-    explicit BitLayout(const Grid& grid)
-        : columns(grid.columns),
-          rows(grid.rows),
-          wordColumns((grid.columns + 63) / 64),
-          stride((grid.rows + 2 * rowsTogether - 1) / rowsTogether * rowsTogether) {}
+    explicit BitLayout(const Grid& grid) : BitLayout(grid.columns, grid.rows) {}
+    BitLayout(int columnCount, int rowCount)
+        : columns(columnCount),
+          rows(rowCount),
+          wordColumns((columnCount + 63) / 64),
+          stride((rowCount + 2 * rowsTogether - 1) / rowsTogether * rowsTogether) {}
     [[nodiscard]] std::size_t words() const { return std::size_t(wordColumns) * std::size_t(stride); }
     /// Index of the word that holds a cell, in bit column % 64.
     [[nodiscard]] std::size_t word(int column, int row) const {
@@ -34,6 +35,13 @@ struct BitLayout {
     void set(std::span<std::uint64_t> raster, int column, int row) const {
         raster[word(column, row)] |= std::uint64_t{1} << (column & 63);
     }
+};
+
+/// Rows [first, end) of a grid, whose shadows are filled and counted together.
+struct RowBand {
+    int first = 0;
+    int end = 0;
+    [[nodiscard]] int rows() const { return end - first; }
 };
 
 }  // namespace noonmark

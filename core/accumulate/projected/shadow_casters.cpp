@@ -52,9 +52,19 @@ private:
         else if (part.topM <= 0)
             return;
         else if (part.footprint.holes.empty() && isConvex(part.footprint.outer))
-            addRing(Kind::prism, part, part.footprint.outer);
+            addConvex(part, part.footprint.outer);
         else
             addWallsAndUnderside(part);
+    }
+
+    // Cut along chords where there are many points: each piece is convex and throws for itself.
+    void addConvex(const Part& part, std::span<const glm::vec2> ring) {
+        const std::size_t count = std::min(ring.size(), ShadowCaster::mostPoints);
+        addRing(Kind::prism, part, Ring(ring.begin(), ring.begin() + std::ptrdiff_t(count)));
+        if (count == ring.size()) return;
+        Ring rest(ring.begin() + std::ptrdiff_t(count) - 1, ring.end());
+        rest.push_back(ring[0]);
+        addConvex(part, rest);
     }
 
     void addWallsAndUnderside(const Part& part) {
@@ -86,6 +96,15 @@ private:
         ShadowCaster& caster = add(kind, ring);
         caster.bottomM = seen(part.bottomM);
         caster.topM = kind == Kind::flat ? caster.bottomM : seen(part.topM);
+        caster.stands = kind == Kind::prism && !part.hangs && caster.bottomM == 0;
+        addEdges(caster);
+    }
+
+    void addEdges(ShadowCaster& caster) {
+        caster.firstEdge = std::uint32_t(result_.edges.size());
+        const auto points = result_.pointsOf(caster);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            result_.edges.emplace_back(points[i], points[i + 1 == points.size() ? 0 : i + 1]);
     }
 
     // A receiver stands where its rays begin: a little above the ground, a little east and north of its
@@ -116,61 +135,12 @@ private:
     ShadowCasters result_;
 };
 
-// The hull of a convex polygon at two places: the edges that face the way it moves are taken at the far
-// place, the others at the near.
-void sweep(std::span<const glm::dvec2> ring, glm::dvec2 near, glm::dvec2 far,
-           std::vector<glm::dvec2>& polygon) {
-    const glm::dvec2 move = far - near;
-    bool before = cross(move, ring.front() - ring.back()) > 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const bool now = cross(move, ring[i + 1 < ring.size() ? i + 1 : 0] - ring[i]) > 0;
-        // Where the side changes the point appears twice, joined by the edge that the corner draws.
-        polygon.push_back(ring[i] + (before ? far : near));
-        if (now != before) polygon.push_back(ring[i] + (now ? far : near));
-        before = now;
-    }
-}
-
-void sweepWall(std::span<const glm::dvec2> wall, glm::dvec2 near, glm::dvec2 far,
-               std::vector<glm::dvec2>& polygon) {
-    if (cross(far - near, wall[1] - wall[0]) <= 0)
-        return;  // faces the sun: a wall on the other side throws this shadow
-    polygon = {wall[0] + near, wall[0] + far, wall[1] + far, wall[1] + near};
-}
-
-void project(std::span<const glm::dvec2> face, const ShadowCaster& caster, glm::dvec2 throwCells,
-             std::vector<glm::dvec2>& polygon) {
-    for (std::size_t i = 0; i < 3; ++i) polygon.push_back(face[i] + throwCells * double(caster.heights[i]));
-    const double turn = cross(polygon[1] - polygon[0], polygon[2] - polygon[0]);
-    if (turn < 0 && caster.twoSided)
-        std::swap(polygon[1], polygon[2]);
-    else if (turn <= 0)
-        polygon.clear();  // seen from behind: a face on the other side throws this shadow
-}
-
 }  // namespace
 
 ShadowCasters shadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid) {
     CasterBuilder builder(city, grid);
     for (const std::uint32_t building : buildings) builder.addBuilding(building);
     return builder.take();
-}
-
-void shadowOf(const ShadowCasters& casters, const ShadowCaster& caster, glm::dvec2 throwCells,
-              std::vector<glm::dvec2>& polygon) {
-    polygon.clear();
-    const auto points = casters.pointsOf(caster);
-    const glm::dvec2 near = throwCells * double(caster.bottomM), far = throwCells * double(caster.topM);
-    switch (caster.kind) {
-        case Kind::prism:
-            return sweep(points, near, far, polygon);
-        case Kind::wall:
-            return sweepWall(points, near, far, polygon);
-        case Kind::flat:
-            return sweep(points, near, near, polygon);
-        case Kind::face:
-            return project(points, caster, throwCells, polygon);
-    }
 }
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/accumulate/projected/ring_lines.h"
 #include "core/city/city.h"
 #include "core/receivers/grid.h"
 
@@ -23,13 +24,16 @@ struct ShadowCaster {
                 ///< hangs
         face,   ///< three points of a mesh, each with its height in `heights`; throws when it faces the sun
     };
+    static constexpr std::size_t mostPoints = 60;
     Kind kind = Kind::prism;
     std::uint32_t firstPoint = 0;  ///< into ShadowCasters::points
     std::uint32_t pointCount = 0;
+    std::uint32_t firstEdge = 0;  ///< into ShadowCasters::edges, one from each point; a face has none
     float bottomM = 0;
     float topM = 0;
     std::array<float, 3> heights{};  ///< of a face only
     bool twoSided = false;           ///< a face of a mesh that is not closed: throws from behind, too
+    bool stands = false;             ///< a prism on the ground: no receiver is under it
     std::uint32_t building = 0;      ///< index in City::buildings
     glm::dvec2 low{}, high{};        ///< bounds of the points, cells
 };
@@ -38,9 +42,13 @@ struct ShadowCaster {
 struct ShadowCasters {
     std::vector<ShadowCaster> casters;
     std::vector<glm::dvec2> points;
+    std::vector<RingEdge> edges;
 
     [[nodiscard]] std::span<const glm::dvec2> pointsOf(const ShadowCaster& caster) const {
         return std::span(points).subspan(caster.firstPoint, caster.pointCount);
+    }
+    [[nodiscard]] std::span<const RingEdge> edgesOf(const ShadowCaster& caster) const {
+        return std::span(edges).subspan(caster.firstEdge, caster.pointCount);
     }
 };
 
@@ -49,11 +57,5 @@ struct ShadowCasters {
 /// seen from both sides where it is not closed. `buildings`: indices into the city, each on flat ground z =
 /// 0.
 ShadowCasters shadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
-
-/// The shadow of one caster on the ground, as a convex counter-clockwise polygon in cells; empty when it
-/// throws none from there. `throwCells`: how far, and where to, the shadow of a point one metre up lies, in
-/// cells. Replaces what is in `polygon`.
-void shadowOf(const ShadowCasters& casters, const ShadowCaster& caster, glm::dvec2 throwCells,
-              std::vector<glm::dvec2>& polygon);
 
 }  // namespace noonmark

@@ -1,50 +1,42 @@
 #include "core/accumulate/projected/shadow_events.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 
 namespace noonmark {
 
 namespace {
-// Words that one task walks through all steps: their cells' states, 12 bytes a cell, stay in the second-level
-// cache.
-constexpr std::size_t wordsATask = 128;
+
+bool differ(const std::uint64_t* steps, std::uint64_t word) {
+    std::uint64_t difference = 0;
+    for (std::size_t k = 0; k < stepsTogether; ++k) difference |= steps[k] ^ word;
+    return difference != 0;
+}
+
 }  // namespace
 
-ShadowEvents::ShadowEvents(const Receivers& receivers)
-    : receivers_(receivers),
-      layout_(receivers.grid),
-      isReceiver_(layout_.words()),
-      shaded_(layout_.words()),
-      cells_(layout_.words() * 64) {
-    for (const std::uint32_t cell : receivers.cells) {
-        const int column = int(cell % std::uint32_t(layout_.columns)),
-                  row = int(cell / std::uint32_t(layout_.columns));
-        layout_.set(isReceiver_, column, row);
+ShadowEvents::ShadowEvents(const BitLayout& layout, const RowBand& band,
+                           std::span<const std::uint64_t> noReceivers)
+    : layout_(layout),
+      band_(band),
+      noReceivers_(noReceivers.begin(), noReceivers.end()),
+      shaded_(noReceivers_),
+      cells_(layout.words() * 64) {}
+
+void ShadowEvents::add(std::span<const std::uint64_t> rasters, const StartsRun& startsRun) {
+    const bool anyStart = std::ranges::count(startsRun, true) > 0;
+    for (std::size_t word = 0; word < shaded_.size(); ++word) {
+        const std::uint64_t* steps = &rasters[word * stepsTogether];
+        if (differ(steps, shaded_[word]) || (anyStart && shaded_[word] != noReceivers_[word]))
+            addWord(word, steps, startsRun);
     }
+    step_ += stepsTogether;
 }
 
-void ShadowEvents::add(std::span<const std::uint64_t> rasters, std::span<const bool> startsRun) {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, layout_.words(), wordsATask),
-        [&](const auto& range) { addWords(range.begin(), range.end(), rasters, startsRun); },
-        tbb::simple_partitioner());
-    steps_ += std::uint32_t(startsRun.size());
-}
-
-void ShadowEvents::addWords(std::size_t first, std::size_t end, std::span<const std::uint64_t> rasters,
-                            std::span<const bool> startsRun) {
-    for (std::size_t k = 0; k < startsRun.size(); ++k) {
-        const std::uint32_t step = steps_ + std::uint32_t(k);
-        const std::uint64_t* raster = rasters.data() + k * layout_.words();
-        for (std::size_t word = first; word < end; ++word) {
-            if (startsRun[k] && shaded_[word] != 0) change(word, 0, step);
-            const std::uint64_t now = raster[word] & isReceiver_[word];
-            if (now != shaded_[word]) change(word, now, step);
-        }
+void ShadowEvents::addWord(std::size_t word, const std::uint64_t* steps, const StartsRun& startsRun) {
+    for (std::uint32_t k = 0; k < stepsTogether; ++k) {
+        if (startsRun[k]) change(word, noReceivers_[word], step_ + k);
+        if (steps[k] != shaded_[word]) change(word, steps[k], step_ + k);
     }
 }
 
@@ -65,14 +57,21 @@ void ShadowEvents::endRuns(std::size_t word, std::uint64_t ended, std::uint32_t 
     }
 }
 
-void ShadowEvents::finish(ShadowField& field) {
-    for (std::size_t word = 0; word < shaded_.size(); ++word) change(word, 0, steps_);
-    for (const std::uint32_t cell : receivers_.cells) {
-        const int column = int(cell % std::uint32_t(layout_.columns)),
-                  row = int(cell / std::uint32_t(layout_.columns));
-        const CellState& state = cells_[layout_.word(column, row) * 64 + std::size_t(column & 63)];
-        field.grossMin[cell] = float(state.gross * field.stepMinutes / field.days);
-        field.continuousMin[cell] = float(state.longest * field.stepMinutes);
+void ShadowEvents::finish(std::size_t steps, ShadowField& field) {
+    for (std::size_t word = 0; word < shaded_.size(); ++word)
+        change(word, noReceivers_[word], std::uint32_t(steps));
+    for (int row = 0; row < layout_.rows; ++row)
+        for (int column = 0; column < layout_.columns; column += 64)
+            write(layout_.word(column, row), std::uint32_t(field.grid.index(column, band_.first + row)),
+                  field);
+}
+
+void ShadowEvents::write(std::size_t word, std::uint32_t firstCell, ShadowField& field) const {
+    for (std::uint64_t left = ~noReceivers_[word]; left != 0; left &= left - 1) {
+        const auto bit = std::size_t(std::countr_zero(left));
+        const CellState& state = cells_[word * 64 + bit];
+        field.grossMin[firstCell + bit] = float(state.gross * field.stepMinutes / field.days);
+        field.continuousMin[firstCell + bit] = float(state.longest * field.stepMinutes);
     }
 }
 

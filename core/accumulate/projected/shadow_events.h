@@ -1,28 +1,33 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/accumulate/projected/bit_raster.h"
+#include "core/accumulate/projected/step_lanes.h"
 #include "core/accumulate/shadow_field.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
 
-/// Gross and continuous shadow from rasters, one a step, in time order. A cell costs something only when it
-/// goes into or out of shadow, which happens a few times a day; whole words that did not change cost one
-/// comparison.
+/// Gross and continuous shadow over some rows of a grid from rasters, in time order. A cell costs something
+/// only when it goes into or out of shadow, which happens a few times a day; a word that does not change over
+/// eight steps costs one comparison.
 class ShadowEvents {
 public:
-    explicit ShadowEvents(const Receivers& receivers);
+    /// `noReceivers`: a raster of cells that are not counted.
+    ShadowEvents(const BitLayout& layout, const RowBand& band, std::span<const std::uint64_t> noReceivers);
 
-    /// The next `count` steps: `rasters` holds `count` x layout words. startsRun[k]: step k begins a new run
-    /// (a new day, or steps are missing before it). All cores.
-    void add(std::span<const std::uint64_t> rasters, std::span<const bool> startsRun);
+    /// The next eight steps (convex_fill.h); cells that are no receivers are set. startsRun[k]: step k begins
+    /// a new run (a new day, or steps are missing before it). Beyond the last step of a period all is as
+    /// before.
+    using StartsRun = std::array<bool, stepsTogether>;
+    void add(std::span<const std::uint64_t> rasters, const StartsRun& startsRun);
 
-    /// Ends open runs and writes minutes into the receivers' cells of a blank field.
-    void finish(ShadowField& field);
+    /// Ends open runs after so many steps and writes minutes into the receivers' cells of a blank field.
+    void finish(std::size_t steps, ShadowField& field);
 
 private:
     struct CellState {
@@ -30,17 +35,16 @@ private:
         std::uint32_t longest = 0;  // steps
         std::uint32_t start = 0;    // step at which the open run began
     };
-    void addWords(std::size_t first, std::size_t end, std::span<const std::uint64_t> rasters,
-                  std::span<const bool> startsRun);
+    void addWord(std::size_t word, const std::uint64_t* steps, const StartsRun& startsRun);
     void change(std::size_t word, std::uint64_t now, std::uint32_t step);
     void endRuns(std::size_t word, std::uint64_t ended, std::uint32_t step);
+    void write(std::size_t word, std::uint32_t firstCell, ShadowField& field) const;
 
-    const Receivers& receivers_;
     BitLayout layout_;
-    std::vector<std::uint64_t> isReceiver_;  // raster
-    std::vector<std::uint64_t> shaded_;      // raster of the last step
-    std::vector<CellState> cells_;           // 64 a word
-    std::uint32_t steps_ = 0;
+    RowBand band_;
+    std::vector<std::uint64_t> noReceivers_, shaded_;  // rasters; of the last step
+    std::vector<CellState> cells_;                     // 64 a word
+    std::uint32_t step_ = 0;
 };
 
 }  // namespace noonmark

@@ -1,94 +1,97 @@
 #include "core/accumulate/projected/step_filler.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
+#include <numeric>
 
-#include "core/accumulate/projected/convex_fill.h"
+#include "core/accumulate/projected/cell_coordinates.h"
 
 namespace noonmark {
 
-ReceiverCount::ReceiverCount(const Receivers& receivers)
-    : columns_(receivers.grid.columns),
-      rows_(receivers.grid.rows),
-      sums_((receivers.grid.columns + 1ULL) * (receivers.grid.rows + 1ULL)) {
-    const auto at = [&](int column, int row) -> std::uint32_t& {
-        return sums_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
-    };
-    for (int row = 0; row < rows_; ++row)
-        for (int column = 0; column < columns_; ++column) {
-            const bool here = receivers.kind[receivers.grid.index(column, row)] == CellKind::ground;
-            at(column + 1, row + 1) =
-                at(column, row + 1) + at(column + 1, row) - at(column, row) + std::uint32_t(here);
-        }
+namespace {
+
+constexpr int wordsABand = 1536, leastRows = 64, bandsAGrid = 8;
+
+std::vector<std::uint64_t> rasterOfNoReceivers(const Receivers& receivers, const BitLayout& layout,
+                                               const RowBand& band) {
+    std::vector<std::uint64_t> raster(layout.words(), ~std::uint64_t{0});
+    const auto columns = std::uint32_t(layout.columns);
+    const auto first = std::ranges::lower_bound(receivers.cells, std::uint32_t(band.first) * columns);
+    for (auto cell = first; cell != receivers.cells.end() && *cell < std::uint32_t(band.end) * columns;
+         ++cell) {
+        const int column = int(*cell % columns), row = int(*cell / columns) - band.first;
+        raster[layout.word(column, row)] &= ~(std::uint64_t{1} << (column & 63));
+    }
+    return raster;
 }
 
-bool ReceiverCount::any(glm::dvec2 low, glm::dvec2 high) const {
-    const auto cell = [](double position, int count) {
-        return int(std::clamp(position, 0.0, double(count)));
-    };
-    const int west = cell(std::floor(low.x), columns_), east = cell(std::ceil(high.x) + 1, columns_);
-    const int south = cell(std::floor(low.y), rows_), north = cell(std::ceil(high.y) + 1, rows_);
-    const auto at = [&](int column, int row) {
-        return sums_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
-    };
-    return at(east, north) - at(west, north) - at(east, south) + at(west, south) > 0;
+}  // namespace
+
+FillCount& FillCount::operator+=(const FillCount& other) {
+    rows += other.rows;
+    outOfReach += other.outOfReach;
+    return *this;
 }
 
-StepFiller::StepFiller(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun)
+StepFiller::StepFiller(const ShadowCasters& casters, const ReceiverCount& where, const Receivers& receivers,
+                       const SunSteps& sun, const RowBand& band)
     : casters_(casters),
+      where_(where),
       sun_(sun),
-      layout_(receivers.grid),
+      band_(band),
+      layout_(receivers.grid.columns, band.rows()),
       cellM_(receivers.grid.cellM),
-      receivers_(receivers),
-      noReceivers_(layout_.words(), ~std::uint64_t{0}) {
-    for (const std::uint32_t cell : receivers.cells) {
-        const int column = int(cell % std::uint32_t(layout_.columns));
-        noReceivers_[layout_.word(column, int(cell / std::uint32_t(layout_.columns)))] &=
-            ~(std::uint64_t{1} << (column & 63));
-    }
+      noReceivers_(rasterOfNoReceivers(receivers, layout_, band)),
+      caster_(casters) {
+    Indices all(casters.casters.size());
+    std::iota(all.begin(), all.end(), 0U);
+    if (!sun.steps.empty()) reach(throwsOf(0, sun.steps.size()), all, everInReach_);
 }
 
-// The shadow of a point one metre up lies this far from the point below it.
-glm::dvec2 StepFiller::throwCells(std::size_t step) const {
-    const glm::dvec3 sun(sun_.steps[step].direction);
-    return glm::dvec2(sun.x, sun.y) / (-sun.z * cellM_);
+// The throws of some steps, the last one again for lanes beyond, and the bounds of all.
+StepThrows StepFiller::throwsOf(std::size_t first, std::size_t end) const {
+    StepThrows throws{{}, glm::dvec2(1e30), glm::dvec2(-1e30)};
+    for (std::size_t step = first; step < std::max(end, first + stepsTogether); ++step) {
+        const glm::dvec3 sun(sun_.steps[std::min(step, sun_.steps.size() - 1)].direction);
+        const glm::dvec2 thrown = throwInCells(sun, cellM_);
+        throws.low = glm::min(throws.low, thrown);
+        throws.high = glm::max(throws.high, thrown);
+        if (step - first >= stepsTogether) continue;
+        throws.at.x[step - first] = thrown.x;
+        throws.at.y[step - first] = thrown.y;
+    }
+    return throws;
 }
 
-std::vector<std::uint32_t> StepFiller::castersInReach(std::size_t first, std::size_t end) const {
-    glm::dvec2 low(1e30), high(-1e30);  // of the throws of these steps
-    for (std::size_t step = first; step < end; ++step) {
-        low = glm::min(low, throwCells(step));
-        high = glm::max(high, throwCells(step));
-    }
-    std::vector<std::uint32_t> inReach;
-    for (std::uint32_t i = 0; i < casters_.casters.size(); ++i) {
+void StepFiller::reach(const StepThrows& throws, const Indices& among, Indices& inReach) const {
+    inReach.clear();
+    for (const std::uint32_t i : among) {
         const ShadowCaster& caster = casters_.casters[i];
         const double bottom = caster.bottomM, top = caster.topM;
-        const glm::dvec2 west = caster.low + glm::min(low * bottom, low * top);
-        const glm::dvec2 east = caster.high + glm::max(high * bottom, high * top);
-        if (receivers_.any(west, east)) inReach.push_back(i);
+        const glm::dvec2 west = caster.low + glm::min(throws.low * bottom, throws.low * top);
+        const glm::dvec2 east = caster.high + glm::max(throws.high * bottom, throws.high * top);
+        if (where_.any(west, east, band_)) inReach.push_back(i);
     }
-    return inReach;
 }
 
-FillCount StepFiller::fill(std::size_t first, std::size_t end, std::span<std::uint64_t> rasters) const {
-    FillCount count;
-    std::vector<glm::dvec2> polygon;
-    const std::vector<std::uint32_t> inReach = castersInReach(first, end);
-    count.outOfReach = (casters_.casters.size() - inReach.size()) * (end - first);
-    for (std::size_t step = first; step < end; ++step) {
-        const auto raster = rasters.subspan((step - first) * layout_.words(), layout_.words());
-        std::ranges::copy(noReceivers_, raster.begin());
-        const glm::dvec2 thrown = throwCells(step);
-        for (const std::uint32_t index : inReach) {
-            shadowOf(casters_, casters_.casters[index], thrown, polygon);
-            if (polygon.empty()) continue;
-            count.rows += std::uint64_t(fillConvex(polygon, layout_, raster));
-            ++count.polygons;
-        }
-    }
-    return count;
+void StepFiller::fill(std::size_t first, std::span<std::uint64_t> rasters) {
+    const StepThrows throws = throwsOf(first, first + stepsTogether);
+    reach(throws, everInReach_, inReach_);
+    for (std::size_t word = 0; word < noReceivers_.size(); ++word)
+        std::fill_n(&rasters[word * stepsTogether], stepsTogether, noReceivers_[word]);
+    for (const std::uint32_t index : inReach_)
+        count_.rows += std::uint64_t(caster_.fill(index, throws, layout_, band_, rasters));
+    const std::size_t steps = std::min(stepsTogether, sun_.steps.size() - first);
+    count_.outOfReach += (casters_.casters.size() - inReach_.size()) * steps;
+}
+
+std::vector<RowBand> bandsOf(const Grid& grid) {
+    const int wordColumns = (grid.columns + 63) / 64,
+              rows = std::max(leastRows, std::min(wordsABand / wordColumns, grid.rows / bandsAGrid));
+    std::vector<RowBand> bands;
+    for (int first = 0; first < grid.rows; first += rows)
+        bands.push_back({first, std::min(first + rows, grid.rows)});
+    return bands;
 }
 
 }  // namespace noonmark

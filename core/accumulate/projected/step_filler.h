@@ -2,54 +2,54 @@
 
 #include <cstdint>
 #include <span>
-#include <stop_token>
 #include <vector>
 
-#include "core/accumulate/projected/bit_raster.h"
-#include "core/accumulate/projected/shadow_casters.h"
-#include "core/receivers/receivers.h"
+#include "core/accumulate/projected/caster_fill.h"
+#include "core/accumulate/projected/receiver_count.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
-/// Counts how many receivers a rectangle of cells holds, in constant time (a summed-area table).
-class ReceiverCount {
-public:
-    explicit ReceiverCount(const Receivers& receivers);
-    /// Whether a receiver's centre may lie in [low, high] (cells; any size, clipped to the grid).
-    [[nodiscard]] bool any(glm::dvec2 low, glm::dvec2 high) const;
-
-private:
-    int columns_, rows_;
-    std::vector<std::uint32_t> sums_;  // (columns + 1) x (rows + 1)
-};
-
 /// What filling did, and did not need to do.
 struct FillCount {
-    std::uint64_t polygons = 0;
-    std::uint64_t rows = 0;
-    std::uint64_t outOfReach = 0;  ///< casters x steps whose shadow meets no receiver
+    std::uint64_t rows = 0;        ///< of eight steps each
+    std::uint64_t outOfReach = 0;  ///< casters x steps whose shadow meets no receiver of a band
+    FillCount& operator+=(const FillCount& other);
 };
 
-/// Fills the rasters of consecutive steps of the sun. Immutable; safe to share between threads.
+/// Fills the rasters of the sun's steps over some rows of a grid. One for each thread.
 class StepFiller {
 public:
-    StepFiller(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun);
+    StepFiller(const ShadowCasters& casters, const ReceiverCount& where, const Receivers& receivers,
+               const SunSteps& sun, const RowBand& band);
 
-    /// Rasters of steps [first, end); `rasters` holds (end - first) x layout words, what was in them goes.
-    /// Cells that are no receivers are set from the start: what falls on them only need not be filled.
-    FillCount fill(std::size_t first, std::size_t end, std::span<std::uint64_t> rasters) const;
+    /// The rasters of eight steps from `first` on (convex_fill.h); what was in them goes. Beyond the period
+    /// they are as at its last step. Cells that are no receivers are set from the start: what falls on them
+    /// only need not be filled. Steps in time order cost least.
+    void fill(std::size_t first, std::span<std::uint64_t> rasters);
+
+    [[nodiscard]] const BitLayout& layout() const { return layout_; }  ///< of the band
+    [[nodiscard]] std::span<const std::uint64_t> noReceivers() const { return noReceivers_; }
+    [[nodiscard]] const FillCount& count() const { return count_; }
 
 private:
-    [[nodiscard]] glm::dvec2 throwCells(std::size_t step) const;
-    [[nodiscard]] std::vector<std::uint32_t> castersInReach(std::size_t first, std::size_t end) const;
+    using Indices = std::vector<std::uint32_t>;
+    void reach(const StepThrows& throws, const Indices& among, Indices& inReach) const;
+    [[nodiscard]] StepThrows throwsOf(std::size_t first, std::size_t end) const;
 
     const ShadowCasters& casters_;
+    const ReceiverCount& where_;
     const SunSteps& sun_;
+    RowBand band_;
     BitLayout layout_;
     double cellM_;
-    ReceiverCount receivers_;
     std::vector<std::uint64_t> noReceivers_;  // raster
+    CasterFill caster_;
+    Indices everInReach_, inReach_;  // at any step; at the eight
+    FillCount count_;
 };
+
+/// Rows of a grid in bands whose rasters stay in the first-level cache, and some for each core.
+std::vector<RowBand> bandsOf(const Grid& grid);
 
 }  // namespace noonmark

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accumulate/projected/convex_fill.h"
-#include "core/accumulate/projected/shadow_casters.h"
+#include "core/accumulate/projected/caster_fill.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/receivers/rasterize.h"
 #include "tests/core/accumulate/scenes.h"
@@ -37,7 +36,19 @@ double differing(const City& city, const Receivers& receivers, const SunSteps& s
     return double(different) / double(std::max<std::size_t>(1, sun.steps.size() * receivers.cells.size()));
 }
 
-TEST(ConvexFill, fillsWhatTheRasteriserFills) {
+// A polygon as the shadow of a slab on the ground.
+void fillPolygon(std::span<const glm::dvec2> polygon, const BitLayout& layout,
+                 std::span<std::uint64_t> rasters) {
+    ShadowCasters casters;
+    casters.points.assign(polygon.begin(), polygon.end());
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        casters.edges.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
+    casters.casters.push_back(
+        {.kind = ShadowCaster::Kind::flat, .pointCount = std::uint32_t(polygon.size())});
+    CasterFill(casters).fill(0, {}, layout, {0, layout.rows}, rasters);
+}
+
+TEST(CasterFill, fillsWhatTheRasteriserFills) {
     const Grid grid{0, 0, 1, 130, 140};
     const BitLayout layout(grid);
     std::mt19937 random(9);
@@ -49,8 +60,11 @@ TEST(ConvexFill, fillsWhatTheRasteriserFills) {
         if (signedArea(ring) < 0) std::swap(ring[1], ring[2]);
         std::vector<glm::dvec2> cells;
         for (const glm::vec2 point : ring) cells.push_back(glm::dvec2(point) - 0.5);
-        std::vector<std::uint64_t> raster(layout.words()), expected(layout.words());
-        fillConvex(cells, layout, raster);
+        std::vector<StepWords> steps(layout.words());
+        std::vector<std::uint64_t> raster, expected(layout.words());
+        fillPolygon(cells, layout, {steps.data()->words, steps.size() * stepsTogether});
+        for (const StepWords& eight : steps)
+            raster.push_back(eight.words[std::size_t(round) % stepsTogether]);
         forEachRun({ring, {}}, grid, [&](int row, int first, int end) {
             for (int column = first; column < end; ++column) layout.set(expected, column, row);
         });

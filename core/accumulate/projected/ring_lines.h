@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <utility>
+
+namespace noonmark {
+
+/// Whether an edge is so level that it bounds no row: cells as close to it as this lie within rounding.
+inline bool isLevel(glm::dvec2 a, glm::dvec2 b) { return std::abs(b.y - a.y) < 1e-6; }
+
+/// An edge of a counter-clockwise ring, in cells: what it bounds lies on its left.
+struct RingEdge {
+    enum class Side : std::uint8_t { western, eastern, level };
+    glm::dvec2 along{};  ///< from its first point to its second
+    double atRow0 = 0;   ///< the line that it lies on: column = atRow0 + row x slope
+    double slope = 0;
+    Side side = Side::level;
+
+    /// The same line whichever way the edge runs, so that neighbours that share it leave no gap and share no
+    /// cell.
+    RingEdge(glm::dvec2 a, glm::dvec2 b) : along(b - a) {
+        if (isLevel(a, b)) return;
+        side = b.y > a.y ? Side::eastern : Side::western;
+        if (b.y < a.y) std::swap(a, b);
+        slope = (b.x - a.x) / (b.y - a.y);
+        atRow0 = a.x - a.y * slope;
+    }
+};
+
+}  // namespace noonmark
