@@ -9,9 +9,11 @@ namespace noonmark {
 /// Exact shadows on flat ground, in object order: at every step each building's shadow is a polygon, filled
 /// into a bit raster of the region. No rays, no depth buffer, no bias; any prism, lifted part or closed mesh.
 /// Terrain is refused. Receivers stand where rayOrigin() puts them, so a cell should differ from the ray
-/// reference only where it lies within float rounding of a shadow's edge: of the steps of all cells of a
-/// dense city some 5 in 10 million differ; the worst cell of a day by 24 min, and why is not known. Cost:
-/// (polygons that meet the region) x 0.1 us a step and core, and 1 ns for each of their rows.
+/// reference only where it lies within float rounding of a shadow's edge: in a dense city some 10 of 300,000
+/// cells differ, by a minute a day. More only where a cell stands within 0.1 mm of a wall and the reference's
+/// rays, moved aside, begin inside: with the sun along that wall they meet it on their way out (one such cell
+/// there, 18 min). Cost: (polygons that meet the region) x 20 ns a step and core, and 1 ns for each of their
+/// rows.
 class ProjectedShadows final : public Accumulator {
 public:
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,

@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 #include <vector>
 
+#include "core/accumulate/projected/bit_raster.h"
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
+#include "core/accumulate/ray_scene.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -28,7 +31,7 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-void compare(const Receivers& receivers, const ShadowField& field, const ShadowField& truth) {
+std::uint32_t compare(const Receivers& receivers, const ShadowField& field, const ShadowField& truth) {
     std::map<int, int> counts;  // cells by minutes that differ
     std::uint32_t worst = 0;
     const auto off = [&](std::uint32_t cell) {
@@ -42,6 +45,37 @@ void compare(const Receivers& receivers, const ShadowField& field, const ShadowF
     fmt::print("worst: cell {} {}, {} min by polygons, {} min by rays\n",
                worst % std::uint32_t(receivers.grid.columns), worst / std::uint32_t(receivers.grid.columns),
                field.grossMin[worst], truth.grossMin[worst]);
+    return worst;
+}
+
+// What both say at one cell, step by step where they differ, and what stands around it.
+void explain(const City& city, const Receivers& receivers, const SunSteps& sun, std::uint32_t cell) {
+    const auto rasters = projectedRasters(city, receivers, sun).value();
+    const BitLayout layout(receivers.grid);
+    const auto scene = RayScene::over(city).value();
+    const glm::vec3 origin = rayOrigin(receivers.position(cell));
+    fmt::print("ray origin {:.6f} {:.6f} {:.6f}\n", origin.x, origin.y, origin.z);
+    const int column = int(cell) % layout.columns, row = int(cell) / layout.columns;
+    for (std::size_t step = 0; step < sun.steps.size(); ++step) {
+        const bool filled = layout.at(std::span(rasters).subspan(step * layout.words()), column, row);
+        if (filled != scene.occluded(origin, sun.steps[step].direction))
+            fmt::print("  step {} azimuth {:.4f} altitude {:.4f}: polygons {}\n", step,
+                       sun.steps[step].azimuthDeg, sun.steps[step].altitudeDeg, filled);
+    }
+    for (const auto& building : city.buildings)
+        for (const Part& part : building->parts)
+            for (std::size_t i = 0; i < part.footprint.outer.size(); ++i) {
+                const glm::vec2 a = part.footprint.outer[i],
+                                b = part.footprint.outer[(i + 1) % part.footprint.outer.size()];
+                const glm::dvec2 d = glm::dvec2(b) - glm::dvec2(a), p = glm::dvec2(origin) - glm::dvec2(a);
+                const double length = glm::length(d), aside = (d.x * p.y - d.y * p.x) / length,
+                             along = glm::dot(d, p) / length;
+                if (std::abs(aside) < 0.01 && along > -0.01 && along < length + 0.01)
+                    fmt::print(
+                        "  wall {:.6f} {:.6f} to {:.6f} {:.6f}, {} to {} m: {:.7f} m to its left, {:.6f} "
+                        "along\n",
+                        a.x, a.y, b.x, b.y, part.bottomM, part.topM, aside, along);
+            }
 }
 
 }  // namespace
@@ -66,5 +100,7 @@ int main(int argc, char** argv) {
     fmt::print("{} receivers, {} steps: {:.4f} s processor, median of {}\n", receivers.cells.size(),
                sun.steps.size(), median(processor), rounds);
     for (const auto& [stage, seconds] : stages) fmt::print("  {} {:.4f} s wall\n", stage, median(seconds));
-    if (argc > 3) compare(receivers, field, fieldOf(RayReference(), city, receivers, sun));
+    if (argc > 3)
+        explain(city, receivers, sun,
+                compare(receivers, field, fieldOf(RayReference(), city, receivers, sun)));
 }

@@ -14,6 +14,9 @@ namespace {
 using Kind = ShadowCaster::Kind;
 
 constexpr double farOff = 1e9;
+// Shadows of walls begin so much sunward of them, metres up: where the rays of a receiver just behind a wall
+// begin in the building (rayOrigin()). No receiver stands in there.
+constexpr double behindWallM = 1e-3;
 
 void keepLeast(StepDoubles& least, const StepDoubles& other) { least = other < least ? other : least; }
 void keepMost(StepDoubles& most, const StepDoubles& other) { most = other > most ? other : most; }
@@ -67,7 +70,8 @@ CasterFill::FarEdges CasterFill::Sweep::findFar(std::size_t step) const {
 }
 
 CasterFill::Sweep CasterFill::sweepOf(const ShadowCaster& caster, const StepThrows& throws) const {
-    const double bottom = caster.bottomM, top = caster.topM;
+    const bool fromGround = caster.kind == Kind::wall && caster.bottomM == 0;
+    const double bottom = fromGround ? -behindWallM : double(caster.bottomM), top = caster.topM;
     Sweep sweep{caster,
                 casters_.pointsOf(caster),
                 casters_.edgesOf(caster),

@@ -139,6 +139,21 @@ TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
         EXPECT_EQ(one.grossMin[cell], two.grossMin[cell]) << cell;
 }
 
+// Rays begin a little north-east of a receiver: here one stands just outside a wall, and its rays begin
+// inside.
+TEST(ProjectedShadows, aReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehind) {
+    const float line = 0.5F + RayReferenceSettings::asideM / 2;
+    const Ring box = rectangle(line, line, 12, 12);
+    const Ring angle{{line, line}, {12, line}, {12, 6}, {6, 6}, {6, 12}, {line, 12}};
+    for (const Ring& ring : {box, angle}) {
+        City city;
+        city.buildings.push_back(buildingOf({ring, {}}, 0, 9));
+        const Receivers receivers = receiversOver(city, -20, -20, 40, 40);
+        ASSERT_EQ(receivers.kind[receivers.grid.index(20, 25)], CellKind::ground);
+        EXPECT_EQ(differing(city, receivers, oneDay({{30, 30}, {45, 40}, {60, 20}, {75, 50}})), 0);
+    }
+}
+
 TEST(ProjectedShadows, aMeshThatIsNotClosedShadesFromBothSides) {
     for (const glm::uvec3 triangle : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 1)}) {
         const TriangleMesh sail{{{0, 0, 8}, {20, 0, 8}, {0, 20, 14}}, {triangle}};
