@@ -9,6 +9,7 @@
 #include "core/accumulate/auto_engine.h"
 #include "core/progress_share.h"
 #include "core/study/memory_need.h"
+#include "scenarios/impact/reached_receivers.h"
 
 namespace noonmark {
 
@@ -34,6 +35,12 @@ std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     for (std::size_t i = 0; i < after.buildings.size(); ++i)
         if (!known.contains(after.buildings[i].get())) fresh.push_back(i);
     return fresh;
+}
+
+// Whether an engine gives a receiver the same minutes whichever others there are; those with maps of the
+// whole region may not.
+bool looksAtEachReceiverAlone(std::string_view engineKey) {
+    return engineKey == referenceEngine || engineKey == "projected" || engineKey == "horizon";
 }
 
 // One question asked of several cities.
@@ -63,6 +70,8 @@ private:
         if (!second) return tl::make_unexpected(second.error());
         study.before = *std::move(first);
         study.after = *std::move(second);
+        for (ShadowField* field : {&study.before, &study.after})
+            if (field->engineKey.empty()) field->engineKey = settings_.study.engine;
         study.total = differenceOf(study.before, study.after, common_.change);
         for (const std::size_t i : fresh)
             if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
@@ -103,21 +112,37 @@ private:
                        "Choose other hours or days");
     }
 
-    Result<ShadowField> fieldOf(const City& city) {
+    Result<ShadowField> fieldOf(const City& city) { return fieldOf(city, common_.receivers); }
+
+    Result<ShadowField> fieldOf(const City& city, const Receivers& receivers) {
         ProgressShare share(progress_, done_++, fields_);
-        if (choice_) return choice_->accumulate(city, common_.receivers, sun_, share, stop_);
-        return engine_->accumulate(city, common_.receivers, sun_, share, stop_);
+        if (choice_) return choice_->accumulate(city, receivers, sun_, share, stop_);
+        return engine_->accumulate(city, receivers, sun_, share, stop_);
     }
 
     Result<void> addBuilding(const City& after, std::size_t i, ImpactStudy& study) {
         City without = after;
         without.buildings.erase(without.buildings.begin() + std::ptrdiff_t(i));
-        auto field = fieldOf(without);
-        if (!field) return tl::make_unexpected(field.error());
         const Building& building = *after.buildings[i];
+        auto field = fieldWithout(without, building, study.after);
+        if (!field) return tl::make_unexpected(field.error());
         study.byBuilding.push_back(
             {building.sourceId, building.name, differenceOf(*field, study.after, common_.change)});
         return {};
+    }
+
+    // Looks only where the building's shadow can fall: elsewhere the field is as it is with the building.
+    Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
+        if (!looksAtEachReceiverAlone(with.engineKey)) return fieldOf(without);
+        if (!reach_) reach_.emplace(sun_);
+        const Receivers reached = reachedBy(building, common_.receivers, *reach_);
+        if (reached.cells.empty()) {
+            ++done_;
+            return with;
+        }
+        auto field = fieldOf(without, reached);
+        if (field) fillUnreached(*field, with, common_.receivers);
+        return field;
     }
 
     const ImpactSettings& settings_;
@@ -128,6 +153,7 @@ private:
     std::optional<EngineChoice> choice_;  // by the engine auto, for all fields
     CommonReceivers common_;
     SunSteps sun_;
+    std::optional<ShadowReach> reach_;  // of the sun, once it is asked for
     std::size_t fields_ = 2;
     std::size_t done_ = 0;
 };

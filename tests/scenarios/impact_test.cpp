@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "scenarios/impact/impact_figures.h"
+#include "scenarios/impact/reached_receivers.h"
 #include "scenarios/scenario.h"
 #include "tests/scenarios/small_town.h"
 
@@ -168,6 +169,44 @@ TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     EXPECT_EQ(study.before.engineKey, "ray");
     EXPECT_EQ(study.after.engineKey, "ray");
     EXPECT_THAT(study.total.engine, testing::HasSubstr("refused"));
+}
+
+// Only where a building's shadow can fall is its field computed anew.
+TEST(Impact, ByBuildingIsThatOfTheWholeFieldToTheLastBit) {
+    City before = manyHouses(6, 6);
+    const City after = with(before, {tower("t", 0, 60), tower("low", 60, 4), Demolish{"c"}});
+    for (const char* engine : {"ray", "projected", "horizon", "auto"}) {
+        ImpactSettings settings = morning(engine);
+        settings.byBuilding = true;
+        const ImpactStudy study = impactOf(before, after, settings);
+        const auto common =
+            commonReceivers(before, after, settings.study.region, settings.study.receivers).value();
+        ASSERT_EQ(study.byBuilding.size(), 2U);
+        for (const BuildingImpact& made : study.byBuilding) {
+            NoProgress progress;
+            const ShadowField whole =
+                makeAccumulator(engine)
+                    .value()
+                    ->accumulate(with(after, {Demolish{made.id}}), common.receivers, study.sun, progress, {})
+                    .value();
+            const Impact plain = differenceOf(whole, study.after, common.change);
+            for (const std::uint32_t cell : common.receivers.cells) {
+                ASSERT_EQ(made.impact.grossMin[cell], plain.grossMin[cell]) << engine << ' ' << made.id;
+                ASSERT_EQ(made.impact.continuousMin[cell], plain.continuousMin[cell]) << engine;
+            }
+        }
+    }
+}
+
+TEST(Impact, ALowBuildingReachesFewReceivers) {
+    const City city = with(threeHouses(), {tower("low", 60, 4)});
+    const ImpactSettings settings = morning();
+    const auto receivers = receiversOnGround(city, settings.study.region, settings.study.receivers).value();
+    const SunSteps sun = sunSteps(settings.study.period, observerOf(city, settings.study), {}).value();
+    const Receivers reached = reachedBy(*city.buildings.back(), receivers, ShadowReach(sun));
+    EXPECT_GT(reached.cells.size(), 100U);
+    EXPECT_LT(reached.cells.size(), receivers.cells.size() / 2);
+    EXPECT_EQ(reached.grid, receivers.grid);
 }
 
 TEST(Impact, SaysWhatIsMissing) {
