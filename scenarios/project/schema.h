@@ -19,20 +19,4 @@ int versionOf(Database& database);
 /// transaction.
 void migrate(Database& database);
 
-/// Adds a layer of square cells (a "2d-gridded-coverage"), which QGIS shows as a raster. Its tiles are rows
-/// of `table`.
-struct CoverageTable {
-    std::string table;
-    std::string identifier;  ///< what GIS programs call it
-    std::string unit;
-    double westM = 0, northM = 0, cellM = 1;
-    int columns = 0, rows = 0;  ///< cells
-};
-void createCoverage(Database& database, const CoverageTable& coverage);
-void dropCoverage(Database& database, const std::string& table);
-
-/// Notes when a layer changed, and what box its features fill now.
-void touchLayer(Database& database, const std::string& table, double westM, double southM, double eastM,
-                double northM);
-
 }  // namespace noonmark

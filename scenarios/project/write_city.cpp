@@ -2,8 +2,8 @@
 
 #include "core/city/building_ground.h"
 #include "scenarios/project/geometry_blob.h"
+#include "scenarios/project/geopackage.h"
 #include "scenarios/project/grid_tiles.h"
-#include "scenarios/project/schema.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scenarios/project/geometry_blob.h"
-#include "scenarios/project/schema.h"
+#include "scenarios/project/geopackage.h"
 
 namespace noonmark {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "scenarios/project/geopackage.h"
 #include "scenarios/project/grid_tiles.h"
-#include "scenarios/project/schema.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
