@@ -1,10 +1,21 @@
 #include "scenarios/massing/lot_edits.h"
 
 #include "core/city/building_ground.h"
+#include "core/city/plan_overlay.h"
 #include "scenarios/edits/placed_building.h"
 #include "scenarios/massing/same_floor_area.h"
 
 namespace noonmark {
+
+std::vector<Footprint> outlineOf(const Building& building) {
+    constexpr LeastPiece least{.areaM2 = 1, .widthM = 0};
+    std::vector<Footprint> standing, all;
+    for (const Part& part : building.parts) {
+        all.push_back(part.footprint);
+        if (!part.hangs) standing.push_back(part.footprint);
+    }
+    return piecesOutside(standing.empty() ? all : standing, {}, least);
+}
 
 std::vector<Edit> clearing(const City& city, const Footprint& lot) {
     const Box2 box = bounds(lot);

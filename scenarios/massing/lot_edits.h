@@ -9,6 +9,9 @@
 
 namespace noonmark {
 
+/// What a building covers where it stands, all parts together; several pieces where it stands in several.
+std::vector<Footprint> outlineOf(const Building& building);
+
 /// Demolitions of all buildings whose middle lies on the lot.
 std::vector<Edit> clearing(const City& city, const Footprint& lot);
 

@@ -10,12 +10,15 @@ namespace noonmark {
 
 namespace {
 
-template <class T>
-Result<T> named(const std::vector<T>& list, const std::string& name, const char* what) {
-    const auto found = std::ranges::find(list, name, &T::name);
+constexpr auto ownName = [](const auto& one) -> const std::string& { return one.name; };
+constexpr auto sharedName = [](const auto& one) -> const std::string& { return one->name; };
+
+template <class T, class Name>
+Result<T> named(const std::vector<T>& list, Name nameOf, const std::string& name, const char* what) {
+    const auto found = std::ranges::find(list, name, nameOf);
     if (found != list.end()) return *found;
     std::vector<std::string> names;
-    for (const T& one : list) names.push_back("'" + one.name + "'");
+    for (const T& one : list) names.push_back("'" + nameOf(one) + "'");
     return failure(fmt::format("There is no such {}", what), fmt::format("{} '{}'", what, name),
                    names.empty() ? fmt::format("The project has none")
                                  : fmt::format("There are: {}", fmt::join(names, ", ")));
@@ -33,21 +36,25 @@ Result<void> checkNames(const Range& list, Name nameOf, const char* what) {
     return {};
 }
 
-constexpr auto ownName = [](const auto& one) -> const std::string& { return one.name; };
-
 }  // namespace
 
 Result<NamedLot> lotNamed(const Project& project, const std::string& name) {
-    return named(project.lots, name, "lot");
+    return named(project.lots, ownName, name, "lot");
 }
 Result<Region> regionNamed(const Project& project, const std::string& name) {
-    return named(project.regions, name, "region");
+    return named(project.regions, ownName, name, "region");
 }
 Result<TimeWeights> weightsNamed(const Project& project, const std::string& name) {
-    return named(project.weights, name, "weight table");
+    return named(project.weights, ownName, name, "weight table");
+}
+Result<NamedPeriod> periodNamed(const Project& project, const std::string& name) {
+    return named(project.periods, ownName, name, "period");
+}
+Result<std::shared_ptr<const KeptResult>> resultNamed(const Project& project, const std::string& name) {
+    return named(project.results, sharedName, name, "kept result");
 }
 Result<Scenario> scenarioNamed(const Project& project, const std::string& name) {
-    return named(project.scenarios, name, "scenario");
+    return named(project.scenarios, ownName, name, "scenario");
 }
 
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario) {
@@ -55,7 +62,6 @@ Result<EditedCity> cityOf(const Project& project, const std::string& scenario) {
 }
 
 Result<void> checked(const Project& project) {
-    const auto sharedName = [](const auto& one) -> const std::string& { return one->name; };
     Result<void> sound = checked(project.scenarios);
     if (sound) sound = checkNames(project.lots, ownName, "lot");
     if (sound) sound = checkNames(project.regions, ownName, "region");

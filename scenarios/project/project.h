@@ -67,6 +67,8 @@ struct Project {
 Result<NamedLot> lotNamed(const Project& project, const std::string& name);
 Result<Region> regionNamed(const Project& project, const std::string& name);
 Result<TimeWeights> weightsNamed(const Project& project, const std::string& name);
+Result<NamedPeriod> periodNamed(const Project& project, const std::string& name);
+Result<std::shared_ptr<const KeptResult>> resultNamed(const Project& project, const std::string& name);
 Result<Scenario> scenarioNamed(const Project& project, const std::string& name);
 
 /// What a scenario, or existingCity, makes of the project's city.

@@ -1,0 +1,182 @@
+#include "scenarios/weights/weights_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <map>
+#include <vector>
+
+#include "core/io/fold_text.h"
+#include "core/study/warnings_json.h"
+#include "scenarios/settings_json.h"
+#include "scenarios/weights/csv_rows.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::array columns{"name", "first", "last", "from", "to", "weight"};
+constexpr std::size_t largestFile = 1'000'000;
+
+// One interval as it is written; `where` names it for people.
+struct Row {
+    std::string where;
+    std::map<std::string, std::string> fields;
+
+    [[nodiscard]] std::string operator[](const char* column) const {
+        const auto found = fields.find(column);
+        return found == fields.end() ? "" : found->second;
+    }
+};
+
+std::string textOf(std::chrono::month_day date) {
+    return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
+}
+
+Result<std::chrono::month_day> dayOf(const Row& row, const char* column) {
+    const std::string text = row[column];
+    unsigned month = 0, day = 0;
+    const char* const end = text.data() + text.size();
+    const auto [dash, first] = std::from_chars(text.data(), end, month);
+    if (first == std::errc{} && dash != end && *dash == '-') {
+        const auto [last, second] = std::from_chars(dash + 1, end, day);
+        const std::chrono::month_day date{std::chrono::month(month), std::chrono::day(day)};
+        if (second == std::errc{} && last == end && date.ok()) return date;
+    }
+    return failure(fmt::format("'{}' is no day of the year", text), fmt::format("{}, {}", row.where, column),
+                   "Give month and day: 12-31");
+}
+
+Result<std::chrono::minutes> hourOf(const Row& row, const char* column, std::chrono::minutes usual) {
+    const std::string text = row[column];
+    if (text.empty()) return usual;
+    return parseTimeOfDay(text).map_error([&](Error error) {
+        error.where = fmt::format("{}, {}", row.where, column);
+        return error;
+    });
+}
+
+Result<double> weightOf(const Row& row) {
+    const std::string text = row["weight"];
+    double weight = 0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, weight);
+    if (error == std::errc{} && rest == end && weight >= -1 && weight <= 1) return weight;
+    return failure(fmt::format("'{}' is no weight", text), row.where,
+                   "Give -1 (unwanted shadow) to 1 (wanted shade)");
+}
+
+Result<WeightedInterval> intervalOf(const Row& row) {
+    for (const auto& [key, value] : row.fields)
+        if (std::ranges::find(columns, key) == columns.end())
+            return failure(fmt::format("There is no column '{}'", key), row.where,
+                           fmt::format("The columns are: {}", fmt::join(columns, ", ")));
+    const auto first = dayOf(row, "first"), last = dayOf(row, "last");
+    if (!first) return tl::make_unexpected(first.error());
+    if (!last) return tl::make_unexpected(last.error());
+    WeightedInterval interval{.name = row["name"], .first = *first, .last = *last};
+    const auto from = hourOf(row, "from", interval.from), to = hourOf(row, "to", interval.to);
+    if (!from) return tl::make_unexpected(from.error());
+    if (!to) return tl::make_unexpected(to.error());
+    const auto weight = weightOf(row);
+    if (!weight) return tl::make_unexpected(weight.error());
+    interval.from = *from;
+    interval.to = *to;
+    interval.weight = *weight;
+    if (interval.name.empty()) interval.name = textOf(*first) + " to " + textOf(*last);
+    return interval;
+}
+
+Result<TimeWeights> tableOf(const std::vector<Row>& rows, const std::string& name) {
+    TimeWeights table{name, {}};
+    for (const Row& row : rows) {
+        auto interval = intervalOf(row);
+        if (!interval) return tl::make_unexpected(interval.error());
+        table.intervals.push_back(*std::move(interval));
+    }
+    return checked(table).map([&] { return table; });
+}
+
+Json entryOf(const WeightedInterval& interval) {
+    return {{"name", interval.name},
+            {"first", textOf(interval.first)},
+            {"last", textOf(interval.last)},
+            {"from", noonmark::textOf(interval.from)},
+            {"to", noonmark::textOf(interval.to)},
+            {"weight", interval.weight}};
+}
+
+}  // namespace
+
+std::string weightsCsv(const TimeWeights& weights) {
+    std::string csv = fmt::format("{}\r\n", fmt::join(columns, ","));
+    for (const WeightedInterval& interval : weights.intervals)
+        csv += fmt::format("{},{},{},{},{},{}\r\n", csvField(interval.name), textOf(interval.first),
+                           textOf(interval.last), noonmark::textOf(interval.from),
+                           noonmark::textOf(interval.to), interval.weight);
+    return csv;
+}
+
+std::string weightsJson(const TimeWeights& weights) {
+    Json entries = Json::array();
+    for (const WeightedInterval& interval : weights.intervals) entries.push_back(entryOf(interval));
+    return jsonText(entries);
+}
+
+Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& name) {
+    const auto lines = csvRows(text);
+    if (lines.empty()) return failure("The table is empty", name, "Begin with `weights show`");
+    std::vector<Row> rows;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        Row row{fmt::format("line {}", i + 1), {}};
+        if (lines[i].size() != lines[0].size())
+            return failure(
+                fmt::format("It has {} fields, and the heading {}", lines[i].size(), lines[0].size()),
+                row.where, "Give a field for every column");
+        for (std::size_t column = 0; column < lines[i].size(); ++column)
+            row.fields[foldedText(lines[0][column])] = lines[i][column];
+        rows.push_back(std::move(row));
+    }
+    return tableOf(rows, name);
+}
+
+Result<TimeWeights> weightsFromJson(std::string_view text, const std::string& name) {
+    const Json entries = Json::parse(text, nullptr, false);
+    if (!entries.is_array())
+        return failure("It is no JSON array of intervals", name, "Begin with `weights show --json`");
+    std::vector<Row> rows;
+    for (const Json& entry : entries) {
+        Row row{fmt::format("entry {}", rows.size() + 1), {}};
+        if (!entry.is_object())
+            return failure("It is no object", row.where, "Give {\"first\": \"06-01\", ...}");
+        for (const auto& [key, value] : entry.items())
+            row.fields[key] = value.is_string() ? value.get<std::string>() : value.dump();
+        rows.push_back(std::move(row));
+    }
+    return tableOf(rows, name);
+}
+
+Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::string& name) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(largestFile + 1, '\0');
+    stream.read(text.data(), std::streamsize(text.size()));
+    text.resize(std::size_t(std::max<std::streamsize>(0, stream.gcount())));
+    if (text.empty()) return failure("The file cannot be read, or is empty", file.string(), "Check its name");
+    if (text.size() > largestFile)
+        return failure("It is too large for a time-weight table", file.string(),
+                       "Give a table of less than 1 MB");
+    const auto start = text.find_first_not_of(" \t\r\n");
+    const bool json = start != std::string::npos && (text[start] == '[' || text[start] == '{');
+    return (json ? weightsFromJson(text, name) : weightsFromCsv(text, name)).map_error([&](Error error) {
+        error.where = fmt::format("{}, {}", file.string(), error.where);
+        return error;
+    });
+}
+
+}  // namespace noonmark

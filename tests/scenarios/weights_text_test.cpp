@@ -1,0 +1,75 @@
+#include "scenarios/weights/weights_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scenarios/weights/csv_rows.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::tests {
+namespace {
+
+using namespace std::chrono;
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string whyNot(const std::string& csv) {
+    const auto table = weightsFromCsv(csv, "mine");
+    return table ? "no error" : table.error().text();
+}
+
+TEST(CsvRows, TakesWhatSpreadsheetsWrite) {
+    EXPECT_THAT(csvRows("\xEF\xBB\xBF"
+                        "a,b\r\n 1 ,\"x, \"\"y\"\"\n\"\r\n\r\n2,\"\"\n"),
+                ElementsAre(ElementsAre("a", "b"), ElementsAre("1", "x, \"y\"\n"), ElementsAre("2", "")));
+    EXPECT_THAT(csvRows("a;b\n1,5;2"), ElementsAre(ElementsAre("a", "b"), ElementsAre("1,5", "2")));
+    EXPECT_TRUE(csvRows("").empty());
+    EXPECT_TRUE(csvRows("\n\n").empty());
+}
+
+TEST(WeightsText, GoesOutAndIn) {
+    TimeWeights table = monthlyWeights();
+    table.intervals[0].name = "cold, \"dark\"";
+    table.intervals[1].from = 8h + 30min;
+    table.intervals[1].weight = -1.0 / 3;
+    EXPECT_EQ(weightsFromCsv(weightsCsv(table), "default").value(), table);
+    EXPECT_EQ(weightsFromJson(weightsJson(table), "default").value(), table);
+}
+
+TEST(WeightsText, NeedsOnlyDaysAndAWeight) {
+    const TimeWeights table = weightsFromCsv("Weight,LAST,first\n0.5,02-29,12-01\n", "mine").value();
+    ASSERT_EQ(table.intervals.size(), 1U);
+    EXPECT_EQ(table.intervals[0].name, "12-01 to 02-29");
+    EXPECT_EQ(table.intervals[0].to, 24h);
+    EXPECT_TRUE(table.intervals[0].holds(2026y / January / 1, 0h));
+}
+
+TEST(WeightsText, SaysTheLineAndWhatIsWrongWithIt) {
+    EXPECT_THAT(whyNot(""), HasSubstr("empty"));
+    EXPECT_THAT(whyNot("first,last,weight\n"), HasSubstr("no intervals"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31\n"), HasSubstr("line 2: It has 2 fields"));
+    EXPECT_THAT(whyNot("first,last,wieght\n01-01,12-31,1\n"), HasSubstr("no column 'wieght'"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,02-30,1\n"), HasSubstr("line 2, last: '02-30'"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1.5\n"), HasSubstr("'1.5' is no weight"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,nan\n"), HasSubstr("'nan' is no weight"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,\n"), HasSubstr("'' is no weight"));
+    EXPECT_THAT(whyNot("first,last,from,weight\n01-01,12-31,8 Uhr,1\n"), HasSubstr("line 2, from"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1\n06-01,06-30,0\n"), HasSubstr("hold the same time"));
+    for (const char* json : {"", "{}", "[1]", "[{}]", R"([{"first":1,"last":"12-31","weight":1}])",
+                             R"([{"first":"01-01","last":"12-31","weight":"much"}])", "[[[[[["})
+        EXPECT_FALSE(weightsFromJson(json, "mine")) << json;
+}
+
+TEST(WeightsText, AFileIsJsonOrCsvByItsBeginning) {
+    const TemporaryFolder folder;
+    const TimeWeights table = monthlyWeights();
+    EXPECT_EQ(readWeights(folder.file("a.txt", "\n " + weightsJson(table)), "default").value(), table);
+    EXPECT_EQ(readWeights(folder.file("b.txt", weightsCsv(table)), "default").value(), table);
+    EXPECT_THAT(readWeights(folder.path("gone"), "x").error().text(), HasSubstr("gone"));
+    EXPECT_FALSE(readWeights(folder.file("large.csv", std::string(1'000'001, 'x')), "x"));
+    EXPECT_FALSE(readWeights(folder.file("binary.csv", std::string("\0\xFF,;\"\n\0", 7)), "x"));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
