@@ -7,13 +7,19 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <new>
 
 #include "core/accumulate/blank_field.h"
+#include "core/accumulate/day_sum.h"
+#include "core/accumulate/partial_field.h"
 #include "core/accumulate/projected/shadow_events.h"
 #include "core/accumulate/projected/step_filler.h"
 #include "core/accumulate/reach.h"
+#include "core/accumulate/scattered_order.h"
+#include "core/progress_share.h"
 #include "core/stopwatch.h"
+#include "core/sun/chosen_days.h"
 
 namespace noonmark {
 
@@ -97,6 +103,36 @@ private:
     tbb::combinable<FillCount> counts_;
 };
 
+using Shade = std::function<Result<FillCount>(const SunSteps&, ShadowField&, Progress&)>;
+
+constexpr double pictureSeconds = 0.1;  // for some seven pictures a second
+
+// Where somebody looks: some days after the other, scattered over the period, as many as a picture may take.
+Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, const SunSteps& sun,
+                               ShadowField& field, Progress& progress) {
+    DaySum sum(receivers, sun);
+    FillCount total;
+    const std::size_t all = sun.dayCount(), stride = scatteringStride(all);
+    for (std::size_t done = 0, count = 1; done < all;) {
+        const Stopwatch watch;
+        std::vector<std::size_t> numbers(std::min(count, all - done));
+        for (std::size_t& number : numbers) number = done++ * stride % all;
+        const SunSteps days = chosenDays(sun, numbers);
+        ShadowField part = blankField(receivers, days);
+        ProgressShare share(progress, done - numbers.size(), all, numbers.size());
+        const auto filled = shade(days, part, share);
+        if (!filled) return filled;
+        total += *filled;
+        sum.add(part, days);
+        if (progress.partials()->wants()) progress.partials()->take(sum.partial());
+        if (watch.seconds() < pictureSeconds / 2) count *= 2;
+        if (watch.seconds() > pictureSeconds) count = std::max<std::size_t>(1, count / 2);
+    }
+    sum.writeTo(field);
+    progress.partials()->take(sum.partial());
+    return total;
+}
+
 Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop) {
     ShadowField field = blankField(receivers, sun);
@@ -109,7 +145,12 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
     field.cost.seconds["build"] = watch.seconds();
-    const auto total = Projection(casters, receivers, sun, progress, stop).run(field);
+    const Shade shade = [&](const SunSteps& steps, ShadowField& into, Progress& share) {
+        return Projection(casters, receivers, steps, share, stop).run(into);
+    };
+    const bool watched = progress.partials() != nullptr && sun.dayCount() > 1;
+    const auto total =
+        watched ? shadeInParts(shade, receivers, sun, field, progress) : shade(sun, field, progress);
     if (!total) return tl::make_unexpected(total.error());
     field.cost.seconds["fill and count"] = watch.seconds() - field.cost.seconds["build"];
     field.cost.skipped["shadows that meet no receiver (casters x steps x bands of rows)"] = total->outOfReach;

@@ -7,6 +7,8 @@
 
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/inverse_accrual_map.h"
+#include "core/accumulate/projected_shadows.h"
+#include "core/sun/chosen_days.h"
 #include "tests/core/accumulate/scenes.h"
 
 namespace noonmark::tests {
@@ -81,7 +83,8 @@ TEST_F(Partials, ofTheRayReferenceHoldFinalValues) {
 TEST_F(Partials, lastIsTheResult) {
     const GraphAccumulator graph(InverseAccrualMap::make({}).value(), {});
     const RayReference rays;
-    for (const Accumulator* engine : std::initializer_list<const Accumulator*>{&graph, &rays}) {
+    const ProjectedShadows projected;
+    for (const Accumulator* engine : std::initializer_list<const Accumulator*>{&graph, &rays, &projected}) {
         Onlooker onlooker(false);
         const ShadowField field = fieldOf(*engine, onlooker);
         ASSERT_EQ(onlooker.seen.size(), 1U) << "nobody wanted more";
@@ -90,6 +93,27 @@ TEST_F(Partials, lastIsTheResult) {
         expectSame(onlooker.seen.back().field.continuousMin, field.continuousMin);
         EXPECT_EQ(onlooker.seen.back().field.sunlitMinutesPerDay, field.sunlitMinutesPerDay);
     }
+}
+
+// Watched or not, the same bits; on the way the fields of some of the days.
+TEST_F(Partials, ofProjectedShadowsAreTrueForTheDaysDone) {
+    const ProjectedShadows engine;
+    NoProgress unwatched;
+    const ShadowField whole = fieldOf(engine, unwatched);
+    Onlooker onlooker;
+    const ShadowField field = fieldOf(engine, onlooker);
+    expectSame(field.grossMin, whole.grossMin);
+    expectSame(field.continuousMin, whole.continuousMin);
+    ASSERT_GE(onlooker.seen.size(), 2U);
+    const PartialField& first = onlooker.seen.front();
+    EXPECT_EQ(first.part, "1 of 3 days");
+    const std::size_t firstDay = 0;
+    const SunSteps day = chosenDays(sun, {&firstDay, 1});
+    const ShadowField truth = engine.accumulate(city, receivers, day, unwatched, {}).value();
+    EXPECT_DOUBLE_EQ(first.field.sunlitMinutesPerDay, 50) << "150 minutes over three days";
+    for (const std::uint32_t cell : receivers.cells)
+        ASSERT_NEAR(first.field.grossMin[cell], truth.grossMin[cell] / 3, 1e-4);
+    expectSame(first.field.continuousMin, truth.continuousMin);
 }
 
 TEST_F(Partials, ofTheRayReferenceFillTheWholeRegionEarly) {
