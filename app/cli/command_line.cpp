@@ -17,10 +17,21 @@ void say(const Console& console, std::string text) {
     console.err << "noonmark-cli: " << text << '\n';
 }
 
+// Groups of options are commands without a name to the parser.
+bool isCommand(const CLI::App* app) { return !app->get_name().empty(); }
+
 // The parser only misses a command; a person wants to hear which word was none.
 std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc, const char* const* argv) {
-    if (!app.get_subcommands().empty() || argc < 2 || argv[1][0] == '-') return error.what();
-    return std::string("There is no command '") + argv[1] + "'";
+    std::string words;
+    const CLI::App* last = &app;
+    int next = 1;
+    for (; !last->get_subcommands().empty(); ++next) {
+        last = last->get_subcommands().front();
+        words += last->get_name() + ' ';
+    }
+    const bool wantsCommand = !last->get_subcommands(isCommand).empty();
+    if (!wantsCommand || next >= argc || argv[next][0] == '-') return error.what();
+    return "There is no command '" + words + argv[next] + "'";
 }
 
 int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv, const Console& console) {

@@ -14,6 +14,7 @@ namespace noonmark::cli {
 struct MeasureOptions {
     std::string file;
     std::string region;
+    std::string periodName;  // of the project; else `period`
     PeriodOptions period{.hourOption = "--at"};
     StudySettings settings;
     std::string out;

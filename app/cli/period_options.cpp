@@ -33,9 +33,10 @@ Result<void> readTexts(const PeriodOptions& options, Period& period) {
 
 }  // namespace
 
-void addPeriodOptions(CLI::App& command, PeriodOptions& options) {
+CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
     Period& period = options.period;
-    command.add_option("--start", options.start, "First day: 2026-03-21")->required()->type_name("DATE");
+    CLI::Option* start =
+        command.add_option("--start", options.start, "First day: 2026-03-21")->type_name("DATE");
     command.add_option("--days", period.days, "How many days")
         ->capture_default_str()
         ->check(CLI::Range(1, 3660))
@@ -66,6 +67,7 @@ void addPeriodOptions(CLI::App& command, PeriodOptions& options) {
         ->type_name("MIN");
     command.add_option("--zone", options.zone, "Zone of the wall clock: America/New_York")->type_name("ZONE");
     command.add_flag("--no-refraction", options.noRefraction, "The geometric sun, as rules on plans mean it");
+    return start;
 }
 
 Result<Period> periodFrom(const PeriodOptions& options) {

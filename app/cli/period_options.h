@@ -19,8 +19,8 @@ struct PeriodOptions {
     Period period;        ///< what needs no second look
 };
 
-/// `options` outlives the parsing.
-void addPeriodOptions(CLI::App& command, PeriodOptions& options);
+/// Returns the option of the first day, for the caller to require. `options` outlives the parsing.
+CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options);
 
 /// The period that the options mean. Error: a text that is no date, time, window or zone; hours without a
 /// zone.

@@ -1,8 +1,8 @@
 #include "app/cli/read_options.h"
 
-#include <cmath>
 #include <map>
 
+#include "app/cli/lon_lat_option.h"
 #include "app/cli/number_range.h"
 
 namespace noonmark::cli {
@@ -19,17 +19,6 @@ CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target,
             name, [&target](const std::string& unit) { target = units.at(unit); }, help)
         ->check(CLI::IsMember({"m", "ft", "us-ft"}))
         ->type_name("UNIT");
-}
-
-LonLat anchorFrom(const std::string& text) {
-    LonLat place{};
-    char comma = 0;
-    std::istringstream stream(text);
-    const bool read =
-        bool(stream >> place.lonDeg >> comma >> place.latDeg) && comma == ',' && (stream >> std::ws).eof();
-    if (!read || std::abs(place.lonDeg) > 180 || std::abs(place.latDeg) > 90)
-        throw CLI::ValidationError("--mesh-anchor", "give LON,LAT in degrees, for example -73.98,40.75");
-    return place;
 }
 
 void addHeightOptions(CLI::App& command, ReadSettings& settings) {
@@ -52,6 +41,20 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
 }
 
 void addMeshOptions(CLI::App& command, ReadSettings& settings) {
+    addMeshAxesOptions(command, settings);
+    command
+        .add_option("--mesh-north", settings.meshNorthDeg,
+                    "Meshes: azimuth of the mesh's north axis from true north, clockwise, degrees")
+        ->capture_default_str()
+        ->check(within(-360.0, 360.0))
+        ->type_name("DEG");
+    addLonLatOption(command, "--mesh-anchor", settings.meshAnchor,
+                    "Meshes: where the mesh's origin stands, degrees");
+}
+
+}  // namespace
+
+void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
     command
         .add_option_function<std::string>(
             "--up",
@@ -61,20 +64,7 @@ void addMeshOptions(CLI::App& command, ReadSettings& settings) {
         ->type_name("AXIS");
     addUnit(command, "--mesh-unit", settings.meshUnit,
             "Meshes: unit of the coordinates: m, ft or us-ft (default m)");
-    command
-        .add_option("--mesh-north", settings.meshNorthDeg,
-                    "Meshes: azimuth of the mesh's north axis from true north, clockwise, degrees")
-        ->capture_default_str()
-        ->check(within(-360.0, 360.0))
-        ->type_name("DEG");
-    command
-        .add_option_function<std::string>(
-            "--mesh-anchor", [&settings](const std::string& text) { settings.meshAnchor = anchorFrom(text); },
-            "Meshes: where the mesh's origin stands, degrees")
-        ->type_name("LON,LAT");
 }
-
-}  // namespace
 
 void addReadOptions(CLI::App& command, ReadOptions& options) {
     ReadSettings& settings = options.settings;

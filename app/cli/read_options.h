@@ -18,4 +18,7 @@ struct ReadOptions {
 /// parsing.
 void addReadOptions(CLI::App& command, ReadOptions& options);
 
+/// Those of meshes alone: the axis that points up, and the unit.
+void addMeshAxesOptions(CLI::App& command, ReadSettings& settings);
+
 }  // namespace noonmark::cli

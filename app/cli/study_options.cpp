@@ -40,7 +40,7 @@ void addReceiverOptions(CLI::App& command, StudySettings& settings) {
 
 void addStudyOptions(CLI::App& command, StudyOptions& options) {
     addReadOptions(command, options.read);
-    addPeriodOptions(command, options.period);
+    addPeriodOptions(command, options.period)->required();
     StudySettings& settings = options.settings;
     command
         .add_option(

@@ -1,16 +1,8 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <fstream>
-
-#include "scenarios/project/project_file.h"
-#include "tests/cli/spoken.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/cli/project_command.h"
 
 namespace noonmark::cli::tests {
 namespace {
 
-using noonmark::tests::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -19,45 +11,11 @@ std::string textOf(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-class ProjectCommand : public testing::Test {
-protected:
-    void SetUp() override {
-        const Spoken made = noonmarkCli({"project", "new", file_, "sample:central-park-south"});
-        ASSERT_EQ(made.code, 0) << made.err;
-        EXPECT_THAT(made.out, HasSubstr("1 regions, 7 lots"));
-    }
-
-    Spoken project(const std::string& command, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"project", command, file_};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return noonmarkCli(arguments);
-    }
-
-    Spoken measured(const std::string& command, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{command,    file_,
-                                           "--region", "Park",
-                                           "--start",  "2026-12-21",
-                                           "--at",     "12:00",
-                                           "--hours",  "1",
-                                           "--step",   "10",
-                                           "--zone",   "America/New_York",
-                                           "--cell",   "10",
-                                           "--out",    folder_.path("out").string()};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return noonmarkCli(arguments);
-    }
-
-    [[nodiscard]] Project opened() const { return ProjectFile::open(file_).value().project(); }
-
-    TemporaryFolder folder_;
-    std::string file_ = folder_.path("park.noonmark.gpkg").string();
-};
-
 TEST_F(ProjectCommand, AWholeStudy) {
     ASSERT_EQ(project("add-scenario", {"Before"}).code, 0);
     ASSERT_EQ(project("demolish", {"One57", "432 Park Avenue", "--scenario", "Before"}).code, 0);
-    const Spoken impact = measured("impact", {"--from", "Before", "--to", "Existing", "--by-building",
-                                              "--json", "--threshold", "5", "20", "--keep", "towers"});
+    const Spoken impact = atNoon("impact", {"--from", "Before", "--to", "Existing", "--by-building", "--json",
+                                            "--threshold", "5", "20", "--keep", "towers"});
     ASSERT_EQ(impact.code, 0) << impact.err;
     const auto json = impact.json();
     ASSERT_EQ(json["impact"].size(), 2U);
@@ -99,8 +57,7 @@ TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
 }
 
 TEST_F(ProjectCommand, ScoresAYear) {
-    const Spoken score =
-        measured("score", {"--days", "365", "--weights", "default", "--json"});
+    const Spoken score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
     EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: two of it
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
@@ -112,8 +69,13 @@ TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
                 HasSubstr("The existing city is not changed"));
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
-                HasSubstr("There is no such scenario"));
+                HasSubstr("The project has no scenario yet"));
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
+    EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
+                HasSubstr("There is no such scenario"));
+    EXPECT_THAT(project("moves", {}).err, HasSubstr("There is no command 'project moves'"));
+    EXPECT_THAT(noonmarkCli({"project", "lot", "sell"}).err,
+                HasSubstr("There is no command 'project lot sell'"));
     EXPECT_EQ(project("add-scenario", {"A"}).code, 2);
     EXPECT_EQ(project("demolish", {"One57", "nothing", "--scenario", "A"}).code, 2);
     EXPECT_THAT(project("extrude", {"--scenario", "A", "--lot", "One57", "--id", "x", "--storeys", "9",
@@ -122,8 +84,8 @@ TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
                 HasSubstr("HEIGHT:INSET"));
     EXPECT_THAT(project("variant", {"One57", "--scenario", "A", "--plate", "0"}).err, HasSubstr("largest"));
     EXPECT_TRUE(opened().scenarios[0].edits.empty());
-    EXPECT_THAT(measured("impact", {"--to", "C"}).err, HasSubstr("There is no such scenario"));
-    EXPECT_THAT(measured("score", {"--weights", "mine"}).err, HasSubstr("'default'"));
+    EXPECT_THAT(atNoon("impact", {"--to", "C"}).err, HasSubstr("There is no such scenario"));
+    EXPECT_THAT(atNoon("score", {"--weights", "mine"}).err, HasSubstr("'default'"));
     EXPECT_EQ(noonmarkCli({"project", "info", folder_.path("gone").string()}).code, 2);
 }
 

@@ -2,21 +2,42 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <string>
 
-#include "app/cli/console.h"
+#include "app/cli/command.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark::cli {
+
+/// What all commands that change a project share.
+struct ChangeOptions {
+    std::string file;
+    bool dryRun = false;  ///< says what would come of it, and saves nothing
+};
 
 /// The file of a command on a project.
 void addProjectFile(CLI::App& command, std::string& file);
 
 /// Opens a project, changes it, saves it, and prints what `change` returns. Nothing is saved on an Error.
-int changeProject(const std::string& file, const Console& console,
+int changeProject(const ChangeOptions& options, const Console& console,
                   const std::function<Result<std::string>(Project&)>& change);
 
-/// The scenario that a command changes; Error for existingCity or an unknown name.
-Result<Scenario*> scenarioToChange(Project& project, const std::string& name);
+/// Adds a command that changes a project. `Options` has a `ChangeOptions change`.
+template <class Options>
+CLI::App* addChangeCommand(CLI::App& group, const char* name, const char* about,
+                           const std::shared_ptr<Options>& options,
+                           Result<std::string> (*change)(const Options&, Project&), Run& run) {
+    CLI::App* command = group.add_subcommand(name, about);
+    addProjectFile(*command, options->change.file);
+    command->add_flag("--dry-run", options->change.dryRun, "Say what would come of it; save nothing");
+    command->callback([options, change, &run] {
+        run = [options, change](const Console& console) {
+            return changeProject(options->change, console,
+                                 [&](Project& project) { return change(*options, project); });
+        };
+    });
+    return command;
+}
 
 }  // namespace noonmark::cli

@@ -8,10 +8,20 @@ void addProjectCommand(CLI::App& app, Run& run) {
     project->require_subcommand(1);
     addProjectNew(*project, run);
     addProjectInfo(*project, run);
-    addProjectAddScenario(*project, run);
+    addProjectScenarios(*project, run);
     addProjectDemolish(*project, run);
+    addProjectReplace(*project, run);
+    addProjectHeight(*project, run);
+    addProjectMove(*project, run);
+    addProjectRotate(*project, run);
+    addProjectImport(*project, run);
     addProjectExtrude(*project, run);
     addProjectVariant(*project, run);
+    addProjectLot(*project, run);
+    addProjectRegion(*project, run);
+    addProjectPeriod(*project, run);
+    addProjectWeights(*project, run);
+    addProjectResult(*project, run);
     addProjectExport(*project, run);
     project->footer(
         "A first project:\n"

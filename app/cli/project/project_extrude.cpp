@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 
 #include "app/cli/number_range.h"
-#include "app/cli/project/change_project.h"
+#include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/massing_line.h"
 #include "app/cli/project/project_commands.h"
 #include "scenarios/edits/building_ids.h"
@@ -14,9 +15,7 @@ namespace noonmark::cli {
 
 namespace {
 
-struct ExtrudeOptions {
-    std::string file;
-    std::string scenario;
+struct ExtrudeOptions : EditOptions {
     std::string lot;
     std::string on;  // a building, whose footprint is the lot
     std::string id;
@@ -26,6 +25,7 @@ struct ExtrudeOptions {
     double areaM2 = 0;
     int podiumStoreys = 0;
     double podiumPercent = 100;
+    double podiumM2 = 0;                // 0: not stated
     std::vector<std::string> setbacks;  // HEIGHT:INSET
 };
 
@@ -40,12 +40,20 @@ Result<Setback> setbackFrom(const std::string& text) {
     return failure("It is no setback", text, "Give HEIGHT:INSET in metres, for example 60:3");
 }
 
+Podium podiumFrom(const ExtrudeOptions& options) {
+    Podium podium{options.podiumStoreys, {}};
+    if (options.podiumM2 != 0)
+        podium.plate.areaM2 = options.podiumM2;
+    else
+        podium.plate.shareOfLot = options.podiumPercent / 100;
+    return podium;
+}
+
 Result<MassingSettings> settingsFrom(const ExtrudeOptions& options) {
     MassingSettings settings = options.massing;
     if (options.sharePercent != 0) settings.plate.shareOfLot = options.sharePercent / 100;
     if (options.areaM2 != 0) settings.plate.areaM2 = options.areaM2;
-    if (options.podiumStoreys != 0)
-        settings.podium = Podium{options.podiumStoreys, {.shareOfLot = options.podiumPercent / 100}};
+    if (options.podiumStoreys != 0) settings.podium = podiumFrom(options);
     for (const std::string& text : options.setbacks) {
         const auto setback = setbackFrom(text);
         if (!setback) return tl::make_unexpected(setback.error());
@@ -58,38 +66,53 @@ Result<MassingSettings> settingsFrom(const ExtrudeOptions& options) {
 struct Site {
     Footprint lot;
     std::vector<Edit> edits;
+    std::string note;  // what the user may not have seen
 };
+
+Site siteOn(const Footprint& lot, const City& city, bool clear) {
+    std::vector<Edit> demolitions = clearing(city, lot);
+    if (clear || demolitions.empty()) return {lot, std::move(demolitions), {}};
+    return {lot,
+            {},
+            fmt::format("  {} buildings stand on the lot and stay: --clear would demolish them\n",
+                        demolitions.size())};
+}
+
+// Of a building that stands in several pieces the largest.
+Footprint groundOf(const Building& building) {
+    std::vector<Footprint> pieces = outlineOf(building);
+    if (pieces.empty()) return building.parts.front().footprint;
+    return *std::ranges::max_element(pieces, {}, [](const Footprint& piece) { return area(piece); });
+}
 
 Result<Site> siteOf(const ExtrudeOptions& options, const Project& project, const City& city) {
     if (options.on.empty()) {
         const auto lot = lotNamed(project, options.lot);
         if (!lot) return tl::make_unexpected(lot.error());
-        return Site{lot->outline, options.clear ? clearing(city, lot->outline) : std::vector<Edit>{}};
+        return siteOn(lot->outline, city, options.clear);
     }
     const auto found = findBuilding(city, options.on);
     if (!found) return tl::make_unexpected(found.error());
     const Building& old = *city.buildings[*found];
-    return Site{old.parts.front().footprint, {Demolish{old.sourceId}}};
+    return Site{groundOf(old), {Demolish{old.sourceId}}, {}};
 }
 
 Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
-    const auto scenario = scenarioToChange(project, options.scenario);
-    if (!scenario) return tl::make_unexpected(scenario.error());
+    if (const auto known = scenarioToChange(project, options.scenario); !known)
+        return tl::make_unexpected(known.error());
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
-    const auto site = siteOf(options, project, city->city);
+    auto site = siteOf(options, project, city->city);
     if (!site) return tl::make_unexpected(site.error());
     const auto massing = settingsFrom(options).and_then(
         [&](const MassingSettings& settings) { return massingOn(site->lot, settings); });
     if (!massing) return tl::make_unexpected(massing.error());
     const auto building = buildingOf(*massing, options.id);
     if (!building) return tl::make_unexpected(building.error());
-    auto& edits = (*scenario)->edits;
-    edits.insert(edits.end(), site->edits.begin(), site->edits.end());
-    edits.emplace_back(AddBuilding{std::make_shared<const Building>(*building)});
-    if (const auto works = cityOf(project, options.scenario); !works)
-        return tl::make_unexpected(works.error());
-    return fmt::format("{}: {}\n", options.id, lineOf(massing->figures));
+    site->edits.emplace_back(AddBuilding{std::make_shared<const Building>(*building)});
+    return withEdits(project, options.scenario, site->edits).map([&](const std::string& words) {
+        return fmt::format("{}{}: {}\n{}", words, options.id, lineOf(massing->figures), site->note);
+    });
 }
 
 void addShapeOptions(CLI::App& command, ExtrudeOptions& options) {
@@ -113,11 +136,18 @@ void addShapeOptions(CLI::App& command, ExtrudeOptions& options) {
     CLI::Option* podium =
         command.add_option("--podium", options.podiumStoreys, "Storeys of a podium below the tower")
             ->type_name("N");
-    command.add_option("--podium-share", options.podiumPercent, "Floor plate of the podium, % of the lot")
-        ->capture_default_str()
+    CLI::Option* podiumShare =
+        command
+            .add_option("--podium-share", options.podiumPercent, "Floor plate of the podium, % of the lot")
+            ->capture_default_str()
+            ->needs(podium)
+            ->check(within(0.1, 100))
+            ->type_name("PERCENT");
+    command.add_option("--podium-area", options.podiumM2, "Floor plate of the podium, m2")
         ->needs(podium)
-        ->check(within(0.1, 100))
-        ->type_name("PERCENT");
+        ->check(within(1, 1e7))
+        ->excludes(podiumShare)
+        ->type_name("M2");
     command
         .add_option("--setback", options.setbacks,
                     "Above HEIGHT m the walls stand INSET m further in; any number")
@@ -130,11 +160,8 @@ void addShapeOptions(CLI::App& command, ExtrudeOptions& options) {
 
 void addProjectExtrude(CLI::App& project, Run& run) {
     const auto options = std::make_shared<ExtrudeOptions>();
-    CLI::App* command = project.add_subcommand("extrude", "Build a tower on a lot in a scenario");
-    addProjectFile(*command, options->file);
-    command->add_option("--scenario", options->scenario, "The scenario to change")
-        ->required()
-        ->type_name("NAME");
+    CLI::App* command =
+        addEditCommand(project, "extrude", "Build a tower on a lot in a scenario", options, extrude, run);
     CLI::Option_group* where = command->add_option_group("where");
     where->add_option("--lot", options->lot, "A lot of the project")->type_name("NAME");
     where->add_option("--on", options->on, "A building: demolished, its outline is the lot")
@@ -145,12 +172,6 @@ void addProjectExtrude(CLI::App& project, Run& run) {
         ->required()
         ->type_name("NAME");
     addShapeOptions(*command, *options);
-    command->callback([options, &run] {
-        run = [options](const Console& console) {
-            return changeProject(options->file, console,
-                                 [&](Project& changed) { return extrude(*options, changed); });
-        };
-    });
 }
 
 }  // namespace noonmark::cli

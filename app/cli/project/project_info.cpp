@@ -74,7 +74,9 @@ void print(const Json& info, std::ostream& out) {
     for (const Json& scenario : info["scenarios"]) {
         out << fmt::format("\n{} (from {})\n", scenario["name"].get<std::string>(),
                            scenario["base"].get<std::string>());
-        for (const Json& edit : scenario["edits"]) out << "  " << edit.get<std::string>() << '\n';
+        int number = 0;  // of `remove-edit`
+        for (const Json& edit : scenario["edits"])
+            out << fmt::format("{:4} {}\n", ++number, edit.get<std::string>());
     }
 }
 

@@ -2,82 +2,112 @@
 
 #include <memory>
 
-#include "app/cli/project/change_project.h"
+#include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
-#include "scenarios/edits/building_ids.h"
+#include "scenarios/scenario_list.h"
 
 namespace noonmark::cli {
 
 namespace {
 
-struct AddOptions {
-    std::string file;
+struct NameOptions {
+    ChangeOptions change;
     std::string name;
+};
+
+struct AddOptions : NameOptions {
     std::string base;
 };
 
-Result<std::string> addScenario(const AddOptions& options, Project& project) {
-    const std::string base = options.base == existingCity ? "" : options.base;
-    project.scenarios.push_back({options.name, base, {}});
-    if (const auto sound = checked(project); !sound) return tl::make_unexpected(sound.error());
-    return fmt::format("{}: starts from {}\n", options.name, options.base);
-}
-
-struct DemolishOptions {
-    std::string file;
-    std::string scenario;
-    std::vector<std::string> buildings;
+struct RenameOptions : NameOptions {
+    std::string newName;
 };
 
-Result<std::string> demolish(const DemolishOptions& options, Project& project) {
+struct RemoveEditOptions : EditOptions {
+    std::vector<std::size_t> numbers;  // from 1, as `info` counts them
+};
+
+Result<std::string> add(const AddOptions& options, Project& project) {
+    const std::string base = options.base == existingCity ? "" : options.base;
+    project.scenarios.push_back({options.name, base, {}});
+    return checked(project.scenarios).map([&] {
+        return fmt::format("{}: starts from {}\n", options.name, options.base);
+    });
+}
+
+Result<std::string> duplicate(const RenameOptions& options, Project& project) {
+    return duplicateScenario(project.scenarios, options.name, options.newName).map([&] {
+        return fmt::format("{}: a copy of {}\n", options.newName, options.name);
+    });
+}
+
+Result<std::string> rename(const RenameOptions& options, Project& project) {
+    return renameScenario(project.scenarios, options.name, options.newName).map([&] {
+        return fmt::format("{}: was {}\n", options.newName, options.name);
+    });
+}
+
+Result<std::string> remove(const NameOptions& options, Project& project) {
+    return removeScenario(project.scenarios, options.name).map([&] {
+        return fmt::format("{}: removed\n", options.name);
+    });
+}
+
+Result<std::string> removeEdits(const RemoveEditOptions& options, Project& project) {
     const auto scenario = scenarioToChange(project, options.scenario);
     if (!scenario) return tl::make_unexpected(scenario.error());
+    std::vector<Edit>& edits = (*scenario)->edits;
     std::string words;
-    for (const std::string& building : options.buildings) {
-        const auto city = cityOf(project, options.scenario);
-        if (!city) return tl::make_unexpected(city.error());
-        const auto found = findBuilding(city->city, building);
-        if (!found) return tl::make_unexpected(found.error());
-        (*scenario)->edits.emplace_back(Demolish{city->city.buildings[*found]->sourceId});
-        words += fmt::format("{}: {}\n", options.scenario, textOf((*scenario)->edits.back()));
+    std::vector<bool> goes(edits.size(), false);
+    for (const std::size_t number : options.numbers) {
+        if (number < 1 || number > edits.size())
+            return failure(fmt::format("There is no edit {}", number),
+                           fmt::format("scenario '{}'", options.scenario),
+                           edits.empty() ? "It has none" : fmt::format("Give 1 to {}", edits.size()));
+        goes[number - 1] = true;
+        words += fmt::format("{}: no longer {}\n", options.scenario, textOf(edits[number - 1]));
     }
-    return words;
+    std::size_t at = 0;
+    std::erase_if(edits, [&](const Edit&) { return goes[at++]; });
+    return stillWorks(project, options.scenario).map([&] { return words; });
+}
+
+void addNames(CLI::App& command, RenameOptions& options) {
+    command.add_option("name", options.name, "The scenario")->required()->type_name("NAME");
+    command.add_option("new-name", options.newName, "A name that no scenario has")
+        ->required()
+        ->type_name("NEW");
 }
 
 }  // namespace
 
-void addProjectAddScenario(CLI::App& project, Run& run) {
-    const auto options = std::make_shared<AddOptions>();
-    CLI::App* command = project.add_subcommand("add-scenario", "Add a scenario without edits");
-    addProjectFile(*command, options->file);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
-    command->add_option("--base", options->base, "The scenario that it starts from")
+void addProjectScenarios(CLI::App& project, Run& run) {
+    const auto adding = std::make_shared<AddOptions>();
+    CLI::App* command =
+        addChangeCommand(project, "add-scenario", "Add a scenario without edits", adding, add, run);
+    command->add_option("name", adding->name, "Its name")->required()->type_name("NAME");
+    command->add_option("--base", adding->base, "The scenario that it starts from")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->callback([options, &run] {
-        run = [options](const Console& console) {
-            return changeProject(options->file, console,
-                                 [&](Project& changed) { return addScenario(*options, changed); });
-        };
-    });
-}
-
-void addProjectDemolish(CLI::App& project, Run& run) {
-    const auto options = std::make_shared<DemolishOptions>();
-    CLI::App* command = project.add_subcommand("demolish", "Demolish buildings in a scenario");
-    addProjectFile(*command, options->file);
-    command->add_option("buildings", options->buildings, "Their ids or names")
-        ->required()
-        ->type_name("BUILDING");
-    command->add_option("--scenario", options->scenario, "The scenario to change")
+    const auto copying = std::make_shared<RenameOptions>();
+    addNames(*addChangeCommand(project, "duplicate-scenario", "Add a scenario with another's base and edits",
+                               copying, duplicate, run),
+             *copying);
+    const auto renaming = std::make_shared<RenameOptions>();
+    addNames(*addChangeCommand(project, "rename-scenario",
+                               "Give a scenario another name; those that start from it go along", renaming,
+                               rename, run),
+             *renaming);
+    const auto removing = std::make_shared<NameOptions>();
+    addChangeCommand(project, "remove-scenario", "Remove a scenario and its edits", removing, remove, run)
+        ->add_option("name", removing->name, "The scenario")
         ->required()
         ->type_name("NAME");
-    command->callback([options, &run] {
-        run = [options](const Console& console) {
-            return changeProject(options->file, console,
-                                 [&](Project& changed) { return demolish(*options, changed); });
-        };
-    });
+    const auto taking = std::make_shared<RemoveEditOptions>();
+    addEditCommand(project, "remove-edit", "Take edits of a scenario back", taking, removeEdits, run)
+        ->add_option("numbers", taking->numbers, "Which, as `project info` counts them, from 1")
+        ->required()
+        ->type_name("NUMBER");
 }
 
 }  // namespace noonmark::cli

@@ -1,0 +1,93 @@
+#include "app/cli/project/edit_scenario.h"
+
+#include <fmt/format.h>
+
+#include "scenarios/edits/building_ids.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+// Itself, or any of those that it starts from, bears the name. The project's scenarios are sound.
+bool startsFrom(const Project& project, const Scenario* scenario, const std::string& name) {
+    for (; scenario != nullptr; scenario = findScenario(project.scenarios, scenario->base))
+        if (scenario->name == name) return true;
+    return false;
+}
+
+Result<std::string> editOne(const BuildingsOptions& options, Project& project, const std::string& name,
+                            const std::function<Result<MadeEdit>(const FoundBuilding&)>& make) {
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const auto found = findBuilding(city->city, name);
+    if (!found) return tl::make_unexpected(found.error());
+    const auto made = make({city->city, *found});
+    if (!made) return tl::make_unexpected(made.error());
+    return withEdits(project, options.scenario, {made->edit}).map([&](const std::string& words) {
+        return made->sayAlso.empty() ? words : words + "  " + made->sayAlso + "\n";
+    });
+}
+
+}  // namespace
+
+void addScenarioOption(CLI::App& command, EditOptions& options) {
+    command.add_option("--scenario", options.scenario, "The scenario to change")
+        ->required()
+        ->type_name("NAME");
+}
+
+void addBuildings(CLI::App& command, BuildingsOptions& options) {
+    command.add_option("buildings", options.buildings, "Their ids or names")
+        ->required()
+        ->type_name("BUILDING");
+}
+
+Result<Scenario*> scenarioToChange(Project& project, const std::string& name) {
+    if (name == existingCity)
+        return failure("The existing city is not changed", "scenario 'Existing'",
+                       "Add a scenario: noonmark-cli project add-scenario");
+    if (project.scenarios.empty())
+        return failure("The project has no scenario yet", "scenario '" + name + "'",
+                       "Add it: noonmark-cli project add-scenario");
+    if (const auto known = scenarioNamed(project, name); !known) return tl::make_unexpected(known.error());
+    for (Scenario& scenario : project.scenarios)
+        if (scenario.name == name) return &scenario;
+    return nullptr;
+}
+
+Result<void> stillWorks(const Project& project, const std::string& scenario) {
+    if (const auto own = cityOf(project, scenario); !own) return tl::make_unexpected(own.error());
+    for (const Scenario& other : project.scenarios)
+        if (startsFrom(project, &other, scenario))
+            if (const auto city = cityOf(project, other.name); !city)
+                return failure(city.error().what, city.error().where,
+                               fmt::format("'{}' starts from '{}': change or remove its edit first",
+                                           other.name, scenario));
+    return {};
+}
+
+Result<std::string> withEdits(Project& project, const std::string& name, const std::vector<Edit>& edits) {
+    const auto scenario = scenarioToChange(project, name);
+    if (!scenario) return tl::make_unexpected(scenario.error());
+    std::string words;
+    for (const Edit& edit : edits) {
+        (*scenario)->edits.push_back(edit);
+        words += fmt::format("{}: {}\n", name, textOf(edit));
+    }
+    return stillWorks(project, name).map([&] { return words; });
+}
+
+Result<std::string> editBuildings(const BuildingsOptions& options, Project& project,
+                                  const std::function<Result<MadeEdit>(const FoundBuilding&)>& make) {
+    if (const auto known = scenarioToChange(project, options.scenario); !known)
+        return tl::make_unexpected(known.error());
+    std::string words;
+    for (const std::string& building : options.buildings) {
+        const auto line = editOne(options, project, building, make);
+        if (!line) return line;
+        words += *line;
+    }
+    return words;
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <sstream>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/lon_lat_option.h"
+#include "app/cli/number_range.h"
+#include "app/cli/project/edit_scenario.h"
+#include "app/cli/project/project_commands.h"
+#include "app/cli/read_options.h"
+#include "app/cli/table.h"
+#include "core/io/file_kind.h"
+#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/read_shape.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+// A building's shape from a file, and where it is put.
+struct ShapeOptions : EditOptions {
+    std::string mesh;
+    std::string id;
+    ReadSettings read;
+    std::optional<LonLat> at;        // the middle of its outline
+    std::optional<LonLat> originAt;  // the mesh's own origin
+    double eastM = 0;
+    double northM = 0;
+    double scale = 1;
+    double clockwiseDeg = 0;
+    std::string replaced;  // a building that makes room
+};
+
+struct Shape {
+    ImportMesh import;
+    Warnings warnings;
+    bool hasPlace = false;  // CityJSON comes at its own
+};
+
+Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, const Frame& frame) {
+    const auto kind = fileKind(options.mesh);
+    if (!kind) return tl::make_unexpected(kind.error());
+    if (*kind != FileKind::mesh && *kind != FileKind::cityJson)
+        return failure("It is the map of a city, not one building", options.mesh,
+                       "Give an OBJ, glTF, PLY or CityJSON file");
+    Shape shape{.hasPlace = *kind != FileKind::mesh};
+    const Interrupt interrupt;
+    NoProgress progress;
+    auto import =
+        readShape(options.mesh, id, options.read, frame, shape.warnings, progress, interrupt.token());
+    if (!import) return tl::make_unexpected(import.error());
+    shape.import = *std::move(import);
+    return shape;
+}
+
+// `usual`: where the middle goes when nothing is said.
+Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
+                              std::optional<glm::dvec2> usual) {
+    Placement placement{.scale = options.scale, .clockwiseDeg = options.clockwiseDeg};
+    if (!options.originAt) placement.about = middleOf(*shape.import.shape);
+    std::optional<glm::dvec2> target = usual;
+    if (shape.hasPlace) target = placement.about;
+    if (options.at) target = frame.localFromLonLat(*options.at);
+    if (options.originAt) target = frame.localFromLonLat(*options.originAt);
+    if (!target)
+        return failure("The mesh does not say where it stands", options.mesh,
+                       "Give --at LON,LAT for its middle, or --origin-at LON,LAT for its origin");
+    placement.byM = *target - placement.about + glm::dvec2(options.eastM, options.northM);
+    return placement;
+}
+
+// The shape where it is put.
+Result<Building> standing(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
+    Building building = placed(*shape.import.shape, placement);
+    if (topM(building) > 0) return building;
+    return failure("The building would lie below the ground", options.mesh,
+                   "A mesh's heights count from its own zero: check --up, or raise it in the file");
+}
+
+Result<std::string> withShape(const ShapeOptions& options, Project& project, const Shape& shape,
+                              const Building& there, const Edit& edit) {
+    return withEdits(project, options.scenario, {edit}).map([&](const std::string& words) {
+        const Box2 box = bounds(there);
+        std::ostringstream all;
+        all << words
+            << fmt::format("  {:.1f} m from west to east, {:.1f} m from south to north, {:.1f} m high\n",
+                           double(box.high.x - box.low.x), double(box.high.y - box.low.y),
+                           double(topM(there)));
+        printWarnings(all, shape.warnings);
+        return all.str();
+    });
+}
+
+Result<std::string> import(const ShapeOptions& options, Project& project) {
+    const Frame& frame = project.city->frame;
+    auto shape = shapeFrom(options, options.id, frame);
+    if (!shape) return tl::make_unexpected(shape.error());
+    const auto placement = placementOf(options, *shape, frame, {});
+    if (!placement) return tl::make_unexpected(placement.error());
+    const auto there = standing(options, *shape, *placement);
+    if (!there) return tl::make_unexpected(there.error());
+    shape->import.placement = *placement;
+    return withShape(options, project, *shape, *there, shape->import);
+}
+
+Result<std::string> replace(const ShapeOptions& options, Project& project) {
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const auto found = findBuilding(city->city, options.replaced);
+    if (!found) return tl::make_unexpected(found.error());
+    const Building& old = *city->city.buildings[*found];
+    const Frame& frame = project.city->frame;
+    const auto shape = shapeFrom(options, options.id.empty() ? old.sourceId : options.id, frame);
+    if (!shape) return tl::make_unexpected(shape.error());
+    const auto placement = placementOf(options, *shape, frame, middleOf(old));
+    if (!placement) return tl::make_unexpected(placement.error());
+    auto there = standing(options, *shape, *placement);
+    if (!there) return tl::make_unexpected(there.error());
+    if (options.id.empty()) there->name = old.name;
+    const Replace edit{old.sourceId, std::make_shared<const Building>(*there)};
+    return withShape(options, project, *shape, *there, edit);
+}
+
+void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
+    CLI::Option* at =
+        addLonLatOption(command, "--at", options.at, "Where the middle of its outline stands, degrees");
+    addLonLatOption(command, "--origin-at", options.originAt, "Where the mesh's own origin stands, degrees")
+        ->excludes(at);
+    command.add_option("--east", options.eastM, "From there to the east, m")
+        ->check(within(-20000, 20000))
+        ->type_name("M");
+    command.add_option("--north", options.northM, "From there to the north, m")
+        ->check(within(-20000, 20000))
+        ->type_name("M");
+    command.add_option("--scale", options.scale, "How much larger, heights too")
+        ->capture_default_str()
+        ->check(within(0.001, 1000))
+        ->type_name("FACTOR");
+    command.add_option("--clockwise", options.clockwiseDeg, "Turn it, degrees seen from above")
+        ->check(within(-360, 360))
+        ->type_name("DEG");
+}
+
+void addShapeOptions(CLI::App& command, ShapeOptions& options) {
+    addPlaceOptions(command, options);
+    addMeshAxesOptions(command, options.read);
+    command
+        .add_option("--crs", options.read.crs, "CityJSON that does not state its reference system: EPSG:2263")
+        ->type_name("CRS");
+    command.add_option("--lod", options.read.lod, "CityJSON: level of detail (default: the highest)")
+        ->type_name("LOD");
+}
+
+}  // namespace
+
+void addProjectImport(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<ShapeOptions>();
+    CLI::App* command = addEditCommand(
+        project, "import", "Put the building of an OBJ, glTF, PLY or CityJSON file into a scenario", options,
+        import, run);
+    command->add_option("file", options->mesh, "The file; all its solids are one building")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--id", options->id, "Id and name of the new building")
+        ->required()
+        ->type_name("NAME");
+    addShapeOptions(*command, *options);
+}
+
+void addProjectReplace(CLI::App& project, Run& run) {
+    const auto options = std::make_shared<ShapeOptions>();
+    CLI::App* command = addEditCommand(project, "replace",
+                                       "Replace a building of a scenario by that of a mesh or CityJSON file",
+                                       options, replace, run);
+    command->add_option("building", options->replaced, "Its id or name")->required()->type_name("BUILDING");
+    command
+        ->add_option("--with", options->mesh,
+                     "The file; a mesh stands on the old building's middle where nothing else is said")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("--id", options->id, "Id and name of the new building (default: the old one's)")
+        ->type_name("NAME");
+    addShapeOptions(*command, *options);
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/project/list_project.h"
+#include "app/cli/project/project_commands.h"
+#include "core/io/read_parcels.h"
+#include "core/io/read_region.h"
+#include "scenarios/edits/building_ids.h"
+#include "scenarios/massing/lot_edits.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct AddOptions {
+    ChangeOptions change;
+    std::string name;
+    std::string place;
+    std::string building;  // whose outline is the lot
+    std::string scenario;  // that it stands in
+};
+
+struct ImportOptions {
+    ChangeOptions change;
+    std::string file;
+    std::string within;
+    ParcelSettings parcels;
+};
+
+std::string lineOf(const NamedLot& lot) {
+    return fmt::format("{}: {:.0f} m2\n", lot.name, area(lot.outline));
+}
+
+Result<std::vector<Footprint>> outlinesOf(const AddOptions& options, const Project& project) {
+    if (options.building.empty())
+        return readRegion(options.place, project.city->frame).map([](const Region& region) {
+            return region.polygons;
+        });
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    return findBuilding(city->city, options.building).map([&](std::size_t found) {
+        return outlineOf(*city->city.buildings[found]);
+    });
+}
+
+// Several polygons are several lots.
+Result<std::string> addLots(Project& project, const std::string& name,
+                            const std::vector<Footprint>& outlines) {
+    std::string words;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        const NamedLot lot{i == 0 ? name : fmt::format("{} ({})", name, i + 1), outlines[i]};
+        if (lotNamed(project, lot.name))
+            return failure("The project has a lot of this name", lot.name,
+                           "Choose another name, or remove that one: noonmark-cli project lot remove");
+        project.lots.push_back(lot);
+        words += lineOf(lot);
+    }
+    return words;
+}
+
+Result<std::string> add(const AddOptions& options, Project& project) {
+    const auto outlines = outlinesOf(options, project);
+    if (!outlines) return tl::make_unexpected(outlines.error());
+    return addLots(project, options.name, *outlines);
+}
+
+// A name that no lot has yet: those without one are counted, a second of a name gets a number.
+std::string freeName(const Project& project, const std::string& name) {
+    const std::string own = name.empty() ? "lot" : name;
+    std::string free = own;
+    for (int copy = 2; lotNamed(project, free); ++copy) free = fmt::format("{} ({})", own, copy);
+    return free;
+}
+
+Result<ParcelSettings> settingsFrom(const ImportOptions& options, const Project& project) {
+    ParcelSettings settings = options.parcels;
+    if (options.within.empty()) {
+        if (settings.names.empty()) settings.within = regionFromLocalBox(bounds(*project.city));
+        return settings;
+    }
+    auto region = regionNamed(project, options.within);
+    if (!region) region = readRegion(options.within, project.city->frame);
+    if (!region) return tl::make_unexpected(region.error());
+    settings.within = *std::move(region);
+    return settings;
+}
+
+Result<std::string> import(const ImportOptions& options, Project& project) {
+    const auto settings = settingsFrom(options, project);
+    if (!settings) return tl::make_unexpected(settings.error());
+    const Interrupt interrupt;
+    const auto parcels = readParcels(options.file, *settings, project.city->frame, interrupt.token());
+    if (!parcels) return tl::make_unexpected(parcels.error());
+    std::string words;
+    for (const Parcel& parcel : *parcels)
+        for (const Footprint& outline : parcel.polygons) {
+            project.lots.push_back({freeName(project, parcel.name), outline});
+            words += lineOf(project.lots.back());
+        }
+    return words;
+}
+
+std::vector<Listed> list(const Project& project) {
+    std::vector<Listed> lines;
+    for (const NamedLot& lot : project.lots)
+        lines.push_back({lot.name,
+                         fmt::format("{:.0f} m2{}", area(lot.outline),
+                                     lot.outline.holes.empty() ? "" : ", with a courtyard"),
+                         {{"area_m2", area(lot.outline)}, {"courtyards", lot.outline.holes.size()}}});
+    return lines;
+}
+
+Result<std::string> remove(const RemoveOptions& options, Project& project) {
+    return removeNamed(
+        project.lots, options.names, [](const NamedLot& lot) { return lot.name; },
+        [&](const std::string& name) { return lotNamed(project, name); });
+}
+
+void addAdd(CLI::App& group, Run& run) {
+    const auto options = std::make_shared<AddOptions>();
+    CLI::App* command = addChangeCommand(group, "add", "Add a lot", options, add, run);
+    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    CLI::Option_group* where = command->add_option_group("where");
+    where
+        ->add_option("place", options->place,
+                     "west,south,east,north in degrees, POLYGON ((lon lat, ...)), or a polygon file")
+        ->type_name("W,S,E,N|WKT|FILE");
+    CLI::Option* of = where->add_option("--of", options->building, "A building, whose outline is the lot")
+                          ->type_name("BUILDING");
+    where->require_option(1);
+    command->add_option("--scenario", options->scenario, "The scenario that it stands in")
+        ->default_val(existingCity)
+        ->needs(of)
+        ->type_name("NAME");
+}
+
+void addImport(CLI::App& group, Run& run) {
+    const auto options = std::make_shared<ImportOptions>();
+    CLI::App* command =
+        addChangeCommand(group, "import", "Add lots from a register of parcels", options, import, run);
+    command->add_option("file", options->file, "GeoPackage, GeoJSON, Shapefile")
+        ->required()
+        ->type_name("FILE");
+    command
+        ->add_option("--name-field", options->parcels.nameField,
+                     "Field of the lots' names (default: name, lot, parcel, apn, bbl or id)")
+        ->type_name("FIELD");
+    command->add_option("--layer", options->parcels.layer, "Read this layer only")->type_name("NAME");
+    command->add_option("--only", options->parcels.names, "Those of these names alone")->type_name("NAME");
+    command
+        ->add_option("--within", options->within,
+                     "Those alone whose middle lies in a region of the project, a box or a polygon (default: "
+                     "the city's extent)")
+        ->type_name("REGION|W,S,E,N|WKT|FILE");
+}
+
+}  // namespace
+
+void addProjectLot(CLI::App& project, Run& run) {
+    CLI::App* group = project.add_subcommand("lot", "Ground to build on");
+    group->require_subcommand(1);
+    addAdd(*group, run);
+    addImport(*group, run);
+    addListCommand(*group, "List the lots", list, run);
+    addRemoveCommand(*group, "Remove lots", remove, run);
+}
+
+}  // namespace noonmark::cli

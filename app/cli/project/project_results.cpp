@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include "app/cli/project/list_project.h"
+#include "app/cli/project/project_commands.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+using SharedResult = std::shared_ptr<const KeptResult>;
+
+std::string cityOf(const KeptResult& result) {
+    return result.baseline.empty() ? result.scenario
+                                   : fmt::format("{} -> {}", result.baseline, result.scenario);
+}
+
+std::vector<Listed> list(const Project& project) {
+    std::vector<Listed> lines;
+    for (const SharedResult& result : project.results)
+        lines.push_back(
+            {result->name,
+             fmt::format("{} of {}", result->kind, cityOf(*result)),
+             {{"kind", result->kind}, {"scenario", result->scenario}, {"baseline", result->baseline}}});
+    return lines;
+}
+
+Result<std::string> remove(const RemoveOptions& options, Project& project) {
+    return removeNamed(
+        project.results, options.names, [](const SharedResult& result) { return result->name; },
+        [&](const std::string& name) { return resultNamed(project, name); });
+}
+
+}  // namespace
+
+void addProjectResult(CLI::App& project, Run& run) {
+    CLI::App* group = project.add_subcommand("result", "What impact and score kept in the project");
+    group->require_subcommand(1);
+    addListCommand(*group, "List the kept results", list, run);
+    addRemoveCommand(*group, "Remove kept results", remove, run);
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "scenarios/project/project_file.h"
+#include "tests/cli/spoken.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark::cli::tests {
+
+/// A project of the sample in a folder of its own.
+class ProjectCommand : public testing::Test {
+protected:
+    void SetUp() override {
+        const Spoken made = noonmarkCli({"project", "new", file_, "sample:central-park-south"});
+        ASSERT_EQ(made.code, 0) << made.err;
+        EXPECT_THAT(made.out, testing::HasSubstr("1 regions, 7 lots"));
+    }
+
+    /// `command` may be several words: "lot add".
+    Spoken project(const std::string& command, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"project"};
+        std::istringstream words(command);
+        for (std::string word; words >> word;) arguments.push_back(word);
+        arguments.push_back(file_);
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    /// What it did, which must be right.
+    std::string done(const std::string& command, const std::vector<std::string>& more) {
+        const Spoken spoken = project(command, more);
+        EXPECT_EQ(spoken.code, 0) << command << ": " << spoken.err;
+        return spoken.out;
+    }
+
+    /// Why it was refused, which must leave the file as it was.
+    std::string refused(const std::string& command, const std::vector<std::string>& more) {
+        const auto before = ProjectFile::open(file_).value().saves();
+        const Spoken spoken = project(command, more);
+        EXPECT_EQ(spoken.code, 2) << command << ": " << spoken.out;
+        EXPECT_EQ(ProjectFile::open(file_).value().saves(), before) << command;
+        return spoken.err;
+    }
+
+    Spoken measured(const std::string& command, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{command,  file_, "--region", "Park",
+                                           "--cell", "10",  "--out",    folder_.path("out").string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return noonmarkCli(arguments);
+    }
+
+    /// An hour in December.
+    Spoken atNoon(const std::string& command, std::vector<std::string> more) {
+        for (const char* word : {"--start", "2026-12-21", "--at", "12:00", "--hours", "1", "--step", "10",
+                                 "--zone", "America/New_York"})
+            more.emplace_back(word);
+        return measured(command, more);
+    }
+
+    [[nodiscard]] Project opened() const { return ProjectFile::open(file_).value().project(); }
+
+    noonmark::tests::TemporaryFolder folder_;
+    std::string file_ = folder_.path("park.noonmark.gpkg").string();
+};
+
+}  // namespace noonmark::cli::tests

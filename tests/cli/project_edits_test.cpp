@@ -1,0 +1,251 @@
+#include <fmt/format.h>
+
+#include "core/city/building_ground.h"
+#include "scenarios/edits/building_ids.h"
+#include "scenarios/edits/placed_building.h"
+#include "tests/cli/project_command.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// A box of 20 x 30 x 100 units, y up, its corner at the origin.
+constexpr const char* boxObj = R"(o box
+v 0 0 0
+v 20 0 0
+v 20 0 -30
+v 0 0 -30
+v 0 100 0
+v 20 100 0
+v 20 100 -30
+v 0 100 -30
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+)";
+
+class ProjectEdits : public ProjectCommand {
+protected:
+    void SetUp() override {
+        ProjectCommand::SetUp();
+        done("add-scenario", {"A"});
+    }
+
+    /// As the scenario leaves it in the file.
+    [[nodiscard]] Building building(const std::string& name, const std::string& scenario = "A") const {
+        const City city = cityOf(opened(), scenario).value().city;
+        return *city.buildings[findBuilding(city, name).value()];
+    }
+
+    [[nodiscard]] std::vector<std::string> kinds() const {
+        std::vector<std::string> kinds;
+        const Project project = opened();
+        for (const Edit& edit : project.scenarios[0].edits) kinds.emplace_back(kindOf(edit));
+        return kinds;
+    }
+
+    std::string mesh_ = folder_.file("box.obj", boxObj).string();
+};
+
+TEST_F(ProjectEdits, EveryKindGoesIntoTheFileAndBack) {
+    const glm::dvec2 before = middleOf(building("One57"));
+    EXPECT_THAT(done("move", {"One57", "--scenario", "A", "--east", "12", "--north", "-3.5"}),
+                HasSubstr("A: Move One57 by 12.0 m east, -3.5 m north"));
+    EXPECT_NEAR(middleOf(building("One57")).x, before.x + 12, 1e-3);
+    EXPECT_NEAR(middleOf(building("One57")).y, before.y - 3.5, 1e-3);
+    EXPECT_THAT(done("rotate", {"One57", "--scenario", "A", "--clockwise", "90"}), HasSubstr("Turn One57"));
+    EXPECT_NEAR(middleOf(building("One57")).x, before.x + 12, 1e-2);
+    EXPECT_THAT(done("height", {"One57", "432 Park Avenue", "--scenario", "A", "--height", "150"}),
+                AllOf(HasSubstr("Make One57 150.0 m high"), HasSubstr("432 Park Avenue")));
+    EXPECT_NEAR(topM(building("432 Park Avenue")), 150, 1e-3);
+    done("demolish", {"520 Park Avenue", "--scenario", "A"});
+    EXPECT_THAT(
+        done("extrude", {"--scenario", "A", "--lot", "520 Park Avenue", "--id", "New", "--storeys", "9"}),
+        HasSubstr("New: 9 storeys"));
+    EXPECT_THAT(done("import", {mesh_, "--scenario", "A", "--id", "Box", "--at", "-73.975,40.77"}),
+                HasSubstr("20.0 m from west to east, 30.0 m from south to north, 100.0 m high"));
+    done("replace", {"One57", "--scenario", "A", "--with", mesh_});
+    EXPECT_THAT(kinds(), testing::ElementsAre("move", "rotate", "height", "height", "demolish", "add",
+                                              "import", "replace"));
+    EXPECT_THAT(done("info", {}), HasSubstr("   8 Replace One57 with One57"));
+}
+
+TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
+    done("import", {mesh_, "--scenario", "A", "--id", "middle", "--at", "-73.975,40.77", "--scale", "2",
+                    "--clockwise", "90", "--east", "5"});
+    const glm::dvec2 place = opened().city->frame.localFromLonLat({-73.975, 40.77});
+    EXPECT_NEAR(middleOf(building("middle")).x, place.x + 5, 0.01);
+    EXPECT_NEAR(middleOf(building("middle")).y, place.y, 0.01);
+    const Box2 box = bounds(building("middle"));
+    EXPECT_NEAR(box.high.x - box.low.x, 60, 0.01);  // 30 m from south to north, doubled and turned
+    EXPECT_NEAR(topM(building("middle")), 200, 0.01);
+    done("import", {mesh_, "--scenario", "A", "--id", "origin", "--origin-at", "-73.975,40.77"});
+    EXPECT_NEAR(bounds(building("origin")).low.x, place.x, 0.01);
+    EXPECT_NEAR(bounds(building("origin")).low.y, place.y, 0.01);
+    done("import", {mesh_, "--scenario", "A", "--id", "feet", "--at", "-73.975,40.77", "--mesh-unit", "ft"});
+    EXPECT_NEAR(topM(building("feet")), 100 * 0.3048, 0.01);
+    EXPECT_THAT(
+        refused("import", {mesh_, "--scenario", "A", "--id", "x", "--at", "-73.975,40.77", "--up", "z"}),
+        AllOf(HasSubstr("below the ground"), HasSubstr("--up")));
+}
+
+TEST_F(ProjectEdits, WhatStandsOnALotIsSaid) {
+    EXPECT_THAT(done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "x", "--storeys", "3"}),
+                HasSubstr("1 buildings stand on the lot and stay: --clear"));
+    EXPECT_THAT(
+        done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "y", "--storeys", "3", "--clear"}),
+        AllOf(HasSubstr("Demolish One57"), HasSubstr("Demolish x")));
+}
+
+TEST_F(ProjectEdits, AMeshTakesTheReplacedBuildingsPlaceAndName) {
+    const Building old = building("One57");
+    done("replace", {"One57", "--scenario", "A", "--with", mesh_});
+    const Building made = building("One57");
+    EXPECT_EQ(made.sourceId, old.sourceId);
+    EXPECT_EQ(made.name, old.name);
+    EXPECT_NEAR(middleOf(made).x, middleOf(old).x, 0.01);
+    EXPECT_NEAR(middleOf(made).y, middleOf(old).y, 0.01);
+    EXPECT_TRUE(made.parts[0].mesh);
+}
+
+TEST_F(ProjectEdits, ADryRunSavesNothing) {
+    const auto saves = ProjectFile::open(file_).value().saves();
+    EXPECT_THAT(done("demolish", {"One57", "--scenario", "A", "--dry-run"}),
+                AllOf(HasSubstr("Demolish One57"), HasSubstr("Nothing was saved")));
+    EXPECT_THAT(refused("demolish", {"One58", "--scenario", "A", "--dry-run"}), HasSubstr("'One57'"));
+    EXPECT_EQ(ProjectFile::open(file_).value().saves(), saves);
+}
+
+TEST_F(ProjectEdits, EditsAreTakenBack) {
+    done("demolish", {"One57", "432 Park Avenue", "--scenario", "A"});
+    done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "New", "--storeys", "9"});
+    EXPECT_THAT(refused("remove-edit", {"4", "--scenario", "A"}), HasSubstr("Give 1 to 3"));
+    EXPECT_THAT(refused("remove-edit", {"0", "--scenario", "A"}), HasSubstr("Give 1 to 3"));
+    EXPECT_THAT(done("remove-edit", {"1", "3", "--scenario", "A"}),
+                AllOf(HasSubstr("no longer Demolish One57"), HasSubstr("no longer Build New")));
+    EXPECT_THAT(kinds(), testing::ElementsAre("demolish"));
+}
+
+TEST_F(ProjectEdits, WhatOthersStartFromStaysWhole) {
+    done("extrude", {"--scenario", "A", "--on", "One57", "--id", "New", "--height", "80"});
+    done("add-scenario", {"B", "--base", "A"});
+    done("height", {"New", "--scenario", "B", "--height", "60"});
+    EXPECT_THAT(refused("demolish", {"New", "--scenario", "A"}),
+                AllOf(HasSubstr("There is no such building"), HasSubstr("'B' starts from 'A'")));
+    EXPECT_THAT(refused("remove-edit", {"2", "--scenario", "A"}), HasSubstr("'B' starts from 'A'"));
+    EXPECT_THAT(refused("remove-scenario", {"A"}), HasSubstr("Remove them first: B"));
+    done("rename-scenario", {"A", "First"});
+    EXPECT_EQ(opened().scenarios[1].base, "First");
+    done("duplicate-scenario", {"First", "Second"});
+    EXPECT_EQ(opened().scenarios[1].name, "Second");
+    EXPECT_EQ(opened().scenarios[1].edits.size(), 2U);
+    done("remove-scenario", {"B"});
+    done("remove-scenario", {"First"});
+    EXPECT_EQ(opened().scenarios.size(), 1U);
+}
+
+TEST_F(ProjectEdits, MistakesSayWhatWhereAndWhatToDo) {
+    EXPECT_THAT(refused("move", {"One57", "--scenario", "A"}), HasSubstr("Give --east or --north"));
+    EXPECT_THAT(refused("move", {"One57", "--scenario", "A", "--east", "nan"}), HasSubstr("--east"));
+    EXPECT_THAT(refused("move", {"--scenario", "A", "--east", "3"}), HasSubstr("buildings"));
+    EXPECT_THAT(refused("height", {"One57", "--scenario", "A", "--height", "2001"}), HasSubstr("2000"));
+    EXPECT_THAT(refused("height", {"One57", "--scenario", "A", "--height", "-1"}), HasSubstr("--height"));
+    EXPECT_THAT(refused("rotate", {"One57", "--scenario", "A", "--clockwise", "inf"}),
+                HasSubstr("--clockwise"));
+    EXPECT_THAT(refused("rotate", {"One57", "--scenario", "Existing", "--clockwise", "3"}),
+                HasSubstr("add-scenario"));
+    EXPECT_THAT(refused("import", {mesh_, "--scenario", "A", "--id", "x"}), HasSubstr("--at LON,LAT"));
+    EXPECT_THAT(refused("import", {mesh_, "--scenario", "A", "--id", "One57", "--at", "-73.98,40.76"}),
+                HasSubstr("One57"));
+    EXPECT_THAT(refused("import", {mesh_, "--scenario", "A", "--id", "x", "--at", "40.76"}),
+                HasSubstr("LON,LAT"));
+    EXPECT_THAT(
+        refused("import", {mesh_, "--scenario", "A", "--id", "x", "--at", "-73.98,40.76", "--scale", "0"}),
+        HasSubstr("--scale"));
+    EXPECT_THAT(refused("import", {folder_.path("gone.obj").string(), "--scenario", "A", "--id", "x"}),
+                HasSubstr("gone.obj"));
+    EXPECT_THAT(refused("replace", {"nothing", "--scenario", "A", "--with", mesh_}),
+                HasSubstr("There is no such building"));
+    EXPECT_THAT(refused("replace", {"One57", "--scenario", "A", "--with", file_}),
+                HasSubstr("OBJ, glTF, PLY or CityJSON"));
+    EXPECT_THAT(refused("extrude", {"--lot", "One57", "--id", "x"}), HasSubstr("--scenario is required"));
+    EXPECT_THAT(refused("rename-scenario", {"A", "Existing"}), HasSubstr("Existing"));
+    EXPECT_THAT(refused("rename-scenario", {"C", "D"}), HasSubstr("The scenarios are: Existing, A"));
+    EXPECT_THAT(refused("duplicate-scenario", {"A", "A"}), HasSubstr("Two scenarios"));
+    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("name of its own"));
+    EXPECT_TRUE(kinds().empty());
+}
+
+// Each setting by hand: a lot of 40 x 30 m, storeys of 4 m.
+TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
+    const Frame frame = opened().city->frame;
+    std::string wkt = "POLYGON ((";
+    for (const glm::dvec2 corner :
+         {glm::dvec2{600, 1200}, {640, 1200}, {640, 1230}, {600, 1230}, {600, 1200}}) {
+        const LonLat place = frame.lonLatFromLocal(corner);
+        wkt += fmt::format("{}{:.9f} {:.9f}", wkt.back() == '(' ? "" : ", ", place.lonDeg, place.latDeg);
+    }
+    done("lot add", {"Plot", wkt + "))"});
+    const std::vector<std::string> tower{"--scenario", "A", "--lot", "Plot", "--storey-height", "4", "--id"};
+    const auto built = [&](const std::string& id, const std::vector<std::string>& more) {
+        std::vector<std::string> all = tower;
+        all.push_back(id);
+        all.insert(all.end(), more.begin(), more.end());
+        return done("extrude", all);
+    };
+    EXPECT_THAT(built("a", {"--storeys", "10"}),
+                HasSubstr("10 storeys, 40.0 m; gross floor area 12,000 m2, ratio 10.0"));
+    EXPECT_THAT(built("b", {"--height", "42"}), HasSubstr("10 storeys, 42.0 m; gross floor area 12,000 m2"));
+    EXPECT_THAT(built("c", {"--storeys", "10", "--plate-share", "50"}),
+                HasSubstr("gross floor area 6,000 m2"));
+    EXPECT_THAT(built("d", {"--storeys", "10", "--plate-area", "300"}),
+                HasSubstr("gross floor area 3,000 m2"));
+    EXPECT_THAT(built("e", {"--storeys", "10", "--plate-area", "300", "--podium", "2"}),
+                AllOf(HasSubstr("gross floor area 4,800 m2"), HasSubstr("coverage 100 %")));
+    EXPECT_THAT(
+        built("f", {"--storeys", "10", "--plate-area", "300", "--podium", "2", "--podium-share", "50"}),
+        AllOf(HasSubstr("gross floor area 3,600 m2"), HasSubstr("coverage 50 %")));
+    EXPECT_THAT(
+        built("g", {"--storeys", "10", "--plate-area", "300", "--podium", "2", "--podium-area", "900"}),
+        AllOf(HasSubstr("gross floor area 4,200 m2"), HasSubstr("coverage 75 %")));
+    // Above 20 m 5 m from every wall: 30 x 20 m; above 32 m another 5 m: 20 x 10 m.
+    EXPECT_THAT(built("h", {"--storeys", "10", "--setback", "20:5", "--setback", "32:5"}),
+                HasSubstr("gross floor area 8,200 m2"));
+    EXPECT_THAT(built("i", {"--storeys", "10", "--plate-share", "25", "--turn", "90"}),
+                HasSubstr("3,000 m2"));
+    EXPECT_NEAR(bounds(building("i")).high.y - bounds(building("i")).low.y, 23.03,
+                0.01);  // 23.03 x 13.03 m, turned
+    EXPECT_THAT(refused("extrude",
+                        {"--scenario", "A", "--lot", "Plot", "--id", "j", "--storeys", "10", "--turn", "45"}),
+                HasSubstr("leaves the lot"));
+    EXPECT_THAT(refused("extrude", {"--scenario", "A", "--lot", "Plot", "--id", "j", "--storeys", "10",
+                                    "--setback", "20:15"}),
+                HasSubstr("Give less than 15.0 m"));
+}
+
+TEST_F(ProjectEdits, ACourtyardStaysOpen) {
+    const Frame frame = opened().city->frame;
+    const auto ring = [&](double low, double high) {
+        std::string text;
+        for (const glm::dvec2 corner :
+             {glm::dvec2{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}) {
+            const LonLat place = frame.lonLatFromLocal(corner + glm::dvec2(600, 1200));
+            text += fmt::format("{}{:.9f} {:.9f}", text.empty() ? "" : ", ", place.lonDeg, place.latDeg);
+        }
+        return "(" + text + ")";
+    };
+    EXPECT_THAT(done("lot add", {"Yard", "POLYGON (" + ring(0, 40) + ", " + ring(10, 30) + ")"}),
+                HasSubstr("Yard: 1200 m2"));
+    EXPECT_THAT(done("lot list", {}), HasSubstr("with a courtyard"));
+    EXPECT_THAT(done("extrude", {"--scenario", "A", "--lot", "Yard", "--id", "y", "--storeys", "5"}),
+                HasSubstr("gross floor area 6,000 m2"));
+    EXPECT_EQ(building("y").parts[0].footprint.holes.size(), 1U);
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests
