@@ -80,7 +80,7 @@ Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& fram
 }
 
 bool isWkt(std::string_view text) {
-    const std::string start = foldedText(text.substr(0, 12));
+    const std::string start = foldedText(text.substr(0, 24));
     return start.starts_with("polygon") || start.starts_with("multipolygon");
 }
 

@@ -55,6 +55,28 @@ TEST(ReadRegion, boxOfAnotherCity) {
                 HasSubstr("west,south,east,north"));
 }
 
+TEST(ReadRegion, wellKnownTextIsTheSamePlaceAsTheBox) {
+    const auto box = readRegion("-73.985,40.748,-73.975,40.752", frame);
+    const auto polygon = readRegion(
+        "Polygon ((-73.985 40.748, -73.975 40.748, -73.975 40.752, -73.985 40.752, -73.985 40.748))", frame);
+    ASSERT_TRUE(polygon) << errorOf(polygon);
+    EXPECT_NEAR(areaOf(*polygon), areaOf(*box), 1);
+    const auto two = readRegion(
+        " MULTIPOLYGON (((-73.985 40.748, -73.98 40.748, -73.98 40.752, -73.985 40.748)),"
+        " ((-73.98 40.748, -73.975 40.748, -73.975 40.752, -73.98 40.748)))",
+        frame);
+    ASSERT_TRUE(two) << errorOf(two);
+    EXPECT_EQ(two->polygons.size(), 2U);
+}
+
+TEST(ReadRegion, wellKnownTextThatIsNone) {
+    EXPECT_THAT(errorOf(readRegion("POLYGON ((1 2", frame)), HasSubstr("well-known text"));
+    EXPECT_THAT(errorOf(readRegion("POLYGON EMPTY", frame)), HasSubstr("no area"));
+    EXPECT_THAT(errorOf(readRegion("POLYGON ((13.3 52.5, 13.4 52.5, 13.4 52.6, 13.3 52.5))", frame)),
+                HasSubstr("km from the city"));
+    EXPECT_FALSE(readRegion("POLYGON ((nan 40, -73 40, -73 41, nan 40))", frame));
+}
+
 TEST(ReadRegion, polygonFileIsTheSamePlaceAsTheBox) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("block.geojson", collection(feature("Polygon", block)));

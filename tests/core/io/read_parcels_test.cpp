@@ -1,0 +1,82 @@
+#include "core/io/read_parcels.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+const Frame frame({-73.98, 40.75});
+
+std::string squareAt(double west, const std::string& properties) {
+    return fmt::format(
+        R"({{"type":"Feature","properties":{{{}}},"geometry":{{"type":"Polygon","coordinates":)"
+        R"([[[{:.4f},40.75],[{:.4f},40.75],[{:.4f},40.751],[{:.4f},40.751],[{:.4f},40.75]]]}}}})",
+        properties, west, west + 0.001, west + 0.001, west, west);
+}
+
+std::string collection(const std::vector<std::string>& features) {
+    return fmt::format(R"({{"type":"FeatureCollection","features":[{}]}})", fmt::join(features, ","));
+}
+
+class ReadParcels : public testing::Test {
+protected:
+    Result<std::vector<Parcel>> read(const ParcelSettings& settings) {
+        return readParcels(file_, settings, frame, stop_.get_token());
+    }
+
+    tests::TemporaryFolder folder_;
+    std::stop_source stop_;
+    std::filesystem::path file_ = folder_.file(
+        "plots.geojson",
+        collection({squareAt(-73.98, R"("lot":7,"owner":"a")"), squareAt(-73.979, R"("lot":8,"owner":"b")"),
+                    squareAt(13.4, R"("lot":9,"owner":"c")")}));
+};
+
+TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
+    const Region here = regionFromLocalBox({{-1000, -1000}, {1000, 1000}});
+    const auto usual = read({.within = here}).value();
+    ASSERT_EQ(usual.size(), 2U);  // the third lies in another city
+    EXPECT_EQ(usual[0].name, "7");
+    EXPECT_NEAR(area(usual[0].polygons[0]), 84.45 * 111.04, 20);
+    EXPECT_EQ(read({.nameField = "OWNER", .within = here}).value()[1].name, "b");
+}
+
+TEST_F(ReadParcels, thoseAskedForAlone) {
+    EXPECT_EQ(read({.names = {"8"}}).value().size(), 1U);
+    const auto east = read({.within = regionFromLocalBox({{90, 0}, {200, 200}})}).value();
+    ASSERT_EQ(east.size(), 1U);
+    EXPECT_EQ(east[0].name, "8");
+}
+
+TEST_F(ReadParcels, whatIsWrongIsSaid) {
+    EXPECT_THAT(read({}).error().text(), HasSubstr("km from the city"));
+    EXPECT_THAT(read({.nameField = "street"}).error().text(), HasSubstr("lot, owner"));
+    EXPECT_THAT(read({.layer = "roads"}).error().text(), HasSubstr("plots"));
+    EXPECT_THAT(read({.names = {"77"}}).error().text(), HasSubstr("7, 8, 9"));
+    file_ = folder_.file("empty.geojson", "{}");
+    EXPECT_FALSE(read({}));
+    file_ = folder_.path("gone.gpkg");
+    EXPECT_THAT(read({}).error().text(), HasSubstr("gone.gpkg"));
+}
+
+TEST_F(ReadParcels, aRegisterOfAWholeCityIsRefusedAndStops) {
+    std::vector<std::string> many;
+    for (std::size_t i = 0; i <= ParcelSettings::mostParcels; ++i)
+        many.push_back(squareAt(-73.98, fmt::format(R"("lot":{})", i)));
+    file_ = folder_.file("many.geojson", collection(many));
+    EXPECT_THAT(read({}).error().text(), HasSubstr("more than 5000 parcels"));
+    EXPECT_EQ(read({.names = {"12"}}).value().size(), 1U);
+    stop_.request_stop();
+    EXPECT_TRUE(isCancelled(read({}).error()));
+}
+
+}  // namespace
+}  // namespace noonmark
