@@ -33,10 +33,13 @@ QRectF barOf(const Canvas& canvas, const QRectF& area) {
     return {area.left(), area.top() + barTopPt * canvas.point, area.width(), barHeightPt * canvas.point};
 }
 
-void paintBar(const Canvas& canvas, const QRectF& bar) {
+void paintBar(const Canvas& canvas, const QRectF& bar, bool change) {
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     constexpr int stops = 64;
-    for (int i = 0; i <= stops; ++i) gradient.setColorAt(double(i) / stops, shadowColour(double(i) / stops));
+    for (int i = 0; i <= stops; ++i) {
+        const double share = double(i) / stops;
+        gradient.setColorAt(share, change ? impactColour(2 * share - 1) : shadowColour(share));
+    }
     canvas.painter.setBrush(gradient);
     canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
     canvas.painter.drawRect(bar);
@@ -44,11 +47,23 @@ void paintBar(const Canvas& canvas, const QRectF& bar) {
 
 int ticksOf(const LegendScale& scale) { return std::max(1, int(std::lround(scale.top / scale.tick))); }
 
-/// Every how many ticks a label has room: the largest number is the widest.
-int labelStride(const Canvas& canvas, const QRectF& bar, const LegendScale& scale) {
+// Values written along the bar, from its left end to its right one.
+QStringList labelsOf(const Legend& legend) {
+    const int ticks = ticksOf(legend.scale);
+    QStringList labels;
+    for (int i = legend.change ? -ticks : 0; i <= ticks; ++i)
+        labels << (legend.change && i > 0 ? QStringLiteral("+") : QString()) +
+                      QString::number(i * legend.scale.tick);
+    return labels;
+}
+
+/// Every how many ticks a label has room: those at the ends are the widest.
+int labelStride(const Canvas& canvas, const QRectF& bar, const QStringList& labels) {
     const QFontMetricsF metrics(textFont(canvas, labelPt));
-    const double needed = metrics.horizontalAdvance(QString::number(scale.top)) + 6 * canvas.point;
-    const double between = bar.width() / ticksOf(scale);
+    const double needed =
+        std::max(metrics.horizontalAdvance(labels.front()), metrics.horizontalAdvance(labels.back())) +
+        6 * canvas.point;
+    const double between = bar.width() / double(labels.size() - 1);
     return std::max(1, int(std::ceil(needed / between)));
 }
 
@@ -59,16 +74,19 @@ void paintLabel(const Canvas& canvas, const QRectF& bar, double x, const QString
     canvas.painter.drawText(QPointF(left, bar.bottom() + (tickPt + labelPt) * canvas.point), label);
 }
 
-void paintTicks(const Canvas& canvas, const QRectF& bar, const LegendScale& scale) {
-    const int ticks = ticksOf(scale);
-    const int stride = labelStride(canvas, bar, scale);
+// Counted from the middle where that is no change, so that 0 is always written.
+void paintTicks(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
+    const QStringList labels = labelsOf(legend);
+    const int ticks = int(labels.size()) - 1;
+    const int stride = labelStride(canvas, bar, labels);
+    const int first = legend.change ? ticks / 2 : 0;
     canvas.painter.setFont(textFont(canvas, labelPt));
     for (int i = 0; i <= ticks; ++i) {
         const double x = bar.left() + bar.width() * i / ticks;
         canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
         canvas.painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tickPt * canvas.point));
         canvas.painter.setPen(ink::text);
-        if (i % stride == 0) paintLabel(canvas, bar, x, QString::number(i * scale.tick));
+        if ((i - first) % stride == 0) paintLabel(canvas, bar, x, labels[i]);
     }
 }
 
@@ -82,11 +100,26 @@ void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour,
                             label);
 }
 
-void paintPatches(const Canvas& canvas, const QRectF& bar) {
+void paintMoment(const Canvas& canvas, const QRectF& bar, bool change) {
     const QSizeF size(bar.height() * 2, bar.height());
-    paintPatch(canvas, {bar.topLeft(), size}, shadowColour(0), QStringLiteral("in the sun"));
-    paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size}, shadowColour(1),
-               QStringLiteral("in shadow"));
+    paintPatch(canvas, {bar.topLeft(), size}, change ? impactColour(-1) : shadowColour(0),
+               change ? QStringLiteral("less shadow") : QStringLiteral("in the sun"));
+    paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size},
+               change ? impactColour(1) : shadowColour(1),
+               change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
+}
+
+// At the right of the title's line; returns how wide they are.
+double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
+    const QFontMetricsF metrics(textFont(canvas, labelPt));
+    const double size = titlePt * 0.9 * canvas.point;
+    double x = area.right();
+    for (auto patch = patches.rbegin(); patch != patches.rend(); ++patch) {
+        x -= metrics.horizontalAdvance(patch->label) + size * 1.6 + 12 * canvas.point;
+        paintPatch(canvas, {x + 8 * canvas.point, area.top() + canvas.point, size * 1.6, size}, patch->colour,
+                   patch->label);
+    }
+    return area.right() - x;
 }
 
 }  // namespace
@@ -100,12 +133,13 @@ void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend)
     canvas.painter.save();
     canvas.painter.setRenderHint(QPainter::Antialiasing);
     const QRectF bar = barOf(canvas, area);
-    paintTitle(canvas, area, legend);
+    const double patches = paintOwnColours(canvas, area, legend.patches);
+    paintTitle(canvas, area.adjusted(0, 0, -patches, 0), legend);
     if (legend.instant) {
-        paintPatches(canvas, bar);
+        paintMoment(canvas, bar, legend.change);
     } else {
-        paintBar(canvas, bar);
-        paintTicks(canvas, bar, legend.scale);
+        paintBar(canvas, bar, legend.change);
+        paintTicks(canvas, bar, legend);
     }
     canvas.painter.restore();
 }

@@ -9,12 +9,20 @@
 
 namespace noonmark {
 
+/// A colour that is no place on the scale.
+struct LegendPatch {
+    QColor colour;
+    QString label;
+};
+
 /// What a reader needs to turn a colour back into minutes.
 struct Legend {
     QString title;         ///< "Gross shadow"
     QString unit;          ///< "minutes in shadow a day"
     LegendScale scale;     ///< colours run from 0 to scale.top
     bool instant = false;  ///< two patches, in the sun and in shadow, instead of a scale
+    bool change = false;   ///< less and more shadow: impactColour(value / scale.top), from -top to top
+    std::vector<LegendPatch> patches{};  ///< what has a colour of its own
 };
 
 /// The legend of a map of `measure`. O(cells). Colour a value with shadowColour(value / legend.scale.top).

@@ -2,6 +2,9 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+
+#include "scenarios/project/project_file.h"
 
 namespace noonmark {
 
@@ -12,10 +15,25 @@ QString tr(const char* text) { return QObject::tr(text); }
 }  // namespace
 
 QStringList askForCity(QWidget* parent) {
-    return QFileDialog::getOpenFileNames(parent, tr("Open a city"), {},
-                                         tr("Cities and terrain (*.geojson *.json *.gpkg *.shp *.osm *.pbf "
-                                            "*.jsonl *.obj *.ply *.gltf *.glb *.tif "
-                                            "*.tiff *.asc *.vrt);;All files (*)"));
+    return QFileDialog::getOpenFileNames(
+        parent, tr("Open a project or a city"), {},
+        tr("Projects, cities and terrain (*.noonmark.gpkg *.geojson *.json *.gpkg *.shp *.osm *.pbf "
+           "*.jsonl *.obj *.ply *.gltf *.glb *.tif "
+           "*.tiff *.asc *.vrt);;Projects (*.noonmark.gpkg);;All files (*)"));
+}
+
+QString askForProject(QWidget* parent, const QString& suggested) {
+    const QString ending = QString::fromLatin1(projectEnding);
+    QString file = QFileDialog::getSaveFileName(parent, tr("Save project as"), suggested,
+                                                tr("Projects (*%1)").arg(ending), nullptr,
+                                                QFileDialog::DontConfirmOverwrite);
+    if (file.isEmpty()) return {};
+    if (!file.endsWith(ending)) file += ending;
+    if (!QFileInfo::exists(file)) return file;
+    const auto answer =
+        QMessageBox::question(parent, tr("Save project as"),
+                              tr("%1 is there already. Replace it?").arg(QFileInfo(file).fileName()));
+    return answer == QMessageBox::Yes ? file : QString();
 }
 
 QString askForRegion(QWidget* parent) {

@@ -4,12 +4,17 @@
 #include <QCloseEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolBar>
 
 #include "app/window/file_dialogs.h"
 #include "app/window/open_options.h"
 #include "app/window/progress_strip.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/project/scenario_bar.h"
+#include "app/window/project/scenario_table.h"
+#include "app/window/project/scenarios_dock.h"
 #include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
@@ -21,19 +26,11 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 2;
+constexpr int layoutVersion = 3;
 
-// What the view opens with: the region and some of its neighbourhood.
-Box2 startView(const Region& region) {
-    const Box2 box = bounds(region);
-    const glm::vec2 border = (box.high - box.low) * 0.15F;
-    return {box.low - border, box.high + border};
-}
-
-LonLat middleOf(const City& city) {
-    const Box2 box = bounds(city);
-    if (box.empty()) return city.frame.origin();
-    return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
+QString unsavedFolder(const QSettings& settings) {
+    const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return settings.value(QStringLiteral("unsavedFolder"), usual).toString();
 }
 
 }  // namespace
@@ -43,11 +40,16 @@ MainWindow::MainWindow(QSettings& settings)
       menus_(*this),
       recent_(*menus_.recent, settings),
       panel_(new ViewPanel),
-      docks_{new StudyDock(workbench_.document()), new ResultsDock, new WarningsDock},
+      docks_{new ProjectDock(workbench_.session()), new StudyDock(workbench_.document()), new ResultsDock,
+             new ScenariosDock(workbench_.session()), new WarningsDock},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
       options_(new OpenOptions(this)),
-      mode_(workbench_.document()) {
+      mode_(workbench_.document()),
+      place_(unsavedFolder(settings)),
+      saving_(
+          workbench_.session(), [this] { return viewNow(); }, place_.file()),
+      askUnsaved_([this] { return askUnsaved(); }) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
@@ -62,6 +64,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectViewMenu();
     connectRegion();
     connectModes();
+    connectProject();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
 }
@@ -80,6 +83,7 @@ void MainWindow::makeModeBar() {
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     bar->addActions(mode_.actions());
     menus_.modes->addActions(mode_.actions());
+    bar->addWidget(new ScenarioBar(workbench_.session()));
 }
 
 void MainWindow::draw(bool on) {
@@ -122,39 +126,40 @@ void MainWindow::open(const QStringList& files) { openWith(files, {}); }
 
 void MainWindow::openWith(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
-    panel_->messages().hide();  // what it offers is for the files before
-    opening_ = files;
-    reading_ = reading;
-    workbench_.open(files, reading);
+    whenSafe([this, files, reading] {
+        panel_->messages().hide();  // what it offers is for the files before
+        opening_ = files;
+        reading_ = reading;
+        workbench_.open(files, reading);
+    });
 }
 
 // A stated place that does not fit is mended where it was stated.
 void MainWindow::showOpenFailure(const Error& error) {
     panel_->messages().showError(error);
     if (asksForPlace(error) || reading_.crs || reading_.meshAnchor)
-        panel_->messages().offer(tr("Open with options..."));
+        panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
 }
 
+// The camera stays: it may be another scenario of the same city.
 void MainWindow::showCity() {
-    panel_->messages().hide();
     panel_->showCity(workbench_.city());
-    mode_.setAnalysisEngine(StudySettings().engine);
     exploration_.setCity(workbench_.city());
-    options_->setMiddle(middleOf(workbench_.city()->city()));
-    docks_.results->show(nullptr);
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
-    setWindowTitle(tr("%1 - Noonmark").arg(RecentFiles::nameOf(opening_.join(QLatin1Char('\n')))));
-    recent_.add(opening_);
+    docks_.results->show({});
+    if (workbench_.study()) showStudy();
     showDocument();
-    panel_->navigator().showSlanting(startView(workbench_.document().settings().region));
+    answerAnew();
 }
 
 void MainWindow::showStudy() {
+    docks_.scenarios->table().setStudies(workbench_.studies(), workbench_.document().settings());
     const auto study = workbench_.study();
+    if (!study) return;
     answered_ = study->settings;
-    panel_->messages().hide();
+    answerShown_ = true;
     panel_->results().setStudy(study);
-    docks_.results->show(study.get());
+    docks_.results->show(resultRowsOf(*study));
     docks_.warnings->show(study->warnings);
     showDocument();
 }
@@ -171,7 +176,8 @@ void MainWindow::showDocument() {
     panel_->showRegion(settings.region);
     if (workbench_.city())
         exploration_.setPeriod(settings.period, observerOf(workbench_.city()->city(), settings));
-    if (workbench_.study()) docks_.results->setOutdated(settings != answered_);
+    docks_.results->setOutdated(settings != answered_);
+    docks_.scenarios->table().setStudies(workbench_.studies(), settings);
 }
 
 void MainWindow::savePicture(const QString& file) {
@@ -184,6 +190,14 @@ void MainWindow::savePicture(const QString& file) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!closing_ && workbench_.session().hasUnsavedWork()) {
+        event->ignore();
+        return whenSafe([this] {
+            closing_ = true;
+            close();
+        });
+    }
+    saving_.forgetUnsaved();
     settings_.setValue(QStringLiteral("geometry"), saveGeometry());
     settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
     QMainWindow::closeEvent(event);

@@ -5,6 +5,8 @@
 
 #include "app/window/exploration.h"
 #include "app/window/mode_switch.h"
+#include "app/window/project/project_saving.h"
+#include "app/window/project/unsaved_place.h"
 #include "app/window/recent_menu.h"
 #include "app/window/window_docks.h"
 #include "app/window/window_menus.h"
@@ -31,9 +33,16 @@ public:
     [[nodiscard]] ModeSwitch& mode() { return mode_; }
     [[nodiscard]] const Exploration& exploration() const { return exploration_; }
 
+    [[nodiscard]] ProjectSaving& saving() { return saving_; }
+
+    /// Unsaved work is asked about first.
     void open(const QStringList& files);
     void openWith(const QStringList& files, const ReadSettings& reading);
     void savePicture(const QString& file);  ///< PNG, or what the name's ending says
+
+    /// What to do with unsaved work before something would lose it. A test answers without a dialog.
+    enum class Unsaved { save, discard, cancel };
+    void setUnsavedQuestion(std::function<Unsaved()> question) { askUnsaved_ = std::move(question); }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -49,6 +58,26 @@ private:
     void connectViewMenu();
     void connectRegion();
     void connectModes();
+    void connectProject();
+    void connectTree();
+    void connectScenarios();
+    void connectSaving();
+    void whenSafe(std::function<void()> then);
+    void save();
+    void saveAs();
+    void showProject();
+    void showTitle();
+    void offerRecovery();
+    void offerLeftWork();
+    void compare();
+    void answerAnew();
+    void showComparison();
+    void keepRegion();
+    void keepPeriod();
+    void keepResult();
+    [[nodiscard]] ProjectSaving::View viewNow();
+    [[nodiscard]] Unsaved askUnsaved();
+    [[nodiscard]] QString projectName();
     void draw(bool on);
     void changeRegion(const Region& region);
     void takeWholeCity();
@@ -70,6 +99,13 @@ private:
     OpenOptions* options_;
     ModeSwitch mode_;
     Exploration exploration_;
+    UnsavedPlace place_;
+    ProjectSaving saving_;
+    std::function<Unsaved()> askUnsaved_;
+    std::function<void()> afterSave_;  ///< what waits for the save that the user asked for
+    bool closing_ = false;
+    bool leftTaken_ = false;    ///< the work that an earlier run left is what is open
+    bool answerShown_ = false;  ///< a study or comparison of this project was shown
     QStringList opening_;
     ReadSettings reading_;    ///< of the files that were opened last
     StudySettings answered_;  ///< the settings of the study that is shown

@@ -19,7 +19,9 @@ void MainWindow::connectJobs() {
         connect(&bar, &ProgressStrip::cancelRequested, &slot, &JobSlot::cancel);
     };
     show(workbench_.opening(), *progress_);
+    show(workbench_.following(), *progress_);
     show(workbench_.writing(), *progress_);
+    show(saving_.writing(), *progress_);
     show(workbench_.running(), docks_.study->progress());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
         docks_.study->setRunning(true);
@@ -30,8 +32,13 @@ void MainWindow::connectJobs() {
 }
 
 void MainWindow::connectWorkbench() {
-    connect(&workbench_, &Workbench::cityOpened, this, &MainWindow::showCity);
-    connect(&workbench_, &Workbench::studyDone, this, &MainWindow::showStudy);
+    connect(&workbench_, &Workbench::cityShown, this, &MainWindow::showCity);
+    connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
+    connect(&workbench_, &Workbench::comparisonDone, this, &MainWindow::showComparison);
+    connect(&workbench_, &Workbench::studyDone, this, [this] {
+        panel_->messages().dismiss();
+        showStudy();
+    });
     connect(&workbench_, &Workbench::studyPartial, this,
             [this](const auto& partial) { panel_->results().setPartial(partial); });
     connect(&workbench_, &Workbench::studyStopped, this, &MainWindow::showStopped);
@@ -46,7 +53,8 @@ void MainWindow::connectFileMenu() {
     };
     opens(menus_.openPark, "sample:central-park-south");
     opens(menus_.openGrid, "sample:grid");
-    connect(menus_.open, &QAction::triggered, this, [this] { open(askForCity(this)); });
+    for (QAction* action : {menus_.newProject, menus_.open})
+        connect(action, &QAction::triggered, this, [this] { open(askForCity(this)); });
     connect(&recent_, &RecentMenu::chosen, this, &MainWindow::open);
     connect(panel_, &ViewPanel::filesDropped, this, &MainWindow::open);
     connect(menus_.savePicture, &QAction::triggered, this, [this] { savePicture(askForPicture(this)); });
@@ -63,8 +71,6 @@ void MainWindow::connectOptions() {
     });
     connect(options_, &OpenOptions::chosen, this, &MainWindow::openWith);
     connect(&workbench_, &Workbench::openFailed, this, &MainWindow::showOpenFailure);
-    connect(&panel_->messages(), &MessageBar::remedyChosen, this,
-            [this] { options_->ask(opening_, reading_); });
 }
 
 void MainWindow::connectStudyMenu() {

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
+#include <utility>
 
 namespace noonmark {
 
@@ -22,7 +23,10 @@ MessageBar::MessageBar(QWidget* parent)
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     remedy_->setObjectName(QStringLiteral("remedy"));
-    connect(remedy_, &QPushButton::clicked, this, &MessageBar::remedyChosen);
+    connect(remedy_, &QPushButton::clicked, this, [this] {
+        hide();
+        if (const auto chosen = std::exchange(chosen_, nullptr)) chosen();
+    });
     auto* close = new QToolButton;
     close->setText(QStringLiteral("\u2715"));
     close->setAutoRaise(true);
@@ -44,7 +48,8 @@ void MessageBar::showError(const Error& error) {
          "background: #fbe4df; border-bottom: 1px solid #d9806c; color: #5c1606;");
 }
 
-void MessageBar::offer(const QString& remedy) {
+void MessageBar::offer(const QString& remedy, std::function<void()> done) {
+    chosen_ = std::move(done);
     remedy_->setText(remedy);
     remedy_->show();
 }
@@ -55,6 +60,10 @@ void MessageBar::showNote(const QString& text) {
 }
 
 void MessageBar::showHelp(const QString& text) { show(text, noteColours); }
+
+void MessageBar::dismiss() {
+    if (remedy_->isHidden()) hide();
+}
 
 QString MessageBar::text() const { return isHidden() ? QString() : label_->text(); }
 

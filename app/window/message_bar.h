@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 
 #include "core/result.h"
 
@@ -19,16 +20,16 @@ public:
     void showError(const Error& error);
     void showNote(const QString& text);  ///< goes by itself after a while
     void showHelp(const QString& text);  ///< stays
-    void offer(const QString& remedy);   ///< a button beside the message that is shown, until another is
+    /// A button beside the message that is shown, until another is; it hides the message and calls `done`.
+    void offer(const QString& remedy, std::function<void()> done);
+    void dismiss();  ///< hides the message unless it offers something
     [[nodiscard]] QString text() const;
-
-Q_SIGNALS:
-    void remedyChosen();
 
 private:
     void show(const QString& text, const char* colours);
     QLabel* label_;
     QPushButton* remedy_;
+    std::function<void()> chosen_;
     QTimer* leave_;
 };
 

@@ -5,12 +5,9 @@
 
 namespace noonmark {
 
-Result<OpenCity> openCity(const std::vector<std::string>& files, const ReadSettings& settings,
-                          Progress& progress, std::stop_token stop) {
-    auto loaded = loadCity(files, settings, progress, stop);
-    if (!loaded) return tl::make_unexpected(loaded.error());
+Result<OpenCity> shownCity(LoadedCity loaded, Progress& progress, const std::stop_token& stop) {
     progress.report(0.9, "building the view");
-    OpenCity open{*std::move(loaded), {}, {}};
+    OpenCity open{std::move(loaded), {}, {}};
     open.arrays = arraysOf(open.city());
     if (stop.stop_requested()) return cancelled();
     auto scene = RayScene::over(open.city(), stop);

@@ -14,11 +14,11 @@ struct OpenCity {
     [[nodiscard]] const City& city() const { return loaded.read.city; }
 };
 
-/// Everything that opening takes, without the window: for a job.
-Result<OpenCity> openCity(const std::vector<std::string>& files, const ReadSettings& settings,
-                          Progress& progress, std::stop_token stop);
+/// Meshes a city and builds what rays search it with: for a job.
+Result<OpenCity> shownCity(LoadedCity loaded, Progress& progress, const std::stop_token& stop);
 
-/// Settings to begin with: first region, the time zone nearest to the city, cells of 2 m, the engine picked by itself.
+/// Settings to begin with: first region, the time zone nearest to the city, cells of 2 m, the engine picked
+/// by itself.
 StudySettings firstSettings(const LoadedCity& loaded);
 
 /// A study over a city that was read from files, with the files' hashes and warnings.

@@ -4,15 +4,11 @@
 
 namespace noonmark {
 
-namespace {
-
-QString areaText(double areaM2) {
+QString areaWords(double areaM2) {
     const QLocale english(QLocale::English);
     if (areaM2 < 1e5) return english.toString(areaM2, 'f', 0) + QStringLiteral(" m²");
     return english.toString(areaM2 * 1e-4, 'f', 1) + QStringLiteral(" ha");
 }
-
-}  // namespace
 
 QString regionWords(const Region& region, double cellM) {
     if (region.polygons.empty()) return QStringLiteral("No region yet");
@@ -25,7 +21,7 @@ QString regionWords(const Region& region, double cellM) {
         .arg(name.at(0).toUpper() + name.mid(1))
         .arg(double(box.high.x - box.low.x), 0, 'f', 0)
         .arg(double(box.high.y - box.low.y), 0, 'f', 0)
-        .arg(areaText(areaM2), QLocale(QLocale::English).toString(areaM2 / (cellM * cellM), 'f', 0));
+        .arg(areaWords(areaM2), QLocale(QLocale::English).toString(areaM2 / (cellM * cellM), 'f', 0));
 }
 
 }  // namespace noonmark

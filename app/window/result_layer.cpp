@@ -5,6 +5,7 @@
 #include "app/window/explored_picture.h"
 #include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
+#include "app/window/project/impact_picture.h"
 
 namespace noonmark {
 
@@ -36,6 +37,7 @@ ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), str
 
 void ResultLayer::forget() {
     study_.reset();
+    comparison_.reset();
     partial_.reset();
     explored_.reset();
     show();
@@ -48,6 +50,13 @@ void ResultLayer::setMode(ViewMode mode) {
 
 void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
     study_ = std::move(study);
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setComparison(std::shared_ptr<const ImpactAnswer> comparison) {
+    if (comparison == comparison_) return;
+    comparison_ = std::move(comparison);
     partial_.reset();
     if (mode_ != ViewMode::exploration) show();
 }
@@ -69,6 +78,7 @@ void ResultLayer::show() {
         return explored_ ? showExplored() : showNothing();
     }
     view_.surfaces().clear();
+    if (comparison_ && !partial_) return showComparison();
     if (study_ || partial_) return showGround();
     showNothing();
 }
@@ -91,6 +101,17 @@ void ResultLayer::showGround() {
     strip_.setNote(partial_ ? soFarWords(*partial_) : QString(), partial_ != nullptr);
 }
 
+void ResultLayer::showComparison() {
+    const Impact& impact = comparison_->study.total;
+    const Legend legend = legendOf(impact, strip_.measure());
+    view_.showPicture(impactPicture(impact, strip_.measure(), legend.scale.top));
+    strip_.setLegend(legend);
+    strip_.setNote(
+        QObject::tr("%1 compared with %2")
+            .arg(QString::fromStdString(comparison_->to), QString::fromStdString(comparison_->from)),
+        false);
+}
+
 void ResultLayer::showNothing() {
     view_.clearPicture();
     view_.surfaces().clear();
@@ -107,7 +128,10 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
         return minutesText(shadow.grossMin[*point], shadow.continuousMin[*point],
                            legendOf(explored_->view, ShadowMeasure::gross).instant);
     }
-    if (pick.building || !(study_ || partial_)) return {};
+    if (pick.building) return {};
+    if (comparison_ && !partial_)
+        return changeText(comparison_->study.total, {pick.position.x, pick.position.y});
+    if (!study_ && !partial_) return {};
     return minutesText(partial_ ? partial_->field : study_->field, {pick.position.x, pick.position.y});
 }
 

@@ -8,11 +8,13 @@
 #include "core/accumulate/partial_field.h"
 #include "render/city_view.h"
 #include "render/scene_picker.h"
+#include "scenarios/impact/impact_text.h"
 
 namespace noonmark {
 
-/// What lies on the surfaces of the view, and the legend that goes with it: what was explored, a study, or
-/// the running result of one, which is marked as such. Results are kept when another mode is shown.
+/// What lies on the surfaces of the view, and the legend that goes with it: what was explored, a study, the
+/// difference of two scenarios, or the running result of a study, which is marked as such. Results are kept
+/// when another mode is shown.
 class ResultLayer {
 public:
     ResultLayer(CityView& view, LegendStrip& legend);  ///< both outlive it
@@ -20,6 +22,8 @@ public:
     void forget();  ///< another city
     void setMode(ViewMode mode);
     void setStudy(std::shared_ptr<const Study> study);  ///< null: none; a running result goes
+    /// Stands before the study; null: none, and the study is shown again.
+    void setComparison(std::shared_ptr<const ImpactAnswer> comparison);
     /// Of a study that runs, over the one before; null: none, the one before is shown again.
     void setPartial(std::shared_ptr<const PartialField> partial);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
@@ -32,12 +36,14 @@ public:
 private:
     void showExplored();
     void showGround();
+    void showComparison();
     void showNothing();
 
     CityView& view_;
     LegendStrip& strip_;
     ViewMode mode_ = ViewMode::exploration;
     std::shared_ptr<const Study> study_;
+    std::shared_ptr<const ImpactAnswer> comparison_;
     std::shared_ptr<const PartialField> partial_;
     std::shared_ptr<const ViewAnswer> explored_;
 };

@@ -3,23 +3,20 @@
 #include <QFormLayout>
 #include <QLabel>
 
-#include "app/window/result_rows.h"
-
 namespace noonmark {
 
 ResultsDock::ResultsDock(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)), note_(new QLabel) {
     note_->setWordWrap(true);
     form_->addRow(note_);
-    show(nullptr);
+    show({});
 }
 
-void ResultsDock::show(const Study* study) {
+void ResultsDock::show(const std::vector<ResultRow>& rows) {
     while (form_->rowCount() > 1) form_->removeRow(1);
-    filled_ = study != nullptr;
+    filled_ = !rows.empty();
     note_->setText(tr("No study yet."));
     note_->setVisible(!filled_);
-    if (!study) return;
-    for (const ResultRow& row : resultRowsOf(*study)) {
+    for (const ResultRow& row : rows) {
         auto* value = new QLabel(row.value);
         value->setWordWrap(true);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -31,7 +28,7 @@ void ResultsDock::show(const Study* study) {
 
 void ResultsDock::setOutdated(bool outdated) {
     if (!filled_) return;
-    note_->setText(tr("The settings have changed since this study: run again."));
+    note_->setText(tr("The settings have changed since: run again."));
     note_->setVisible(outdated);
 }
 

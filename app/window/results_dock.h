@@ -2,21 +2,21 @@
 
 #include <QWidget>
 
-#include "core/study/study.h"
+#include "app/window/result_rows.h"
 
 class QFormLayout;
 class QLabel;
 
 namespace noonmark {
 
-/// The figures of the latest study.
+/// The figures of the latest study or comparison.
 class ResultsDock final : public QWidget {
     Q_OBJECT
 public:
     explicit ResultsDock(QWidget* parent = nullptr);
 
-    void show(const Study* study);    ///< null: none yet
-    void setOutdated(bool outdated);  ///< the question has changed since
+    void show(const std::vector<ResultRow>& rows);  ///< none: no result yet
+    void setOutdated(bool outdated);                ///< the question has changed since
 
 private:
     QFormLayout* form_;

@@ -26,7 +26,7 @@ private:
     StudySettings to_;
 };
 
-StudyDocument::StudyDocument(QObject* parent) : QObject(parent) { undoStack_.setUndoLimit(200); }
+StudyDocument::StudyDocument(QObject* parent) : QObject(parent) {}
 
 void StudyDocument::change(const StudySettings& to, const QString& field) {
     if (to == settings_) return;

@@ -5,6 +5,8 @@
 #include <QMenu>
 #include <QScrollArea>
 
+#include "app/window/project/project_dock.h"
+#include "app/window/project/scenarios_dock.h"
 #include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/warnings_dock.h"
@@ -40,11 +42,18 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", scrolled(docks.study, studyWidth));
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
+    QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
+    QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
+    window.addDockWidget(Qt::LeftDockWidgetArea, project);
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
+    window.tabifyDockWidget(results, scenarios);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
-    window.resizeDocks({results, warnings}, {420, 300}, Qt::Vertical);
-    for (QDockWidget* dock : {study, results, warnings}) menu.addAction(dock->toggleViewAction());
+    results->raise();
+    window.resizeDocks({project, study}, {250, 500}, Qt::Vertical);
+    window.resizeDocks({results, warnings}, {500, 220}, Qt::Vertical);
+    for (QDockWidget* dock : {project, study, results, scenarios, warnings})
+        menu.addAction(dock->toggleViewAction());
 }
 
 }  // namespace noonmark

@@ -5,14 +5,18 @@ class QMenu;
 
 namespace noonmark {
 
+class ProjectDock;
 class ResultsDock;
+class ScenariosDock;
 class StudyDock;
 class WarningsDock;
 
 /// What stands around the view. Belongs to the window.
 struct WindowDocks {
+    ProjectDock* project;
     StudyDock* study;
     ResultsDock* results;
+    ScenariosDock* scenarios;
     WarningsDock* warnings;
 };
 

@@ -25,8 +25,10 @@ QString tr(const char* text) { return QObject::tr(text); }
 WindowMenus::WindowMenus(QMainWindow& window) {
     QMenuBar& bar = *window.menuBar();
     QMenu& file = *bar.addMenu(tr("&File"));
+    newProject = added(file, tr("&New project from a city..."), QKeySequence::New,
+                       tr("Footprints, CityJSON, meshes, terrain; several files make one city"));
     open = added(file, tr("&Open..."), QKeySequence::Open,
-                 tr("Footprints, CityJSON, meshes, terrain; several files make one city"));
+                 tr("A project, or the files of a city, which become a new project"));
     openWith = added(file, tr("Open &with options..."), QKeySequence(tr("Ctrl+Shift+O")),
                      tr("For files that do not say their place, unit or heights"));
     QMenu& sample = *file.addMenu(tr("Open &sample"));
@@ -34,6 +36,10 @@ WindowMenus::WindowMenus(QMainWindow& window) {
                      tr("The park, its streets and the towers of the case study"));
     openGrid = added(sample, tr("&Grid"), {}, tr("A made-up city of blocks and lots"));
     recent = file.addMenu(tr("Open &recent"));
+    file.addSeparator();
+    save = added(file, tr("&Save project"), QKeySequence::Save,
+                 tr("City, scenarios, lots, results and view in one file"));
+    saveAs = added(file, tr("Save project &as..."), QKeySequence(tr("Ctrl+Shift+S")), {});
     file.addSeparator();
     savePicture = added(file, tr("Save &picture..."), QKeySequence(tr("Ctrl+P")),
                         tr("The view with its legend, as PNG"));
@@ -44,6 +50,17 @@ WindowMenus::WindowMenus(QMainWindow& window) {
 
     edit = bar.addMenu(tr("&Edit"));
 
+    scenario = bar.addMenu(tr("S&cenario"));
+    newScenario = added(*scenario, tr("&New scenario"), {}, tr("Starts from the existing city"));
+    newFromThis = added(*scenario, tr("New scenario &from this one"), {},
+                        tr("Starts from the scenario that is shown, and follows it when it changes"));
+    compare = added(*scenario, tr("&Compare with the existing city"), QKeySequence(tr("Ctrl+K")),
+                    tr("Minutes of shadow more or less than without the scenario"));
+    compare->setCheckable(true);
+    measureAll =
+        added(*scenario, tr("&Measure all scenarios"), {}, tr("The same study of each, side by side"));
+    scenario->addSeparator();
+
     QMenu& study = *bar.addMenu(tr("&Study"));
     run = added(study, tr("&Run"), QKeySequence(tr("Ctrl+R")), tr("Compute the shadow of the region"));
     cancel = added(study, tr("&Cancel"), QKeySequence(tr("Ctrl+.")), tr("Stop the study that is running"));
@@ -51,6 +68,8 @@ WindowMenus::WindowMenus(QMainWindow& window) {
                        tr("Click the corners on the ground; Enter finishes, Esc cancels"));
     regionFile =
         added(study, tr("Region from &file..."), {}, tr("The polygons of a file, in any coordinate system"));
+    keepResult = added(study, tr("&Keep result"), {},
+                       tr("The map and the figures that are shown go into the project"));
     study.addSeparator();
     gross = added(study, tr("Show &gross shadow"), QKeySequence(tr("Ctrl+1")), tr("Minutes in shadow a day"));
     continuous = added(study, tr("Show c&ontinuous shadow"), QKeySequence(tr("Ctrl+2")),

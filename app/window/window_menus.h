@@ -13,19 +13,28 @@ namespace noonmark {
 struct WindowMenus {
     explicit WindowMenus(QMainWindow& window);
 
+    QAction* newProject;
     QAction* open;
     QAction* openWith;  ///< with settings of how to read
     QAction* openPark;
     QAction* openGrid;
     QMenu* recent;
+    QAction* save;
+    QAction* saveAs;
     QAction* savePicture;
     QAction* exportStudy;
     QAction* quit;
     QMenu* edit;
+    QMenu* scenario;
+    QAction* newScenario;
+    QAction* newFromThis;
+    QAction* compare;  ///< checkable
+    QAction* measureAll;
     QAction* run;
     QAction* cancel;
     QAction* drawRegion;
     QAction* regionFile;
+    QAction* keepResult;
     QAction* gross;
     QAction* continuous;
     QAction* wholeCity;

@@ -2,53 +2,102 @@
 
 #include <QObject>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "app/window/job_slot.h"
 #include "app/window/open_city.h"
+#include "app/window/project/open_project.h"
+#include "app/window/project/project_session.h"
 #include "app/window/study_document.h"
+#include "scenarios/impact/impact_text.h"
 
 namespace noonmark {
 
-/// What the window works on: one city, the question about it, its latest answer. Long work runs beside the
-/// window; nothing here knows widgets.
+/// What the window works on: one project, the city of the scenario that is shown, the question about it, its
+/// latest answer. Long work runs beside the window; nothing here knows widgets.
 class Workbench final : public QObject {
     Q_OBJECT
 public:
     explicit Workbench(QObject* parent = nullptr);
 
-    /// The city stays until another is read; then the study goes. `reading` says what the files do not.
+    /// A project file, or city files that become a project without a file. What was open stays until then.
+    /// `reading` says what city files do not.
     void open(const QStringList& files, const ReadSettings& reading = {});
-    /// Answers the document's question; the study before it stays until then. Overtakes a study that runs.
+    /// Takes up the work that a recovery file holds, as a step of undo of the project that is open.
+    void recover(const std::filesystem::path& recovery);
+    /// The same of work that never had a file: it becomes the project that is open.
+    void recoverUntitled(const std::filesystem::path& recovery);
+    /// Answers the document's question for the scenario that is shown, or where a baseline is chosen, the
+    /// difference from that. The answer before stays until then. Overtakes an answer that is being worked
+    /// out.
     void run();
+    /// Studies all scenarios of which there is no study with the document's settings yet.
+    void measureAll();
     /// Writes the files of the command line into a folder.
     void exportStudy(const std::filesystem::path& folder);
+    /// The answer that is shown becomes a result of the project.
+    void keepAnswer(const QString& name);
 
-    [[nodiscard]] std::shared_ptr<const OpenCity> city() const { return city_; }  ///< null before the first
-    [[nodiscard]] std::shared_ptr<const Study> study() const { return study_; }   ///< null before the first
+    /// As it is shown; null before the first. A moment behind session().city() while a change is worked in.
+    [[nodiscard]] std::shared_ptr<const OpenCity> city() const { return city_; }
+    /// The latest of the scenario that is shown; null: none since its buildings last changed.
+    [[nodiscard]] std::shared_ptr<const Study> study() const { return study_; }
+    /// The latest difference of the two that are compared; null: none, or buildings changed since.
+    [[nodiscard]] std::shared_ptr<const ImpactAnswer> comparison() const { return comparison_; }
+    /// Studies of scenarios whose buildings have not changed since, by name.
+    [[nodiscard]] std::map<std::string, std::shared_ptr<const Study>> studies();
+    /// How long the latest answer took to work out, seconds.
+    [[nodiscard]] double answerSeconds() const { return answerSeconds_; }
+
     [[nodiscard]] StudyDocument& document() { return document_; }
+    [[nodiscard]] ProjectSession& session() { return session_; }
+    [[nodiscard]] const ViewState& openedView() const { return openedView_; }  ///< what the project came with
     [[nodiscard]] JobSlot& opening() { return opening_; }
+    [[nodiscard]] JobSlot& following() { return following_; }  ///< works a change into what is shown
     [[nodiscard]] JobSlot& running() { return running_; }
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
 Q_SIGNALS:
-    void cityOpened();
+    void cityShown();      ///< city() is another
+    void projectOpened();  ///< another project, after its first city was shown
     void studyDone();
+    void comparisonDone();
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
-    void studyStopped(bool cancelled);       ///< without a result; the study before is still there
+    void studyStopped(bool cancelled);       ///< without a result; the answer before is still there
     void failed(noonmark::Error error);      ///< work that was cancelled does not fail
-    void openFailed(noonmark::Error error);  ///< the city that was there stays
+    void openFailed(noonmark::Error error);  ///< what was open stays
     void noted(QString text);
 
 private:
-    void takeCity(Result<OpenCity> opened);
-    void takeStudy(Result<Study> study);
+    struct KnownStudy {
+        std::string scenario;
+        std::shared_ptr<const City> city;    ///< what it is of
+        std::shared_ptr<const Study> study;  ///< null: still to be made
+    };
+    void takeProject(Result<OpenProject> opened);
+    void takeRecovered(Result<ProjectFile> kept);
+    void follow();
+    void takeCity(Result<OpenCity> city);
+    void forgetAnswers();
+    void measure(const QString& what, std::vector<KnownStudy> wanted);
+    void runComparison();
+    void takeStudies(Result<std::vector<KnownStudy>> made);
+    void takeKnown();
+    void takeComparison(Result<ImpactAnswer> answer);
+    std::vector<KnownStudy> wanted();
     void tell(const Error& error);
 
     StudyDocument document_;
+    ProjectSession session_{document_.undoStack()};
+    ViewState openedView_;
     std::shared_ptr<const OpenCity> city_;
+    std::map<std::string, KnownStudy> known_;  // by scenario
     std::shared_ptr<const Study> study_;
+    std::shared_ptr<const ImpactAnswer> comparison_;
+    double answerSeconds_ = 0;
     JobSlot opening_;
+    JobSlot following_;
     JobSlot running_;
     JobSlot writing_;
 };

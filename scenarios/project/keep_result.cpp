@@ -16,6 +16,20 @@ Project with(Project project, KeptResult result) {
 
 }  // namespace
 
+Project withResult(Project project, const std::string& name, const std::string& scenario,
+                   const Study& study) {
+    const ShadowField& field = study.field;
+    return with(std::move(project), {name,
+                                     "study",
+                                     scenario,
+                                     {},
+                                     studyJson(study),
+                                     {},
+                                     field.grid,
+                                     {{"gross shadow", "min/day", field.grossMin},
+                                      {"continuous shadow", "min", field.continuousMin}}});
+}
+
 Project withResult(Project project, const std::string& name, const ImpactAnswer& answer) {
     const Impact& impact = answer.study.total;
     return with(std::move(project), {name,

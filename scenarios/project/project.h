@@ -29,7 +29,7 @@ struct NamedPeriod {
 };
 
 /// One map of a kept result.
-struct ResultLayer {
+struct KeptLayer {
     std::string name;           ///< "gross shadow"
     std::string unit;           ///< "min/day"
     std::vector<float> values;  ///< grid order, NaN where there is no receiver
@@ -44,7 +44,7 @@ struct KeptResult {
     std::string settings;  ///< JSON: engine, period, region, figures, as study.json has them
     std::string inputs;    ///< JSON: path, bytes and sha256 of every file that the city was read from
     Grid grid;
-    std::vector<ResultLayer> layers;
+    std::vector<KeptLayer> layers;
 };
 
 /// All that one project file holds. A value: cheap to copy for undo, since the city and the results are

@@ -120,8 +120,8 @@ std::map<std::string, std::string> readView(Database& database) {
     return view;
 }
 
-ResultLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
-    ResultLayer layer{row.text(0), row.text(1), {}};
+KeptLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
+    KeptLayer layer{row.text(0), row.text(1), {}};
     layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     const std::string table = row.text(2);
     for (const char letter : table)

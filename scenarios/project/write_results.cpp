@@ -23,7 +23,7 @@ void writeTiles(Database& database, const std::string& table, const Grid& grid,
 }
 
 void writeLayer(Database& database, const KeptResult& result, std::int64_t id, std::size_t number) {
-    const ResultLayer& layer = result.layers[number];
+    const KeptLayer& layer = result.layers[number];
     const std::string table = fmt::format("result_{}_{}", id, number + 1);
     const Grid& grid = result.grid;
     createCoverage(database, {table, fmt::format("{}: {}", result.name, layer.name), layer.unit, grid.westM,

@@ -14,7 +14,7 @@ inline std::shared_ptr<const KeptResult> keptResult(const std::string& name, int
                       {},   {}};
     result.grid = {-10, -20, 2, columns, rows};
     for (const char* layer : {"gross change", "continuous change"}) {
-        ResultLayer map{layer, "min/day", {}};
+        KeptLayer map{layer, "min/day", {}};
         for (std::size_t i = 0; i < result.grid.size(); ++i)
             map.values.push_back(i % 7 == 0 ? std::numeric_limits<float>::quiet_NaN()
                                             : float(i) * 0.37F - 500);

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scenarios/history.h"
 #include "tests/scenarios/small_town.h"
 
 namespace noonmark::tests {
@@ -41,36 +40,6 @@ TEST(Scenario, CirclesAndDoubleNamesAreRefused) {
     EXPECT_FALSE(checked({{existingCity, "", {}}}));
     EXPECT_FALSE(checked({{"A", "gone", {}}}));
     EXPECT_TRUE(checked(twoProposals()));
-}
-
-TEST(History, UndoesAndRedoesWithoutLimit) {
-    History<int> history(0);
-    for (int i = 1; i <= 10000; ++i) history.change(i, "to " + std::to_string(i));
-    for (int i = 10000; i > 0; --i) {
-        EXPECT_EQ(history.undoText(), "to " + std::to_string(i));
-        EXPECT_EQ(history.undo(), i - 1);
-    }
-    EXPECT_FALSE(history.canUndo());
-    EXPECT_EQ(history.undo(), 0);
-    while (history.canRedo()) history.redo();
-    EXPECT_EQ(history.now(), 10000);
-}
-
-TEST(History, KnowsTheSavedState) {
-    History<int> history(0);
-    EXPECT_TRUE(history.isClean());
-    history.change(1, "one");
-    EXPECT_FALSE(history.isClean());
-    history.markClean();
-    history.change(2, "two");
-    history.undo();
-    EXPECT_TRUE(history.isClean());
-    history.undo();
-    EXPECT_FALSE(history.isClean());
-    history.change(3, "three");  // the saved state can't be come back to
-    history.undo();
-    history.redo();
-    EXPECT_FALSE(history.isClean());
 }
 
 }  // namespace

@@ -6,9 +6,8 @@
 #include "app/cli/load_city.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
+#include "app/input/project_of.h"
 #include "core/io/read_region.h"
-#include "core/samples/sample_city.h"
-#include "scenarios/edits/building_ids.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -55,22 +54,8 @@ Result<void> addLots(Project& project, const std::vector<std::string>& texts) {
     return {};
 }
 
-// The sample brings its places along.
-void addSamplePlaces(Project& project, const LoadedCity& loaded) {
-    if (loaded.files != std::vector<std::string>{"sample:central-park-south"}) return;
-    Region park = centralParkRegion(*project.city);
-    park.name = "Park";
-    project.regions.push_back(std::move(park));
-    for (const CaseStudyLot& lot : caseStudyLots(*project.city))
-        project.lots.push_back({lot.tower, lot.ground});
-}
-
 Result<Project> projectFrom(const NewOptions& options, const LoadedCity& loaded) {
-    Project project;
-    project.city = std::make_shared<const City>(withUniqueIds(loaded.read.city));
-    project.attribution = loaded.read.attribution;
-    project.inputs = loaded.inputs;
-    addSamplePlaces(project, loaded);
+    Project project = projectOf(loaded);
     return addRegions(project, options.regions)
         .and_then([&] { return addLots(project, options.lots); })
         .map([&] { return std::move(project); });

@@ -1,0 +1,246 @@
+#include <QAction>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+
+#include "app/window/file_dialogs.h"
+#include "app/window/main_window.h"
+#include "app/window/open_options.h"
+#include "app/window/project/comparison_rows.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/project/scenarios_dock.h"
+#include "app/window/results_dock.h"
+#include "app/window/study_dock.h"
+#include "app/window/view_panel.h"
+#include "app/window/warnings_dock.h"
+
+// The part of MainWindow that joins the project to menus, tree and view: scenarios, saving, recovery.
+namespace noonmark {
+
+namespace {
+
+/// A quick answer is worked out again by itself when the buildings change, seconds.
+constexpr double quickSeconds = 10;
+
+// What the view opens with: the region and some of its neighbourhood.
+Box2 startView(const Region& region) {
+    const Box2 box = bounds(region);
+    const glm::vec2 border = (box.high - box.low) * 0.15F;
+    return {box.low - border, box.high + border};
+}
+
+LonLat middleOf(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty()) return city.frame.origin();
+    return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
+}
+
+}  // namespace
+
+void MainWindow::connectProject() {
+    connectTree();
+    connectScenarios();
+    connectSaving();
+}
+
+void MainWindow::connectTree() {
+    const ProjectDock* tree = docks_.project;
+    connect(tree, &ProjectDock::regionChosen, this, &MainWindow::changeRegion);
+    connect(tree, &ProjectDock::periodChosen, this, [this](const Period& period) {
+        StudySettings settings = workbench_.document().settings();
+        settings.period = period;
+        workbench_.document().change(settings, tr("period"));
+    });
+    connect(tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {
+        panel_->navigator().showSlanting(startView({lot.name, {lot.outline}}));
+    });
+    connect(tree, &ProjectDock::keepRegionRequested, this, &MainWindow::keepRegion);
+    connect(tree, &ProjectDock::keepPeriodRequested, this, &MainWindow::keepPeriod);
+    connect(tree, &ProjectDock::keepResultRequested, this, &MainWindow::keepResult);
+}
+
+void MainWindow::connectScenarios() {
+    ProjectSession& session = workbench_.session();
+    connect(menus_.newScenario, &QAction::triggered, this, [this] { docks_.project->addScenario({}); });
+    connect(menus_.newFromThis, &QAction::triggered, this,
+            [this] { docks_.project->addScenario(workbench_.session().scenario()); });
+    connect(menus_.compare, &QAction::triggered, this,
+            [this](bool on) { workbench_.session().compareWith(on ? existingCity : std::string()); });
+    connect(menus_.measureAll, &QAction::triggered, &workbench_, &Workbench::measureAll);
+    connect(menus_.keepResult, &QAction::triggered, this, &MainWindow::keepResult);
+    connect(docks_.scenarios, &ScenariosDock::measureAllRequested, &workbench_, &Workbench::measureAll);
+    connect(&session, &ProjectSession::baselineChanged, this, &MainWindow::compare);
+    connect(&session, &ProjectSession::changed, this,
+            [this] { menus_.compare->setChecked(workbench_.session().baseline() == existingCity); });
+}
+
+void MainWindow::connectSaving() {
+    connect(menus_.save, &QAction::triggered, this, &MainWindow::save);
+    connect(menus_.saveAs, &QAction::triggered, this, &MainWindow::saveAs);
+    connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);
+    connect(&saving_, &ProjectSaving::saved, this, [this](const QString& file) {
+        recent_.add({file});
+        if (std::exchange(leftTaken_, false)) place_.forgetLeft();
+        panel_->messages().showNote(tr("Saved as %1").arg(file));
+        if (const auto then = std::exchange(afterSave_, nullptr)) whenSafe(then);
+    });
+    connect(&saving_, &ProjectSaving::failed, this, [this](const Error& error) {
+        afterSave_ = nullptr;
+        panel_->messages().showError(error);
+        panel_->messages().offer(tr("Save as..."), [this] { saveAs(); });
+    });
+    connect(&saving_, &ProjectSaving::notKept, &panel_->messages(), &MessageBar::showError);
+}
+
+// Runs `then` once nothing can be lost: at once, after a save, or never.
+void MainWindow::whenSafe(std::function<void()> then) {
+    const bool unsaved = workbench_.session().hasUnsavedWork();
+    const Unsaved answer = unsaved ? askUnsaved_() : Unsaved::discard;
+    if (answer == Unsaved::cancel) return;
+    if (answer == Unsaved::save) {
+        afterSave_ = std::move(then);
+        return save();
+    }
+    saving_.forgetUnsaved();
+    then();
+}
+
+MainWindow::Unsaved MainWindow::askUnsaved() {
+    const auto answer = QMessageBox::question(
+        this, tr("Unsaved work"), tr("Save the changes of %1?").arg(projectName()),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+    if (answer == QMessageBox::Save) return Unsaved::save;
+    return answer == QMessageBox::Discard ? Unsaved::discard : Unsaved::cancel;
+}
+
+void MainWindow::save() {
+    if (!workbench_.session().file()) return saveAs();
+    saving_.save();
+}
+
+void MainWindow::saveAs() {
+    if (!workbench_.city()) return;
+    const QString file = askForProject(this, projectName() + QLatin1String(projectEnding));
+    if (file.isEmpty()) return void(afterSave_ = nullptr);
+    saving_.saveAs(file.toStdString());
+}
+
+QString MainWindow::projectName() {
+    const auto& file = workbench_.session().file();
+    QString name = file ? QString::fromStdString(file->path().filename().string())
+                        : RecentFiles::nameOf(opening_.join(QLatin1Char('\n')));
+    name.remove(QStringLiteral("sample:"));
+    name.remove(QLatin1String(projectEnding));
+    return name.isEmpty() ? tr("Untitled") : name;
+}
+
+void MainWindow::showTitle() {
+    if (!workbench_.city()) return;
+    setWindowTitle(tr("%1[*] - Noonmark").arg(projectName()));
+    setWindowModified(workbench_.session().hasUnsavedWork());
+}
+
+ProjectSaving::View MainWindow::viewNow() {
+    const ProjectSession& session = workbench_.session();
+    return textsOf(ViewState{panel_->view().pose(), mode_.mode(), panel_->legend().measure(),
+                             session.scenario(), session.baseline(), workbench_.document().settings()});
+}
+
+void MainWindow::showProject() {
+    const ViewState& view = workbench_.openedView();
+    const bool saved = workbench_.session().file().has_value();
+    panel_->messages().hide();
+    saving_.startOver();
+    answerShown_ = false;
+    mode_.setAnalysisEngine(StudySettings().engine);
+    options_->setMiddle(middleOf(workbench_.city()->city()));
+    if (saved) mode_.setMode(view.mode);
+    if (saved) panel_->legend().setMeasure(view.measure);
+    if (view.camera)
+        panel_->view().setPose(*view.camera);
+    else
+        panel_->navigator().showSlanting(startView(workbench_.document().settings().region));
+    if (!opening_.isEmpty()) recent_.add(opening_);
+    showTitle();
+    offerRecovery();
+}
+
+void MainWindow::offerRecovery() {
+    const auto& file = workbench_.session().file();
+    if (!file) return offerLeftWork();
+    const auto found = recoveryOf(file->path());
+    if (!found) return;
+    panel_->messages().showHelp(
+        tr("Noonmark ended before %1 was saved. The work up to then can be taken up again.")
+            .arg(projectName()));
+    panel_->messages().offer(tr("Recover"), [this, path = file->path()] {
+        const auto older = ProjectSaving::olderRecovery(path);
+        std::error_code none;
+        workbench_.recover(std::filesystem::exists(older, none) ? older : recoveryPath(path));
+    });
+}
+
+void MainWindow::offerLeftWork() {
+    if (!place_.left() || leftTaken_) return;
+    panel_->messages().showHelp(
+        tr("Noonmark ended before a project was saved. The work up to then can be taken up again."));
+    panel_->messages().offer(tr("Recover"), [this] {
+        opening_.clear();
+        leftTaken_ = true;
+        workbench_.recoverUntitled(*place_.left());
+    });
+}
+
+void MainWindow::compare() {
+    const bool comparing = !workbench_.session().baseline().empty();
+    panel_->results().setComparison(nullptr);
+    if (comparing && workbench_.session().baseline() != workbench_.session().scenario())
+        return workbench_.run();
+    showStudy();
+}
+
+// After another scenario or an edit: what was seen before is seen again, unless it takes long.
+void MainWindow::answerAnew() {
+    if (!answerShown_ || mode_.mode() == ViewMode::exploration) return;
+    const ProjectSession& session = workbench_.session();
+    const bool comparing = !session.baseline().empty() && session.baseline() != session.scenario();
+    if (comparing ? workbench_.comparison() != nullptr : workbench_.study() != nullptr) return;
+    if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
+}
+
+void MainWindow::showComparison() {
+    const auto comparison = workbench_.comparison();
+    answered_ = comparison->settings.study;
+    answerShown_ = true;
+    panel_->results().setComparison(comparison);
+    docks_.results->show(comparisonRowsOf(*comparison));
+    docks_.warnings->show(comparison->study.total.warnings);
+    showDocument();
+}
+
+void MainWindow::keepRegion() {
+    Project next = workbench_.session().project();
+    Region region = workbench_.document().settings().region;
+    region.name = freeName(next, ProjectPart::region, region.name.empty() ? "Region" : region.name);
+    const QString what = tr("keep region %1").arg(QString::fromStdString(region.name));
+    next.regions.push_back(std::move(region));
+    workbench_.session().change(std::move(next), what);
+}
+
+void MainWindow::keepPeriod() {
+    Project next = workbench_.session().project();
+    const Period& period = workbench_.document().settings().period;
+    const std::string name = freeName(next, ProjectPart::period, textOf(period.start));
+    next.periods.push_back({name, period});
+    workbench_.session().change(std::move(next), tr("keep period %1").arg(QString::fromStdString(name)));
+}
+
+void MainWindow::keepResult() {
+    const auto comparison = workbench_.comparison();
+    const std::string scenario = workbench_.session().scenario();
+    const std::string name = comparison ? comparison->to + " against " + comparison->from : scenario;
+    workbench_.keepAnswer(tr("%1, %2").arg(QString::fromStdString(name),
+                                           QString::fromStdString(textOf(answered_.period.start))));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,83 @@
+#include "app/window/project/comparison_rows.h"
+
+#include <QObject>
+
+#include "app/report/study_words.h"
+#include "app/window/region_words.h"
+
+namespace noonmark {
+
+namespace {
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+QString signedWords(double value, int decimals, const QString& unit) {
+    return (value > 0 ? QStringLiteral("+") : QString()) + amountWords(value, decimals) + unit;
+}
+
+// The thresholds' lines of one measure.
+void addThresholds(std::vector<ResultRow>& rows, const ImpactAnswer& answer, const QString& name,
+                   ChangeFigures ImpactFigures::*measure, const QString& meaning) {
+    for (const double threshold : answer.thresholdsMin) {
+        const ChangeFigures figures = figuresOf(answer.study.total, threshold).*measure;
+        rows.push_back(
+            {tr("%1 by over %2 min").arg(name).arg(threshold), changedAreaWords(figures), meaning});
+    }
+}
+
+void addBuildings(std::vector<ResultRow>& rows, const ImpactAnswer& answer) {
+    const double threshold = answer.thresholdsMin.front();
+    for (const BuildingImpact& building : answer.study.byBuilding)
+        rows.push_back(
+            {QString::fromStdString(building.name.empty() ? building.id : building.name),
+             changedAreaWords(figuresOf(building.impact, threshold).gross),
+             tr("What this new building does by itself: ground with over %1 min a day more gross shadow than "
+                "without it")
+                 .arg(threshold)});
+}
+
+}  // namespace
+
+QString changedAreaWords(const ChangeFigures& figures) {
+    if (figures.gainedM2 == 0 && figures.lostM2 == 0) return tr("nowhere");
+    QStringList words;
+    if (figures.gainedM2 > 0) words << tr("%1 more").arg(areaWords(figures.gainedM2));
+    if (figures.lostM2 > 0) words << tr("%1 less").arg(areaWords(figures.lostM2));
+    return words.join(QStringLiteral(", "));
+}
+
+std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer) {
+    const Impact& impact = answer.study.total;
+    const ImpactFigures all = figuresOf(impact, 0);
+    std::vector<ResultRow> rows{
+        {tr("Compared"),
+         tr("%1 with %2").arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)),
+         tr("Minutes of the first less minutes of the second: same engine, steps and cells")}};
+    addThresholds(rows, answer, tr("Gross"), &ImpactFigures::gross,
+                  tr("Ground whose minutes of shadow a day rise or fall by more than that"));
+    addThresholds(rows, answer, tr("Continuous"), &ImpactFigures::continuous,
+                  tr("Ground whose longest unbroken shadow grows or shrinks by more than that"));
+    rows.push_back({tr("Touched at all"),
+                    tr("%1 more, %2 less").arg(areaWords(all.gross.touchedM2), areaWords(all.gross.easedM2)),
+                    tr("Ground with any change of gross shadow")});
+    rows.push_back({tr("Most gained"), signedWords(all.gross.mostGainedMin, 1, tr(" min a day")),
+                    tr("The cell with the largest rise of gross shadow")});
+    rows.push_back({tr("Most lost"), signedWords(-all.gross.mostLostMin, 1, tr(" min a day")),
+                    tr("The cell with the largest fall of gross shadow")});
+    rows.push_back({tr("Mean change"), signedWords(all.gross.meanMin, 2, tr(" min a day")),
+                    tr("Of gross shadow, over all cells that are open ground in both")});
+    rows.push_back(
+        {tr("Shadow area"), signedWords(all.shadowAreaChangeM2, 0, QStringLiteral(" m²")),
+         tr("Change of the sum over the cells of (share of the sunlit time in shadow × cell area)")});
+    rows.push_back({tr("Built over"), areaWords(all.becameBuildingM2),
+                    tr("Ground before, building now: in neither figure above")});
+    rows.push_back({tr("Now ground"), areaWords(all.becameGroundM2),
+                    tr("Building before, ground now: in neither figure above")});
+    addBuildings(rows, answer);
+    rows.push_back({tr("Ground compared"), areaWords(all.receiverAreaM2), tr("Open ground in both")});
+    rows.push_back({tr("Period"), QString::fromStdString(textOf(answer.settings.study.period)), {}});
+    rows.push_back({tr("Engine"), QString::fromStdString(impact.engine), tr("Of both")});
+    return rows;
+}
+
+}  // namespace noonmark

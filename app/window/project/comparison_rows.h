@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "app/window/result_rows.h"
+#include "scenarios/impact/impact_text.h"
+
+namespace noonmark {
+
+/// What one scenario changes against another, line by line: areas of more and of less shadow for each
+/// threshold, means, the largest change, cells that are no receivers, and each new building by itself.
+std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer);
+
+/// "1,234 m² more, 56 m² less"
+QString changedAreaWords(const ChangeFigures& figures);
+
+}  // namespace noonmark

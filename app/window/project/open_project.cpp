@@ -1,0 +1,72 @@
+#include "app/window/project/open_project.h"
+
+#include "app/input/project_of.h"
+
+namespace noonmark {
+
+namespace {
+
+// What studies of a project's city say of their source: the files that the city was once read from.
+LoadedCity loadedFrom(const Project& project, const std::string& file) {
+    LoadedCity loaded;
+    loaded.files = {file};
+    loaded.inputs = project.inputs;
+    loaded.read.city = *project.city;
+    loaded.read.format = "Noonmark project";
+    loaded.read.features = project.city->buildings.size();
+    loaded.read.attribution = project.attribution;
+    return loaded;
+}
+
+void goToScenario(OpenProject& opened, LoadedCity& loaded) {
+    const auto edited = cityOf(opened.project, opened.view.scenario);
+    if (edited) return void(loaded.read.city = edited->city);
+    loaded.read.warnings.push_back({WarningKind::leftOut, edited.error().what, edited.error().where});
+    opened.view.scenario = existingCity;
+}
+
+Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened, Progress& progress) {
+    progress.report(0.1, "reading the project");
+    auto disk = ProjectFile::open(file);
+    if (!disk) return tl::make_unexpected(disk.error());
+    opened.project = disk->project();
+    opened.view = viewStateFrom(opened.project.view);
+    opened.file = *std::move(disk);
+    LoadedCity loaded = loadedFrom(opened.project, file);
+    goToScenario(opened, loaded);
+    return loaded;
+}
+
+Result<LoadedCity> readCityFiles(const std::vector<std::string>& files, const ReadSettings& settings,
+                                 OpenProject& opened, Progress& progress, std::stop_token stop) {
+    return loadCity(files, settings, progress, std::move(stop)).map([&](LoadedCity loaded) {
+        opened.project = projectOf(loaded);
+        loaded.read.city = *opened.project.city;
+        return loaded;
+    });
+}
+
+}  // namespace
+
+bool isProject(const std::vector<std::string>& files) {
+    return files.size() == 1 && files.front().ends_with(projectEnding);
+}
+
+Result<OpenProject> openProject(const std::vector<std::string>& files, const ReadSettings& settings,
+                                Progress& progress, std::stop_token stop) {
+    OpenProject opened;
+    auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress)
+                                   : readCityFiles(files, settings, opened, progress, stop);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    return shownCity(*std::move(loaded), progress, std::move(stop)).map([&](OpenCity city) {
+        opened.city = std::move(city);
+        return std::move(opened);
+    });
+}
+
+LoadedCity withCity(LoadedCity loaded, const City& city) {
+    loaded.read.city = city;
+    return loaded;
+}
+
+}  // namespace noonmark

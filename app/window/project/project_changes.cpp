@@ -1,0 +1,128 @@
+#include "app/window/project/project_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace noonmark {
+
+namespace {
+
+// Calls `work` with the list that holds parts of this kind. Results are shared and handled apart.
+template <class Work>
+void inList(Project& project, ProjectPart part, Work&& work) {
+    switch (part) {
+        case ProjectPart::lot:
+            return work(project.lots);
+        case ProjectPart::region:
+            return work(project.regions);
+        case ProjectPart::scenario:
+            return work(project.scenarios);
+        case ProjectPart::weights:
+            return work(project.weights);
+        case ProjectPart::period:
+            return work(project.periods);
+        case ProjectPart::result:
+            return;
+    }
+}
+
+std::vector<std::string> namesOf(Project project, ProjectPart part) {
+    std::vector<std::string> names;
+    inList(project, part, [&](auto& list) {
+        for (auto& one : list) names.push_back(one.name);
+    });
+    if (part == ProjectPart::result)
+        for (const auto& result : project.results) names.push_back(result->name);
+    return names;
+}
+
+Scenario* scenarioIn(Project& project, const std::string& name) {
+    const auto found = std::ranges::find(project.scenarios, name, &Scenario::name);
+    return found == project.scenarios.end() ? nullptr : &*found;
+}
+
+void renameResult(Project& project, const std::string& from, const std::string& to) {
+    for (auto& result : project.results) {
+        if (result->name != from) continue;
+        auto copy = std::make_shared<KeptResult>(*result);
+        copy->name = to;
+        result = std::move(copy);
+    }
+}
+
+}  // namespace
+
+std::string nextProposal(const std::vector<Scenario>& scenarios) {
+    for (int i = 0;; ++i) {
+        const std::string name =
+            i < 26 ? fmt::format("Proposal {}", char('A' + i)) : fmt::format("Proposal {}", i + 1);
+        if (findScenario(scenarios, name) == nullptr) return name;
+    }
+}
+
+std::string freeName(const Project& project, ProjectPart part, const std::string& name) {
+    const std::vector<std::string> names = namesOf(project, part);
+    std::string free = name;
+    for (int i = 2; std::ranges::find(names, free) != names.end(); ++i)
+        free = fmt::format("{} ({})", name, i);
+    return free;
+}
+
+Project withScenario(Project project, const std::string& name, const std::string& base) {
+    project.scenarios.push_back({name, base == existingCity ? std::string() : base, {}});
+    return project;
+}
+
+Project renamed(Project project, ProjectPart part, const std::string& from, const std::string& to) {
+    inList(project, part, [&](auto& list) {
+        for (auto& one : list)
+            if (one.name == from) one.name = to;
+    });
+    if (part == ProjectPart::result) renameResult(project, from, to);
+    if (part == ProjectPart::scenario)
+        for (Scenario& scenario : project.scenarios)
+            if (scenario.base == from) scenario.base = to;
+    return project;
+}
+
+Result<Project> without(Project project, ProjectPart part, const std::string& name) {
+    if (part == ProjectPart::scenario)
+        for (const Scenario& scenario : project.scenarios)
+            if (scenario.base == name)
+                return failure(fmt::format("'{}' starts from it", scenario.name),
+                               fmt::format("scenario '{}'", name),
+                               fmt::format("Delete '{}' first, or let it start from another", scenario.name));
+    inList(project, part,
+           [&](auto& list) { std::erase_if(list, [&](auto& one) { return one.name == name; }); });
+    if (part == ProjectPart::result)
+        std::erase_if(project.results, [&](const auto& one) { return one->name == name; });
+    return project;
+}
+
+Project duplicated(Project project, ProjectPart part, const std::string& name, std::string& made) {
+    made = part == ProjectPart::scenario ? nextProposal(project.scenarios) : freeName(project, part, name);
+    inList(project, part, [&](auto& list) {
+        const auto found = std::ranges::find_if(list, [&](auto& one) { return one.name == name; });
+        if (found == list.end()) return;
+        auto copy = *found;
+        copy.name = made;
+        list.insert(found + 1, std::move(copy));
+    });
+    return project;
+}
+
+Project rebased(Project project, const std::string& scenario, const std::string& base) {
+    if (Scenario* found = scenarioIn(project, scenario))
+        found->base = base == existingCity ? std::string() : base;
+    return project;
+}
+
+Project withoutEdit(Project project, const std::string& scenario, std::size_t position) {
+    Scenario* found = scenarioIn(project, scenario);
+    if (found && position < found->edits.size())
+        found->edits.erase(found->edits.begin() + std::ptrdiff_t(position));
+    return project;
+}
+
+}  // namespace noonmark

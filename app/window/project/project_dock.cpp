@@ -1,0 +1,191 @@
+#include "app/window/project/project_dock.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "app/window/project/project_model.h"
+#include "app/window/project/project_session.h"
+
+namespace noonmark {
+
+namespace {
+
+using Kind = ProjectNode::Kind;
+
+bool canRemove(const ProjectNode& node) {
+    return node.kind == Kind::edit || (node.kind == Kind::part && node.name != existingCity);
+}
+
+bool canDuplicate(const ProjectNode& node) {
+    return canRemove(node) && node.kind == Kind::part && node.part != ProjectPart::result;
+}
+
+QString useWords(ProjectPart part) {
+    switch (part) {
+        case ProjectPart::scenario:
+            return QObject::tr("&Show");
+        case ProjectPart::lot:
+            return QObject::tr("&Go there");
+        case ProjectPart::region:
+            return QObject::tr("&Measure here");
+        case ProjectPart::period:
+            return QObject::tr("&Measure then");
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+ProjectDock::ProjectDock(ProjectSession& session, QWidget* parent)
+    : QWidget(parent), session_(session), model_(new ProjectModel(session, this)), tree_(new QTreeView) {
+    tree_->setObjectName(QStringLiteral("projectTree"));
+    tree_->setModel(model_);
+    tree_->setHeaderHidden(true);
+    tree_->setUniformRowHeights(true);
+    tree_->setTextElideMode(Qt::ElideMiddle);
+    tree_->setExpandsOnDoubleClick(false);
+    tree_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    tree_->setContextMenuPolicy(Qt::CustomContextMenu);
+    tree_->installEventFilter(this);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(tree_);
+    connect(tree_, &QTreeView::doubleClicked, this, &ProjectDock::use);
+    connect(tree_, &QWidget::customContextMenuRequested, this, &ProjectDock::showMenu);
+    connect(model_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& group) {
+        if (group.isValid() && !group.parent().isValid()) tree_->expand(group);
+    });
+    openGroups();
+}
+
+// Scenarios at once; what is long and seldom needed stays closed.
+void ProjectDock::openGroups() {
+    for (const ProjectPart part : {ProjectPart::scenario, ProjectPart::region, ProjectPart::period})
+        tree_->expand(model_->groupOf(part));
+}
+
+bool ProjectDock::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != tree_ || event->type() != QEvent::KeyPress || tree_->indexWidget(tree_->currentIndex()))
+        return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Delete) return remove(tree_->currentIndex()), true;
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) return use(tree_->currentIndex()), true;
+    return QWidget::eventFilter(watched, event);
+}
+
+void ProjectDock::use(const QModelIndex& index) {
+    const ProjectNode* node = model_->nodeAt(index);
+    if (node == nullptr || !node->part || node->kind == Kind::group)
+        return tree_->setExpanded(index, !tree_->isExpanded(index));
+    const Project& project = session_.project();
+    if (node->part == ProjectPart::scenario) return session_.goTo(std::string(node->name));
+    if (node->part == ProjectPart::region)
+        if (const auto region = regionNamed(project, node->name)) return Q_EMIT regionChosen(*region);
+    if (node->part == ProjectPart::lot)
+        if (const auto lot = lotNamed(project, node->name)) return Q_EMIT lotChosen(*lot);
+    if (node->part == ProjectPart::period)
+        for (const NamedPeriod& period : project.periods)
+            if (period.name == node->name) return Q_EMIT periodChosen(period.period);
+}
+
+void ProjectDock::remove(const QModelIndex& index) {
+    const ProjectNode* node = model_->nodeAt(index);
+    if (node == nullptr || !canRemove(*node)) return;
+    const std::string name = node->name;
+    const QString shown = QString::fromStdString(name);
+    if (node->kind == Kind::edit) {
+        session_.change(withoutEdit(session_.project(), name, node->position),
+                        tr("step %1 of %2").arg(node->position + 1).arg(shown));
+        return;
+    }
+    const auto next = without(session_.project(), *node->part, name);
+    if (!next) return Q_EMIT session_.refused(next.error());
+    session_.change(*next, tr("delete %1").arg(shown));
+}
+
+void ProjectDock::duplicate(const QModelIndex& index) {
+    const ProjectNode* node = model_->nodeAt(index);
+    if (node == nullptr || !canDuplicate(*node)) return;
+    const ProjectPart part = *node->part;
+    std::string made;
+    Project next = duplicated(session_.project(), part, node->name, made);
+    const QString what = tr("copy of %1").arg(QString::fromStdString(node->name));
+    if (session_.change(std::move(next), what, part == ProjectPart::scenario ? made : std::string()))
+        select(part, made);
+}
+
+void ProjectDock::addScenario(const std::string& base) {
+    const std::string name = nextProposal(session_.project().scenarios);
+    if (session_.change(withScenario(session_.project(), name, base),
+                        tr("new scenario %1").arg(QString::fromStdString(name)), name))
+        select(ProjectPart::scenario, name);
+}
+
+void ProjectDock::select(ProjectPart part, const std::string& name) {
+    const QModelIndex index = model_->indexOf(part, name);
+    tree_->setCurrentIndex(index);
+    tree_->scrollTo(index);
+}
+
+void ProjectDock::showMenu(QPoint at) {
+    const QModelIndex index = tree_->indexAt(at);
+    const ProjectNode* node = model_->nodeAt(index);
+    QMenu menu;
+    if (node != nullptr && canRemove(*node))
+        addPartActions(menu, index, *node);
+    else if (node != nullptr && node->part)
+        addGroupActions(menu, *node);
+    if (!menu.isEmpty()) menu.exec(tree_->viewport()->mapToGlobal(at));
+}
+
+void ProjectDock::addPartActions(QMenu& menu, const QModelIndex& index, const ProjectNode& node) {
+    if (node.kind == Kind::part && !useWords(*node.part).isEmpty())
+        menu.addAction(useWords(*node.part), this, [this, index] { use(index); });
+    if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
+    if (node.kind == Kind::part)
+        menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });
+    if (canDuplicate(node)) menu.addAction(tr("D&uplicate"), this, [this, index] { duplicate(index); });
+    menu.addAction(node.kind == Kind::edit ? tr("&Take back\tDel") : tr("&Delete\tDel"), this,
+                   [this, index] { remove(index); });
+}
+
+void ProjectDock::addScenarioActions(QMenu& menu, const std::string& name) {
+    if (name != session_.scenario())
+        menu.addAction(tr("&Compare with it"), this, [this, name] { session_.compareWith(name); });
+    menu.addAction(tr("&New scenario from it"), this, [this, name] { addScenario(name); });
+    QMenu& bases = *menu.addMenu(tr("&Starts from"));
+    const auto offer = [&](const std::string& base) {
+        bases.addAction(QString::fromStdString(base), this, [this, name, base] {
+            session_.change(rebased(session_.project(), name, base),
+                            tr("base of %1").arg(QString::fromStdString(name)));
+        });
+    };
+    offer(existingCity);
+    for (const Scenario& other : session_.project().scenarios)
+        if (other.name != name) offer(other.name);
+    menu.addSeparator();
+}
+
+void ProjectDock::addGroupActions(QMenu& menu, const ProjectNode& node) {
+    if (node.part == ProjectPart::scenario) {
+        if (node.kind == Kind::part) {
+            menu.addAction(tr("&Show"), this, [this] { session_.goTo(existingCity); });
+            if (session_.scenario() != existingCity)
+                menu.addAction(tr("&Compare with it"), this, [this] { session_.compareWith(existingCity); });
+        }
+        menu.addAction(tr("&New scenario"), this, [this] { addScenario({}); });
+    }
+    if (node.part == ProjectPart::region)
+        menu.addAction(tr("&Keep the study's region"), this, &ProjectDock::keepRegionRequested);
+    if (node.part == ProjectPart::period)
+        menu.addAction(tr("&Keep the study's period"), this, &ProjectDock::keepPeriodRequested);
+    if (node.part == ProjectPart::result)
+        menu.addAction(tr("&Keep the result that is shown"), this, &ProjectDock::keepResultRequested);
+    if (node.part == ProjectPart::lot)
+        menu.addAction(tr("&Draw a lot"), this, &ProjectDock::drawLotRequested);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "app/window/project/project_changes.h"
+
+class QMenu;
+class QTreeView;
+
+namespace noonmark {
+
+class ProjectModel;
+class ProjectSession;
+struct ProjectNode;
+
+/// The project's tree, and what can be done with its lines: by keys, by double click and by the context menu.
+class ProjectDock final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProjectDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` outlives it
+
+    [[nodiscard]] QTreeView& tree() { return *tree_; }
+    [[nodiscard]] ProjectModel& model() { return *model_; }
+
+    /// What Enter and a double click do: go to a scenario, use a region or period, go to a lot.
+    void use(const QModelIndex& index);
+    void remove(const QModelIndex& index);      ///< a part, or an edit of a scenario
+    void duplicate(const QModelIndex& index);   ///< a scenario, lot, region, period or weight table
+    void addScenario(const std::string& base);  ///< and goes to it
+
+Q_SIGNALS:
+    void regionChosen(noonmark::Region region);
+    void periodChosen(noonmark::Period period);
+    void lotChosen(noonmark::NamedLot lot);
+    void keepRegionRequested();  ///< the study's region shall become one of the project's
+    void keepPeriodRequested();
+    void keepResultRequested();
+    void drawLotRequested();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void showMenu(QPoint at);
+    void addPartActions(QMenu& menu, const QModelIndex& index, const ProjectNode& node);
+    void addScenarioActions(QMenu& menu, const std::string& name);
+    void addGroupActions(QMenu& menu, const ProjectNode& node);
+    void openGroups();
+    void select(ProjectPart part, const std::string& name);
+
+    ProjectSession& session_;
+    ProjectModel* model_;
+    QTreeView* tree_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,145 @@
+#include "app/window/project/project_nodes.h"
+
+#include <QObject>
+
+#include "app/report/study_words.h"
+#include "app/window/region_words.h"
+
+namespace noonmark {
+
+namespace {
+
+using Kind = ProjectNode::Kind;
+
+QString tr(const char* text) { return QObject::tr(text); }
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+ProjectNode& added(ProjectNode& parent, ProjectNode node) {
+    node.parent = &parent;
+    return *parent.children.emplace_back(std::make_unique<ProjectNode>(std::move(node)));
+}
+
+void addFact(ProjectNode& parent, const QString& text, const QString& tip = {}) {
+    added(parent, {.kind = Kind::fact, .text = text, .tip = tip});
+}
+
+ProjectNode& addGroup(ProjectNode& root, ProjectPart part, const QString& text, std::size_t count,
+                      const QString& tip) {
+    const QString title = count > 0 ? QStringLiteral("%1 (%2)").arg(text).arg(count) : text;
+    return added(root, {.kind = Kind::group, .part = part, .text = title, .tip = tip});
+}
+
+ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& about = {},
+                     const QString& tip = {}) {
+    const QString text = about.isEmpty() ? textOf(name) : QStringLiteral("%1   %2").arg(textOf(name), about);
+    return added(group, {.kind = Kind::part, .part = group.part, .name = name, .text = text, .tip = tip});
+}
+
+void addCity(ProjectNode& root, const Project& project) {
+    const City& city = *project.city;
+    ProjectNode& group = added(root, {.kind = Kind::group,
+                                      .text = QObject::tr("City"),
+                                      .tip = tr("The city as it stands: what every scenario starts from")});
+    addFact(group, tr("%1 buildings").arg(countWords(city.buildings.size())));
+    addFact(group,
+            city.terrain
+                ? tr("Terrain of %1 × %2 points").arg(city.terrain->grid.columns).arg(city.terrain->grid.rows)
+                : tr("Flat ground"));
+    if (!project.attribution.empty()) addFact(group, dataWords(project.attribution));
+    for (const InputFile& input : project.inputs)
+        addFact(group, textOf(input.path.filename().string()),
+                QStringLiteral("%1\n%2").arg(textOf(input.path.string()), textOf(input.sha256)));
+}
+
+void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
+    QStringList notes;
+    if (!scenario.base.empty()) notes << tr("from %1").arg(textOf(scenario.base));
+    if (baseline) notes << tr("compared with");
+    ProjectNode& node =
+        addPart(group, scenario.name,
+                notes.isEmpty() ? QString() : QStringLiteral("(%1)").arg(notes.join(QStringLiteral(", "))),
+                tr("Enter or double click shows it"));
+    node.emphasized = shown;
+    for (std::size_t i = 0; i < scenario.edits.size(); ++i)
+        added(node, {.kind = Kind::edit,
+                     .part = ProjectPart::scenario,
+                     .name = scenario.name,
+                     .position = i,
+                     .text = textOf(noonmark::textOf(scenario.edits[i])),
+                     .tip = tr("Step %1 of %2; Delete takes it back").arg(i + 1).arg(textOf(scenario.name))});
+}
+
+void addScenarios(ProjectNode& root, const Project& project, const std::string& shown,
+                  const std::string& baseline) {
+    ProjectNode& group = addGroup(root, ProjectPart::scenario, tr("Scenarios"), project.scenarios.size(),
+                                  tr("Lists of changes to the city; the one that is shown is bold"));
+    addScenario(group, {existingCity, {}, {}}, shown == existingCity, baseline == existingCity);
+    group.children.back()->tip = tr("The city as it stands. Enter or double click shows it");
+    for (const Scenario& scenario : project.scenarios)
+        addScenario(group, scenario, shown == scenario.name, baseline == scenario.name);
+}
+
+void addLots(ProjectNode& root, const Project& project) {
+    ProjectNode& group =
+        addGroup(root, ProjectPart::lot, tr("Lots"), project.lots.size(), tr("Ground to build on"));
+    for (const NamedLot& lot : project.lots)
+        addPart(group, lot.name, areaWords(area(lot.outline)), tr("Enter or double click goes there"));
+}
+
+void addRegions(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::region, tr("Regions"), project.regions.size(),
+                                  tr("Where shadow is measured"));
+    for (const Region& region : project.regions) {
+        double areaM2 = 0;
+        for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
+        addPart(group, region.name, areaWords(areaM2), tr("Enter or double click: the study measures here"));
+    }
+}
+
+void addPeriods(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::period, tr("Periods"), project.periods.size(),
+                                  tr("Days and hours to study"));
+    for (const NamedPeriod& period : project.periods)
+        addPart(group, period.name, {},
+                tr("%1\nEnter or double click: the study measures then")
+                    .arg(textOf(noonmark::textOf(period.period))));
+}
+
+void addWeights(ProjectNode& root, const Project& project) {
+    ProjectNode& group =
+        addGroup(root, ProjectPart::weights, tr("Weight tables"), project.weights.size(),
+                 tr("How much shade is wanted (1) or shadow unwanted (-1), by time of the year"));
+    for (const TimeWeights& table : project.weights) {
+        ProjectNode& node = addPart(group, table.name);
+        for (const WeightedInterval& interval : table.intervals)
+            addFact(node, QStringLiteral("%1   %2").arg(textOf(interval.name)).arg(interval.weight));
+    }
+}
+
+void addResults(ProjectNode& root, const Project& project) {
+    ProjectNode& group = addGroup(root, ProjectPart::result, tr("Kept results"), project.results.size(),
+                                  tr("Maps and figures that are saved with the project"));
+    for (const auto& result : project.results) {
+        const QString of = result->baseline.empty()
+                               ? textOf(result->scenario)
+                               : tr("%1 against %2").arg(textOf(result->scenario), textOf(result->baseline));
+        addPart(group, result->name, {}, tr("%1 of %2").arg(textOf(result->kind), of));
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<ProjectNode> nodesOf(const Project& project, const std::string& shown,
+                                     const std::string& baseline) {
+    auto root = std::make_unique<ProjectNode>();
+    addCity(*root, project);
+    addScenarios(*root, project, shown, baseline);
+    addLots(*root, project);
+    addRegions(*root, project);
+    addPeriods(*root, project);
+    addWeights(*root, project);
+    addResults(*root, project);
+    return root;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,120 @@
+#include "app/window/project/project_saving.h"
+
+#include <mutex>
+#include <utility>
+
+#include "app/window/project/project_session.h"
+
+namespace noonmark {
+
+namespace fs = std::filesystem;
+
+/// A recovery file that one thread writes and another takes away; after that nothing is written any more.
+class KeptWork {
+public:
+    explicit KeptWork(const fs::path& file) : autosave_(file) {
+        std::error_code none;
+        if (fs::exists(recoveryPath(file), none))
+            fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
+    }
+
+    Result<void> keep(const Project& project) {
+        const std::scoped_lock lock(mutex_);
+        return gone_ ? Result<void>() : autosave_.keep(project);
+    }
+
+    void discard() {
+        const std::scoped_lock lock(mutex_);
+        gone_ = true;
+        autosave_.discard();
+    }
+
+private:
+    std::mutex mutex_;
+    Autosave autosave_;
+    bool gone_ = false;
+};
+
+ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view, fs::path unsavedFile,
+                             QObject* parent)
+    : QObject(parent), session_(session), view_(std::move(view)), unsavedFile_(std::move(unsavedFile)) {
+    timer_.setSingleShot(true);
+    timer_.setInterval(autosaveMs);
+    connect(&timer_, &QTimer::timeout, this, &ProjectSaving::keepUnsaved);
+    connect(&session_, &ProjectSession::unsavedChanged, this, [this] {
+        if (session_.hasUnsavedWork() && !timer_.isActive()) timer_.start();
+    });
+}
+
+// Two saves at once would take each other for someone else's: the later one waits.
+void ProjectSaving::save() {
+    if (!session_.file()) return;
+    if (writing_.busy()) return void(next_ = [this] { save(); });
+    write(session_.file()->path(),
+          [file = *session_.file(), project = session_.withView(view_())]() mutable -> Result<ProjectFile> {
+              return file.save(project).map([&] { return std::move(file); });
+          });
+}
+
+void ProjectSaving::saveAs(const fs::path& file) {
+    if (writing_.busy()) return void(next_ = [this, file] { saveAs(file); });
+    write(file, [file, project = session_.withView(view_())]() -> Result<ProjectFile> {
+        return ProjectFile::create(file, project, ProjectFile::IfThere::replace);
+    });
+}
+
+void ProjectSaving::write(const fs::path& file, Write work) {
+    writing_.start<ProjectFile>(
+        tr("Saving %1").arg(QString::fromStdString(file.filename().string())),
+        [work = std::move(work)](Progress&, std::stop_token) mutable { return work(); },
+        [this, version = session_.version()](Result<ProjectFile> written) {
+            take(std::move(written), version);
+        });
+}
+
+void ProjectSaving::take(Result<ProjectFile> written, int version) {
+    if (!written) {
+        next_ = nullptr;
+        return Q_EMIT failed(written.error());
+    }
+    forgetUnsaved();
+    session_.setSaved(*std::move(written), version);
+    Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
+    if (const auto next = std::exchange(next_, nullptr)) next();
+}
+
+fs::path ProjectSaving::keptBeside() const {
+    return session_.file() ? session_.file()->path() : unsavedFile_;
+}
+
+fs::path ProjectSaving::olderRecovery(const fs::path& file) {
+    return recoveryPath(file).replace_filename(recoveryPath(file).filename().string() + ".older" +
+                                               projectEnding);
+}
+
+void ProjectSaving::keepUnsaved() {
+    if (!session_.hasUnsavedWork() || keptBeside().empty()) return;
+    if (keeping_.busy() || writing_.busy()) return timer_.start();
+    if (!kept_) kept_ = std::make_shared<KeptWork>(keptBeside());
+    keeping_.start<bool>(
+        tr("Keeping unsaved work"),
+        [kept = kept_, project = session_.withView(view_())](Progress&, std::stop_token) {
+            return kept->keep(project).map([] { return true; });
+        },
+        [this](const Result<bool>& kept) {
+            if (!kept) Q_EMIT notKept(kept.error());
+        });
+}
+
+void ProjectSaving::forgetUnsaved() {
+    if (kept_) kept_->discard();
+    startOver();
+}
+
+void ProjectSaving::startOver() {
+    timer_.stop();
+    keeping_.drop();
+    kept_.reset();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "app/window/job_slot.h"
+#include "scenarios/project/autosave.h"
+
+namespace noonmark {
+
+class KeptWork;
+class ProjectSession;
+
+/// Writes the session's project: into its file when asked to, and what is not saved yet into the recovery
+/// file beside it from time to time. Works beside the window; one save follows the other.
+class ProjectSaving final : public QObject {
+    Q_OBJECT
+public:
+    using View = std::map<std::string, std::string>;
+    /// `view` says what to keep of the window. `unsavedFile`: beside it lies the recovery file of a project
+    /// that has no file yet; empty: such a project is not kept. `session` outlives it.
+    ProjectSaving(ProjectSession& session, std::function<View()> view, std::filesystem::path unsavedFile,
+                  QObject* parent = nullptr);
+
+    void save();                                     ///< only where the session has a file
+    void saveAs(const std::filesystem::path& file);  ///< writes over what is there
+    /// What is not saved, now; as the timer does `autosaveMs` after a change. A recovery file of an earlier
+    /// run is moved aside, not written over.
+    void keepUnsaved();
+    /// The work was saved or is not wanted: the recovery file goes.
+    void forgetUnsaved();
+    /// Another project was opened: what was kept of the one before stays.
+    void startOver();
+
+    [[nodiscard]] JobSlot& writing() { return writing_; }
+
+    /// Where the recovery file lies that was there before this one's was written; see keepUnsaved().
+    [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);
+
+    static constexpr int autosaveMs = 15000;
+
+Q_SIGNALS:
+    void saved(QString file);
+    void failed(noonmark::Error error);
+    void notKept(noonmark::Error error);  ///< the recovery file could not be written; the work goes on
+
+private:
+    using Write = std::function<Result<ProjectFile>()>;
+    void write(const std::filesystem::path& file, Write work);
+    void take(Result<ProjectFile> written, int version);
+    [[nodiscard]] std::filesystem::path keptBeside() const;
+
+    ProjectSession& session_;
+    std::function<View()> view_;
+    std::filesystem::path unsavedFile_;
+    std::shared_ptr<KeptWork> kept_;  // null: nothing was kept since the last save
+    std::function<void()> next_;      // a save that was asked for while another wrote
+    QTimer timer_;
+    JobSlot writing_;
+    JobSlot keeping_;
+};
+
+}  // namespace noonmark

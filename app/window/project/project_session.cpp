@@ -1,0 +1,149 @@
+#include "app/window/project/project_session.h"
+
+#include <QUndoStack>
+
+namespace noonmark {
+
+// Keeps the values before and after: they share all that did not change.
+class ProjectCommand final : public QUndoCommand {
+public:
+    ProjectCommand(ProjectSession& session, ProjectSession::State to, const QString& what)
+        : QUndoCommand(what), session_(session), from_(session.now_), to_(std::move(to)) {}
+
+    void undo() override { session_.apply(from_); }
+    void redo() override { session_.apply(to_); }
+
+private:
+    ProjectSession& session_;
+    ProjectSession::State from_;
+    ProjectSession::State to_;
+};
+
+ProjectSession::ProjectSession(QUndoStack& undo, QObject* parent)
+    : QObject(parent), undo_(undo), city_(now_.project.city) {
+    connect(&undo_, &QUndoStack::indexChanged, this, [this] {
+        ++version_;
+        Q_EMIT unsavedChanged();
+    });
+    connect(&undo_, &QUndoStack::cleanChanged, this, &ProjectSession::unsavedChanged);
+}
+
+void ProjectSession::open(Project project, std::optional<ProjectFile> file, const std::string& scenario,
+                          const std::string& baseline) {
+    now_ = {std::move(project), existingCity, {}};
+    file_ = std::move(file);
+    recovered_ = false;
+    if (cityOf(scenario)) now_.scenario = scenario;
+    if (!baseline.empty() && cityOf(baseline)) now_.baseline = baseline;
+    takeCity();
+    ++version_;
+    Q_EMIT changed();
+    Q_EMIT unsavedChanged();
+}
+
+Result<std::shared_ptr<const City>> ProjectSession::cityOf(const std::string& scenario) {
+    return cities_.cityOf(now_.project, scenario);
+}
+
+bool ProjectSession::isSound(const Project& project) {
+    Result<void> sound = checked(project);
+    for (const Scenario& scenario : project.scenarios)
+        if (sound) sound = cities_.cityOf(project, scenario.name).map([](const auto&) {});
+    if (!sound) Q_EMIT refused(sound.error());
+    return bool(sound);
+}
+
+bool ProjectSession::change(Project next, const QString& what, const std::string& goTo) {
+    if (!isSound(next)) return false;
+    undo_.push(new ProjectCommand(
+        *this, {std::move(next), goTo.empty() ? now_.scenario : goTo, now_.baseline}, what));
+    return true;
+}
+
+bool ProjectSession::addEdits(std::vector<Edit> edits, const QString& what) {
+    if (edits.empty()) return false;
+    Project next = now_.project;
+    std::string target = now_.scenario;
+    if (target == existingCity) {
+        target = nextProposal(next.scenarios);
+        next = withScenario(std::move(next), target, {});
+    }
+    for (Scenario& scenario : next.scenarios)
+        if (scenario.name == target) scenario.edits.insert(scenario.edits.end(), edits.begin(), edits.end());
+    return change(std::move(next), what, target);
+}
+
+bool ProjectSession::addLot(NamedLot lot) {
+    Project next = now_.project;
+    lot.name = freeName(next, ProjectPart::lot, lot.name.empty() ? "Lot" : lot.name);
+    const QString what = tr("lot %1").arg(QString::fromStdString(lot.name));
+    next.lots.push_back(std::move(lot));
+    return change(std::move(next), what);
+}
+
+void ProjectSession::goTo(const std::string& scenario) {
+    if (scenario == now_.scenario) return;
+    if (const auto city = cityOf(scenario); !city) return Q_EMIT refused(city.error());
+    State state = now_;
+    state.scenario = scenario;
+    apply(state);
+}
+
+void ProjectSession::compareWith(const std::string& scenario) {
+    if (scenario == now_.baseline) return;
+    if (!scenario.empty())
+        if (const auto city = cityOf(scenario); !city) return Q_EMIT refused(city.error());
+    now_.baseline = scenario;
+    Q_EMIT changed();
+    Q_EMIT baselineChanged();
+}
+
+// A scenario that is gone (undone, deleted, renamed) is left for the existing city, a baseline for none.
+void ProjectSession::apply(const State& state) {
+    const std::string baseline = now_.baseline;
+    now_ = state;
+    now_.baseline = baseline;
+    if (!cityOf(now_.scenario)) now_.scenario = existingCity;
+    const bool noBaseline = !baseline.empty() && !cityOf(baseline);
+    if (noBaseline) now_.baseline.clear();
+    takeCity();
+    Q_EMIT changed();
+    if (noBaseline) Q_EMIT baselineChanged();
+}
+
+void ProjectSession::takeCity() {
+    std::shared_ptr<const City> city = cityOf(now_.scenario).value_or(now_.project.city);
+    if (city == city_) return;
+    city_ = std::move(city);
+    Q_EMIT cityChanged();
+}
+
+bool ProjectSession::projectChanged() const {
+    for (int i = 0; i < undo_.index(); ++i)
+        if (dynamic_cast<const ProjectCommand*>(undo_.command(i)) != nullptr) return true;
+    return false;
+}
+
+bool ProjectSession::hasUnsavedWork() const {
+    return recovered_ || (!undo_.isClean() && (file_ || projectChanged()));
+}
+
+void ProjectSession::setRecovered() {
+    recovered_ = true;
+    Q_EMIT unsavedChanged();
+}
+
+void ProjectSession::setSaved(ProjectFile file, int version) {
+    file_ = std::move(file);
+    recovered_ = false;
+    if (version == version_) undo_.setClean();
+    Q_EMIT unsavedChanged();
+}
+
+Project ProjectSession::withView(std::map<std::string, std::string> view) const {
+    Project project = now_.project;
+    project.view = std::move(view);
+    return project;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QLockFile>
+#include <QString>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace noonmark {
+
+/// Where the recovery file of a project that was never saved lies: a name in a folder that no other running
+/// window uses. Work that an earlier run left under that name is put aside, to be taken up again.
+class UnsavedPlace {
+public:
+    explicit UnsavedPlace(const QString& folder);  ///< made where it is not there
+
+    /// The name that the project would have (Autosave knows the recovery file's); empty where the folder
+    /// cannot be written.
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+    /// What an earlier run left, until it is forgotten.
+    [[nodiscard]] const std::optional<std::filesystem::path>& left() const { return left_; }
+    void forgetLeft();
+
+private:
+    std::filesystem::path file_;
+    std::optional<std::filesystem::path> left_;
+    std::unique_ptr<QLockFile> lock_;
+};
+
+}  // namespace noonmark

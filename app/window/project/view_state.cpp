@@ -1,0 +1,154 @@
+#include "app/window/project/view_state.h"
+
+#include <nlohmann/json.hpp>
+
+#include "core/city/repair_footprint.h"
+
+namespace noonmark {
+
+namespace {
+
+using Json = nlohmann::json;
+using Texts = std::map<std::string, std::string>;
+
+Json ringJson(const Ring& ring) {
+    Json json = Json::array();
+    for (const glm::vec2 point : ring) json.push_back({point.x, point.y});
+    return json;
+}
+
+RawRing ringFrom(const Json& json) {
+    RawRing ring;
+    for (const Json& point : json) ring.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
+    return ring;
+}
+
+Json regionJson(const Region& region) {
+    Json polygons = Json::array();
+    for (const Footprint& polygon : region.polygons) {
+        Json rings = Json::array({ringJson(polygon.outer)});
+        for (const Ring& hole : polygon.holes) rings.push_back(ringJson(hole));
+        polygons.push_back(std::move(rings));
+    }
+    return {{"name", region.name}, {"polygons", std::move(polygons)}};
+}
+
+Region regionFrom(const Json& json) {
+    Region region{json.at("name"), {}};
+    for (const Json& polygon : json.at("polygons")) {
+        std::vector<RawRing> rings;
+        for (const Json& ring : polygon) rings.push_back(ringFrom(ring));
+        for (Footprint& piece : repairFootprint(rings).pieces) region.polygons.push_back(std::move(piece));
+    }
+    return region;
+}
+
+Json windowJson(const SolarWindow& window) {
+    return {{"after_sunrise_min", window.afterSunrise.count()},
+            {"before_sunset_min", window.beforeSunset.count()},
+            {"rule", int(window.rule)}};
+}
+
+SolarWindow windowFrom(const Json& json) {
+    return {std::chrono::minutes(json.at("after_sunrise_min").get<int>()),
+            std::chrono::minutes(json.at("before_sunset_min").get<int>()),
+            json.at("rule") == int(SunriseRule::centre) ? SunriseRule::centre : SunriseRule::upperLimb};
+}
+
+Json periodJson(const Period& period) {
+    Json json{{"start", textOf(period.start)},   {"days", period.days},
+              {"from_min", period.from.count()}, {"hours", period.hours},
+              {"step_min", period.stepMinutes},  {"zone", period.zone},
+              {"refraction", period.refraction}};
+    if (period.window) json["window"] = windowJson(*period.window);
+    return json;
+}
+
+Period periodFrom(const Json& json) {
+    Period period{.days = json.at("days"),
+                  .from = std::chrono::minutes(json.at("from_min").get<int>()),
+                  .hours = json.at("hours"),
+                  .stepMinutes = json.at("step_min"),
+                  .zone = json.at("zone"),
+                  .refraction = json.at("refraction")};
+    if (const auto start = parseDate(json.at("start").get<std::string>())) period.start = *start;
+    if (json.contains("window")) period.window = windowFrom(json.at("window"));
+    return period;
+}
+
+Json studyJson(const StudySettings& study) {
+    Json options = Json::object();
+    for (const auto& [key, value] : study.engineSettings) options[key] = value;
+    return {{"region", regionJson(study.region)},  {"cell_m", study.receivers.cellM},
+            {"period", periodJson(study.period)},  {"engine", study.engine},
+            {"options", std::move(options)},       {"by_month", study.byMonth},
+            {"contributions", study.contributions}};
+}
+
+std::optional<StudySettings> studyFrom(const std::string& text) try {
+    const Json json = Json::parse(text);
+    StudySettings study;
+    study.region = regionFrom(json.at("region"));
+    study.receivers.cellM = json.at("cell_m");
+    study.period = periodFrom(json.at("period"));
+    study.engine = json.at("engine");
+    for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
+    study.byMonth = json.at("by_month");
+    study.contributions = json.at("contributions");
+    if (!checked(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
+    return study;
+} catch (const Json::exception&) {
+    return std::nullopt;
+}
+
+std::string cameraText(const CameraPose& pose) {
+    return Json{pose.target.x, pose.target.y, pose.target.z, pose.distanceM, pose.headingDeg, pose.pitchDeg}
+        .dump();
+}
+
+std::optional<CameraPose> cameraFrom(const std::string& text) try {
+    const auto numbers = Json::parse(text).get<std::vector<double>>();
+    if (numbers.size() != 6 || !(numbers[3] > 0) || numbers[3] > 1e7) return std::nullopt;
+    return CameraPose{{numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4], numbers[5]};
+} catch (const Json::exception&) {
+    return std::nullopt;
+}
+
+std::string found(const Texts& texts, const char* key) {
+    const auto at = texts.find(key);
+    return at == texts.end() ? std::string() : at->second;
+}
+
+// Numbers of the file, not names: those are the window's and translated.
+constexpr const char* modes[] = {"exploration", "analysis", "ray reference"};
+
+ViewMode modeFrom(const std::string& text) {
+    for (int i = 0; i < 3; ++i)
+        if (text == modes[i]) return ViewMode(i);
+    return ViewMode::exploration;
+}
+
+}  // namespace
+
+Texts textsOf(const ViewState& state) {
+    Texts texts{{"mode", modes[int(state.mode)]},
+                {"measure", state.measure == ShadowMeasure::gross ? "gross" : "continuous"},
+                {"scenario", state.scenario},
+                {"baseline", state.baseline}};
+    if (state.camera) texts["camera"] = cameraText(*state.camera);
+    if (state.study) texts["study"] = studyJson(*state.study).dump();
+    return texts;
+}
+
+ViewState viewStateFrom(const Texts& texts) {
+    ViewState state;
+    state.camera = cameraFrom(found(texts, "camera"));
+    state.mode = modeFrom(found(texts, "mode"));
+    if (found(texts, "measure") == "continuous") state.measure = ShadowMeasure::continuous;
+    if (const std::string name = found(texts, "scenario"); !name.empty()) state.scenario = name;
+    state.baseline = found(texts, "baseline");
+    state.study = studyFrom(found(texts, "study"));
+    return state;
+}
+
+}  // namespace noonmark

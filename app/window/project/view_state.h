@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/report/shadow_measure.h"
+#include "app/window/view_mode.h"
+#include "core/study/study.h"
+#include "render/camera_pose.h"
+#include "scenarios/scenario.h"
+
+namespace noonmark {
+
+/// What the window shows and asks, kept in Project::view and found again when the project is opened.
+struct ViewState {
+    std::optional<CameraPose> camera;
+    ViewMode mode = ViewMode::exploration;
+    ShadowMeasure measure = ShadowMeasure::gross;
+    std::string scenario = existingCity;
+    std::string baseline;                ///< empty: none
+    std::optional<StudySettings> study;  ///< region, cells, period, engine
+};
+
+/// Keys: "camera", "mode", "measure", "scenario", "baseline", "study" (JSON).
+std::map<std::string, std::string> textsOf(const ViewState& state);
+
+/// What can be read; the rest is as in ViewState{}. Any text is taken: the file may come from anywhere.
+ViewState viewStateFrom(const std::map<std::string, std::string>& texts);
+
+}  // namespace noonmark
