@@ -44,14 +44,13 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
     QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
-    window.addDockWidget(Qt::LeftDockWidgetArea, project);
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
+    window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     window.tabifyDockWidget(results, scenarios);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
-    window.resizeDocks({project, study}, {250, 500}, Qt::Vertical);
-    window.resizeDocks({results, warnings}, {500, 220}, Qt::Vertical);
+    window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
     for (QDockWidget* dock : {project, study, results, scenarios, warnings})
         menu.addAction(dock->toggleViewAction());
 }

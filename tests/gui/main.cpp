@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QStandardPaths>
 
 #include "app/window/appearance.h"
 
@@ -8,6 +9,7 @@
 int main(int argc, char** argv) {
     noonmark::chooseRenderer();
     QApplication application(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);  // a test leaves nothing in the user's folders
     noonmark::applyAppearance(application);
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

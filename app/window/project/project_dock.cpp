@@ -56,15 +56,15 @@ ProjectDock::ProjectDock(ProjectSession& session, QWidget* parent)
     connect(tree_, &QTreeView::doubleClicked, this, &ProjectDock::use);
     connect(tree_, &QWidget::customContextMenuRequested, this, &ProjectDock::showMenu);
     connect(model_, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex& group) {
-        if (group.isValid() && !group.parent().isValid()) tree_->expand(group);
+        if (group.isValid() && !group.parent().isValid()) openGroup(group);
     });
-    openGroups();
+    for (int i = 0; i < model_->rowCount(); ++i) openGroup(model_->index(i, 0));
 }
 
-// Scenarios at once; what is long and seldom needed stays closed.
-void ProjectDock::openGroups() {
-    for (const ProjectPart part : {ProjectPart::scenario, ProjectPart::region, ProjectPart::period})
-        tree_->expand(model_->groupOf(part));
+// What is worked with; what is long and seldom needed stays closed.
+void ProjectDock::openGroup(const QModelIndex& group) {
+    const auto part = model_->nodeAt(group)->part;
+    if (part && *part != ProjectPart::lot && *part != ProjectPart::weights) tree_->expand(group);
 }
 
 bool ProjectDock::eventFilter(QObject* watched, QEvent* event) {

@@ -46,7 +46,7 @@ private:
     void addPartActions(QMenu& menu, const QModelIndex& index, const ProjectNode& node);
     void addScenarioActions(QMenu& menu, const std::string& name);
     void addGroupActions(QMenu& menu, const ProjectNode& node);
-    void openGroups();
+    void openGroup(const QModelIndex& group);
     void select(ProjectPart part, const std::string& name);
 
     ProjectSession& session_;

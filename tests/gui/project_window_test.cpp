@@ -1,0 +1,255 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QPushButton>
+#include <QSettings>
+
+#include "app/window/main_window.h"
+#include "app/window/project/project_session.h"
+#include "app/window/view_panel.h"
+#include "scenarios/project/autosave.h"
+#include "tests/gui/small_project.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::newTower;
+using test::waitFor;
+
+QByteArray bytesOf(const QString& name) {
+    QFile file(name);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+}
+
+/// The window with a small project on the disk.
+struct ProjectWindow : ::testing::Test {
+    QTemporaryDir folder;
+    QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    QString file = folder.filePath(QStringLiteral("small.noonmark.gpkg"));
+    std::unique_ptr<MainWindow> window;
+
+    void SetUp() override {
+        settings.setValue(QStringLiteral("unsavedFolder"), folder.filePath(QStringLiteral("unsaved")));
+        ASSERT_TRUE(ProjectFile::create(file.toStdString(), test::smallProject()));
+        makeWindow();
+        open(file);
+    }
+
+    void makeWindow() {
+        window.reset();
+        window = std::make_unique<MainWindow>(settings);
+        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->resize(900, 600);
+        window->show();
+    }
+    void open(const QString& name) {
+        const auto before = workbench().city();
+        window->open({name});
+        ASSERT_TRUE(waitFor([&] { return workbench().city() != before; })) << message().toStdString();
+    }
+    void build() {
+        ASSERT_TRUE(session().addEdits({newTower("New", 70)}, QStringLiteral("tower")));
+        ASSERT_TRUE(waitFor([this] { return workbench().city()->city().buildings.size() == 4; }));
+    }
+    void save() {
+        window->saving().save();
+        ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    }
+    Workbench& workbench() { return window->workbench(); }
+    ProjectSession& session() { return workbench().session(); }
+    QString message() { return window->panel().messages().text(); }
+    void takeOffer() {
+        window->panel().messages().findChild<QPushButton*>(QStringLiteral("remedy"))->click();
+    }
+    // A window that is killed: neither asked nor tidied up.
+    void kill() { window.reset(); }
+};
+
+TEST_F(ProjectWindow, EditsAreShownSavedAndFoundAgain) {
+    const CameraPose pose{{3, 4, 0}, 321, 40, 50};
+    window->panel().view().setPose(pose);
+    build();
+    EXPECT_EQ(window->panel().view().pose(), pose) << "the camera stays";
+    EXPECT_TRUE(window->isWindowModified());
+    save();
+    EXPECT_FALSE(window->isWindowModified());
+    EXPECT_TRUE(window->windowTitle().startsWith(QStringLiteral("small[*]")));
+    makeWindow();
+    open(file);
+    EXPECT_EQ(session().scenario(), "Proposal A");
+    EXPECT_EQ(workbench().city()->city().buildings.size(), 4U);
+    EXPECT_EQ(window->panel().view().pose(), pose);
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+TEST_F(ProjectWindow, TheQuestionIsFoundAgain) {
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 5;
+    question.region = session().project().regions[0];
+    question.period.window =
+        SolarWindow{std::chrono::minutes(90), std::chrono::minutes(30), SunriseRule::centre};
+    question.period.zone = "America/New_York";
+    workbench().document().change(question, QStringLiteral("test"));
+    EXPECT_TRUE(session().hasUnsavedWork()) << "the project has a file, and the question is kept in it";
+    save();
+    makeWindow();
+    open(file);
+    EXPECT_EQ(workbench().document().settings(), question);
+}
+
+TEST_F(ProjectWindow, SavedStateIsReachedByUndo) {
+    build();
+    save();
+    workbench().document().undoStack().undo();
+    EXPECT_TRUE(session().hasUnsavedWork());
+    workbench().document().undoStack().redo();
+    EXPECT_FALSE(session().hasUnsavedWork());
+    save();
+    EXPECT_EQ(ProjectFile::open(file.toStdString()).value().saves(), 3);
+}
+
+TEST_F(ProjectWindow, UnsavedWorkIsAskedAboutBeforeAnotherIsOpenedOrTheWindowClosed) {
+    build();
+    int asked = 0;
+    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::cancel; });
+    window->open({QStringLiteral("sample:central-park-south")});
+    EXPECT_FALSE(workbench().opening().busy());
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(asked, 2);
+    window->setUnsavedQuestion([] { return MainWindow::Unsaved::save; });
+    window->close();
+    ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
+    EXPECT_EQ(ProjectFile::open(file.toStdString()).value().project().scenarios.size(), 1U);
+}
+
+TEST_F(ProjectWindow, WorkThatWasNotSavedIsOfferedAgain) {
+    build();
+    window->saving().keepUnsaved();
+    const std::filesystem::path kept = recoveryPath(file.toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    kill();
+    makeWindow();
+    open(file);
+    EXPECT_TRUE(session().project().scenarios.empty());
+    ASSERT_FALSE(message().isEmpty());
+    takeOffer();
+    ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
+    EXPECT_TRUE(session().hasUnsavedWork());
+    ASSERT_TRUE(waitFor([this] { return workbench().city()->city().buildings.size() == 4; }));
+    workbench().document().undoStack().undo();
+    EXPECT_TRUE(session().project().scenarios.empty());
+    workbench().document().undoStack().redo();
+    save();
+    EXPECT_EQ(ProjectFile::open(file.toStdString()).value().project().scenarios.size(), 1U);
+}
+
+TEST_F(ProjectWindow, WorkThatNeverHadAFileIsOfferedAgain) {
+    open(QStringLiteral("sample:central-park-south"));
+    ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
+    const std::size_t lots = session().project().lots.size();
+    window->saving().keepUnsaved();
+    const QString unsaved = folder.filePath(QStringLiteral("unsaved"));
+    const std::filesystem::path kept =
+        recoveryPath((unsaved + QStringLiteral("/Untitled 1.noonmark.gpkg")).toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    kill();
+    makeWindow();
+    open(QStringLiteral("sample:central-park-south"));
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    takeOffer();
+    ASSERT_TRUE(waitFor([&] { return session().project().lots.size() == lots; }));
+    EXPECT_TRUE(waitFor([this] { return session().hasUnsavedWork(); }));
+    EXPECT_FALSE(session().file());
+}
+
+TEST_F(ProjectWindow, ADamagedFileIsSaidAndLeftAsItIs) {
+    const QString damaged = folder.filePath(QStringLiteral("damaged.noonmark.gpkg"));
+    const QByteArray half = bytesOf(file).left(5000);
+    QFile out(damaged);
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(half);
+    out.close();
+    const auto city = workbench().city();
+    window->open({damaged});
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    EXPECT_TRUE(message().contains(QStringLiteral("damaged.noonmark.gpkg"))) << message().toStdString();
+    EXPECT_EQ(workbench().city(), city);
+    EXPECT_EQ(bytesOf(damaged), half);
+}
+
+TEST_F(ProjectWindow, ASaveOverSomeoneElsesIsRefusedAndOffersAnotherName) {
+    build();
+    auto other = ProjectFile::open(file.toStdString()).value();
+    Project theirs = other.project();
+    theirs.lots.clear();
+    ASSERT_TRUE(other.save(theirs));
+    save();
+    EXPECT_TRUE(message().contains(QStringLiteral("someone else"))) << message().toStdString();
+    EXPECT_TRUE(session().hasUnsavedWork());
+    EXPECT_TRUE(ProjectFile::open(file.toStdString()).value().project().lots.empty());
+}
+
+TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    question.period.zone = "America/New_York";
+    workbench().document().change(question, QStringLiteral("test"));
+    build();
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    const ImpactAnswer& answer = *workbench().comparison();
+    EXPECT_EQ(answer.from, existingCity);
+    EXPECT_EQ(answer.to, "Proposal A");
+    EXPECT_GT(figuresOf(answer.study.total, 0).gross.touchedM2, 0);
+    EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
+    const auto legend = window->panel().legend().legend();
+    ASSERT_TRUE(legend);
+    EXPECT_TRUE(legend->change);
+    EXPECT_EQ(legend->patches.size(), 1U) << "the tower stands on what was ground";
+    workbench().keepAnswer(QStringLiteral("Impact"));
+    ASSERT_EQ(session().project().results.size(), 1U);
+    EXPECT_EQ(session().project().results[0]->kind, "impact");
+    session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height"));
+    ASSERT_TRUE(waitFor([&] {
+        return workbench().comparison() && workbench().comparison().get() != &answer;
+    })) << "a quick answer follows the change by itself";
+    session().compareWith({});
+    EXPECT_EQ(workbench().comparison(), nullptr);
+}
+
+TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    workbench().measureAll();
+    ASSERT_TRUE(waitFor([this] { return workbench().studies().size() == 2; }));
+    const auto studies = workbench().studies();
+    EXPECT_GT(studies.at("Proposal A")->statistics.shadowAreaM2,
+              studies.at(existingCity)->statistics.shadowAreaM2);
+    EXPECT_EQ(workbench().study(), studies.at("Proposal A"));
+    session().goTo(existingCity);
+    ASSERT_TRUE(waitFor([&] { return workbench().study() == studies.at(existingCity); }))
+        << "kept and shown again";
+}
+
+TEST_F(ProjectWindow, ACityBecomesAProjectOfItsOwn) {
+    open(QStringLiteral("sample:central-park-south"));
+    EXPECT_FALSE(session().file());
+    EXPECT_FALSE(session().hasUnsavedWork());
+    EXPECT_GE(session().project().lots.size(), 7U);
+    EXPECT_EQ(session().project().regions.size(), 1U);
+    const QString name = folder.filePath(QStringLiteral("park.noonmark.gpkg"));
+    window->saving().saveAs(name.toStdString());
+    ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
+    EXPECT_EQ(ProjectFile::open(name.toStdString()).value().project().city->buildings.size(),
+              session().project().city->buildings.size());
+}
+
+}  // namespace
+}  // namespace noonmark
