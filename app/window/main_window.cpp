@@ -143,7 +143,9 @@ void MainWindow::showOpenFailure(const Error& error) {
 
 // The camera stays: it may be another scenario of the same city.
 void MainWindow::showCity() {
+    const CameraPose pose = panel_->view().pose();
     panel_->showCity(workbench_.city());
+    panel_->view().setPose(pose);
     exploration_.setCity(workbench_.city());
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
     docks_.results->show({});
