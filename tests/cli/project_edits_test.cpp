@@ -96,7 +96,7 @@ TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
 
 TEST_F(ProjectEdits, WhatStandsOnALotIsSaid) {
     EXPECT_THAT(done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "x", "--storeys", "3"}),
-                HasSubstr("1 buildings stand on the lot and stay: --clear"));
+                HasSubstr("Stays on the lot without --clear: One57"));
     EXPECT_THAT(
         done("extrude", {"--scenario", "A", "--lot", "One57", "--id", "y", "--storeys", "3", "--clear"}),
         AllOf(HasSubstr("Demolish One57"), HasSubstr("Demolish x")));

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -72,10 +73,9 @@ struct Site {
 Site siteOn(const Footprint& lot, const City& city, bool clear) {
     std::vector<Edit> demolitions = clearing(city, lot);
     if (clear || demolitions.empty()) return {lot, std::move(demolitions), {}};
-    return {lot,
-            {},
-            fmt::format("  {} buildings stand on the lot and stay: --clear would demolish them\n",
-                        demolitions.size())};
+    std::vector<std::string> staying;
+    for (const Edit& edit : demolitions) staying.push_back(std::get<Demolish>(edit).building);
+    return {lot, {}, fmt::format("  Stays on the lot without --clear: {}\n", fmt::join(staying, ", "))};
 }
 
 // Of a building that stands in several pieces the largest.

@@ -29,8 +29,7 @@ Result<std::string> add(const RegionOptions& options, Project& project) {
     if (!region) return tl::make_unexpected(region.error());
     region->name = options.name;
     project.regions.push_back(*region);
-    return fmt::format("{}: {} m2 in {} polygons\n", options.name,
-                       withCommas(std::size_t(std::llround(areaM2(*region)))), region->polygons.size());
+    return fmt::format("{}: {} m2\n", options.name, withCommas(std::size_t(std::llround(areaM2(*region)))));
 }
 
 std::vector<Listed> list(const Project& project) {
