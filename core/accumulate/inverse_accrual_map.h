@@ -24,6 +24,9 @@ struct InverseAccrualSettings {
     /// Lines also begin up to this far outside the region, and under its buildings: a shadow that comes from
     /// there was somewhere at t1, too. Metres, 0 to 500.
     double marginM = 48;
+    /// Steps with the sun lower than this are traced, a ray each: their shadows come from farther away than
+    /// lines are followed, past more occluders than `levels`. Degrees, 0 to 45; 0: lines only, as the paper.
+    double lowestSunDeg = 10;
     SourceFinderKind sourceFinder = SourceFinderKind::projected;
     /// Device of computeDevices() that draws; none: the processor.
     std::optional<int> openClDevice;
@@ -31,8 +34,9 @@ struct InverseAccrualSettings {
 
 /// Inverse accrual maps (paper, section 5). For each cell of flat ground, rays towards the sun at t1 and at
 /// tn find the first occluders; the shadow of each moves along a straight line, forward from t1 and backward
-/// from tn, and is drawn into the cells' masks. Error: some tenths of a percent of the area, from the levels
-/// left out, the cells that lines are rounded to, and the sun's straight path.
+/// from tn, and is drawn into the cells' masks. Where the sun is too low for that, rays take over. Error:
+/// some tenths of a percent of the area, from the levels left out, the cells that lines are rounded to, and
+/// the sun's straight path.
 class InverseAccrualMap final : public IntervalEngine {
 public:
     /// Error when a setting is out of range or the OpenCL device cannot be used.

@@ -1,9 +1,11 @@
 #include "core/accumulate/ray_interval.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/accumulate/flush_denormals.h"
 #include "core/accumulate/ray_reference.h"
@@ -50,9 +52,44 @@ public:
         return {};
     }
 
+    Result<void> attribute(const SunInterval& interval, std::span<std::uint64_t> cellSteps,
+                           std::stop_token stop) override {
+        tbb::combinable<std::vector<std::uint64_t>> sums(
+            [&] { return std::vector<std::uint64_t>(cellSteps.size()); });
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count()), [&](const auto& range) {
+            const FlushDenormals flush;
+            std::vector<std::uint32_t> cells;
+            for (std::size_t tile = range.begin(); tile < range.end() && !stop.stop_requested(); ++tile) {
+                tiles_.cellsOf(tile, cells);
+                for (int step = 0; step < interval.steps; ++step)
+                    countFirst(cells, glm::vec3(interval.at(step)), sums.local());
+            }
+        });
+        if (stop.stop_requested()) return cancelled();
+        sums.combine_each([&](const std::vector<std::uint64_t>& sum) {
+            for (std::size_t i = 0; i < sum.size(); ++i) cellSteps[i] += sum[i];
+        });
+        return {};
+    }
+
     [[nodiscard]] Cost cost() const override { return cost_; }
 
 private:
+    void countFirst(const std::vector<std::uint32_t>& cells, glm::vec3 towardsSun,
+                    std::vector<std::uint64_t>& cellSteps) const {
+        constexpr std::size_t packet = 16;
+        std::array<Occluder, packet> found;
+        std::vector<glm::vec3> origins;
+        for (const std::uint32_t cell : cells) origins.push_back(rayOrigin(receivers_.position(cell)));
+        for (std::size_t i = 0; i < origins.size(); i += packet) {
+            const std::size_t count = std::min(packet, origins.size() - i);
+            scene_.firstOccluders(std::span(origins).subspan(i, count), towardsSun, RayScene::nearestM, 1,
+                                  std::span(found).first(count));
+            for (std::size_t k = 0; k < count; ++k)
+                if (found[k].distanceM > 0) ++cellSteps[found[k].building];
+        }
+    }
+
     // The tiles' cells are looked up among all, which are ascending.
     void trace(const std::vector<std::uint32_t>& cells, const std::vector<DirectionPacket>& packets,
                std::span<ShadowMask> masks) const {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/accumulate/lanes.h"
+#include "core/accumulate/low_sun.h"
 #include "core/accumulate/run_sweep.h"
 
 namespace noonmark {
@@ -109,15 +110,16 @@ void settle(LaneClaims::Claim& claim, const ShadowSources& sources, std::size_t 
     claim = {sources.heightM[cell] > 0 ? sources.heightM[cell] : nobody, sources.building[cell]};
 }
 
-void count(LaneClaims& claims, int cell, int steps, std::vector<std::uint64_t>& cellSteps) {
-    for (int step = 0; step < steps; ++step)
+void count(LaneClaims& claims, int cell, StepRange steps, std::vector<std::uint64_t>& cellSteps) {
+    for (int step = steps.first; step < steps.end; ++step)
         if (const auto& claim = claims.at(cell, step); claim.heightM < nobody) ++cellSteps[claim.building];
 }
 
 }  // namespace
 
-void claimSteps(const Grid& grid, const IntervalSources& sources, const std::vector<bool>& wanted,
-                std::span<std::uint64_t> cellSteps, const std::stop_token& stop) {
+void claimSteps(const Grid& grid, const IntervalSources& sources, int fromStep,
+                const std::vector<bool>& wanted, std::span<std::uint64_t> cellSteps,
+                const std::stop_token& stop) {
     const ShadowMotion ahead = motionForward(sources.interval), back = motionBackward(sources.interval);
     const Lanes lanes(grid, ahead.shift);
     const Pass forward(grid, lanes, sources.atFirst, ahead), backward(grid, lanes, sources.atLast, back);
@@ -136,7 +138,7 @@ void claimSteps(const Grid& grid, const IntervalSources& sources, const std::vec
                 if (!wanted[cell]) continue;
                 settle(claims.at(major - first, steps - 1), sources.atLast, cell);
                 settle(claims.at(major - first, 0), sources.atFirst, cell);
-                count(claims, major - first, steps, sums.local());
+                count(claims, major - first, {fromStep, steps}, sums.local());
             }
         }
     });

@@ -79,7 +79,7 @@ struct DrawWith {
 /// Neighbouring lanes walked side by side, so that the cells at hand lie next to each other in memory.
 class LaneBlock {
 public:
-    static int lanesABlock(const Lanes& lanes) { return lanes.alongX() ? 1 : 16; }
+    static int lanesABlock(const Lanes& lanes) { return lanes.alongX() ? 1 : 64; }
 
     LaneBlock(const Grid& grid, const Lanes& lanes, const StepTable& table, const RunRule& rule,
               bool reversed)

@@ -52,12 +52,13 @@ public:
     template <class Draw>
     void change(int cell, const CellSources& before, const CellSources& sources, const Draw& draw) {
         reachUpTo(cell - 1, before);
+        Runs& next = runs_[1 - now_];
         for (int i = 0; i < sources.count; ++i)
-            next_[std::size_t(i)] =
+            next[std::size_t(i)] =
                 started(cell, sources.heightM[std::size_t(i)], sources.building[std::size_t(i)], draw);
         for (int i = 0; i < count_; ++i)
-            if (open_[std::size_t(i)].last != goesOn) draw(open_[std::size_t(i)]);
-        std::swap(open_, next_);
+            if (runs_[now_][std::size_t(i)].last != goesOn) draw(runs_[now_][std::size_t(i)]);
+        now_ = 1 - now_;
         count_ = sources.count;
     }
 
@@ -72,8 +73,8 @@ private:
 
     void reachUpTo(int cell, const CellSources& sources) {
         for (int i = 0; i < count_; ++i) {
-            open_[std::size_t(i)].last = cell;
-            open_[std::size_t(i)].lastM = sources.heightM[std::size_t(i)];
+            runs_[now_][std::size_t(i)].last = cell;
+            runs_[now_][std::size_t(i)].lastM = sources.heightM[std::size_t(i)];
         }
     }
 
@@ -82,7 +83,7 @@ private:
     SourceRun started(int cell, float heightM, std::uint32_t building, const Draw& draw) {
         SourceRun run{cell, cell, heightM, heightM, building};
         for (int i = 0; i < count_; ++i) {
-            SourceRun& open = open_[std::size_t(i)];
+            SourceRun& open = runs_[now_][std::size_t(i)];
             if (open.last == goesOn || open.building != building || !rule_.sameSurface(open.lastM, heightM))
                 continue;
             if (rule_.folds(open.lastM, heightM)) {
@@ -97,8 +98,10 @@ private:
         return run;
     }
 
+    using Runs = std::array<SourceRun, RayScene::maxLevels>;
     RunRule rule_;
-    std::array<SourceRun, RayScene::maxLevels> open_{}, next_{};
+    std::array<Runs, 2> runs_{};  // those that are open, and those that are after the next change
+    std::size_t now_ = 0;
     int count_ = 0;
 };
 

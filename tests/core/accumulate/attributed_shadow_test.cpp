@@ -8,6 +8,7 @@
 #include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/ray_interval.h"
 #include "core/accumulate/ray_scene.h"
+#include "core/accumulate/shadow_accrual_map.h"
 #include "tests/core/accumulate/scenes.h"
 
 namespace noonmark {
@@ -74,11 +75,28 @@ TEST(AttributedShadow, sharesAddUpToTheGrossShadow) {
     EXPECT_NEAR(shadow.totalMinM2, gross, 1e-3);
 }
 
+// Below InverseAccrualSettings::lowestSunDeg rays take over, and give each step to one building too.
+TEST(AttributedShadow, sharesAddUpToTheGrossShadowAtDawn) {
+    const City city = cityOf(randomBoxes(3, 6));
+    const Receivers receivers = receiversOver(city, -10, -10, 130, 130);
+    std::vector<Sun> dawn;
+    for (int minute = 0; minute < 60; ++minute) dawn.push_back({90 + minute * 0.2, 0.3 + minute * 0.25});
+    const SunSteps sun = oneDay(dawn);
+    NoProgress progress;
+    const auto engine = InverseAccrualMap::make({}).value();
+    const auto shadow = attributedShadow(*engine, {}, city, receivers, sun, progress, {}).value();
+    const ShadowField field =
+        GraphAccumulator(engine, {}).accumulate(city, receivers, sun, progress, {}).value();
+    double gross = 0;
+    for (const std::uint32_t cell : receivers.cells) gross += double(field.grossMin[cell]);
+    EXPECT_NEAR(shadow.totalMinM2, gross, 1e-3);
+}
+
 TEST(AttributedShadow, anEngineThatDoesNotKnowSaysSo) {
     const City city = cityOf({{{0, 0, 0}, {20, 60, 30}}});
     NoProgress progress;
-    EXPECT_FALSE(attributedShadow(RayIntervals(), {}, city, receiversOver(city, -20, -20, 40, 80),
-                                  oneDay(arc(60, 50)), progress, {}));
+    EXPECT_FALSE(attributedShadow(*ShadowAccrualMap::make({}).value(), {}, city,
+                                  receiversOver(city, -20, -20, 40, 80), oneDay(arc(60, 50)), progress, {}));
 }
 
 TEST(RayIntervals, areTheRayReferenceWhereTheSunIsStraight) {
