@@ -45,10 +45,18 @@ void ArrayGeometry::setIndices(const std::vector<std::uint32_t>& indices) {
     auto* array = new Qt3DCore::QAttribute(geometry());
     array->setAttributeType(Qt3DCore::QAttribute::IndexAttribute);
     array->setVertexBaseType(Qt3DCore::QAttribute::UnsignedInt);
-    array->setBuffer(bufferOf(indices.data(), indices.size() * sizeof(std::uint32_t)));
+    indices_ = bufferOf(indices.data(), indices.size() * sizeof(std::uint32_t));
+    array->setBuffer(indices_);
     array->setCount(uint(indices.size()));
     geometry()->addAttribute(array);
     setVertexCount(int(indices.size()));
+}
+
+void ArrayGeometry::changeIndices(std::size_t first, std::span<const std::uint32_t> indices) {
+    if (indices.empty()) return;
+    indices_->updateData(
+        int(first * sizeof(std::uint32_t)),
+        QByteArray(reinterpret_cast<const char*>(indices.data()), qsizetype(indices.size_bytes())));
 }
 
 }  // namespace noonmark

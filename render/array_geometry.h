@@ -4,7 +4,12 @@
 #include <Qt3DRender/QGeometryRenderer>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
+
+namespace Qt3DCore {
+class QBuffer;
+}
 
 namespace noonmark {
 
@@ -18,9 +23,13 @@ public:
     void addPoints(const QString& attribute, const std::vector<glm::vec3>& values);
     void addNumbers(const QString& attribute, const std::vector<float>& values);
     void setIndices(const std::vector<std::uint32_t>& indices);
+    /// Some of the indices anew, from position `first` on; as many as there are. Only they are sent again.
+    void changeIndices(std::size_t first, std::span<const std::uint32_t> indices);
 
 private:
     void add(const QString& attribute, const void* values, std::size_t count, unsigned numbersEach);
+
+    Qt3DCore::QBuffer* indices_ = nullptr;
 };
 
 }  // namespace noonmark

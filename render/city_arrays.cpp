@@ -1,6 +1,8 @@
 #include "render/city_arrays.h"
 
 #include <algorithm>
+#include <numeric>
+#include <unordered_set>
 
 #include "render/feature_edges.h"
 
@@ -8,8 +10,24 @@ namespace noonmark {
 
 namespace {
 
+// Where each building's entries begin in `entries`, which lie building after building, and where the last
+// end.
+std::vector<std::size_t> startsOf(const CityArrays& arrays, const std::vector<std::uint32_t>& entries) {
+    std::vector<std::size_t> starts(arrays.buildings.size() + 1, 0);
+    for (const std::uint32_t point : entries) ++starts[std::size_t(arrays.buildingOfPoint[point]) + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    return starts;
+}
+
+using Shared = std::shared_ptr<const Building>;
+
+std::unordered_set<Shared> setOf(const std::vector<Shared>& buildings) {
+    return {buildings.begin(), buildings.end()};
+}
+
 void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTriangles) {
     const CityMesh mesh = meshOf(city);
+    arrays.buildings = city.buildings;
     arrays.points = mesh.mesh.vertices;
     arrays.buildingOfPoint.resize(arrays.points.size());
     arrays.triangles.reserve(mesh.mesh.triangles.size() * 3);
@@ -20,6 +38,8 @@ void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTria
             arrays.buildingOfPoint[point] = float(mesh.buildingOfTriangle[i]);
         }
     if (mesh.mesh.triangles.size() <= mostEdgeTriangles) arrays.edges = featureEdges(mesh.mesh);
+    arrays.triangleStart = startsOf(arrays, arrays.triangles);
+    arrays.edgeStart = startsOf(arrays, arrays.edges);
 }
 
 // Beyond the city the ground goes on until it fades into the background.
@@ -48,10 +68,26 @@ void addTerrain(CityArrays& arrays, const Terrain& terrain) {
 
 }  // namespace
 
-CityArrays arraysOf(const City& city, std::size_t mostEdgeTriangles) {
+CityArrays buildingArraysOf(const City& city, std::size_t mostEdgeTriangles) {
     CityArrays arrays;
-    arrays.bounds = viewBoundsOf(city);
     addBuildings(arrays, city, mostEdgeTriangles);
+    return arrays;
+}
+
+ArrayDifference differenceOf(const CityArrays& drawn, const City& city) {
+    ArrayDifference difference;
+    const auto before = setOf(drawn.buildings);
+    const auto after = setOf(city.buildings);
+    for (std::size_t i = 0; i < drawn.buildings.size(); ++i)
+        if (!after.contains(drawn.buildings[i])) difference.gone.push_back(std::uint32_t(i));
+    for (const Shared& building : city.buildings)
+        if (!before.contains(building)) difference.added.buildings.push_back(building);
+    return difference;
+}
+
+CityArrays arraysOf(const City& city, std::size_t mostEdgeTriangles) {
+    CityArrays arrays = buildingArraysOf(city, mostEdgeTriangles);
+    arrays.bounds = viewBoundsOf(city);
     if (city.terrain) addTerrain(arrays, *city.terrain);
     // Below a terrain the square only closes the view towards the horizon.
     const float below = city.terrain ? 0.5F + float(arrays.bounds.radiusM()) * 1e-3F : 0;

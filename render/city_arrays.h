@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/city/city.h"
@@ -15,6 +16,10 @@ struct CityArrays {
     std::vector<float> buildingOfPoint;    ///< index in City::buildings, one a point
     std::vector<std::uint32_t> triangles;  ///< three a triangle, counter-clockwise from outside
     std::vector<std::uint32_t> edges;      ///< two a line: where walls and roofs meet at an angle
+    std::vector<std::shared_ptr<const Building>> buildings;  ///< what is drawn, in the city's order
+    /// Building i has triangles[triangleStart[i]] up to triangleStart[i + 1], and edges in the same way.
+    std::vector<std::size_t> triangleStart;
+    std::vector<std::size_t> edgeStart;
     std::vector<glm::vec3> groundPoints;
     std::vector<std::uint32_t> groundTriangles;
     ViewBounds bounds;
@@ -24,6 +29,19 @@ struct CityArrays {
 /// city. Edges are left out above `mostEdgeTriangles`: drawing them would cost more than they show. About 0.5
 /// s for 1 M triangles.
 CityArrays arraysOf(const City& city, std::size_t mostEdgeTriangles = 3'000'000);
+
+/// Only the buildings, without ground and bounds.
+CityArrays buildingArraysOf(const City& city, std::size_t mostEdgeTriangles = 3'000'000);
+
+/// How a city differs from the arrays that are drawn of another: buildings are the same where they are
+/// shared.
+struct ArrayDifference {
+    std::vector<std::uint32_t> gone;  ///< indices in CityArrays::buildings, ascending
+    City added;                       ///< its buildings only
+};
+
+/// O(buildings): 2 ms for 43,000.
+ArrayDifference differenceOf(const CityArrays& drawn, const City& city);
 
 /// The box of all buildings, or of the terrain where there are none; 1 km around the origin where there is
 /// neither.

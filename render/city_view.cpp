@@ -8,11 +8,14 @@
 #include <Qt3DRender/QCameraSelector>
 #include <Qt3DRender/QClearBuffers>
 #include <Qt3DRender/QFilterKey>
+#include <Qt3DRender/QLayer>
+#include <Qt3DRender/QLayerFilter>
 #include <Qt3DRender/QRenderCapture>
 #include <Qt3DRender/QRenderSettings>
 #include <Qt3DRender/QRenderSurfaceSelector>
 #include <Qt3DRender/QTechniqueFilter>
 #include <Qt3DRender/QViewport>
+#include <algorithm>
 
 #include "render/camera_control.h"
 #include "render/picture_texture.h"
@@ -49,9 +52,9 @@ CityView::CityView()
     : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL), root_(new Qt3DCore::QEntity), rest_(new QTimer(this)) {
     rest_->setSingleShot(true);
     rest_->setInterval(restMs);
-    connect(rest_, &QTimer::timeout, this, &CityView::showEdges);
-    makeFrameGraph();
+    connect(rest_, &QTimer::timeout, this, [this] { showEdges(true); });
     makeMaterials();
+    makeFrameGraph();
     renderSettings()->setRenderPolicy(Qt3DRender::QRenderSettings::OnDemand);
     setRootEntity(root_);
     applyCamera();
@@ -65,10 +68,15 @@ void CityView::makeFrameGraph() {
     auto* viewport = new Qt3DRender::QViewport(forwardFilter(surface));
     auto* camera = new Qt3DRender::QCameraSelector(viewport);
     camera->setCamera(this->camera());
-    auto* clear = new Qt3DRender::QClearBuffers(camera);
+    auto* city = new Qt3DRender::QLayerFilter(camera);
+    city->setFilterMode(Qt3DRender::QLayerFilter::DiscardAnyMatchingLayers);
+    auto* clear = new Qt3DRender::QClearBuffers(city);
     clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
     clear->setClearColor(background);
-    capture_ = new Qt3DRender::QRenderCapture(clear);
+    // What is drawn over the city comes last, so that it may be seen through.
+    auto* over = new Qt3DRender::QLayerFilter(camera);
+    for (Qt3DRender::QLayerFilter* filter : {city, over}) filter->addLayer(overlay_->layer());
+    capture_ = new Qt3DRender::QRenderCapture(over);
     setActiveFrameGraph(surface);
 }
 
@@ -93,6 +101,7 @@ void CityView::makeMaterials() {
     ribbon_->bothSides();
     clearPicture();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
+    overlay_ = std::make_unique<OverlayBodies>(root_);
 }
 
 Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
@@ -103,43 +112,51 @@ Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, Shader
     return entity;
 }
 
-void CityView::showCity(const CityArrays& arrays) {
-    delete city_;
-    faces_ = edges_ = nullptr;
-    showLines({});
-    clearPicture();
-    surfaces_->clear();
-    bounds_ = arrays.bounds;
-    city_ = new Qt3DCore::QEntity(root_);
-    const auto position = QStringLiteral("vertexPosition");
+void CityView::showGround(const CityArrays& arrays) {
+    delete groundEntity_;
     auto* ground = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
-    ground->addPoints(position, arrays.groundPoints);
+    ground->addPoints(QStringLiteral("vertexPosition"), arrays.groundPoints);
     ground->setIndices(arrays.groundTriangles);
-    add(ground, ground_, city_);
-    if (!arrays.triangles.empty()) {
-        auto* buildings = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
-        buildings->addPoints(position, arrays.points);
-        buildings->setIndices(arrays.triangles);
-        faces_ = add(buildings, building_, city_);
-        faces_->setEnabled(facesShown_);
-    }
-    if (!arrays.edges.empty()) {
-        auto* edges = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Lines);
-        edges->addPoints(position, arrays.points);
-        edges->setIndices(arrays.edges);
-        edges_ = add(edges, edge_, city_);
-    }
-    manyEdges_ = arrays.edges.size() > mostEdgesInMotion;
+    groundEntity_ = add(ground, ground_, root_);
     const auto haze = float(5 * bounds_.radiusM());
     for (ShaderMaterial* material : {building_, edge_, ground_})
         material->set(QStringLiteral("hazeDistance"), haze);
+}
+
+void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
+    showLines({});
+    clearPicture();
+    surfaces_->clear();
+    added_.reset();
+    bounds_ = arrays->bounds;
+    showGround(*arrays);
+    manyEdges_ = arrays->edges.size() > mostEdgesInMotion;
+    city_ = std::make_unique<BuildingBodies>(std::move(arrays), *building_, *edge_, root_);
+    city_->showFaces(facesShown_);
     setPose(wholeCity(bounds_, lens()));
 }
 
+void CityView::showChanges(const ArrayDifference& changes) {
+    if (!city_) return;
+    city_->leaveOut(changes.gone);
+    added_ = std::make_unique<BuildingBodies>(
+        std::make_shared<const CityArrays>(buildingArraysOf(changes.added)), *building_, *edge_, root_);
+    added_->showFaces(facesShown_);
+    bounds_ = city_->arrays()->bounds;
+    for (const auto& building : changes.added.buildings) {
+        bounds_.topM = std::max(bounds_.topM, topM(*building));
+        bounds_.box.add(noonmark::bounds(*building));
+    }
+    applyCamera();
+}
+
+std::shared_ptr<const CityArrays> CityView::arrays() const { return city_ ? city_->arrays() : nullptr; }
+
 void CityView::showFaces(bool shown) {
     facesShown_ = shown;
-    showEdges();
-    if (faces_) faces_->setEnabled(shown);
+    showEdges(true);
+    for (BuildingBodies* bodies : {city_.get(), added_.get()})
+        if (bodies) bodies->showFaces(shown);
 }
 
 void CityView::showPicture(const GroundPicture& given, bool soFar) {
@@ -173,16 +190,16 @@ void CityView::setPose(const CameraPose& pose) {
     pose_ = pose;
     applyCamera();
     // Lines are what costs most in software: a large city moves without them.
-    if (manyEdges_ && edges_ && facesShown_) {
-        edges_->setEnabled(false);
+    if (manyEdges_ && facesShown_) {
+        showEdges(false);
         rest_->start();
     }
     Q_EMIT poseChanged();
 }
 
-void CityView::showEdges() {
+void CityView::showEdges(bool shown) {
     rest_->stop();
-    if (edges_) edges_->setEnabled(true);
+    if (city_) city_->showEdges(shown);
 }
 
 ViewLens CityView::lens() const {
@@ -198,6 +215,7 @@ void CityView::applyCamera() {
     camera()->setViewCenter(vectorOf(pose_.target));
     camera()->setUpVector(vectorOf(upOf(pose_)));
     ribbon_->set(QStringLiteral("viewSize"), QVector2D(float(view.widthPx), float(view.heightPx)));
+    overlay_->setLens(view);
 }
 
 void CityView::resizeEvent(QResizeEvent* event) {
@@ -207,7 +225,7 @@ void CityView::resizeEvent(QResizeEvent* event) {
 }
 
 void CityView::capture(std::function<void(QImage)> done) {
-    showEdges();
+    showEdges(true);
     Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();
     connect(reply, &Qt3DRender::QRenderCaptureReply::completed, this, [reply, done = std::move(done)] {
         const QImage image = reply->image();

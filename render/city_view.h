@@ -5,9 +5,9 @@
 #include <functional>
 #include <memory>
 
-#include "render/city_arrays.h"
+#include "render/building_bodies.h"
 #include "render/ground_picture.h"
-#include "render/outline_geometry.h"
+#include "render/overlay_bodies.h"
 #include "render/surface_layer.h"
 #include "render/view_ray.h"
 
@@ -30,8 +30,14 @@ public:
     CityView();
     ~CityView() override;
 
-    /// Replaces the city; pictures and lines go.
-    void showCity(const CityArrays& arrays);
+    /// Replaces the city (not null); pictures and lines go, and all of it is in sight.
+    void showCity(std::shared_ptr<const CityArrays> arrays);
+    /// What is different from the city's arrays, in place of what was before; camera, pictures and lines
+    /// stay. Cost: of what changed.
+    void showChanges(const ArrayDifference& changes);
+    /// The arrays of showCity; null before the first.
+    [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const;
+    [[nodiscard]] OverlayBodies& overlay() { return *overlay_; }
     /// On the ground. `soFar`: it shows a part of the period or region only, which stripes say.
     void showPicture(const GroundPicture& picture, bool soFar = false);
     void clearPicture();
@@ -59,16 +65,17 @@ private:
     void makeFrameGraph();
     void makeMaterials();
     void applyCamera();
-    void showEdges();
+    void showEdges(bool shown);
+    void showGround(const CityArrays& arrays);
     Qt3DCore::QEntity* add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
                            Qt3DCore::QEntity* parent);
 
     CameraPose pose_;
     ViewBounds bounds_;
     Qt3DCore::QEntity* root_;
-    Qt3DCore::QEntity* city_ = nullptr;
-    Qt3DCore::QEntity* faces_ = nullptr;
-    Qt3DCore::QEntity* edges_ = nullptr;
+    Qt3DCore::QEntity* groundEntity_ = nullptr;
+    std::unique_ptr<BuildingBodies> city_;
+    std::unique_ptr<BuildingBodies> added_;
     bool manyEdges_ = false;
     QTimer* rest_;
     Qt3DCore::QEntity* lines_ = nullptr;
@@ -79,6 +86,7 @@ private:
     ShaderMaterial* ribbon_ = nullptr;
     Qt3DCore::QNode* texture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
+    std::unique_ptr<OverlayBodies> overlay_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;
 };
 

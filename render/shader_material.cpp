@@ -18,13 +18,13 @@ namespace noonmark {
 
 namespace {
 
-Qt3DRender::QShaderProgram* programOf(const QString& name) {
+Qt3DRender::QShaderProgram* programOf(const QString& vertex, const QString& fragment) {
     auto* program = new Qt3DRender::QShaderProgram;
-    const QString path = QStringLiteral("qrc:/shaders/") + name;
+    const QString folder = QStringLiteral("qrc:/shaders/");
     program->setVertexShaderCode(
-        Qt3DRender::QShaderProgram::loadSource(QUrl(path + QStringLiteral(".vert"))));
+        Qt3DRender::QShaderProgram::loadSource(QUrl(folder + vertex + QStringLiteral(".vert"))));
     program->setFragmentShaderCode(
-        Qt3DRender::QShaderProgram::loadSource(QUrl(path + QStringLiteral(".frag"))));
+        Qt3DRender::QShaderProgram::loadSource(QUrl(folder + fragment + QStringLiteral(".frag"))));
     return program;
 }
 
@@ -45,9 +45,9 @@ Qt3DRender::QTechnique* forwardTechnique(Qt3DRender::QRenderPass* pass) {
 
 }  // namespace
 
-ShaderMaterial::ShaderMaterial(const QString& name, Qt3DCore::QNode* parent)
+ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment, Qt3DCore::QNode* parent)
     : QMaterial(parent), pass_(new Qt3DRender::QRenderPass) {
-    pass_->setShaderProgram(programOf(name));
+    pass_->setShaderProgram(programOf(vertex, fragment));
     auto* effect = new Qt3DRender::QEffect(this);
     effect->addTechnique(forwardTechnique(pass_));
     setEffect(effect);

@@ -9,12 +9,14 @@ class QRenderPass;
 
 namespace noonmark {
 
-/// The shaders `name`.vert and `name`.frag of resources/shaders, drawn by the window's own frame graph.
+/// The shaders `vertex`.vert and `fragment`.frag of resources/shaders, drawn by the window's own frame graph.
 /// Values of uniforms are set by name.
 class ShaderMaterial final : public Qt3DRender::QMaterial {
     Q_OBJECT
 public:
-    explicit ShaderMaterial(const QString& name, Qt3DCore::QNode* parent = nullptr);
+    ShaderMaterial(const QString& vertex, const QString& fragment, Qt3DCore::QNode* parent);
+    explicit ShaderMaterial(const QString& both, Qt3DCore::QNode* parent = nullptr)
+        : ShaderMaterial(both, both, parent) {}
 
     void set(const QString& uniform, const QVariant& value);
 

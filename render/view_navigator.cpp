@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace noonmark {
 
@@ -36,6 +37,7 @@ bool ViewNavigator::eventFilter(QObject* watched, QEvent* event) {
             release(static_cast<QMouseEvent&>(*event));
             return true;
         case QEvent::MouseButtonDblClick:
+            doubled_ = true;
             Q_EMIT doubleClicked(static_cast<QMouseEvent&>(*event).position());
             return true;
         case QEvent::Wheel:
@@ -60,6 +62,11 @@ std::optional<glm::dvec3> ViewNavigator::groundAt(QPointF pixel) const {
     return scene_.ground(rayThrough(view_.pose(), view_.lens(), of(pixel)));
 }
 
+void ViewNavigator::removeTarget(DragTarget& target) {
+    std::erase(targets_, &target);
+    if (held_ == &target) held_ = nullptr;
+}
+
 void ViewNavigator::go(const CameraPose& pose) {
     const auto ground = [this](glm::dvec2 point) { return scene_.groundAt(point); };
     view_.setPose(keptAboveGround(pose, limitsFor(view_.viewBounds()), ground));
@@ -67,12 +74,17 @@ void ViewNavigator::go(const CameraPose& pose) {
 
 void ViewNavigator::press(const QMouseEvent& event) {
     pressedAt_ = last_ = event.position();
-    dragging_ = false;
+    dragging_ = doubled_ = false;
+    if (event.button() != Qt::LeftButton) return;
+    const auto takes = [&](DragTarget* target) { return target->grab(event.position()); };
+    const auto target = std::ranges::find_if(targets_, takes);
+    held_ = target != targets_.end() ? *target : nullptr;
 }
 
 void ViewNavigator::drag(const QMouseEvent& event) {
     const QPointF here = event.position();
     if (event.buttons() == Qt::NoButton) return Q_EMIT hovered(here);
+    if (held_) return held_->dragTo(here);
     const QPointF far = here - pressedAt_;
     if (!dragging_ && std::hypot(far.x(), far.y()) < dragThresholdPx) return;
     dragging_ = true;
@@ -84,6 +96,8 @@ void ViewNavigator::drag(const QMouseEvent& event) {
 }
 
 void ViewNavigator::release(const QMouseEvent& event) {
+    if (DragTarget* const target = std::exchange(held_, nullptr)) return target->drop();
+    if (std::exchange(doubled_, false)) return;
     if (!dragging_ && event.button() == Qt::LeftButton) Q_EMIT clicked(event.position());
     if (!dragging_ && event.button() == Qt::RightButton) Q_EMIT rightClicked(event.position());
     dragging_ = false;

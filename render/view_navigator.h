@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QPointF>
+#include <vector>
 
 #include "render/camera_control.h"
 #include "render/city_view.h"
@@ -13,6 +14,15 @@ class QWheelEvent;
 
 namespace noonmark {
 
+/// Something in the view that a drag with the left button takes hold of, instead of the camera.
+class DragTarget {
+public:
+    virtual ~DragTarget() = default;
+    virtual bool grab(QPointF pixel) = 0;  ///< true: it is taken, and the drag is its own
+    virtual void dragTo(QPointF pixel) = 0;
+    virtual void drop() = 0;
+};
+
 /// Mouse and keys of a CityView. Left or middle drag turns, right drag (or shift) moves, the wheel zooms to
 /// the cursor; arrow keys move, + and - zoom, Home shows the whole city, N turns north up, T looks from
 /// above. Never below the ground.
@@ -23,6 +33,10 @@ public:
 
     void setScene(ScenePicker scene) { scene_ = std::move(scene); }
     [[nodiscard]] const ScenePicker& scene() const { return scene_; }
+
+    /// Asked in this order at the beginning of a drag; each outlives the navigator or takes itself out.
+    void addTarget(DragTarget& target) { targets_.push_back(&target); }
+    void removeTarget(DragTarget& target);
 
     /// What lies under a pixel of the view; device-independent pixels from the top left corner.
     [[nodiscard]] std::optional<Pick> pickAt(QPointF pixel) const;
@@ -59,7 +73,10 @@ private:
     ScenePicker scene_;
     QPointF pressedAt_;
     QPointF last_;
+    std::vector<DragTarget*> targets_;
+    DragTarget* held_ = nullptr;
     bool dragging_ = false;
+    bool doubled_ = false;  // the release that follows belongs to a double click
 };
 
 }  // namespace noonmark

@@ -36,6 +36,12 @@ QString askForProject(QWidget* parent, const QString& suggested) {
     return answer == QMessageBox::Yes ? file : QString();
 }
 
+QString askForMesh(QWidget* parent) {
+    return QFileDialog::getOpenFileName(
+        parent, tr("Import a mesh as a building"), {},
+        tr("Meshes (*.obj *.ply *.gltf *.glb *.json *.jsonl);;All files (*)"));
+}
+
 QString askForRegion(QWidget* parent) {
     return QFileDialog::getOpenFileName(parent, tr("Region from the polygons of a file"), {},
                                         tr("Polygons (*.geojson *.json *.gpkg *.shp *.kml);;All files (*)"));

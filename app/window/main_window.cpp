@@ -87,7 +87,7 @@ void MainWindow::makeModeBar() {
 }
 
 void MainWindow::draw(bool on) {
-    RegionTool& tool = panel_->regionTool();
+    PolygonTool& tool = panel_->regionTool();
     if (on && workbench_.city())
         tool.begin();
     else

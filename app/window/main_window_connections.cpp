@@ -103,11 +103,13 @@ void MainWindow::connectViewMenu() {
 }
 
 void MainWindow::connectRegion() {
-    RegionTool& tool = panel_->regionTool();
+    PolygonTool& tool = panel_->regionTool();
     connect(docks_.study, &StudyDock::drawRequested, this, &MainWindow::draw);
     connect(menus_.drawRegion, &QAction::triggered, this, [this] { draw(true); });
-    connect(&tool, &RegionTool::activeChanged, docks_.study, &StudyDock::setDrawing);
-    connect(&tool, &RegionTool::finished, this, &MainWindow::changeRegion);
+    connect(&tool, &PolygonTool::activeChanged, docks_.study, &StudyDock::setDrawing);
+    connect(&tool, &PolygonTool::finished, this, [this](const std::vector<Footprint>& pieces) {
+        changeRegion({"drawn on the ground", pieces});
+    });
     connect(docks_.study, &StudyDock::viewRegionRequested, this,
             [this] { changeRegion(panel_->visibleGround()); });
     connect(docks_.study, &StudyDock::wholeCityRequested, this, &MainWindow::takeWholeCity);

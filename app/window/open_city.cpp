@@ -5,10 +5,23 @@
 
 namespace noonmark {
 
-Result<OpenCity> shownCity(LoadedCity loaded, Progress& progress, const std::stop_token& stop) {
+namespace {
+
+// More than this many buildings beside the arrays would cost at every change.
+constexpr std::size_t mostAdded = 1000;
+
+bool serves(const std::shared_ptr<const CityArrays>& drawn, const City& city) {
+    return drawn && differenceOf(*drawn, city).added.buildings.size() <= mostAdded;
+}
+
+}  // namespace
+
+Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn, Progress& progress,
+                           const std::stop_token& stop) {
     progress.report(0.9, "building the view");
-    OpenCity open{std::move(loaded), {}, {}};
-    open.arrays = arraysOf(open.city());
+    OpenCity open{std::move(loaded), std::move(drawn), {}};
+    if (!serves(open.arrays, open.city()))
+        open.arrays = std::make_shared<const CityArrays>(arraysOf(open.city()));
     if (stop.stop_requested()) return cancelled();
     auto scene = RayScene::over(open.city(), stop);
     if (!scene) return tl::make_unexpected(scene.error());

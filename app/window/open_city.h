@@ -9,13 +9,16 @@ namespace noonmark {
 /// A city ready to be shown: read, meshed and searchable by rays.
 struct OpenCity {
     LoadedCity loaded;
-    CityArrays arrays;
+    /// For the view. Of this city, or of another that shares most of its buildings with it (differenceOf).
+    std::shared_ptr<const CityArrays> arrays;
     ScenePicker picker;
     [[nodiscard]] const City& city() const { return loaded.read.city; }
 };
 
-/// Meshes a city and builds what rays search it with: for a job.
-Result<OpenCity> shownCity(LoadedCity loaded, Progress& progress, const std::stop_token& stop);
+/// Meshes a city and builds what rays search it with: for a job. `drawn`: arrays of a city that shares most
+/// of its buildings, as one that was edited does: then they are not made again. Null: none.
+Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn, Progress& progress,
+                           const std::stop_token& stop);
 
 /// Settings to begin with: first region, the time zone nearest to the city, cells of 2 m, the engine picked
 /// by itself.

@@ -10,6 +10,12 @@ QString areaWords(double areaM2) {
     return english.toString(areaM2 * 1e-4, 'f', 1) + QStringLiteral(" ha");
 }
 
+QString drawnWords(const PolygonTool& tool) {
+    if (tool.sideM() == 0) return {};
+    const QString side = QStringLiteral("%1 m").arg(tool.sideM(), 0, 'f', 1);
+    return tool.areaM2() == 0 ? side : side + QStringLiteral(", ") + areaWords(tool.areaM2());
+}
+
 QString regionWords(const Region& region, double cellM) {
     if (region.polygons.empty()) return QStringLiteral("No region yet");
     double areaM2 = 0;

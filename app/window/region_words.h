@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "app/window/polygon_tool.h"
 #include "core/receivers/region.h"
 
 namespace noonmark {
@@ -11,5 +12,8 @@ QString areaWords(double areaM2);
 
 /// A region in words: name, size in metres, area, and about how many cells its box has.
 QString regionWords(const Region& region, double cellM);
+
+/// What a polygon that is being drawn measures: "24.6 m, 812 m²"; empty before there is a side.
+QString drawnWords(const PolygonTool& tool);
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #include "app/window/result_layer.h"
 
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/window/explored_picture.h"
 #include "app/window/field_picture.h"
@@ -72,7 +73,19 @@ void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
     if (mode_ == ViewMode::exploration) show();
 }
 
+void ResultLayer::setLive(const ShadowField* field, const Receivers* receivers, const QString& note) {
+    const bool wasLive = std::exchange(live_, field != nullptr);
+    if (!field && wasLive) show();
+    if (!field) return;
+    if (!wasLive) view_.surfaces().clear();
+    const Legend legend = legendOf(*field, ShadowMeasure::gross);
+    view_.showPicture(fieldPicture(*field, receivers, ShadowMeasure::gross, legend.scale.top));
+    strip_.setLegend(legend);
+    strip_.setNote(note, false);
+}
+
 void ResultLayer::show() {
+    if (live_) return;
     if (mode_ == ViewMode::exploration) {
         view_.clearPicture();
         return explored_ ? showExplored() : showNothing();
@@ -121,6 +134,7 @@ void ResultLayer::showNothing() {
 }
 
 QString ResultLayer::minutesAt(const Pick& pick) const {
+    if (live_) return {};
     if (mode_ == ViewMode::exploration) {
         const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
         if (!point) return {};

@@ -28,6 +28,10 @@ public:
     void setPartial(std::shared_ptr<const PartialField> partial);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
 
+    /// Gross shadow of a building that is being shaped, over whatever mode is on, until null is given. `note`
+    /// says what it is of; `receivers` outlives the call only.
+    void setLive(const ShadowField* field, const Receivers* receivers, const QString& note);
+
     void show();  ///< again, as after another measure was chosen
 
     [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< in words; empty where nothing is known
@@ -46,6 +50,7 @@ private:
     std::shared_ptr<const ImpactAnswer> comparison_;
     std::shared_ptr<const PartialField> partial_;
     std::shared_ptr<const ViewAnswer> explored_;
+    bool live_ = false;
 };
 
 }  // namespace noonmark

@@ -2,22 +2,32 @@
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QGuiApplication>
 #include <QMimeData>
 #include <QVBoxLayout>
 
 #include "app/report/study_words.h"
 #include "app/window/ground_lines.h"
 #include "app/window/hover_text.h"
+#include "app/window/region_words.h"
 #include "app/window/view_picture.h"
 #include "app/window/visible_ground.h"
 
 namespace noonmark {
 
+namespace {
+
+bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier); }
+
+}  // namespace
+
 ViewPanel::ViewPanel(QWidget* parent)
     : QWidget(parent),
       view_(new CityView),
       navigator_(new ViewNavigator(*view_)),
-      tool_(new RegionTool(this)),
+      regionTool_(new PolygonTool(tr("region"), this)),
+      lotTool_(new PolygonTool(tr("lot"), this)),
+      label_(new CursorLabel(*view_, this)),
       messages_(new MessageBar),
       legend_(new LegendStrip),
       results_(std::make_unique<ResultLayer>(*view_, *legend_)) {
@@ -35,38 +45,65 @@ ViewPanel::ViewPanel(QWidget* parent)
     connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });
     connect(legend_, &LegendStrip::measureChanged, this, [this] { results_->show(); });
     connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
-    connect(navigator_, &ViewNavigator::left, this, [this] { Q_EMIT hovered({}); });
-    connectTool();
+    connect(navigator_, &ViewNavigator::left, this, [this] {
+        label_->hide();
+        Q_EMIT hovered({});
+    });
+    connectTool(regionTool_, lotTool_);
+    connectTool(lotTool_, regionTool_);
+    connectNavigator();
 }
 
-void ViewPanel::connectTool() {
+void ViewPanel::connectNavigator() {
     connect(navigator_, &ViewNavigator::clicked, this, [this](QPointF pixel) {
-        if (const auto ground = navigator_->groundAt(pixel)) tool_->addPoint(*ground);
+        PolygonTool* tool = activeTool();
+        const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
+        if (ground) tool->addPoint(*ground, shiftIsDown());
     });
-    connect(navigator_, &ViewNavigator::doubleClicked, tool_, &RegionTool::finish);
-    connect(navigator_, &ViewNavigator::rightClicked, tool_, &RegionTool::finish);
+    const auto finish = [this] {
+        if (PolygonTool* tool = activeTool()) tool->finish();
+    };
+    connect(navigator_, &ViewNavigator::doubleClicked, this, finish);
+    connect(navigator_, &ViewNavigator::rightClicked, this, finish);
     connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
-    connect(tool_, &RegionTool::lineChanged, this, &ViewPanel::showLines);
-    connect(tool_, &RegionTool::refused, messages_, &MessageBar::showError);
-    connect(tool_, &RegionTool::activeChanged, this, [this](bool active) {
+}
+
+// One polygon is drawn at a time.
+void ViewPanel::connectTool(PolygonTool* tool, PolygonTool* other) {
+    connect(tool, &PolygonTool::lineChanged, this, &ViewPanel::showLines);
+    connect(tool, &PolygonTool::refused, messages_, &MessageBar::showError);
+    connect(tool, &PolygonTool::activeChanged, this, [this, other](bool active) {
+        if (active) other->cancel();
         if (active)
             view_->setCursor(Qt::CrossCursor);
         else
             view_->unsetCursor();
+        label_->hide();
     });
 }
 
+PolygonTool* ViewPanel::activeTool() const {
+    for (PolygonTool* tool : {regionTool_, lotTool_})
+        if (tool->active()) return tool;
+    return nullptr;
+}
+
 void ViewPanel::toolKey(int key) {
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) tool_->finish();
-    if (key == Qt::Key_Escape) tool_->cancel();
-    if (key == Qt::Key_Backspace) tool_->removeLastPoint();
+    PolygonTool* tool = activeTool();
+    if (!tool) return;
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) tool->finish();
+    if (key == Qt::Key_Escape) tool->cancel();
+    if (key == Qt::Key_Backspace) tool->removeLastPoint();
 }
 
 void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
     city_ = std::move(city);
-    tool_->cancel();
     navigator_->setScene(city_->picker);
-    view_->showCity(city_->arrays);
+    if (view_->arrays() != city_->arrays) {
+        if (PolygonTool* tool = activeTool()) tool->cancel();
+        view_->showCity(city_->arrays);
+    }
+    view_->showChanges(differenceOf(*city_->arrays, city_->city()));
     results_->forget();
 }
 
@@ -77,14 +114,22 @@ void ViewPanel::showRegion(const Region& region) {
 
 void ViewPanel::showLines() {
     if (!city_) return;
-    if (tool_->active()) return view_->showLines({groundLineOf(tool_->line(), city_->city(), true)});
+    if (const PolygonTool* tool = activeTool())
+        return view_->showLines({groundLineOf(tool->line(), city_->city(), true)});
     view_->showLines(groundLinesOf(region_, city_->city()));
+}
+
+void ViewPanel::draw(QPointF pixel) {
+    PolygonTool* tool = activeTool();
+    const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
+    if (!ground) return;
+    tool->moveTo(*ground, shiftIsDown());
+    label_->show(pixel, drawnWords(*tool));
 }
 
 void ViewPanel::tellWhatIsAt(QPointF pixel) {
     if (!city_) return;
-    if (tool_->active())
-        if (const auto ground = navigator_->groundAt(pixel)) tool_->moveTo(*ground);
+    draw(pixel);
     const auto pick = navigator_->pickAt(pixel);
     Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
 }

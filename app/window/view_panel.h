@@ -3,27 +3,32 @@
 #include <QWidget>
 #include <memory>
 
+#include "app/window/cursor_label.h"
 #include "app/window/legend_strip.h"
 #include "app/window/message_bar.h"
 #include "app/window/open_city.h"
-#include "app/window/region_tool.h"
+#include "app/window/polygon_tool.h"
 #include "app/window/result_layer.h"
 #include "render/view_navigator.h"
 
 namespace noonmark {
 
-/// The middle of the window: messages, the city, the legend below it; and drawing a region on the ground.
+/// The middle of the window: messages, the city, the legend below it; and drawing polygons on the ground.
 class ViewPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ViewPanel(QWidget* parent = nullptr);
 
+    /// A city with the arrays of the one before (an edit, another scenario) leaves the camera where it is.
     void showCity(std::shared_ptr<const OpenCity> city);
     void showRegion(const Region& region);
 
     [[nodiscard]] CityView& view() { return *view_; }
     [[nodiscard]] ViewNavigator& navigator() { return *navigator_; }
-    [[nodiscard]] RegionTool& regionTool() { return *tool_; }
+    [[nodiscard]] PolygonTool& regionTool() { return *regionTool_; }
+    [[nodiscard]] PolygonTool& lotTool() { return *lotTool_; }
+    [[nodiscard]] bool drawing() const { return activeTool() != nullptr; }
+    [[nodiscard]] CursorLabel& cursorLabel() { return *label_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
     [[nodiscard]] LegendStrip& legend() { return *legend_; }
     [[nodiscard]] ResultLayer& results() { return *results_; }
@@ -44,14 +49,19 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    void connectTool();
+    void connectNavigator();
+    void connectTool(PolygonTool* tool, PolygonTool* other);
+    [[nodiscard]] PolygonTool* activeTool() const;
     void showLines();
+    void draw(QPointF pixel);
     void tellWhatIsAt(QPointF pixel);
     void toolKey(int key);
 
     CityView* view_;
     ViewNavigator* navigator_;
-    RegionTool* tool_;
+    PolygonTool* regionTool_;
+    PolygonTool* lotTool_;
+    CursorLabel* label_;
     MessageBar* messages_;
     LegendStrip* legend_;
     std::shared_ptr<const OpenCity> city_;

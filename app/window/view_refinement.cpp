@@ -58,7 +58,7 @@ VisibleSurface within(const Box2& box, const VisibleSurface& seen) {
 }
 
 Box2 surroundingsOf(const OpenCity& city) {
-    const Box2 box = city.arrays.bounds.box;
+    const Box2 box = city.arrays->bounds.box;
     return {box.low - glm::vec2(surroundingsM), box.high + glm::vec2(surroundingsM)};
 }
 

@@ -99,7 +99,7 @@ void Workbench::follow() {
     following_.start<OpenCity>(
         tr("Showing %1").arg(QString::fromStdString(session_.scenario())),
         [shown = city_, city = session_.city()](Progress& progress, const std::stop_token& stop) {
-            return shownCity(withCity(shown->loaded, *city), progress, stop);
+            return shownCity(withCity(shown->loaded, *city), shown->arrays, progress, stop);
         },
         [this](Result<OpenCity> city) { takeCity(std::move(city)); });
 }

@@ -35,6 +35,32 @@ TEST(CityArrays, GroundReachesFarBeyondTheCity) {
     EXPECT_GT(high.x, arrays.bounds.box.high.x + 1000);
 }
 
+TEST(CityArrays, KnowWhereEachBuildingLies) {
+    const CityArrays arrays = arraysOf(test::smallCity());
+    ASSERT_EQ(arrays.triangleStart.size(), 4U);
+    EXPECT_EQ(arrays.triangleStart.back(), arrays.triangles.size());
+    EXPECT_EQ(arrays.edgeStart.back(), arrays.edges.size());
+    for (std::size_t building = 0; building < 3; ++building) {
+        EXPECT_EQ(arrays.edgeStart[building + 1] - arrays.edgeStart[building], 2U * 12);
+        for (std::size_t i = arrays.triangleStart[building]; i < arrays.triangleStart[building + 1]; ++i)
+            EXPECT_EQ(arrays.buildingOfPoint[arrays.triangles[i]], float(building));
+        for (std::size_t i = arrays.edgeStart[building]; i < arrays.edgeStart[building + 1]; ++i)
+            EXPECT_EQ(arrays.buildingOfPoint[arrays.edges[i]], float(building));
+    }
+}
+
+TEST(CityArrays, ACityThatSharesItsBuildingsDiffersByTheOthers) {
+    City city = test::smallCity();
+    const CityArrays arrays = arraysOf(city);
+    EXPECT_TRUE(differenceOf(arrays, city).gone.empty());
+    city.buildings[1] = std::make_shared<const Building>(*city.buildings[1]);
+    city.buildings.erase(city.buildings.begin());
+    const ArrayDifference difference = differenceOf(arrays, city);
+    EXPECT_EQ(difference.gone, (std::vector<std::uint32_t>{0, 1}));
+    ASSERT_EQ(difference.added.buildings.size(), 1U);
+    EXPECT_EQ(difference.added.buildings.front(), city.buildings.front());
+}
+
 TEST(CityArrays, AnEmptyCityStillHasAView) {
     const ViewBounds view = viewBoundsOf(City{});
     EXPECT_FALSE(view.box.empty());

@@ -16,7 +16,7 @@ inline City smallCity() {
     city.frame = Frame({-73.98, 40.76});
     const auto add = [&city](const char* name, glm::vec2 corner, float sideM, float topM) {
         Building building;
-        building.name = name;
+        building.sourceId = building.name = name;
         Part part;
         part.footprint = square(corner, sideM);
         part.topM = topM;

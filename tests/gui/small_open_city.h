@@ -9,7 +9,7 @@ namespace noonmark::test {
 inline std::shared_ptr<const OpenCity> smallOpenCity() {
     auto open = std::make_shared<OpenCity>();
     open->loaded.read.city = smallCity();
-    open->arrays = arraysOf(open->city());
+    open->arrays = std::make_shared<const CityArrays>(arraysOf(open->city()));
     open->picker = ScenePicker(open->city(), RayScene::over(open->city()).value());
     return open;
 }

@@ -190,7 +190,7 @@ TEST_F(WindowTest, SavedPictureHoldsViewAndLegend) {
 
 TEST_F(WindowTest, DrawingARegionChangesTheStudyAndCanBeUndone) {
     const Region before = window.workbench().document().settings().region;
-    RegionTool& tool = window.panel().regionTool();
+    PolygonTool& tool = window.panel().regionTool();
     tool.begin();
     for (const glm::dvec3 corner : {glm::dvec3{0, 0, 0}, {100, 0, 0}, {100, 80, 0}}) tool.addPoint(corner);
     tool.finish();

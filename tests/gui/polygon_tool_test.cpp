@@ -1,4 +1,4 @@
-#include "app/window/region_tool.h"
+#include "app/window/polygon_tool.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,14 @@ namespace noonmark {
 namespace {
 
 struct Drawing {
-    RegionTool tool;
-    std::optional<Region> region;
+    PolygonTool tool{QStringLiteral("region")};
+    std::optional<std::vector<Footprint>> pieces;
     int refusals = 0;
 
     Drawing() {
-        QObject::connect(&tool, &RegionTool::finished, [this](const Region& made) { region = made; });
-        QObject::connect(&tool, &RegionTool::refused, [this] { ++refusals; });
+        QObject::connect(&tool, &PolygonTool::finished,
+                         [this](const std::vector<Footprint>& made) { pieces = made; });
+        QObject::connect(&tool, &PolygonTool::refused, [this] { ++refusals; });
         tool.begin();
     }
     void click(std::initializer_list<glm::dvec2> points) {
@@ -26,27 +27,27 @@ struct Drawing {
     }
     [[nodiscard]] double areaM2() const {
         double sum = 0;
-        for (const Footprint& polygon : region->polygons) sum += area(polygon);
+        for (const Footprint& polygon : *pieces) sum += area(polygon);
         return sum;
     }
 };
 
-TEST(RegionTool, ClicksMakeAPolygonInAnyDirection) {
+TEST(PolygonTool, ClicksMakeAPolygonInAnyDirection) {
     Drawing drawing;
     drawing.click({{0, 0}, {0, 10}, {20, 10}, {20, 0}});
     drawing.tool.finish();
-    ASSERT_TRUE(drawing.region);
+    ASSERT_TRUE(drawing.pieces);
     EXPECT_NEAR(drawing.areaM2(), 200, 1e-3);
     EXPECT_FALSE(drawing.tool.active());
 }
 
-TEST(RegionTool, ADoubleClickIsNoCornerTwice) {
+TEST(PolygonTool, ADoubleClickIsNoCornerTwice) {
     Drawing drawing;
     drawing.click({{0, 0}, {10, 0}, {10, 10}, {10, 10.01}});
     EXPECT_EQ(drawing.tool.line().size(), 3U);
 }
 
-TEST(RegionTool, TwoCornersAreRefusedAndMayBeContinued) {
+TEST(PolygonTool, TwoCornersAreRefusedAndMayBeContinued) {
     Drawing drawing;
     drawing.click({{0, 0}, {10, 0}});
     drawing.tool.finish();
@@ -54,27 +55,27 @@ TEST(RegionTool, TwoCornersAreRefusedAndMayBeContinued) {
     EXPECT_TRUE(drawing.tool.active());
     drawing.click({{5, 8}});
     drawing.tool.finish();
-    EXPECT_TRUE(drawing.region);
+    EXPECT_TRUE(drawing.pieces);
 }
 
-TEST(RegionTool, CornersInALineAreRefused) {
+TEST(PolygonTool, CornersInALineAreRefused) {
     Drawing drawing;
     drawing.click({{0, 0}, {10, 0}, {20, 0}});
     drawing.tool.finish();
     EXPECT_EQ(drawing.refusals, 1);
-    EXPECT_FALSE(drawing.region);
+    EXPECT_FALSE(drawing.pieces);
 }
 
-TEST(RegionTool, ABowTieBecomesTwoPieces) {
+TEST(PolygonTool, ABowTieBecomesTwoPieces) {
     Drawing drawing;
     drawing.click({{0, 0}, {10, 10}, {10, 0}, {0, 10}});
     drawing.tool.finish();
-    ASSERT_TRUE(drawing.region);
-    EXPECT_EQ(drawing.region->polygons.size(), 2U);
+    ASSERT_TRUE(drawing.pieces);
+    EXPECT_EQ(drawing.pieces->size(), 2U);
     EXPECT_NEAR(drawing.areaM2(), 50, 0.1);
 }
 
-TEST(RegionTool, CancelAndBackspace) {
+TEST(PolygonTool, CancelAndBackspace) {
     Drawing drawing;
     drawing.click({{0, 0}, {10, 0}, {10, 10}});
     drawing.tool.removeLastPoint();
@@ -82,11 +83,11 @@ TEST(RegionTool, CancelAndBackspace) {
     drawing.tool.cancel();
     EXPECT_FALSE(drawing.tool.active());
     drawing.tool.finish();
-    EXPECT_FALSE(drawing.region);
+    EXPECT_FALSE(drawing.pieces);
     EXPECT_EQ(drawing.refusals, 0);
 }
 
-TEST(RegionTool, TheLineFollowsTheCursor) {
+TEST(PolygonTool, TheLineFollowsTheCursor) {
     Drawing drawing;
     drawing.tool.moveTo({5, 5, 0});
     EXPECT_TRUE(drawing.tool.line().empty());
@@ -94,6 +95,31 @@ TEST(RegionTool, TheLineFollowsTheCursor) {
     drawing.tool.moveTo({5, 5, 0});
     ASSERT_EQ(drawing.tool.line().size(), 2U);
     EXPECT_EQ(drawing.tool.line().back(), glm::vec3(5, 5, 0));
+}
+
+TEST(PolygonTool, TheNextSideGoesOnSquareToTheLastOne) {
+    Drawing drawing;
+    drawing.click({{0, 0}});
+    drawing.tool.addPoint({30, 4, 0}, true);
+    EXPECT_EQ(drawing.tool.line().back(), glm::vec3(30, 0, 0)) << "along the compass";
+    drawing.tool.addPoint({33, 25, 0}, true);
+    EXPECT_EQ(drawing.tool.line().back(), glm::vec3(30, 25, 0));
+    drawing.tool.addPoint({20, 35, 0});
+    drawing.tool.moveTo({12, 25, 0}, true);  // the side before runs north-west
+    const glm::vec3 corner = drawing.tool.line().back();
+    EXPECT_NEAR(double(corner.x), 11, 1e-4);
+    EXPECT_NEAR(double(corner.y), 26, 1e-4);
+}
+
+TEST(PolygonTool, MeasuresWhileItIsDrawn) {
+    Drawing drawing;
+    EXPECT_EQ(drawing.tool.sideM(), 0);
+    drawing.click({{0, 0}, {30, 0}});
+    EXPECT_NEAR(drawing.tool.sideM(), 30, 1e-6);
+    EXPECT_EQ(drawing.tool.areaM2(), 0);
+    drawing.tool.moveTo({30, 40, 0});
+    EXPECT_NEAR(drawing.tool.sideM(), 40, 1e-6);
+    EXPECT_NEAR(drawing.tool.areaM2(), 600, 1e-3);
 }
 
 TEST(VisibleGround, FromAboveItIsTheWindowsRectangle) {

@@ -1,0 +1,197 @@
+#include "app/window/massing/building_editing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/massing/building_facts.h"
+#include "app/window/massing/figure_words.h"
+#include "app/window/massing/selection_panel.h"
+#include "app/window/massing/tower_draft.h"
+#include "app/window/region_words.h"
+#include "core/city/building_ground.h"
+#include "scenarios/massing/lot_edits.h"
+
+namespace noonmark {
+
+namespace {
+
+City only(const std::shared_ptr<const Building>& building) {
+    City some;
+    some.buildings.push_back(building);
+    return some;
+}
+
+std::optional<std::uint32_t> indexOf(const City& city, const std::string& id) {
+    const auto found = std::ranges::find(city.buildings, id, [](const auto& b) { return b->sourceId; });
+    if (id.empty() || found == city.buildings.end()) return std::nullopt;
+    return std::uint32_t(found - city.buildings.begin());
+}
+
+QString wordsOf(const Edit& edit) { return QString::fromStdString(noonmark::textOf(edit)); }
+
+}  // namespace
+
+BuildingEditing::BuildingEditing(EditDesk& desk, SelectionPanel& panel, QObject* parent)
+    : QObject(parent), desk_(desk), panel_(panel), move_(desk.panel) {
+    connectPanel();
+    connect(&move_, &MoveTool::dragged, this, [this](glm::dvec2 byM) {
+        panel_.showMove(byM);
+        preview(Move{id_, byM});
+    });
+    connect(&move_, &MoveTool::dropped, this, [this](glm::dvec2 byM) {
+        if (byM != glm::dvec2(0)) make(Move{id_, byM});
+    });
+}
+
+void BuildingEditing::connectPanel() {
+    connect(&panel_, &SelectionPanel::demolishRequested, this, &BuildingEditing::demolish);
+    connect(&panel_, &SelectionPanel::moveToolRequested, this, &BuildingEditing::setMoving);
+    connect(&panel_, &SelectionPanel::variantRequested, this, &BuildingEditing::makeVariant);
+    connect(&panel_, &SelectionPanel::heightChanged, this, &BuildingEditing::previewHeight);
+    connect(&panel_, &SelectionPanel::heightTaken, this, &BuildingEditing::takeHeight);
+    connect(&panel_, &SelectionPanel::moveChanged, this, [this](glm::dvec2 byM) { preview(Move{id_, byM}); });
+    connect(&panel_, &SelectionPanel::moveTaken, this, [this](glm::dvec2 byM) { make(Move{id_, byM}); });
+    connect(&panel_, &SelectionPanel::turnChanged, this, [this](double degrees) {
+        preview(Rotate{id_, degrees});
+    });
+    connect(&panel_, &SelectionPanel::turnTaken, this, [this](double degrees) {
+        make(Rotate{id_, degrees});
+    });
+}
+
+const Building& BuildingEditing::building() const { return *desk_.city->city().buildings[*selected_]; }
+
+void BuildingEditing::cityChanged() {
+    move_.end();
+    panel_.setMoving(false);
+    hover(std::nullopt);
+    const std::string wanted = next_.empty() ? id_ : next_;
+    next_.clear();
+    selected_.reset();
+    select(indexOf(desk_.city->city(), wanted));
+}
+
+void BuildingEditing::select(std::optional<std::uint32_t> building) {
+    if (desk_.preview.shown()) desk_.preview.clear();
+    setMoving(false);
+    selected_ = building;
+    id_ = building ? this->building().sourceId : std::string();
+    show();
+    Q_EMIT selectionChanged();
+}
+
+void BuildingEditing::standBack() {
+    setMoving(false);
+    OverlayBodies& overlay = desk_.panel.view().overlay();
+    overlay.show(OverlayBodies::Tint::hovered, {});
+    overlay.show(OverlayBodies::Tint::selected, {});
+    desk_.handle.hide();
+}
+
+void BuildingEditing::show() {
+    if (!desk_.city || desk_.preview.shown()) return;
+    OverlayBodies& overlay = desk_.panel.view().overlay();
+    overlay.show(OverlayBodies::Tint::hovered, {});
+    const City& city = desk_.city->city();
+    overlay.show(OverlayBodies::Tint::selected, selected_ ? only(city.buildings[*selected_]) : City{});
+    panel_.show(selected_ ? std::optional(factsOf(building(), city)) : std::nullopt);
+    showHandle();
+}
+
+void BuildingEditing::showHandle() {
+    if (!selected_) return desk_.handle.hide();
+    const City& city = desk_.city->city();
+    const double ground = double(groundUnder(building(), city));
+    const glm::dvec2 middle = middleOf(building());
+    desk_.handle.stand({{middle.x, middle.y, ground}, double(heightM(building(), city)), usualStoreyM});
+}
+
+void BuildingEditing::hover(std::optional<std::uint32_t> building) {
+    if (building == hovered_) return;
+    hovered_ = building;
+    const bool tinted = building && building != selected_;
+    desk_.panel.view().overlay().show(OverlayBodies::Tint::hovered,
+                                      tinted ? only(desk_.city->city().buildings[*building]) : City{});
+}
+
+void BuildingEditing::preview(const Edit& edit) {
+    if (!selected_) return;
+    const auto shown = desk_.preview.show({edit});
+    panel_.showError(shown ? QString() : QString::fromStdString(shown.error().text()));
+    desk_.panel.view().overlay().show(OverlayBodies::Tint::selected, {});
+    const auto& added = desk_.preview.changes().added;
+    if (added.empty() || desk_.handle.dragging()) return;
+    const glm::dvec2 middle = middleOf(*added.front());
+    const double ground = double(groundUnder(*added.front(), desk_.city->city()));
+    desk_.handle.stand({{middle.x, middle.y, ground}, double(topM(*added.front())) - ground, usualStoreyM});
+}
+
+// What it does comes back as another city; until then the preview shows it.
+void BuildingEditing::make(const Edit& edit) {
+    if (!selected_) return;
+    if (const auto sound = applied(desk_.city->city(), std::vector{edit}); !sound)
+        return panel_.showError(QString::fromStdString(sound.error().text()));
+    preview(edit);
+    Q_EMIT editsMade({edit}, wordsOf(edit));
+}
+
+void BuildingEditing::demolish() {
+    if (selected_) make(Demolish{id_});
+}
+
+void BuildingEditing::setMoving(bool on) {
+    if (on && selected_)
+        move_.begin(*selected_);
+    else
+        move_.end();
+    panel_.setMoving(move_.active());
+}
+
+void BuildingEditing::endTool() {
+    if (move_.active()) return setMoving(false);
+    select(std::nullopt);
+}
+
+void BuildingEditing::previewHeight(double heightM) {
+    if (!selected_) return;
+    panel_.showHeight(heightM);
+    preview(ChangeHeight{id_, heightM});
+    const auto& added = desk_.preview.changes().added;
+    if (added.empty() || !desk_.handle.dragging()) return;
+    const City& city = desk_.city->city();
+    const BuildingFacts facts = factsOf(*added.front(), city);
+    const double ground = double(groundUnder(building(), city));
+    const glm::dvec2 middle = middleOf(building());
+    desk_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
+    desk_.handle.tell(
+        tr("%1 m, %2\n%3 floor area")
+            .arg(grouped(facts.heightM, 1), storeyWords(facts.storeys), areaWords(facts.grossFloorM2)));
+}
+
+void BuildingEditing::takeHeight(double heightM) {
+    if (!selected_) return;
+    const double before = double(noonmark::heightM(building(), desk_.city->city()));
+    if (std::abs(heightM - before) > 0.05) return make(ChangeHeight{id_, heightM});
+    desk_.preview.clear();
+    show();
+}
+
+void BuildingEditing::makeVariant(double plateFactor) {
+    const auto lot = this->lot();
+    if (!selected_ || !lot) return;
+    const auto variant = variantOf(desk_.city->city(), *selected_, lot->outline, plateFactor);
+    if (variant) return make(variant->edit);
+    panel_.showError(QString::fromStdString(variant.error().text()));
+}
+
+std::optional<NamedLot> BuildingEditing::lot() const {
+    if (!selected_) return std::nullopt;
+    const glm::dvec2 middle = middleOf(building());
+    for (const NamedLot& lot : desk_.lots)
+        if (contains(lot.outline, middle)) return lot;
+    const auto footprint = lotUnder(building(), desk_.city->city());
+    if (!footprint) return std::nullopt;
+    return NamedLot{freeLotName(desk_.lots), *footprint};
+}
+
+}  // namespace noonmark

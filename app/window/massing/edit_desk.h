@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/window/massing/edit_preview.h"
+#include "app/window/massing/extrude_handle.h"
+#include "app/window/open_city.h"
+#include "app/window/view_panel.h"
+#include "scenarios/project/project.h"
+
+namespace noonmark {
+
+/// What the tools share: the view, the city in it, the preview over it, and the one handle.
+struct EditDesk {
+    explicit EditDesk(ViewPanel& view) : panel(view), preview(view), handle(view) {}
+
+    ViewPanel& panel;
+    EditPreview preview;
+    ExtrudeHandle handle;
+    std::shared_ptr<const OpenCity> city;  ///< null before the first
+    std::vector<NamedLot> lots;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,230 @@
+#include "app/window/massing/edit_tools.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+
+#include "app/window/file_dialogs.h"
+#include "app/window/ground_lines.h"
+#include "app/window/massing/massing_panel.h"
+#include "app/window/massing/placing_panel.h"
+#include "app/window/massing/selection_panel.h"
+
+namespace noonmark {
+
+EditTools::EditTools(ViewPanel& view, QObject* parent)
+    : QObject(parent),
+      selection_(new SelectionPanel),
+      placing_(new PlacingPanel),
+      massing_(new MassingPanel),
+      dock_(new QWidget),
+      desk_(view),
+      building_(desk_, *selection_),
+      tower_(desk_, *massing_),
+      mesh_(desk_, *placing_) {
+    auto* column = new QVBoxLayout(dock_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(placing_);
+    column->addWidget(selection_, 1);
+    placing_->hide();
+    makeActions();
+    connectView();
+    connectTools();
+    enableActions();
+}
+
+// Docks that nobody placed are still this one's.
+EditTools::~EditTools() {
+    for (QWidget* dock : {dock_.data(), static_cast<QWidget*>(massing_.data())})
+        if (dock && !dock->parent()) delete dock;
+}
+
+QWidget* EditTools::dock() const { return dock_; }
+
+QWidget* EditTools::massingDock() const { return massing_; }
+
+QAction* EditTools::action(const QString& text, const QKeySequence& keys, const QString& tip) {
+    auto* made = new QAction(text, this);
+    made->setShortcut(keys);
+    made->setToolTip(tip);
+    made->setStatusTip(tip);
+    actions_.push_back(made);
+    return made;
+}
+
+void EditTools::makeActions() {
+    const auto draw =
+        action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
+               tr("Click the corners on the ground; Shift: square; Enter finishes, Esc cancels"));
+    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Takes the selected building away"));
+    const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
+                                tr("A tower on the lot or footprint of the selected building"));
+    const auto move =
+        action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
+    const auto lot = action(tr("Lot from &footprint"), {}, tr("Makes the selected building's outline a lot"));
+    const auto mesh = action(tr("&Import mesh..."), {}, tr("A building from a mesh file, placed by a click"));
+    ofBuilding_ = {demolish, replace, move, lot};
+    connect(draw, &QAction::triggered, this, &EditTools::drawLot);
+    connect(demolish, &QAction::triggered, &building_, &BuildingEditing::demolish);
+    connect(replace, &QAction::triggered, this, &EditTools::replace);
+    connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
+    connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
+    connect(mesh, &QAction::triggered, this, &EditTools::importMesh);
+}
+
+void EditTools::connectView() {
+    ViewNavigator& navigator = desk_.panel.navigator();
+    connect(&navigator, &ViewNavigator::clicked, this, &EditTools::click);
+    connect(&navigator, &ViewNavigator::hovered, this, &EditTools::hover);
+    connect(&navigator, &ViewNavigator::left, this, [this] { building_.hover(std::nullopt); });
+    connect(&navigator, &ViewNavigator::keyPressed, this, &EditTools::key);
+    connect(&desk_.panel.lotTool(), &PolygonTool::finished, this, &EditTools::takeLot);
+    connect(&desk_.handle, &ExtrudeHandle::dragged, this, &EditTools::extrude);
+    connect(&desk_.handle, &ExtrudeHandle::dropped, this, &EditTools::extruded);
+}
+
+void EditTools::connectTools() {
+    const auto made = [this](const std::vector<Edit>& edits, const QString& what, const std::string& id) {
+        building_.selectNext(id);
+        Q_EMIT editsMade(edits, what);
+    };
+    connect(&building_, &BuildingEditing::editsMade, this, &EditTools::editsMade);
+    connect(&building_, &BuildingEditing::selectionChanged, this, &EditTools::enableActions);
+    connect(selection_, &SelectionPanel::replaceRequested, this, &EditTools::replace);
+    connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
+    connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
+    connect(massing_, &MassingPanel::drawRequested, this, &EditTools::drawLot);
+    connect(massing_, &MassingPanel::designRequested, this, [this](const NamedLot& lot) { design(lot, {}); });
+    connect(&tower_, &TowerEditing::editsMade, this, made);
+    connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
+    connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
+    connect(&mesh_, &MeshPlacing::editsMade, this, made);
+    connect(&mesh_, &MeshPlacing::failed, this, &EditTools::failed);
+    connect(&mesh_, &MeshPlacing::began, placing_, &QWidget::show);
+    connect(&mesh_, &MeshPlacing::ended, placing_, &QWidget::hide);
+}
+
+void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
+    const bool another = !desk_.city || desk_.city->arrays != city->arrays;
+    desk_.city = city;
+    desk_.preview.setCity(std::move(city));
+    building_.cityChanged();
+    if (another) {
+        tower_.cancel();
+        mesh_.cancel();
+    } else {
+        tower_.show();
+        mesh_.show();
+    }
+    showLots();
+}
+
+void EditTools::setLots(const std::vector<NamedLot>& lots) {
+    desk_.lots = lots;
+    massing_->setLots(lots);
+    showLots();
+}
+
+void EditTools::setPeriod(const Period& period, const Observer& observer) {
+    desk_.preview.setPeriod(period, observer);
+}
+
+void EditTools::showLots() {
+    if (!desk_.city) return;
+    Region all;
+    for (const NamedLot& lot : desk_.lots) all.polygons.push_back(lot.outline);
+    desk_.panel.view().overlay().showLines(groundLinesOf(all, desk_.city->city()));
+}
+
+void EditTools::enableActions() {
+    for (QAction* one : ofBuilding_) one->setEnabled(building_.selected().has_value());
+    if (building_.selected()) Q_EMIT selectionMade();
+}
+
+void EditTools::click(QPointF pixel) {
+    if (!desk_.city || desk_.panel.drawing() || tower_.active()) return;
+    const ViewNavigator& navigator = desk_.panel.navigator();
+    if (mesh_.active()) {
+        if (const auto ground = navigator.groundAt(pixel)) mesh_.placeAt({ground->x, ground->y});
+        return;
+    }
+    const auto pick = navigator.pickAt(pixel);
+    building_.select(pick ? pick->building : std::nullopt);
+}
+
+void EditTools::hover(QPointF pixel) {
+    const bool busy = desk_.panel.drawing() || tower_.active() || mesh_.active();
+    if (!desk_.city || busy) return building_.hover(std::nullopt);
+    const auto pick = desk_.panel.navigator().pickAt(pixel);
+    building_.hover(pick ? pick->building : std::nullopt);
+}
+
+void EditTools::key(int key) {
+    if (desk_.panel.drawing() || desk_.handle.key(key)) return;
+    if (key == Qt::Key_Escape) cancel();
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (enter && tower_.active()) tower_.build();
+    if (enter && mesh_.active()) mesh_.build();
+}
+
+void EditTools::cancel() {
+    if (tower_.active()) return tower_.cancel();
+    if (mesh_.active()) return mesh_.cancel();
+    if (desk_.city) building_.endTool();
+}
+
+void EditTools::extrude(double heightM) {
+    if (tower_.active())
+        tower_.setHeight(heightM);
+    else
+        building_.previewHeight(heightM);
+}
+
+void EditTools::extruded(double heightM) {
+    if (!tower_.active()) building_.takeHeight(heightM);
+}
+
+void EditTools::drawLot() {
+    if (!desk_.city) return;
+    cancel();
+    desk_.panel.lotTool().begin();
+    desk_.panel.view().requestActivate();  // the keys that finish and cancel go there
+    Q_EMIT hinted(
+        tr("Click the lot's corners. Shift: square to the last side. Double click or Enter finishes."));
+}
+
+void EditTools::takeLot(const std::vector<Footprint>& pieces) {
+    if (pieces.size() > 1)
+        return Q_EMIT failed(
+            {"The sides of the lot cross one another", {}, "Draw it again, corner after corner"});
+    const NamedLot lot{freeLotName(desk_.lots), pieces.front()};
+    Q_EMIT lotDrawn(lot);
+    design(lot, {});
+}
+
+void EditTools::lotFromFootprint() {
+    if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
+}
+
+void EditTools::replace() {
+    if (const auto design = tower_.designOf(building_.id())) {
+        tower_.resume(*design);
+        return Q_EMIT designBegan();
+    }
+    if (const auto lot = building_.lot()) design(*lot, building_.id());
+}
+
+void EditTools::design(const NamedLot& lot, const std::string& replaces) {
+    tower_.begin(lot, replaces);
+    desk_.panel.view().requestActivate();
+    Q_EMIT designBegan();
+    Q_EMIT hinted(
+        tr("Drag the arrow, or type a height in metres. Shift: not in whole storeys. Enter builds, Esc "
+           "cancels."));
+}
+
+void EditTools::importMesh() {
+    const QString file = desk_.city ? askForMesh(dock_) : QString();
+    if (!file.isEmpty()) mesh_.begin(file);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QPointer>
+#include <vector>
+
+#include "app/window/massing/building_editing.h"
+#include "app/window/massing/massing_panel.h"
+#include "app/window/massing/mesh_placing.h"
+#include "app/window/massing/tower_editing.h"
+
+class QAction;
+
+namespace noonmark {
+
+class PlacingPanel;
+class SelectionPanel;
+
+/// The tools that change the city: selecting, demolishing, moving, towers on lots, meshes. They know no
+/// project: what they make goes out as edits, and comes back as another city.
+class EditTools final : public QObject {
+    Q_OBJECT
+public:
+    explicit EditTools(ViewPanel& view, QObject* parent = nullptr);  ///< `view` outlives it
+    ~EditTools() override;
+
+    void setCity(std::shared_ptr<const OpenCity> city);  ///< what the view shows, after it shows it
+    void setLots(const std::vector<NamedLot>& lots);
+    void setPeriod(const Period& period, const Observer& observer);  ///< of the live shadow
+
+    [[nodiscard]] QWidget* dock() const;         ///< the selected building; whoever places it owns it
+    [[nodiscard]] QWidget* massingDock() const;  ///< lots and towers; owned in the same way
+    [[nodiscard]] std::vector<QAction*> actions() const { return actions_; }  ///< for a menu
+
+    [[nodiscard]] BuildingEditing& building() { return building_; }
+    [[nodiscard]] TowerEditing& tower() { return tower_; }
+    [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
+    [[nodiscard]] EditDesk& desk() { return desk_; }
+
+    void drawLot();
+    void lotFromFootprint();
+    void replace();  ///< the selected building by a tower
+    void cancel();   ///< the tool at work, else the selection
+
+Q_SIGNALS:
+    void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one step of undo
+    void lotDrawn(noonmark::NamedLot lot);
+    void hinted(QString text);  ///< mouse and keys of the tool that begins
+    void designBegan();         ///< the dock for it should be in sight
+    void selectionMade();       ///< in the same way
+    void failed(noonmark::Error error);
+
+private:
+    void makeActions();
+    QAction* action(const QString& text, const QKeySequence& keys, const QString& tip);
+    void connectView();
+    void connectTools();
+    void click(QPointF pixel);
+    void hover(QPointF pixel);
+    void key(int key);
+    void extrude(double heightM);
+    void extruded(double heightM);
+    void takeLot(const std::vector<Footprint>& pieces);
+    void design(const NamedLot& lot, const std::string& replaces);
+    void importMesh();
+    void showLots();
+    void enableActions();
+
+    SelectionPanel* selection_;
+    PlacingPanel* placing_;
+    QPointer<MassingPanel> massing_;
+    QPointer<QWidget> dock_;
+    EditDesk desk_;
+    BuildingEditing building_;
+    TowerEditing tower_;
+    MeshPlacing mesh_;
+    std::vector<QAction*> actions_;
+    std::vector<QAction*> ofBuilding_;
+};
+
+}  // namespace noonmark

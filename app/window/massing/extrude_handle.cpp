@@ -1,0 +1,127 @@
+#include "app/window/massing/extrude_handle.h"
+
+#include <QGuiApplication>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/window/massing/extrusion.h"
+#include "app/window/view_panel.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double reachPx = 26;  // about the handle's middle
+
+glm::dvec2 of(QPointF point) { return {point.x(), point.y()}; }
+
+bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier); }
+
+}  // namespace
+
+ExtrudeHandle::ExtrudeHandle(ViewPanel& panel, QObject* parent) : QObject(parent), panel_(panel) {
+    next_.setSingleShot(true);
+    next_.setInterval(0);
+    connect(&next_, &QTimer::timeout, this, &ExtrudeHandle::follow);
+    connect(&panel.navigator(), &ViewNavigator::hovered, this,
+            [this](QPointF pixel) { panel_.view().overlay().lightHandle(isAt(pixel)); });
+    panel.navigator().addTarget(*this);
+}
+
+ExtrudeHandle::~ExtrudeHandle() { panel_.navigator().removeTarget(*this); }
+
+void ExtrudeHandle::stand(const Tower& tower) {
+    tower_ = tower;
+    panel_.view().overlay().showHandle(tower.foot + glm::dvec3(0, 0, tower.heightM));
+}
+
+void ExtrudeHandle::hide() {
+    if (!tower_) return;
+    tower_.reset();
+    grabbedM_.reset();
+    typed_.clear();
+    next_.stop();
+    panel_.view().overlay().showHandle(std::nullopt);
+    panel_.cursorLabel().hide();
+}
+
+bool ExtrudeHandle::isAt(QPointF pixel) const {
+    const auto middle = panel_.view().overlay().handlePixel(panel_.view().pose(), panel_.view().lens());
+    return tower_ && middle && glm::distance(*middle, of(pixel)) < reachPx;
+}
+
+// Seen from nearly straight above, a pixel up is a pixel's metres up.
+std::optional<double> ExtrudeHandle::heightAt(QPointF pixel) const {
+    const CityView& view = panel_.view();
+    if (const auto height = heightOnVertical(rayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot))
+        return height;
+    const double metresPerPixel = 2 * std::tan(view.lens().verticalDeg / 2 * 3.14159265358979 / 180) *
+                                  view.pose().distanceM / view.lens().heightPx;
+    return (view.lens().heightPx - pixel.y()) * metresPerPixel;
+}
+
+bool ExtrudeHandle::grab(QPointF pixel) {
+    if (!isAt(pixel)) return false;
+    typed_.clear();
+    pixel_ = pixel;
+    grabbedM_ = heightAt(pixel).value_or(tower_->heightM) - tower_->heightM;
+    Q_EMIT dragged(tower_->heightM);
+    return true;
+}
+
+void ExtrudeHandle::dragTo(QPointF pixel) {
+    pixel_ = pixel;
+    if (!next_.isActive()) next_.start();
+}
+
+void ExtrudeHandle::follow() {
+    if (!tower_ || !grabbedM_) return;
+    const auto height = heightAt(pixel_);
+    if (!height) return;
+    const double wanted = *height - *grabbedM_;
+    Q_EMIT dragged(shiftIsDown() ? freeHeight(wanted, tower_->storeyM)
+                                 : wholeStoreys(wanted, tower_->storeyM));
+}
+
+void ExtrudeHandle::drop() {
+    follow();
+    next_.stop();
+    grabbedM_.reset();
+    panel_.cursorLabel().hide();
+    if (tower_) Q_EMIT dropped(tower_->heightM);
+}
+
+void ExtrudeHandle::tell(const QString& figures) {
+    if (grabbedM_) panel_.cursorLabel().show(pixel_, figures);
+}
+
+bool ExtrudeHandle::key(int key) {
+    if (!tower_) return false;
+    const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
+    if (digit || (key == Qt::Key_Period && !typed_.contains(QLatin1Char('.'))))
+        typed_ += QChar(key);
+    else if (typed_.isEmpty())
+        return false;
+    else if (key == Qt::Key_Backspace)
+        typed_.chop(1);
+    else if (key == Qt::Key_Escape)
+        typed_.clear();
+    else if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        const double height = typed_.toDouble();
+        typed_.clear();
+        Q_EMIT dragged(freeHeight(height, tower_->storeyM));
+        Q_EMIT dropped(tower_->heightM);
+    } else
+        return false;
+    showTyped();
+    return true;
+}
+
+void ExtrudeHandle::showTyped() {
+    const auto at = panel_.view().overlay().handlePixel(panel_.view().pose(), panel_.view().lens());
+    if (!at) return;
+    panel_.cursorLabel().show({at->x, at->y},
+                              typed_.isEmpty() ? QString() : tr("Height: %1 m  (Enter)").arg(typed_));
+}
+
+}  // namespace noonmark

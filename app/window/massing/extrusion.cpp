@@ -1,0 +1,35 @@
+#include "app/window/massing/extrusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+
+constexpr double highestM = 2000;
+const double leastSine = std::sin(8 * 3.14159265358979 / 180);
+
+}  // namespace
+
+// The nearest points of two lines: origin + s direction and foot + h z, whose difference is square to both.
+std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot) {
+    const glm::dvec2 along(ray.direction);
+    const double level2 = along.x * along.x + along.y * along.y;  // squared sine of the angle to the vertical
+    if (level2 < leastSine * leastSine) return std::nullopt;
+    const glm::dvec3 away = foot - ray.origin;
+    const double distance = (along.x * away.x + along.y * away.y) / level2;
+    if (!(distance > 0)) return std::nullopt;
+    return ray.origin.z + distance * ray.direction.z - foot.z;
+}
+
+double wholeStoreys(double heightM, double storeyM) {
+    const double most = std::floor(highestM / storeyM + 1e-9);
+    return std::clamp(std::round(heightM / storeyM), 1.0, most) * storeyM;
+}
+
+double freeHeight(double heightM, double storeyM) {
+    return std::clamp(std::round(heightM * 10) / 10, storeyM, highestM);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,129 @@
+#include "app/window/massing/massing_form.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/window/massing/plate_field.h"
+#include "app/window/massing/setback_table.h"
+#include "app/window/massing/tower_draft.h"
+#include "app/window/number_fields.h"
+
+namespace noonmark {
+
+MassingForm::MassingForm(QWidget* parent)
+    : QWidget(parent),
+      storeys_(wholeField(1, 500, {})),
+      storeyHeight_(numberField(2, 10, 2, 0.1, tr(" m"))),
+      height_(numberField(2, 2000, 1, 3.5, tr(" m"))),
+      plate_(new PlateField),
+      turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      podium_(new QGroupBox(tr("Podium"))),
+      podiumStoreys_(wholeField(1, 499, {})),
+      podiumPlate_(new PlateField),
+      setbacks_(new SetbackTable) {
+    settings_.storeys = 10;
+    makeFields();
+    connectFields();
+    show(settings_);
+}
+
+void MassingForm::makeFields() {
+    storeys_->setObjectName(QStringLiteral("storeys"));
+    height_->setObjectName(QStringLiteral("totalHeight"));
+    storeys_->setToolTip(tr("All storeys, the podium's too: 1 to 500"));
+    storeyHeight_->setToolTip(tr("From floor to floor: 2 to 10 m"));
+    height_->setToolTip(
+        tr("One storey to 2000 m; or drag the arrow on the tower, or type a number over the view"));
+    turn_->setToolTip(tr("The tower turned clockwise about its middle; it must stay on the lot"));
+    podiumStoreys_->setToolTip(tr("Fewer than all storeys"));
+    podium_->setCheckable(true);
+    podium_->setChecked(false);
+    auto* podium = new QFormLayout(podium_);
+    podium->addRow(tr("Storeys"), podiumStoreys_);
+    podium->addRow(tr("Plate"), podiumPlate_);
+    auto* form = new QFormLayout;
+    form->addRow(tr("Storeys"), storeys_);
+    form->addRow(tr("Storey height"), storeyHeight_);
+    form->addRow(tr("Total height"), height_);
+    form->addRow(tr("Floor plate"), plate_);
+    form->addRow(tr("Turned"), turn_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(form);
+    column->addWidget(podium_);
+    column->addWidget(setbacks_);
+}
+
+void MassingForm::connectFields() {
+    connect(storeys_, &QSpinBox::valueChanged, this, [this](int storeys) {
+        settings_.storeys = storeys;
+        settings_.heightM = 0;
+        takeHeight();
+    });
+    connect(storeyHeight_, &QDoubleSpinBox::valueChanged, this, [this](double height) {
+        settings_.storeyHeightM = height;
+        takeHeight();
+    });
+    connect(height_, &QDoubleSpinBox::valueChanged, this, [this](double height) {
+        settings_ = withHeight(settings_, height);
+        takeHeight();
+    });
+    connect(turn_, &QDoubleSpinBox::valueChanged, this, &MassingForm::takeRest);
+    connect(plate_, &PlateField::edited, this, &MassingForm::takeRest);
+    connect(podium_, &QGroupBox::toggled, this, &MassingForm::takeRest);
+    connect(podiumStoreys_, &QSpinBox::valueChanged, this, &MassingForm::takeRest);
+    connect(podiumPlate_, &PlateField::edited, this, &MassingForm::takeRest);
+    connect(setbacks_, &SetbackTable::edited, this, &MassingForm::takeRest);
+    connect(setbacks_, &SetbackTable::addRequested, this, &MassingForm::addSetback);
+}
+
+// One of the three heights was changed: the others follow.
+void MassingForm::takeHeight() {
+    if (showing_) return;
+    show(settings_);
+    Q_EMIT edited();
+}
+
+void MassingForm::takeRest() {
+    if (showing_) return;
+    settings_.clockwiseDeg = turn_->value();
+    settings_.plate = plate_->plate();
+    settings_.podium.reset();
+    if (podium_->isChecked())
+        settings_.podium = Podium{.storeys = podiumStoreys_->value(), .plate = podiumPlate_->plate()};
+    settings_.setbacks = setbacks_->setbacks();
+    Q_EMIT edited();
+}
+
+// Half way from the last one to the top.
+void MassingForm::addSetback() {
+    const double top = heightOf(settings_);
+    double from = settings_.podium ? settings_.podium->storeys * settings_.storeyHeightM : 0;
+    if (!settings_.setbacks.empty()) from = settings_.setbacks.back().aboveM;
+    settings_.setbacks.push_back({.aboveM = (from + top) / 2, .insetM = 3});
+    show(settings_);
+    Q_EMIT edited();
+}
+
+void MassingForm::show(const MassingSettings& settings) {
+    settings_ = settings;
+    showing_ = true;
+    const double height = heightOf(settings);
+    storeys_->setValue(settings.storeys > 0 ? settings.storeys : int(height / settings.storeyHeightM + 1e-6));
+    storeyHeight_->setValue(settings.storeyHeightM);
+    height_->setValue(height);
+    plate_->show(settings.plate);
+    turn_->setValue(settings.clockwiseDeg);
+    podium_->setChecked(settings.podium.has_value());
+    if (settings.podium) {
+        podiumStoreys_->setValue(settings.podium->storeys);
+        podiumPlate_->show(settings.podium->plate);
+    }
+    setbacks_->show(settings.setbacks);
+    showing_ = false;
+}
+
+}  // namespace noonmark

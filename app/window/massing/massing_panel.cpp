@@ -1,0 +1,164 @@
+#include "app/window/massing/massing_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/window/massing/figure_words.h"
+#include "app/window/massing/massing_form.h"
+#include "app/window/region_words.h"
+
+namespace noonmark {
+
+namespace {
+
+QString rowsOf(const MassingFigures& figures) {
+    const auto row = [](const QString& name, const QString& value) {
+        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
+            .arg(name, value);
+    };
+    return QStringLiteral("<table>") +
+           row(QObject::tr("Gross floor area"), grouped(figures.grossFloorM2) + QStringLiteral(" m²")) +
+           row(QObject::tr("Floor area ratio (FAR)"), grouped(figures.floorAreaRatio, 2)) +
+           row(QObject::tr("Coverage of the lot"), grouped(figures.coverage * 100) + QStringLiteral(" %")) +
+           row(QObject::tr("Height"), grouped(figures.heightM, 1) + QStringLiteral(" m")) +
+           row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
+           row(QObject::tr("Lot"), areaWords(figures.lotM2)) + QStringLiteral("</table>");
+}
+
+}  // namespace
+
+MassingPanel::MassingPanel(QWidget* parent)
+    : QWidget(parent), body_(new QWidget), on_(new QLabel), name_(new QLineEdit), form_(new MassingForm) {
+    name_->setMaxLength(80);
+    name_->setToolTip(tr("Name and id of the new building"));
+    auto* names = new QFormLayout;
+    names->addRow(tr("On"), on_);
+    names->addRow(tr("Name"), name_);
+    auto* inside = new QVBoxLayout(body_);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addLayout(names);
+    inside->addWidget(form_);
+    inside->addWidget(makeFigures());
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(makeLotRow());
+    column->addWidget(body_);
+    column->addStretch(1);
+    connect(form_, &MassingForm::edited, this, &MassingPanel::edited);
+    connect(name_, &QLineEdit::textEdited, this, &MassingPanel::edited);
+    setLots({});
+    showNone();
+}
+
+QWidget* MassingPanel::makeLotRow() {
+    lot_ = new QComboBox;
+    lot_->setToolTip(tr("The project's lots"));
+    design_ = new QPushButton(tr("Design tower"));
+    design_->setObjectName(QStringLiteral("designTower"));
+    design_->setToolTip(tr("A tower on this lot; what stands on it is demolished with it"));
+    auto* draw = new QPushButton(tr("Draw lot"));
+    draw->setObjectName(QStringLiteral("drawLot"));
+    draw->setToolTip(
+        tr("Click the corners on the ground (Shift: square to the last side).\n"
+           "Double click, Enter or the right button finish it, Backspace takes a corner back."));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(draw);
+    buttons->addWidget(design_);
+    auto* row = new QWidget;
+    auto* column = new QVBoxLayout(row);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(lot_);
+    column->addLayout(buttons);
+    connect(draw, &QPushButton::clicked, this, &MassingPanel::drawRequested);
+    connect(design_, &QPushButton::clicked, this, [this] {
+        const int chosen = lot_->currentIndex();
+        if (chosen >= 0 && std::size_t(chosen) < lots_.size())
+            Q_EMIT designRequested(lots_[std::size_t(chosen)]);
+    });
+    return row;
+}
+
+QWidget* MassingPanel::makeFigures() {
+    figures_ = new QLabel;
+    figures_->setTextFormat(Qt::RichText);
+    figures_->setObjectName(QStringLiteral("figures"));
+    error_ = new QLabel;
+    error_->setWordWrap(true);
+    error_->setObjectName(QStringLiteral("massingError"));
+    error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
+    apply_ = new QPushButton(tr("Build"));
+    apply_->setObjectName(QStringLiteral("applyMassing"));
+    apply_->setToolTip(
+        tr("Puts the tower into the scenario, as one step that can be undone (Enter over the view)"));
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setToolTip(tr("Leaves the scenario as it is (Esc over the view)"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(apply_);
+    buttons->addWidget(cancel);
+    auto* group = new QWidget;
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(figures_);
+    column->addWidget(error_);
+    column->addLayout(buttons);
+    connect(apply_, &QPushButton::clicked, this, &MassingPanel::applied);
+    connect(cancel, &QPushButton::clicked, this, &MassingPanel::cancelled);
+    return group;
+}
+
+void MassingPanel::setLots(const std::vector<NamedLot>& lots) {
+    const QString chosen = lot_->currentText();
+    lots_ = lots;
+    lot_->clear();
+    for (const NamedLot& lot : lots) lot_->addItem(QString::fromStdString(lot.name));
+    if (lots.empty()) lot_->addItem(tr("No lots yet"));
+    lot_->setCurrentIndex(std::max(0, lot_->findText(chosen)));
+    lot_->setEnabled(!lots.empty());
+    design_->setEnabled(!lots.empty());
+}
+
+void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); }
+
+void MassingPanel::showDraft(const TowerDraft& draft) {
+    draft_ = draft;
+    on_->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(draft.lot.name),
+                                              areaWords(area(draft.lot.outline))));
+    const QString name = QString::fromStdString(draft.tower);
+    if (name_->text() != name) name_->setText(name);
+    form_->show(draft.settings);
+    setDesigning(true);
+}
+
+void MassingPanel::showNone() {
+    draft_ = {};
+    setDesigning(false);
+}
+
+TowerDraft MassingPanel::draft() const {
+    TowerDraft draft = draft_;
+    draft.tower = name_->text().trimmed().toStdString();
+    draft.settings = form_->settings();
+    return draft;
+}
+
+void MassingPanel::showFigures(const MassingFigures& figures) {
+    figures_->setText(rowsOf(figures));
+    error_->clear();
+    error_->hide();
+    apply_->setEnabled(true);
+}
+
+// The last figures stay: they are those of the tower that is still in the view.
+void MassingPanel::showError(const Error& error) {
+    error_->setText(QString::fromStdString(error.text()));
+    error_->show();
+    apply_->setEnabled(false);
+}
+
+QString MassingPanel::message() const { return error_->text(); }
+
+}  // namespace noonmark

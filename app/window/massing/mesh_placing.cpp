@@ -1,0 +1,82 @@
+#include "app/window/massing/mesh_placing.h"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "app/window/massing/placing_panel.h"
+#include "scenarios/edits/read_shape.h"
+
+namespace noonmark {
+
+namespace {
+
+std::string freeId(const City& city, const std::string& wanted) {
+    const auto taken = [&](const std::string& id) {
+        return std::ranges::any_of(city.buildings, [&](const auto& b) { return b->sourceId == id; });
+    };
+    std::string id = wanted;
+    for (int copy = 2; taken(id); ++copy) id = wanted + " (" + std::to_string(copy) + ")";
+    return id;
+}
+
+}  // namespace
+
+MeshPlacing::MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent)
+    : QObject(parent), desk_(desk), panel_(panel) {
+    connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
+    connect(&panel_, &PlacingPanel::applied, this, &MeshPlacing::build);
+    connect(&panel_, &PlacingPanel::cancelled, this, &MeshPlacing::cancel);
+}
+
+void MeshPlacing::begin(const QString& file) {
+    if (!desk_.city) return;
+    const std::string id = freeId(desk_.city->city(), QFileInfo(file).completeBaseName().toStdString());
+    reading_.start<ImportMesh>(
+        tr("Reading %1").arg(QFileInfo(file).fileName()),
+        [file = file.toStdString(), id, frame = desk_.city->city().frame](Progress& progress,
+                                                                          std::stop_token stop) {
+            Warnings warnings;
+            return readShape(file, id, {}, frame, warnings, progress, std::move(stop));
+        },
+        [this](Result<ImportMesh> mesh) {
+            if (!mesh) return Q_EMIT failed(mesh.error());
+            mesh_ = *std::move(mesh);
+            place_.reset();
+            Q_EMIT began();
+            panel_.begin(QString::fromStdString(mesh_->file));
+        });
+}
+
+void MeshPlacing::placeAt(glm::dvec2 ground) {
+    place_ = ground;
+    show();
+}
+
+void MeshPlacing::show() {
+    if (!mesh_ || !place_) return;
+    const glm::dvec2 middle = middleOf(*mesh_->shape);
+    mesh_->placement = {.about = middle,
+                        .scale = panel_.scale(),
+                        .clockwiseDeg = panel_.clockwiseDeg(),
+                        .byM = *place_ - middle};
+    if (const auto shown = desk_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
+    panel_.showPlaced(double(topM(*mesh_->shape)) * panel_.scale());
+}
+
+void MeshPlacing::build() {
+    if (!mesh_ || !place_) return;
+    const ImportMesh done = *std::exchange(mesh_, std::nullopt);
+    Q_EMIT ended();
+    Q_EMIT editsMade({done}, tr("Import %1").arg(QString::fromStdString(done.file)), done.shape->sourceId);
+}
+
+void MeshPlacing::cancel() {
+    reading_.drop();
+    if (!mesh_) return;
+    mesh_.reset();
+    desk_.preview.clear();
+    Q_EMIT ended();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "app/window/massing/edit_desk.h"
+#include "scenarios/edits/edit.h"
+
+namespace noonmark {
+
+class PlacingPanel;
+
+/// A mesh file that becomes a building: read, placed by clicks, scaled and turned by its panel.
+class MeshPlacing final : public QObject {
+    Q_OBJECT
+public:
+    MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+
+    void begin(const QString& file);
+    void show();  ///< again, in the city as it is now
+    void cancel();
+    [[nodiscard]] bool active() const { return mesh_.has_value(); }
+    void placeAt(glm::dvec2 ground);
+    void build();  ///< does nothing before it was placed
+
+Q_SIGNALS:
+    void began();
+    void editsMade(std::vector<noonmark::Edit> edits, QString what, std::string building);
+    void ended();
+    void failed(noonmark::Error error);
+
+private:
+    EditDesk& desk_;
+    PlacingPanel& panel_;
+    std::optional<ImportMesh> mesh_;
+    std::optional<glm::dvec2> place_;
+    JobSlot reading_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,58 @@
+#include "app/window/massing/placing_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include "app/window/massing/figure_words.h"
+#include "app/window/number_fields.h"
+
+namespace noonmark {
+
+PlacingPanel::PlacingPanel(QWidget* parent)
+    : QWidget(parent),
+      what_(new QLabel),
+      scale_(numberField(0.001, 1000, 3, 0.1, {})),
+      turn_(numberField(-360, 360, 1, 5, QStringLiteral("°"))),
+      apply_(new QPushButton(tr("Build"))) {
+    what_->setWordWrap(true);
+    scale_->setToolTip(tr("Of all three axes: 0.3048 for a mesh in feet"));
+    turn_->setToolTip(tr("Clockwise, seen from above"));
+    apply_->setObjectName(QStringLiteral("applyMesh"));
+    apply_->setToolTip(tr("Puts it into the scenario (Enter over the view)"));
+    auto* cancel = new QPushButton(tr("Cancel"));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(apply_);
+    buttons->addWidget(cancel);
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(what_);
+    form->addRow(tr("Scale"), scale_);
+    form->addRow(tr("Turned"), turn_);
+    form->addRow(buttons);
+    for (QDoubleSpinBox* field : {scale_, turn_})
+        connect(field, &QDoubleSpinBox::valueChanged, this, &PlacingPanel::edited);
+    connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applied);
+    connect(cancel, &QPushButton::clicked, this, &PlacingPanel::cancelled);
+}
+
+void PlacingPanel::begin(const QString& file) {
+    file_ = file;
+    scale_->setValue(1);
+    turn_->setValue(0);
+    apply_->setEnabled(false);
+    what_->setText(tr("%1: click the place on the ground where its middle is to stand.").arg(file));
+}
+
+void PlacingPanel::showPlaced(double heightM) {
+    apply_->setEnabled(true);
+    what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, grouped(heightM, 1)));
+}
+
+double PlacingPanel::scale() const { return scale_->value(); }
+
+double PlacingPanel::clockwiseDeg() const { return turn_->value(); }
+
+}  // namespace noonmark

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QWidget>
+
+#include "scenarios/massing/massing.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace noonmark {
+
+/// How large a floor plate is: the whole lot, a share of it, or an area.
+class PlateField final : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlateField(QWidget* parent = nullptr);
+
+    [[nodiscard]] PlateSize plate() const;
+    void show(const PlateSize& plate);  ///< without a signal
+
+Q_SIGNALS:
+    void edited();
+
+private:
+    void choose(int kind);
+
+    QComboBox* kind_;
+    QDoubleSpinBox* size_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,198 @@
+#include "app/window/massing/selection_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/window/massing/figure_words.h"
+#include "app/window/number_fields.h"
+#include "app/window/region_words.h"
+#include "scenarios/massing/lot_edits.h"
+#include "scenarios/massing/same_floor_area.h"
+
+namespace noonmark {
+
+namespace {
+
+QString rowsOf(const BuildingFacts& facts) {
+    const auto row = [](const QString& name, const QString& value) {
+        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
+    };
+    const QString storeys =
+        facts.storeys == 0 ? QString() : QStringLiteral(", ") + storeyWords(facts.storeys);
+    return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
+           (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
+           row(QObject::tr("Height"),
+               QStringLiteral("%1 m (%2)").arg(grouped(facts.heightM, 1), facts.heightSource)) +
+           row(QObject::tr("Parts"), QString::number(facts.parts)) +
+           row(QObject::tr("Plan"), areaWords(facts.planM2)) +
+           row(QObject::tr("Floor area"),
+               areaWords(facts.grossFloorM2) + storeys + QObject::tr(" of %1 m").arg(usualStoreyM)) +
+           QStringLiteral("</table>");
+}
+
+QPushButton* button(const QString& text, const char* name, const QString& tip) {
+    auto* made = new QPushButton(text);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setToolTip(tip);
+    return made;
+}
+
+}  // namespace
+
+SelectionPanel::SelectionPanel(QWidget* parent)
+    : QWidget(parent),
+      facts_(new QLabel),
+      tools_(new QWidget),
+      height_(numberField(0.1, 2000, 1, 3.5, tr(" m"))),
+      east_(numberField(-10000, 10000, 1, 1, tr(" m"))),
+      north_(numberField(-10000, 10000, 1, 1, tr(" m"))),
+      turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      error_(new QLabel) {
+    facts_->setWordWrap(true);
+    facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    error_->setWordWrap(true);
+    error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
+    auto* inside = new QVBoxLayout(tools_);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addWidget(makeButtons());
+    inside->addWidget(makeFields());
+    inside->addWidget(makeVariants());
+    auto* import = button(tr("Import mesh..."), "importMesh",
+                          tr("A building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(facts_);
+    column->addWidget(tools_);
+    column->addWidget(error_);
+    column->addWidget(import);
+    column->addStretch(1);
+    connect(import, &QPushButton::clicked, this, &SelectionPanel::importRequested);
+    connectFields();
+    show(std::nullopt);
+}
+
+QWidget* SelectionPanel::makeButtons() {
+    auto* demolish = button(tr("Demolish"), "demolish", tr("Takes the building away (Delete)"));
+    auto* replace = button(tr("Replace by tower"), "replace",
+                           tr("A tower on its lot, or on its footprint where it has none"));
+    auto* lot =
+        button(tr("Lot from footprint"), "lotFromFootprint", tr("Makes its outline on the ground a lot"));
+    moveTool_ = button(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends it"));
+    moveTool_->setCheckable(true);
+    connect(demolish, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
+    connect(replace, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
+    connect(lot, &QPushButton::clicked, this, &SelectionPanel::lotRequested);
+    connect(moveTool_, &QPushButton::toggled, this, &SelectionPanel::moveToolRequested);
+    auto* buttons = new QWidget;
+    auto* grid = new QGridLayout(buttons);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(demolish, 0, 0);
+    grid->addWidget(replace, 0, 1);
+    grid->addWidget(moveTool_, 1, 0);
+    grid->addWidget(lot, 1, 1);
+    return buttons;
+}
+
+QWidget* SelectionPanel::makeFields() {
+    height_->setObjectName(QStringLiteral("buildingHeight"));
+    turn_->setObjectName(QStringLiteral("buildingTurn"));
+    east_->setObjectName(QStringLiteral("moveEast"));
+    north_->setObjectName(QStringLiteral("moveNorth"));
+    height_->setToolTip(
+        tr("Above its ground, 0.1 to 2000 m; or drag the arrow on the building. Enter makes it so"));
+    turn_->setToolTip(tr("Clockwise about its middle. Enter makes it so"));
+    for (QDoubleSpinBox* field : {east_, north_})
+        field->setToolTip(tr("Negative: west, south. Enter makes it so"));
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Height"), height_);
+    form->addRow(tr("Move east"), east_);
+    form->addRow(tr("Move north"), north_);
+    form->addRow(tr("Turn"), turn_);
+    return fields;
+}
+
+QWidget* SelectionPanel::makeVariants() {
+    auto* group = new QWidget;
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->addWidget(new QLabel(tr("Same floor area on its lot:")));
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
+    const auto variant = [&](const QString& text, double factor, const QString& tip) {
+        auto* made = button(text, "variant", tip);
+        connect(made, &QPushButton::clicked, this, [this, factor] { Q_EMIT variantRequested(factor); });
+        row->addWidget(made);
+    };
+    variant(tr("Wider"), 2, tr("Shorter, on a floor plate twice as large"));
+    variant(tr("Widest"), largestPlate, tr("As short as the lot allows"));
+    variant(tr("Slimmer"), 0.5, tr("Taller, on half the floor plate"));
+    return group;
+}
+
+glm::dvec2 SelectionPanel::move() const { return {east_->value(), north_->value()}; }
+
+void SelectionPanel::connectFields() {
+    const auto changed = [this](auto* field, auto tell) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this, tell] {
+            if (!showing_) tell();
+        });
+    };
+    changed(height_, [this] { Q_EMIT heightChanged(height_->value()); });
+    changed(turn_, [this] { Q_EMIT turnChanged(turn_->value()); });
+    for (QDoubleSpinBox* field : {east_, north_}) {
+        changed(field, [this] { Q_EMIT moveChanged(move()); });
+        connect(field, &QDoubleSpinBox::editingFinished, this, [this] {
+            if (move() != glm::dvec2(0)) Q_EMIT moveTaken(move());
+        });
+    }
+    connect(height_, &QDoubleSpinBox::editingFinished, this, [this] {
+        if (std::abs(height_->value() - heightM_) > 0.05) Q_EMIT heightTaken(height_->value());
+    });
+    connect(turn_, &QDoubleSpinBox::editingFinished, this, [this] {
+        if (turn_->value() != 0) Q_EMIT turnTaken(turn_->value());
+    });
+}
+
+void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
+    showing_ = true;
+    facts_->setText(facts ? rowsOf(*facts) : tr("Click a building in the view to select it."));
+    tools_->setVisible(facts.has_value());
+    heightM_ = facts ? facts->heightM : 0;
+    height_->setValue(heightM_);
+    for (QDoubleSpinBox* field : {east_, north_, turn_}) field->setValue(0);
+    showing_ = false;
+    showError({});
+}
+
+void SelectionPanel::showHeight(double heightM) {
+    const QSignalBlocker block(height_);
+    height_->setValue(heightM);
+}
+
+void SelectionPanel::showMove(glm::dvec2 byM) {
+    const QSignalBlocker blockEast(east_), blockNorth(north_);
+    east_->setValue(byM.x);
+    north_->setValue(byM.y);
+}
+
+void SelectionPanel::setMoving(bool moving) {
+    const QSignalBlocker block(moveTool_);
+    moveTool_->setChecked(moving);
+}
+
+void SelectionPanel::showError(const QString& text) {
+    error_->setText(text);
+    error_->setVisible(!text.isEmpty());
+}
+
+QString SelectionPanel::message() const { return error_->text(); }
+
+}  // namespace noonmark

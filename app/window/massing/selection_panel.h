@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QWidget>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "app/window/massing/building_facts.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace noonmark {
+
+/// What the selected building is, and what can be done with it. A number that is being changed is shown in
+/// the view at once; it is made an edit when its field is left or Enter is pressed.
+class SelectionPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit SelectionPanel(QWidget* parent = nullptr);
+
+    void show(const std::optional<BuildingFacts>& facts);  ///< none: nothing is selected
+    void showHeight(double heightM);                       ///< while a handle is dragged; without a signal
+    void showMove(glm::dvec2 byM);                         ///< in the same way
+    void setMoving(bool moving);                           ///< the move tool is on
+    void showError(const QString& text);                   ///< empty: none
+    [[nodiscard]] QString message() const;
+
+Q_SIGNALS:
+    void demolishRequested();
+    void replaceRequested();
+    void lotRequested();
+    void moveToolRequested(bool on);
+    void variantRequested(double plateFactor);
+    void importRequested();
+
+    void heightChanged(double heightM);
+    void heightTaken(double heightM);
+    void moveChanged(glm::dvec2 byM);
+    void moveTaken(glm::dvec2 byM);
+    void turnChanged(double clockwiseDeg);
+    void turnTaken(double clockwiseDeg);
+
+private:
+    QWidget* makeFacts();
+    QWidget* makeFields();
+    QWidget* makeVariants();
+    QWidget* makeButtons();
+    void connectFields();
+    [[nodiscard]] glm::dvec2 move() const;
+
+    QLabel* facts_;
+    QWidget* tools_;
+    QDoubleSpinBox* height_;
+    QDoubleSpinBox* east_;
+    QDoubleSpinBox* north_;
+    QDoubleSpinBox* turn_;
+    QPushButton* moveTool_;
+    QLabel* error_;
+    double heightM_ = 0;  // as it stands
+    bool showing_ = false;
+};
+
+}  // namespace noonmark

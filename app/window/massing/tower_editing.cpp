@@ -1,0 +1,102 @@
+#include "app/window/massing/tower_editing.h"
+
+#include <utility>
+
+#include "app/window/massing/figure_words.h"
+#include "app/window/massing/massing_panel.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int firstStoreys = 10;
+
+// Where a tower's handle stands: over the middle of its highest plate.
+glm::dvec2 middleOf(const Tier& tier) {
+    Building building;
+    for (const Footprint& piece : tier.plate) building.parts.push_back({.footprint = piece});
+    return noonmark::middleOf(building);
+}
+
+}  // namespace
+
+TowerEditing::TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent)
+    : QObject(parent), desk_(desk), panel_(panel) {
+    connect(&panel_, &MassingPanel::edited, this, &TowerEditing::take);
+    connect(&panel_, &MassingPanel::applied, this, &TowerEditing::build);
+    connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
+}
+
+void TowerEditing::begin(const NamedLot& lot, const std::string& replaces) {
+    if (!desk_.city) return;
+    resume({.lot = lot,
+            .settings = {.storeys = firstStoreys},
+            .tower = freeTowerName(desk_.city->city()),
+            .replaces = replaces});
+}
+
+std::optional<TowerDraft> TowerEditing::designOf(const std::string& id) const {
+    const auto found = built_.find(id);
+    return found == built_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void TowerEditing::resume(TowerDraft draft) {
+    if (!desk_.city) return;
+    draft_ = std::move(draft);
+    Q_EMIT began();
+    panel_.showDraft(*draft_);
+    show();
+}
+
+void TowerEditing::take() {
+    if (!draft_) return;
+    draft_ = panel_.draft();
+    show();
+}
+
+void TowerEditing::show() {
+    if (!draft_) return;
+    const auto tower = drafted(desk_.city->city(), *draft_);
+    edits_.clear();
+    if (!tower) return panel_.showError(tower.error());
+    if (const auto shown = desk_.preview.show(tower->edits); !shown) return panel_.showError(shown.error());
+    edits_ = tower->edits;
+    panel_.showFigures(tower->massing.figures);
+    const glm::dvec2 foot = middleOf(tower->massing.tiers.back());
+    const double ground = double(groundAt(desk_.city->city(), foot));
+    desk_.handle.stand(
+        {{foot.x, foot.y, ground}, tower->massing.figures.heightM, draft_->settings.storeyHeightM});
+    desk_.handle.tell(figureWords(tower->massing.figures));
+}
+
+void TowerEditing::setHeight(double heightM) {
+    if (!draft_) return;
+    draft_->settings = withHeight(draft_->settings, heightM);
+    panel_.showDraft(*draft_);
+    show();
+}
+
+// The preview stays until the city comes back with the tower in it.
+void TowerEditing::build() {
+    if (!draft_ || edits_.empty()) return;
+    const TowerDraft done = *draft_;
+    draft_.reset();
+    built_[done.tower] = {done.lot, done.settings, done.tower, done.tower};
+    desk_.handle.hide();
+    panel_.showNone();
+    Q_EMIT ended();
+    Q_EMIT editsMade(std::exchange(edits_, {}), tr("Build %1").arg(QString::fromStdString(done.tower)),
+                     done.tower);
+}
+
+void TowerEditing::cancel() {
+    if (!draft_) return;
+    draft_.reset();
+    edits_.clear();
+    desk_.handle.hide();
+    desk_.preview.clear();
+    panel_.showNone();
+    Q_EMIT ended();
+}
+
+}  // namespace noonmark

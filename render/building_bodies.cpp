@@ -1,0 +1,84 @@
+#include "render/building_bodies.h"
+
+#include <Qt3DCore/QEntity>
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "render/array_geometry.h"
+#include "render/shader_material.h"
+
+namespace noonmark {
+
+namespace {
+
+Qt3DCore::QEntity* entityOf(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent) {
+    auto* entity = new Qt3DCore::QEntity(parent);
+    entity->addComponent(geometry);
+    entity->addComponent(&material);
+    return entity;
+}
+
+ArrayGeometry* geometryOf(Qt3DRender::QGeometryRenderer::PrimitiveType primitive,
+                          const std::vector<glm::vec3>& points, const std::vector<std::uint32_t>& indices) {
+    auto* geometry = new ArrayGeometry(primitive);
+    geometry->addPoints(QStringLiteral("vertexPosition"), points);
+    geometry->setIndices(indices);
+    return geometry;
+}
+
+// Triangles and lines whose ends are one point are not drawn.
+void change(ArrayGeometry* geometry, const std::vector<std::uint32_t>& indices,
+            const std::vector<std::size_t>& starts, std::uint32_t building, bool shown) {
+    if (!geometry) return;
+    const auto own = std::span(indices).subspan(starts[building], starts[building + 1] - starts[building]);
+    if (shown) return geometry->changeIndices(starts[building], own);
+    geometry->changeIndices(starts[building],
+                            std::vector<std::uint32_t>(own.size(), own.empty() ? 0 : own.front()));
+}
+
+}  // namespace
+
+BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces,
+                               ShaderMaterial& edges, Qt3DCore::QEntity* parent)
+    : arrays_(std::move(arrays)) {
+    if (!arrays_->triangles.empty()) {
+        faceArray_ =
+            geometryOf(Qt3DRender::QGeometryRenderer::Triangles, arrays_->points, arrays_->triangles);
+        faces_ = entityOf(faceArray_, faces, parent);
+    }
+    if (!arrays_->edges.empty()) {
+        edgeArray_ = geometryOf(Qt3DRender::QGeometryRenderer::Lines, arrays_->points, arrays_->edges);
+        edges_ = entityOf(edgeArray_, edges, parent);
+    }
+}
+
+BuildingBodies::~BuildingBodies() {
+    delete faces_;
+    delete edges_;
+}
+
+void BuildingBodies::set(std::uint32_t building, bool shown) {
+    change(faceArray_, arrays_->triangles, arrays_->triangleStart, building, shown);
+    change(edgeArray_, arrays_->edges, arrays_->edgeStart, building, shown);
+}
+
+void BuildingBodies::leaveOut(const std::vector<std::uint32_t>& buildings) {
+    std::vector<std::uint32_t> changed;
+    std::ranges::set_difference(leftOut_, buildings, std::back_inserter(changed));
+    for (const std::uint32_t building : changed) set(building, true);
+    changed.clear();
+    std::ranges::set_difference(buildings, leftOut_, std::back_inserter(changed));
+    for (const std::uint32_t building : changed) set(building, false);
+    leftOut_ = buildings;
+}
+
+void BuildingBodies::showFaces(bool shown) {
+    if (faces_) faces_->setEnabled(shown);
+}
+
+void BuildingBodies::showEdges(bool shown) {
+    if (edges_) edges_->setEnabled(shown);
+}
+
+}  // namespace noonmark

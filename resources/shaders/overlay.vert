@@ -1,0 +1,12 @@
+#version 150 core
+// A tint over faces that are there already: a little in front of them, behind their edges.
+in vec3 vertexPosition;
+out vec3 eyeSpace;
+uniform mat4 modelView;
+uniform mat4 mvp;
+
+void main() {
+    eyeSpace = vec3(modelView * vec4(vertexPosition, 1.0));
+    gl_Position = mvp * vec4(vertexPosition, 1.0);
+    gl_Position.z -= 0.00002 * gl_Position.w;
+}

@@ -1,0 +1,238 @@
+#include "app/window/massing/edit_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <cmath>
+
+#include "app/window/massing/building_facts.h"
+#include "app/window/massing/massing_panel.h"
+#include "app/window/massing/selection_panel.h"
+#include "scenarios/edits/apply_edits.h"
+#include "tests/gui/small_open_city.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+/// The tools over a view of the small city; edits come back as another city, as a project would send them.
+struct EditToolsTest : ::testing::Test {
+    ViewPanel view;
+    EditTools tools{view};
+    std::shared_ptr<const OpenCity> city = test::smallOpenCity();
+    std::vector<std::vector<Edit>> made;
+    std::vector<NamedLot> lots;
+
+    void SetUp() override {
+        view.resize(900, 700);
+        view.show();
+        QObject::connect(&tools, &EditTools::editsMade,
+                         [this](const std::vector<Edit>& edits, const QString& what) {
+                             EXPECT_FALSE(what.isEmpty());
+                             made.push_back(edits);
+                             show(applied(city->city(), edits).value().city);
+                         });
+        QObject::connect(&tools, &EditTools::lotDrawn, [this](const NamedLot& lot) {
+            lots.push_back(lot);
+            tools.setLots(lots);
+        });
+        show(city->city());
+    }
+
+    void show(const City& edited) {
+        auto open = std::make_shared<OpenCity>(*city);
+        open->loaded.read.city = edited;
+        open->picker = ScenePicker(edited, RayScene::over(edited).value());
+        city = open;
+        view.showCity(city);
+        tools.setCity(city);
+    }
+
+    template <class Edited>
+    const Edited& lastEdit() {
+        return std::get<Edited>(made.back().back());
+    }
+    template <class Widget>
+    Widget& field(QWidget* dock, const char* name) {
+        return *dock->findChild<Widget*>(QLatin1String(name));
+    }
+    [[nodiscard]] double massOf(std::size_t building) const {
+        return factsOf(*city->city().buildings[building], city->city()).grossFloorM2;
+    }
+    void drawLot(std::initializer_list<glm::dvec2> corners) {
+        tools.drawLot();
+        for (const glm::dvec2 corner : corners) view.lotTool().addPoint({corner, 0});
+        view.lotTool().finish();
+    }
+};
+
+TEST_F(EditToolsTest, DemolishTakesTheSelectedBuildingAway) {
+    tools.building().select(0);
+    tools.building().demolish();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(lastEdit<Demolish>().building, "South House");
+    EXPECT_EQ(city->city().buildings.size(), 2U);
+    EXPECT_FALSE(tools.building().selected()) << "it is gone";
+    tools.building().demolish();
+    EXPECT_EQ(made.size(), 1U) << "nothing is selected";
+}
+
+TEST_F(EditToolsTest, AClickSelectsAndEscDeselects) {
+    const auto pixel = pixelOf(view.view().pose(), view.view().lens(), {0, -40, 60});
+    Q_EMIT view.navigator().clicked({pixel->x, pixel->y});
+    EXPECT_EQ(tools.building().id(), "South House");
+    Q_EMIT view.navigator().keyPressed(Qt::Key_Escape);
+    EXPECT_FALSE(tools.building().selected());
+}
+
+TEST_F(EditToolsTest, HeightIsPreviewedAndThenOneEdit) {
+    tools.building().select(2);
+    field<QDoubleSpinBox>(tools.dock(), "buildingHeight").setValue(120);
+    EXPECT_TRUE(made.empty()) << "still being typed";
+    ASSERT_EQ(tools.desk().preview.changes().added.size(), 1U);
+    EXPECT_FLOAT_EQ(topM(*tools.desk().preview.changes().added.front()), 120);
+    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "buildingHeight").editingFinished();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(lastEdit<ChangeHeight>(), (ChangeHeight{"Tower", 120}));
+    EXPECT_EQ(tools.building().id(), "Tower") << "still selected";
+    EXPECT_FALSE(tools.desk().preview.shown());
+    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "buildingHeight").editingFinished();
+    EXPECT_EQ(made.size(), 1U) << "nothing new";
+}
+
+TEST_F(EditToolsTest, MoveAndTurnAreEdits) {
+    tools.building().select(1);
+    field<QDoubleSpinBox>(tools.dock(), "moveEast").setValue(12.5);
+    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "moveEast").editingFinished();
+    EXPECT_EQ(lastEdit<Move>(), (Move{"Low House", {12.5, 0}}));
+    field<QDoubleSpinBox>(tools.dock(), "buildingTurn").setValue(30);
+    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "buildingTurn").editingFinished();
+    EXPECT_EQ(lastEdit<Rotate>(), (Rotate{"Low House", 30}));
+    EXPECT_EQ(made.size(), 2U);
+}
+
+TEST_F(EditToolsTest, ADragOnAHouseMovesIt) {
+    view.navigator().show({{-200, -200}, {200, 200}});
+    tools.building().select(1);
+    tools.building().setMoving(true);
+    const auto at = [this](glm::dvec3 point) {
+        const auto pixel = pixelOf(view.view().pose(), view.view().lens(), point);
+        return QPointF(pixel->x, pixel->y);
+    };
+    MoveTool& move = tools.building().moveTool();
+    EXPECT_FALSE(move.grab(at({0, -40, 60}))) << "another building";
+    ASSERT_TRUE(move.grab(at({75, 35, 25})));
+    move.dragTo(at({95, 25, 25}));
+    move.drop();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_NEAR(lastEdit<Move>().byM.x, 20, 0.2);
+    EXPECT_NEAR(lastEdit<Move>().byM.y, -10, 0.2);
+}
+
+TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    ASSERT_EQ(lots.size(), 1U);
+    EXPECT_EQ(lots.front().name, "Lot 1");
+    ASSERT_TRUE(tools.tower().active());
+    tools.tower().setHeight(70);
+    EXPECT_EQ(field<QSpinBox>(tools.massingDock(), "storeys").value(), 20);
+    tools.tower().build();
+    ASSERT_EQ(made.size(), 1U) << "one step of undo";
+    EXPECT_EQ(made.front().size(), 2U);
+    EXPECT_EQ(lastEdit<AddBuilding>().building->sourceId, "Tower 1");
+    EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 70);
+    EXPECT_EQ(tools.building().id(), "Tower 1") << "what was built is selected";
+}
+
+TEST_F(EditToolsTest, WhatWasBuiltIsDesignedFurther) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    tools.tower().build();
+    tools.replace();
+    ASSERT_TRUE(tools.tower().active());
+    tools.tower().setHeight(105);
+    tools.tower().build();
+    ASSERT_EQ(made.size(), 2U);
+    EXPECT_EQ(made.back().size(), 1U);
+    EXPECT_EQ(lastEdit<Replace>().building, "Tower 1");
+    EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 105);
+}
+
+TEST_F(EditToolsTest, AMassingThatCannotBeSaysItsLimitAndIsNotBuilt) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    auto& panel = *static_cast<MassingPanel*>(tools.massingDock());
+    TowerDraft draft = panel.draft();
+    draft.settings.plate.areaM2 = 4000;
+    tools.tower().resume(draft);
+    EXPECT_TRUE(panel.message().contains(QStringLiteral("2500 m2"))) << panel.message().toStdString();
+    EXPECT_FALSE(field<QPushButton>(tools.massingDock(), "applyMassing").isEnabled());
+    tools.tower().build();
+    EXPECT_TRUE(made.empty());
+    draft.settings.plate.areaM2 = 400;
+    tools.tower().resume(draft);
+    EXPECT_TRUE(panel.message().isEmpty());
+    tools.cancel();
+    EXPECT_FALSE(tools.desk().preview.shown());
+    EXPECT_TRUE(made.empty());
+}
+
+TEST_F(EditToolsTest, TheArrowStatesTheHeight) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    ExtrudeHandle& handle = tools.desk().handle;
+    const ViewLens lens = view.view().lens();
+    const auto grip = view.view().overlay().handlePixel(view.view().pose(), lens);
+    ASSERT_TRUE(grip);
+    EXPECT_FALSE(handle.grab({grip->x + 200, grip->y}));
+    ASSERT_TRUE(handle.grab({grip->x, grip->y}));
+    // The tower's middle at 35 m is taken to 84 m: 24 storeys.
+    const auto low = pixelOf(view.view().pose(), lens, {0, -40, 35});
+    const auto high = pixelOf(view.view().pose(), lens, {0, -40, 84.9});
+    handle.dragTo({grip->x + high->x - low->x, grip->y + high->y - low->y});
+    handle.drop();
+    tools.tower().build();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_NEAR(double(topM(*city->city().buildings.back())), 84, 4);
+    EXPECT_NEAR(std::remainder(double(topM(*city->city().buildings.back())), 3.5), 0, 1e-4);
+}
+
+TEST_F(EditToolsTest, ANumberThatIsTypedIsTheHeight) {
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    for (const int key : {Qt::Key_9, Qt::Key_1, Qt::Key_Period, Qt::Key_5, Qt::Key_Return})
+        Q_EMIT view.navigator().keyPressed(key);
+    ASSERT_TRUE(tools.tower().active()) << "the first Enter ends the number";
+    Q_EMIT view.navigator().keyPressed(Qt::Key_Return);
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 91.5F);
+}
+
+TEST_F(EditToolsTest, VariantsKeepTheFloorArea) {
+    drawLot({{-40, -80}, {40, -80}, {40, 0}, {-40, 0}});
+    tools.cancel();
+    tools.building().select(0);
+    const double before = massOf(0);
+    Q_EMIT tools.dock()->findChild<SelectionPanel*>()->variantRequested(2);
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(lastEdit<Replace>().building, "South House");
+    EXPECT_LT(topM(*city->city().buildings[0]), 35);
+    EXPECT_NEAR(massOf(0), before, 0.002 * before);
+}
+
+TEST_F(EditToolsTest, TheLiveShadowShowsWhileATowerIsDesigned) {
+    Period period;
+    period.start = std::chrono::year(2026) / 4 / 20;
+    period.from = std::chrono::hours(9);
+    period.hours = 2;
+    period.stepMinutes = 5;
+    period.zone = "America/New_York";
+    tools.setPeriod(period, {{-73.98, 40.76}, 0});
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    EXPECT_TRUE(waitFor([this] { return view.legend().note().contains(QStringLiteral("proposal")); }));
+    tools.cancel();
+    EXPECT_FALSE(view.legend().note().contains(QStringLiteral("proposal")));
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,85 @@
+#include "app/window/massing/tower_draft.h"
+
+#include <gtest/gtest.h>
+
+#include "app/window/massing/building_facts.h"
+#include "scenarios/edits/apply_edits.h"
+#include "scenarios/massing/lot_edits.h"
+#include "tests/gui/small_city.h"
+
+namespace noonmark {
+namespace {
+
+// Around "South House": 50 x 50 m.
+NamedLot southLot() { return {"Lot 1", test::square({-25, -65}, 50)}; }
+
+TowerDraft draftOf(int storeys) {
+    return {.lot = southLot(), .settings = {.storeyHeightM = 4, .storeys = storeys}, .tower = "Tower 1"};
+}
+
+TEST(TowerDraft, DemolishesWhatStandsOnTheLotAndAddsTheTower) {
+    const auto tower = drafted(test::smallCity(), draftOf(10)).value();
+    ASSERT_EQ(tower.edits.size(), 2U);
+    EXPECT_EQ(std::get<Demolish>(tower.edits[0]).building, "South House");
+    EXPECT_EQ(std::get<AddBuilding>(tower.edits[1]).building->sourceId, "Tower 1");
+    EXPECT_NEAR(tower.massing.figures.grossFloorM2, 25000, 1e-3);
+    EXPECT_NEAR(tower.massing.figures.floorAreaRatio, 10, 1e-6);
+    const auto edited = applied(test::smallCity(), tower.edits).value();
+    EXPECT_EQ(edited.city.buildings.size(), 3U);
+    EXPECT_FLOAT_EQ(topM(*edited.city.buildings.back()), 40);
+}
+
+TEST(TowerDraft, TheReplacedBuildingIsNotDemolishedToo) {
+    TowerDraft draft = draftOf(10);
+    draft.replaces = "South House";
+    const auto tower = drafted(test::smallCity(), draft).value();
+    ASSERT_EQ(tower.edits.size(), 1U);
+    EXPECT_EQ(std::get<Replace>(tower.edits[0]).building, "South House");
+    EXPECT_TRUE(applied(test::smallCity(), tower.edits));
+}
+
+TEST(TowerDraft, WhatCannotBeSaysItsLimit) {
+    TowerDraft draft = draftOf(10);
+    draft.settings.plate.areaM2 = 5000;
+    EXPECT_NE(drafted(test::smallCity(), draft).error().advice.find("2500 m2"), std::string::npos);
+    draft = draftOf(10);
+    draft.settings.setbacks = {{.aboveM = 20, .insetM = 30}};
+    EXPECT_NE(drafted(test::smallCity(), draft).error().advice.find("25.0 m"), std::string::npos);
+    draft = draftOf(10);
+    draft.settings.podium = Podium{.storeys = 10};
+    EXPECT_FALSE(drafted(test::smallCity(), draft));
+}
+
+TEST(TowerDraft, AHeightIsStatedInStoreysWhereItIsWhole) {
+    MassingSettings settings{.storeyHeightM = 4, .storeys = 10};
+    settings = withHeight(settings, 48);
+    EXPECT_EQ(settings.storeys, 12);
+    EXPECT_EQ(settings.heightM, 0);
+    settings = withHeight(settings, 49.5);
+    EXPECT_EQ(settings.storeys, 0);
+    EXPECT_DOUBLE_EQ(heightOf(settings), 49.5);
+    EXPECT_TRUE(massingOn(southLot().outline, settings));
+}
+
+TEST(TowerDraft, NamesAreFree) {
+    City city = test::smallCity();
+    EXPECT_EQ(freeTowerName(city), "Tower 1");
+    city = applied(city, drafted(city, draftOf(3)).value().edits).value().city;
+    EXPECT_EQ(freeTowerName(city), "Tower 2");
+    EXPECT_EQ(freeLotName({southLot()}), "Lot 2");
+}
+
+TEST(BuildingFacts, OfABox) {
+    const City city = test::smallCity();
+    const BuildingFacts facts = factsOf(*city.buildings[0], city);
+    EXPECT_EQ(facts.title, QStringLiteral("South House"));
+    EXPECT_NEAR(facts.heightM, 60, 1e-4);
+    EXPECT_EQ(facts.heightSource, QStringLiteral("measured"));
+    EXPECT_EQ(facts.storeys, 17);
+    EXPECT_NEAR(facts.planM2, 1600, 0.1);
+    EXPECT_NEAR(facts.grossFloorM2, 17 * 1600, 1);
+    EXPECT_NEAR(area(lotUnder(*city.buildings[0], city).value()), 1600, 0.1);
+}
+
+}  // namespace
+}  // namespace noonmark
