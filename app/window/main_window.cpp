@@ -40,8 +40,14 @@ MainWindow::MainWindow(QSettings& settings)
       menus_(*this),
       recent_(*menus_.recent, settings),
       panel_(new ViewPanel),
-      docks_{new ProjectDock(workbench_.session()), new StudyDock(workbench_.document()), new ResultsDock,
-             new ScenariosDock(workbench_.session()), new WarningsDock},
+      tools_(*panel_),
+      docks_{new ProjectDock(workbench_.session()),
+             new StudyDock(workbench_.document()),
+             new ResultsDock,
+             new ScenariosDock(workbench_.session()),
+             new WarningsDock,
+             tools_.dock(),
+             tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
       options_(new OpenOptions(this)),
@@ -65,6 +71,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectRegion();
     connectModes();
     connectProject();
+    connectEditing();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
 }
@@ -146,6 +153,7 @@ void MainWindow::showCity() {
     const CameraPose pose = panel_->view().pose();
     panel_->showCity(workbench_.city());
     panel_->view().setPose(pose);
+    tools_.setCity(workbench_.city());
     exploration_.setCity(workbench_.city());
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
     docks_.results->show({});
@@ -176,8 +184,11 @@ void MainWindow::showStopped(bool cancelled) {
 void MainWindow::showDocument() {
     const StudySettings& settings = workbench_.document().settings();
     panel_->showRegion(settings.region);
-    if (workbench_.city())
-        exploration_.setPeriod(settings.period, observerOf(workbench_.city()->city(), settings));
+    if (workbench_.city()) {
+        const Observer observer = observerOf(workbench_.city()->city(), settings);
+        exploration_.setPeriod(settings.period, observer);
+        tools_.setPeriod(settings.period, observer);
+    }
     docks_.results->setOutdated(settings != answered_);
     docks_.scenarios->table().setStudies(workbench_.studies(), settings);
 }

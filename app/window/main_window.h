@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "app/window/exploration.h"
+#include "app/window/massing/edit_tools.h"
 #include "app/window/mode_switch.h"
 #include "app/window/project/project_saving.h"
 #include "app/window/project/unsaved_place.h"
@@ -30,6 +31,7 @@ public:
 
     [[nodiscard]] Workbench& workbench() { return workbench_; }
     [[nodiscard]] ViewPanel& panel() { return *panel_; }
+    [[nodiscard]] EditTools& tools() { return tools_; }
     [[nodiscard]] ModeSwitch& mode() { return mode_; }
     [[nodiscard]] const Exploration& exploration() const { return exploration_; }
 
@@ -59,6 +61,8 @@ private:
     void connectRegion();
     void connectModes();
     void connectProject();
+    void connectEditing();
+    void raiseDock(const QWidget* content);
     void connectTree();
     void connectScenarios();
     void connectSaving();
@@ -93,6 +97,7 @@ private:
     WindowMenus menus_;
     RecentMenu recent_;
     ViewPanel* panel_;
+    EditTools tools_;
     WindowDocks docks_;
     ProgressStrip* progress_;
     QLabel* hover_;

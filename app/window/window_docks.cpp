@@ -44,14 +44,19 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
     QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
+    QDockWidget* building =
+        dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, sideWidth));
+    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, sideWidth));
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
+    for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
+    study->raise();
     window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
     window.tabifyDockWidget(results, scenarios);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
     window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
-    for (QDockWidget* dock : {project, study, results, scenarios, warnings})
+    for (QDockWidget* dock : {project, study, results, scenarios, building, tower, warnings})
         menu.addAction(dock->toggleViewAction());
 }
 

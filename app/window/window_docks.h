@@ -2,6 +2,7 @@
 
 class QMainWindow;
 class QMenu;
+class QWidget;
 
 namespace noonmark {
 
@@ -18,6 +19,8 @@ struct WindowDocks {
     ResultsDock* results;
     ScenariosDock* scenarios;
     WarningsDock* warnings;
+    QWidget* building;  ///< the selected one
+    QWidget* tower;     ///< lots, and the tower that is designed
 };
 
 /// Places the docks where they stand until the user moves them; `menu` shows and hides them.

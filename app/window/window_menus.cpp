@@ -101,9 +101,11 @@ QString mouseAndKeys() {
         "Left or middle drag turns, right drag (or Shift) moves, the wheel zooms to the cursor. Arrow keys "
         "move, "
         "+ and - zoom. Home: whole city. N: north up. T: from above. R: region. B: solid buildings or lines. "
-        "F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Drawing a region: click corners; "
-        "double click, Enter or right click finish, Backspace "
-        "takes one back, Esc cancels.");
+        "F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. A click selects a building: drag its "
+        "arrow or type metres and Enter for its height, Delete demolishes it, M moves it, Ctrl+T puts a "
+        "tower "
+        "in its place, Esc lets go. Drawing a region or a lot (Ctrl+L): click corners, with Shift square to "
+        "the last side; double click, Enter or right click finish, Backspace takes one back, Esc cancels.");
 }
 
 }  // namespace noonmark

@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     const double seconds = argc > 2 ? std::stod(argv[2]) : 10;
     OpenCity opened;
     opened.loaded.read.city = cityFrom(name);
-    opened.arrays = arraysOf(opened.city());
+    opened.arrays = std::make_shared<const CityArrays>(arraysOf(opened.city()));
     opened.picker = ScenePicker(opened.city(), RayScene::over(opened.city()).value());
     const auto city = std::make_shared<const OpenCity>(std::move(opened));
     for (const int days : {1, 365}) {

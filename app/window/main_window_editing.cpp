@@ -1,0 +1,34 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+
+#include "app/window/main_window.h"
+#include "app/window/view_panel.h"
+
+// The part of MainWindow that joins the tools to the project: what they make are steps of it.
+namespace noonmark {
+
+void MainWindow::connectEditing() {
+    menus_.edit->addSeparator();
+    for (QAction* action : tools_.actions()) menus_.edit->addAction(action);
+    connect(&tools_, &EditTools::editsMade, this,
+            [this](const std::vector<Edit>& edits, const QString& what) {
+                if (!workbench_.session().addEdits(edits, what)) tools_.desk().preview.clear();
+            });
+    connect(&tools_, &EditTools::lotDrawn, this,
+            [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
+    connect(&workbench_.session(), &ProjectSession::changed, this,
+            [this] { tools_.setLots(workbench_.session().project().lots); });
+    connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&tools_, &EditTools::hinted, &panel_->messages(), &MessageBar::showNote);
+    connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
+    connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+// To the front of its tabs; one that the user closed stays closed.
+void MainWindow::raiseDock(const QWidget* content) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(content)) dock->raise();
+}
+
+}  // namespace noonmark
