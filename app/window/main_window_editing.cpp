@@ -13,7 +13,7 @@ void MainWindow::connectEditing() {
     for (QAction* action : tools_.actions()) menus_.edit->addAction(action);
     connect(&tools_, &EditTools::editsMade, this,
             [this](const std::vector<Edit>& edits, const QString& what) {
-                if (!workbench_.session().addEdits(edits, what)) tools_.desk().preview.clear();
+                if (!workbench_.session().addEdits(edits, what)) tools_.takeBack();
             });
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });

@@ -90,7 +90,7 @@ PolygonTool* ViewPanel::activeTool() const {
 
 void ViewPanel::toolKey(int key) {
     PolygonTool* tool = activeTool();
-    if (!tool) return;
+    if (!tool) return Q_EMIT keyPressed(key);
     if (key == Qt::Key_Return || key == Qt::Key_Enter) tool->finish();
     if (key == Qt::Key_Escape) tool->cancel();
     if (key == Qt::Key_Backspace) tool->removeLastPoint();

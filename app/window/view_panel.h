@@ -42,6 +42,7 @@ public:
 Q_SIGNALS:
     void hovered(QString text);  ///< what lies under the cursor; empty: nothing
     void filesDropped(QStringList files);
+    void keyPressed(int key);  ///< over the view, and not of a polygon that is drawn
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -148,6 +148,18 @@ TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
     EXPECT_EQ(tools.building().id(), "Tower 1") << "what was built is selected";
 }
 
+TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {
+    tools.drawLot();
+    for (const glm::dvec2 corner : {glm::dvec2{-25, -65}, {25, -65}, {25, -15}})
+        view.lotTool().addPoint({corner, 0});
+    Q_EMIT view.navigator().keyPressed(Qt::Key_Return);
+    EXPECT_TRUE(tools.tower().active());
+    EXPECT_TRUE(made.empty());
+    tools.drawLot();
+    Q_EMIT view.navigator().keyPressed(Qt::Key_Escape);
+    EXPECT_FALSE(view.drawing());
+}
+
 TEST_F(EditToolsTest, WhatWasBuiltIsDesignedFurther) {
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     tools.tower().build();

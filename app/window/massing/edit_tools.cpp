@@ -76,7 +76,7 @@ void EditTools::connectView() {
     connect(&navigator, &ViewNavigator::clicked, this, &EditTools::click);
     connect(&navigator, &ViewNavigator::hovered, this, &EditTools::hover);
     connect(&navigator, &ViewNavigator::left, this, [this] { building_.hover(std::nullopt); });
-    connect(&navigator, &ViewNavigator::keyPressed, this, &EditTools::key);
+    connect(&desk_.panel, &ViewPanel::keyPressed, this, &EditTools::key);
     connect(&desk_.panel.lotTool(), &PolygonTool::finished, this, &EditTools::takeLot);
     connect(&desk_.handle, &ExtrudeHandle::dragged, this, &EditTools::extrude);
     connect(&desk_.handle, &ExtrudeHandle::dropped, this, &EditTools::extruded);
@@ -89,6 +89,8 @@ void EditTools::connectTools() {
     };
     connect(&building_, &BuildingEditing::editsMade, this, &EditTools::editsMade);
     connect(&building_, &BuildingEditing::selectionChanged, this, &EditTools::enableActions);
+    connect(&building_.moveTool(), &MoveTool::began, this,
+            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends moving.")); });
     connect(selection_, &SelectionPanel::replaceRequested, this, &EditTools::replace);
     connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
     connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
@@ -109,7 +111,7 @@ void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
     desk_.preview.setCity(std::move(city));
     building_.cityChanged();
     if (another) {
-        tower_.cancel();
+        tower_.forget();
         mesh_.cancel();
     } else {
         tower_.show();
@@ -159,11 +161,16 @@ void EditTools::hover(QPointF pixel) {
 }
 
 void EditTools::key(int key) {
-    if (desk_.panel.drawing() || desk_.handle.key(key)) return;
+    if (desk_.handle.key(key)) return;
     if (key == Qt::Key_Escape) cancel();
     const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
     if (enter && tower_.active()) tower_.build();
     if (enter && mesh_.active()) mesh_.build();
+}
+
+void EditTools::takeBack() {
+    desk_.preview.clear();
+    building_.show();
 }
 
 void EditTools::cancel() {

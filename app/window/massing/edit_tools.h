@@ -38,8 +38,9 @@ public:
 
     void drawLot();
     void lotFromFootprint();
-    void replace();  ///< the selected building by a tower
-    void cancel();   ///< the tool at work, else the selection
+    void replace();   ///< the selected building by a tower
+    void takeBack();  ///< the edits were refused: the city is shown as it is
+    void cancel();    ///< the tool at work, else the selection
 
 Q_SIGNALS:
     void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one step of undo

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "app/window/massing/extrusion.h"
 #include "app/window/view_panel.h"
@@ -11,7 +12,8 @@ namespace noonmark {
 
 namespace {
 
-constexpr double reachPx = 26;  // about the handle's middle
+constexpr double reachPx = 30;   // about the handle's middle
+constexpr double steepDeg = 70;  // from here on a vertical is too short on the screen to be followed
 
 glm::dvec2 of(QPointF point) { return {point.x(), point.y()}; }
 
@@ -50,20 +52,24 @@ bool ExtrudeHandle::isAt(QPointF pixel) const {
     return tower_ && middle && glm::distance(*middle, of(pixel)) < reachPx;
 }
 
-// Seen from nearly straight above, a pixel up is a pixel's metres up.
-std::optional<double> ExtrudeHandle::heightAt(QPointF pixel) const {
+// Seen from nearly straight above a vertical has no length on the screen: a pixel up is a pixel's metres up.
+double ExtrudeHandle::metresUp(QPointF pixel) const {
     const CityView& view = panel_.view();
-    if (const auto height = heightOnVertical(rayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot))
-        return height;
-    const double metresPerPixel = 2 * std::tan(view.lens().verticalDeg / 2 * 3.14159265358979 / 180) *
-                                  view.pose().distanceM / view.lens().heightPx;
-    return (view.lens().heightPx - pixel.y()) * metresPerPixel;
+    const double halfM = std::tan(glm::radians(view.lens().verticalDeg / 2)) * view.pose().distanceM;
+    return (view.lens().heightPx - pixel.y()) * 2 * halfM / view.lens().heightPx;
+}
+
+std::optional<double> ExtrudeHandle::heightAt(QPointF pixel) const {
+    if (fromAbove_) return metresUp(pixel);
+    const CityView& view = panel_.view();
+    return heightOnVertical(rayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot);
 }
 
 bool ExtrudeHandle::grab(QPointF pixel) {
     if (!isAt(pixel)) return false;
     typed_.clear();
     pixel_ = pixel;
+    fromAbove_ = panel_.view().pose().pitchDeg > steepDeg;
     grabbedM_ = heightAt(pixel).value_or(tower_->heightM) - tower_->heightM;
     Q_EMIT dragged(tower_->heightM);
     return true;

@@ -44,6 +44,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] std::optional<double> heightAt(QPointF pixel) const;
+    [[nodiscard]] double metresUp(QPointF pixel) const;
     [[nodiscard]] bool isAt(QPointF pixel) const;
     void follow();
     void showTyped();
@@ -51,6 +52,7 @@ private:
     ViewPanel& panel_;
     std::optional<Tower> tower_;
     std::optional<double> grabbedM_;  // from the handle to where it was taken
+    bool fromAbove_ = false;          // the drag counts pixels
     QPointF pixel_;
     QTimer next_;  // several moves of the mouse in one picture
     QString typed_;

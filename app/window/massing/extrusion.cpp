@@ -8,7 +8,7 @@ namespace noonmark {
 namespace {
 
 constexpr double highestM = 2000;
-const double leastSine = std::sin(8 * 3.14159265358979 / 180);
+constexpr double leastSine = 0.1392;  // of 8 degrees
 
 }  // namespace
 

@@ -16,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-QString rowsOf(const MassingFigures& figures) {
+QString rowsOf(const MassingFigures& figures, std::size_t demolished) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
             .arg(name, value);
@@ -27,7 +27,9 @@ QString rowsOf(const MassingFigures& figures) {
            row(QObject::tr("Coverage of the lot"), grouped(figures.coverage * 100) + QStringLiteral(" %")) +
            row(QObject::tr("Height"), grouped(figures.heightM, 1) + QStringLiteral(" m")) +
            row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
-           row(QObject::tr("Lot"), areaWords(figures.lotM2)) + QStringLiteral("</table>");
+           row(QObject::tr("Lot"), areaWords(figures.lotM2)) +
+           row(QObject::tr("Buildings it demolishes"), QString::number(demolished)) +
+           QStringLiteral("</table>");
 }
 
 }  // namespace
@@ -145,8 +147,8 @@ TowerDraft MassingPanel::draft() const {
     return draft;
 }
 
-void MassingPanel::showFigures(const MassingFigures& figures) {
-    figures_->setText(rowsOf(figures));
+void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished) {
+    figures_->setText(rowsOf(figures, demolished));
     error_->clear();
     error_->hide();
     apply_->setEnabled(true);

@@ -25,7 +25,7 @@ public:
     void showNone();                          ///< nothing is designed
     [[nodiscard]] TowerDraft draft() const;
 
-    void showFigures(const MassingFigures& figures);
+    void showFigures(const MassingFigures& figures, std::size_t demolished);
     void showError(const Error& error);
     [[nodiscard]] QString message() const;  ///< the error that is shown; empty: none
 

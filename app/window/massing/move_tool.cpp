@@ -27,6 +27,7 @@ MoveTool::~MoveTool() { panel_.navigator().removeTarget(*this); }
 void MoveTool::begin(std::uint32_t building) {
     building_ = building;
     panel_.view().setCursor(Qt::SizeAllCursor);
+    Q_EMIT began();
 }
 
 void MoveTool::end() {

@@ -25,6 +25,7 @@ public:
     void drop() override;
 
 Q_SIGNALS:
+    void began();
     void dragged(glm::dvec2 byM);  ///< east, north, from where it stands; as often as a picture can be made
     void dropped(glm::dvec2 byM);
 

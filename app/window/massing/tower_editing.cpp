@@ -61,7 +61,7 @@ void TowerEditing::show() {
     if (!tower) return panel_.showError(tower.error());
     if (const auto shown = desk_.preview.show(tower->edits); !shown) return panel_.showError(shown.error());
     edits_ = tower->edits;
-    panel_.showFigures(tower->massing.figures);
+    panel_.showFigures(tower->massing.figures, desk_.preview.changes().removed.size());
     const glm::dvec2 foot = middleOf(tower->massing.tiers.back());
     const double ground = double(groundAt(desk_.city->city(), foot));
     desk_.handle.stand(
@@ -97,6 +97,11 @@ void TowerEditing::cancel() {
     desk_.preview.clear();
     panel_.showNone();
     Q_EMIT ended();
+}
+
+void TowerEditing::forget() {
+    cancel();
+    built_.clear();
 }
 
 }  // namespace noonmark

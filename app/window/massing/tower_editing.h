@@ -29,6 +29,7 @@ public:
     void build();                    ///< does nothing while the draft cannot be
     void show();                     ///< again, in the city as it is now
     void cancel();
+    void forget();  ///< another city: designs too
 
 Q_SIGNALS:
     void began();
