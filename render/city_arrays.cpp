@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_set>
 
 #include "render/feature_edges.h"
 
@@ -21,8 +20,12 @@ std::vector<std::size_t> startsOf(const CityArrays& arrays, const std::vector<st
 
 using Shared = std::shared_ptr<const Building>;
 
-std::unordered_set<Shared> setOf(const std::vector<Shared>& buildings) {
-    return {buildings.begin(), buildings.end()};
+std::vector<const Building*> sortedAddresses(const std::vector<Shared>& buildings) {
+    std::vector<const Building*> addresses;
+    addresses.reserve(buildings.size());
+    for (const Shared& building : buildings) addresses.push_back(building.get());
+    std::ranges::sort(addresses);
+    return addresses;
 }
 
 void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTriangles) {
@@ -76,12 +79,14 @@ CityArrays buildingArraysOf(const City& city, std::size_t mostEdgeTriangles) {
 
 ArrayDifference differenceOf(const CityArrays& drawn, const City& city) {
     ArrayDifference difference;
-    const auto before = setOf(drawn.buildings);
-    const auto after = setOf(city.buildings);
+    const auto before = sortedAddresses(drawn.buildings);
+    const auto after = sortedAddresses(city.buildings);
     for (std::size_t i = 0; i < drawn.buildings.size(); ++i)
-        if (!after.contains(drawn.buildings[i])) difference.gone.push_back(std::uint32_t(i));
+        if (!std::ranges::binary_search(after, drawn.buildings[i].get()))
+            difference.gone.push_back(std::uint32_t(i));
     for (const Shared& building : city.buildings)
-        if (!before.contains(building)) difference.added.buildings.push_back(building);
+        if (!std::ranges::binary_search(before, building.get()))
+            difference.added.buildings.push_back(building);
     return difference;
 }
 

@@ -224,6 +224,14 @@ void CityView::resizeEvent(QResizeEvent* event) {
     Q_EMIT poseChanged();
 }
 
+// Where another window lay over this one, only a new frame brings the picture back. One comes when something
+// changed: this does, though no shader looks at it.
+void CityView::exposeEvent(QExposeEvent* event) {
+    Qt3DWindow::exposeEvent(event);
+    exposed_ = !exposed_;
+    ground_->set(QStringLiteral("exposed"), exposed_ ? 1.0F : 0.0F);
+}
+
 void CityView::capture(std::function<void(QImage)> done) {
     showEdges(true);
     Qt3DRender::QRenderCaptureReply* reply = capture_->requestCapture();

@@ -60,6 +60,7 @@ Q_SIGNALS:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    void exposeEvent(QExposeEvent* event) override;
 
 private:
     void makeFrameGraph();
@@ -77,6 +78,7 @@ private:
     std::unique_ptr<BuildingBodies> city_;
     std::unique_ptr<BuildingBodies> added_;
     bool manyEdges_ = false;
+    bool exposed_ = false;
     QTimer* rest_;
     Qt3DCore::QEntity* lines_ = nullptr;
     bool facesShown_ = true;

@@ -1,12 +1,19 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
+#include <QStatusBar>
 
 #include "app/window/main_window.h"
 #include "app/window/view_panel.h"
 
 // The part of MainWindow that joins the tools to the project: what they make are steps of it.
 namespace noonmark {
+
+namespace {
+
+constexpr int hintMs = 10000;
+
+}  // namespace
 
 void MainWindow::connectEditing() {
     menus_.edit->addSeparator();
@@ -20,7 +27,9 @@ void MainWindow::connectEditing() {
     connect(&workbench_.session(), &ProjectSession::changed, this,
             [this] { tools_.setLots(workbench_.session().project().lots); });
     connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);
-    connect(&tools_, &EditTools::hinted, &panel_->messages(), &MessageBar::showNote);
+    // Not in the message bar: it would move the view under the cursor.
+    connect(&tools_, &EditTools::hinted, this,
+            [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }

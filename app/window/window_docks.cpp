@@ -45,8 +45,8 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
     QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
     QDockWidget* building =
-        dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, sideWidth));
-    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, sideWidth));
+        dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
+    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
     window.addDockWidget(Qt::LeftDockWidgetArea, study);
     for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
     study->raise();

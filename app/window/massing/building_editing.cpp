@@ -7,7 +7,6 @@
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/selection_panel.h"
 #include "app/window/massing/tower_draft.h"
-#include "app/window/region_words.h"
 #include "core/city/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 
@@ -164,8 +163,8 @@ void BuildingEditing::previewHeight(double heightM) {
     const glm::dvec2 middle = middleOf(building());
     desk_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
     desk_.handle.tell(
-        tr("%1 m, %2\n%3 floor area")
-            .arg(grouped(facts.heightM, 1), storeyWords(facts.storeys), areaWords(facts.grossFloorM2)));
+        tr("%1 m, %2\n%3 m² floor area")
+            .arg(grouped(facts.heightM, 1), storeyWords(facts.storeys), grouped(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_form.h"
@@ -131,6 +132,7 @@ void MassingPanel::showDraft(const TowerDraft& draft) {
                                               areaWords(area(draft.lot.outline))));
     const QString name = QString::fromStdString(draft.tower);
     if (name_->text() != name) name_->setText(name);
+    lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(draft.lot.name))));
     form_->show(draft.settings);
     setDesigning(true);
 }

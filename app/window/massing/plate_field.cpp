@@ -18,6 +18,8 @@ enum Kind { wholeLot, share, squareMetres };
 PlateField::PlateField(QWidget* parent)
     : QWidget(parent), kind_(new QComboBox), size_(numberField(1, 100, 0, 5, QStringLiteral(" %"))) {
     kind_->addItems({tr("Whole lot"), tr("Share of the lot"), tr("Area")});
+    kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    kind_->setMinimumContentsLength(9);
     kind_->setToolTip(tr("A smaller plate keeps the lot's shape, moved in from all of its sides"));
     size_->setObjectName(QStringLiteral("plateSize"));
     auto* row = new QHBoxLayout(this);

@@ -32,8 +32,8 @@ QString rowsOf(const BuildingFacts& facts) {
                QStringLiteral("%1 m (%2)").arg(grouped(facts.heightM, 1), facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), areaWords(facts.planM2)) +
-           row(QObject::tr("Floor area"),
-               areaWords(facts.grossFloorM2) + storeys + QObject::tr(" of %1 m").arg(usualStoreyM)) +
+           row(QObject::tr("Floor area"), grouped(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
+                                              QObject::tr(" of %1 m").arg(usualStoreyM)) +
            QStringLiteral("</table>");
 }
 
