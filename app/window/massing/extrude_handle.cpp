@@ -104,8 +104,9 @@ void ExtrudeHandle::tell(const QString& figures) {
 bool ExtrudeHandle::key(int key) {
     if (!tower_) return false;
     const bool digit = key >= Qt::Key_0 && key <= Qt::Key_9;
-    if (digit || (key == Qt::Key_Period && !typed_.contains(QLatin1Char('.'))))
-        typed_ += QChar(key);
+    const bool point = (key == Qt::Key_Period || key == Qt::Key_Comma) && !typed_.contains(QLatin1Char('.'));
+    if (digit || point)
+        typed_ += digit ? QChar(key) : QLatin1Char('.');
     else if (typed_.isEmpty())
         return false;
     else if (key == Qt::Key_Backspace)
