@@ -4,6 +4,7 @@
 
 #include "core/accumulate/ray_reference.h"
 #include "core/bench/deadline.h"
+#include "core/bench/forecast.h"
 #include "core/bench/moments.h"
 #include "core/stopwatch.h"
 
@@ -18,15 +19,17 @@ public:
         : contestant_(contestant), scene_(scene), work_(work) {}
 
     Result<void> check(const Truth& truth, double neverAboveS) {
-        const Deadline deadline(neverAboveS, work_.stop);
+        Deadline deadline(neverAboveS, work_.stop);
+        Forecast forecast(deadline, neverAboveS);
         const Stopwatch watch;
-        const auto field = run(deadline.token());
+        const auto field = run(forecast, deadline.token());
         first_ = watch.seconds();
         if (work_.stopped()) return cancelled();
         if (field)
             judge(errorOf(*field, truth.field, truth.receivers));
         else if (isCancelled(field.error()))
-            refuse(fmt::format("stopped after {:g} s", neverAboveS), true);
+            refuse(fmt::format("stopped after {:.0f} s: it takes more than {:g} s", first_, neverAboveS),
+                   true);
         else
             refuse(field.error().text());
         return {};
@@ -35,7 +38,8 @@ public:
     Result<void> round(double onceAboveS) {
         if (!placing_.refusal.empty() || first_ > onceAboveS) return {};
         const Stopwatch watch;
-        const auto field = run(work_.stop);
+        NoProgress silent;
+        const auto field = run(silent, work_.stop);
         if (!field) return tl::make_unexpected(field.error());
         seconds_.push_back(watch.seconds());
         return {};
@@ -51,9 +55,8 @@ public:
     }
 
 private:
-    Result<ShadowField> run(const std::stop_token& stop) {
-        NoProgress silent;
-        return contestant_.accumulator->accumulate(scene_.city, scene_.receivers, scene_.sun, silent, stop);
+    Result<ShadowField> run(Progress& progress, const std::stop_token& stop) {
+        return contestant_.accumulator->accumulate(scene_.city, scene_.receivers, scene_.sun, progress, stop);
     }
 
     void judge(const FieldError& error) {

@@ -23,6 +23,8 @@ public:
     Deadline& operator=(const Deadline&) = delete;
 
     [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+    /// Stops at once; from any thread.
+    void giveUp() { source_.request_stop(); }
 
 private:
     void wait(const std::stop_token& done, double seconds) {

@@ -1,6 +1,9 @@
 #include "core/bench/contest.h"
+#include "core/bench/forecast.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include <chrono>
 #include <thread>
@@ -87,6 +90,14 @@ TEST_F(ContestTest, whoNeverEndsIsStopped) {
     const Placing placing = placingOf(0, 1000);
     EXPECT_TRUE(placing.tooSlow);
     EXPECT_FALSE(placing.timed());
+}
+
+TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
+    EXPECT_TRUE(hopeless(6, 0.1, 20));
+    EXPECT_FALSE(hopeless(4, 0.1, 20));   // too early to tell
+    EXPECT_FALSE(hopeless(6, 0.25, 20));  // it may end in time
+    EXPECT_FALSE(hopeless(6, 0, 20));     // it does not say how far it is
+    EXPECT_FALSE(hopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
 }
 
 TEST_F(ContestTest, whatTakesLongIsRunOnce) {

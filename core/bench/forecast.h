@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/bench/deadline.h"
+#include "core/progress.h"
+#include "core/stopwatch.h"
+
+namespace noonmark::bench {
+
+/// Whether work that has done so much of itself (0 to 1) will by far not end in time: half as long again as
+/// the limit, seen once a quarter of it has passed.
+constexpr bool hopeless(double elapsedS, double fraction, double limitS) {
+    return elapsedS > limitS / 4 && fraction > 0.01 && elapsedS > fraction * 1.5 * limitS;
+}
+
+/// Ends work before its deadline where it is hopeless.
+class Forecast final : public Progress {
+public:
+    /// The deadline outlives it.
+    Forecast(Deadline& deadline, double limitS) : deadline_(deadline), limitS_(limitS) {}
+
+    void report(double fraction, std::string_view) override {
+        if (hopeless(watch_.seconds(), fraction, limitS_)) deadline_.giveUp();
+    }
+
+private:
+    Deadline& deadline_;
+    double limitS_;
+    Stopwatch watch_;
+};
+
+}  // namespace noonmark::bench
