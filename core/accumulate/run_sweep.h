@@ -28,6 +28,11 @@ struct RunEnd {
 /// to and `front` has not passed. Each end reaches half a cell beyond its cell's centre. Where the surface
 /// folds over, whichever end is ahead, the steps between the ends in the other order too.
 struct RunSweep {
+    /// How far each end reaches beyond its cell's centre, cells. The edge lies anywhere up to the next
+    /// centre, in the mean at half of the way; but each line is drawn twice, from the first step and from the
+    /// last, and the farther of two such guesses is in the mean a sixth of a cell too far.
+    static constexpr float reach = 0.5F - 1.0F / 6;
+
     int count = 0;
     RunEnd rear, front;
     bool folds = false;
@@ -42,10 +47,10 @@ struct RunSweep {
         count =
             std::max(endOf(run.last, lastLength, cells), folds ? endOf(run.first, firstLength, cells) : 0) -
             run.first;
-        rear = RunEnd::over(firstLength, 0.5F);
-        front = RunEnd::over(lastLength, -width - 0.5F);
-        foldedRear = RunEnd::over(lastLength, 0.5F - width);
-        foldedFront = RunEnd::over(firstLength, -0.5F);
+        rear = RunEnd::over(firstLength, reach);
+        front = RunEnd::over(lastLength, -width - reach);
+        foldedRear = RunEnd::over(lastLength, reach - width);
+        foldedFront = RunEnd::over(firstLength, -reach);
     }
 
     /// Steps at which cell i of `count` is shaded.

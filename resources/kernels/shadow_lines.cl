@@ -6,6 +6,7 @@
 #define TABLE_SIZE 4096
 #define MAX_LEVELS 8
 #define GOES_ON -1
+#define REACH (0.5f - 1.0f / 6)  // of a run's end beyond its cell's centre
 
 // Neighbouring cells whose occluding points lie next to each other on one building; cells are counted the way the
 // shadow moves.
@@ -72,8 +73,8 @@ void draw_run(const lane_t* lane, const run_t* run) {
     const float width = (float)(run->last - run->first);
     const int end = max(end_of(run->last, last_length, cells), folded ? end_of(run->first, first_length, cells) : 0);
     for (int i = 0; i < end - run->first; ++i) {
-        ulong steps = steps_at(lane, per_first, 0.5f, i) & ~steps_at(lane, per_last, -width - 0.5f, i);
-        if (folded) steps |= steps_at(lane, per_last, 0.5f - width, i) & ~steps_at(lane, per_first, -0.5f, i);
+        ulong steps = steps_at(lane, per_first, REACH, i) & ~steps_at(lane, per_last, -width - REACH, i);
+        if (folded) steps |= steps_at(lane, per_last, REACH - width, i) & ~steps_at(lane, per_first, -REACH, i);
         shade(lane, run->first + i, steps);
     }
 }

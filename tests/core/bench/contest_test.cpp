@@ -1,14 +1,13 @@
 #include "core/bench/contest.h"
-#include "core/bench/forecast.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "core/accumulate/ray_reference.h"
+#include "core/bench/forecast.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {
