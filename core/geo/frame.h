@@ -8,8 +8,8 @@
 namespace noonmark {
 
 /// The project's own metres: x east, y north of an origin on the WGS84 ellipsoid (the horizontal part of
-/// east-north-up at the origin), z metres of elevation above the origin's ground. The earth's curvature is left out of z: a
-/// flat sea stays at one z. True north is +y at the origin.
+/// east-north-up at the origin), z metres above the origin's ground; what is read as terrain, or with its
+/// ground stated, is lowered by the earth's curvature (earth_drop.h). True north is +y at the origin.
 ///
 /// A value; cheap to copy. Exact to better than 1 mm there and back within 50 km of the origin; points more
 /// than 1,000 km away are not meant for it.
@@ -25,8 +25,8 @@ public:
     [[nodiscard]] glm::dvec2 localFromLonLat(LonLat place) const;
     [[nodiscard]] LonLat lonLatFromLocal(glm::dvec2 local) const;
 
-    /// The same plane as a coordinate reference system for GIS files: ellipsoidal orthographic (EPSG method 9840),
-    /// whose eastings and northings are local x and y.
+    /// The same plane as a coordinate reference system for GIS files: ellipsoidal orthographic (EPSG method
+    /// 9840), whose eastings and northings are local x and y.
     [[nodiscard]] std::string projString() const;
 
     bool operator==(const Frame&) const = default;

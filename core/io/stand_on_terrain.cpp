@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geo/earth_drop.h"
+
 namespace noonmark {
 
 namespace {
@@ -60,7 +62,14 @@ Building standing(Building building, std::optional<float> groundM, const Terrain
         return building;
     }
     const float lowest = lowestGroundUnder(building, *terrain);
-    if (!groundM) lift(building, lowest);
+    if (groundM) {
+        const Box2 box = bounds(building);
+        const auto drop = float(earthDropM(glm::dvec2(box.low + box.high) / 2.0));
+        lift(building, -drop);
+        groundM = *groundM - drop;
+    } else {
+        lift(building, lowest);
+    }
     for (Part& part : building.parts)
         if (groundM && !part.hangs && !part.mesh && part.bottomM <= *groundM)
             part.bottomM = std::min(part.bottomM, lowest);

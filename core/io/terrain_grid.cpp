@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "core/city/fill_gaps.h"
+#include "core/geo/earth_drop.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -135,7 +136,12 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
     if (!std::isfinite(lowest))
         return failure("The terrain holds no elevation here", file, "Choose one that covers the city");
     const Frame frame = settings.frame.value_or(Frame(place.frame.origin(), double(lowest)));
-    for (float& elevation : elevations) elevation = float(double(elevation) - frame.originElevationM());
+    for (int row = 0; row < place.grid.rows; ++row)
+        for (int column = 0; column < place.grid.columns; ++column) {
+            float& elevation = elevations[place.grid.index(column, row)];
+            elevation = float(double(elevation) - frame.originElevationM() -
+                              earthDropM(place.grid.centre(column, row)));
+        }
     if (!settings.frame) piece.frame = frame;
     piece.terrain = std::make_shared<const Terrain>(Terrain{place.grid, std::move(elevations)});
     piece.features = 1;

@@ -35,7 +35,8 @@ Result<TerrainGrid> terrainGrid(const RasterPlace& raster, const CrsToLonLat& cr
                                 const ReadSettings& settings, const std::string& file);
 
 /// Puts elevations (metres above the datum, NaN where unknown; grid order) into the piece as its terrain.
-/// Where the frame is not given, local z = 0 is the lowest elevation. Impossible elevations (beyond -500 to
+/// Where the frame is not given, local z = 0 is the lowest elevation. The earth's curvature is taken off
+/// (core/geo/earth_drop.h). Impossible elevations (beyond -500 to
 /// 9000 m) and gaps are filled from the nearest cell, and counted in a warning if they lie within the
 /// raster's border. Error: no elevation at all.
 Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevations,
