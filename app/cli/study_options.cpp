@@ -1,5 +1,8 @@
 #include "app/cli/study_options.h"
 
+#include <map>
+#include <string>
+
 #include "app/cli/engine_options.h"
 #include "app/cli/number_range.h"
 
@@ -19,6 +22,17 @@ void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
         .add_flag_callback(
             "--no-error-sample", [&sample] { sample.receivers = 0; }, "Leave the error unmeasured")
         ->excludes(count);
+}
+
+void addPlacesOption(CLI::App& command, StudySettings& settings) {
+    const std::map<std::string, ReceiverPlaces> places{
+        {"ground", ReceiverPlaces::ground}, {"roofs", ReceiverPlaces::roofs}, {"both", ReceiverPlaces::both}};
+    command
+        .add_option("--receivers", settings.receivers.places,
+                    "Where shadow is measured: ground, roofs or both (roofs: engines horizon, ray, auto)")
+        ->transform(CLI::CheckedTransformer(places))
+        ->default_str("ground")
+        ->type_name("PLACES");
 }
 
 }  // namespace
@@ -50,6 +64,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->required()
         ->type_name("W,S,E,N|FILE|city");
     addReceiverOptions(command, settings);
+    addPlacesOption(command, settings);
     addEngineOptions(command, settings);
     addErrorOptions(command, settings.errorSample);
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")

@@ -1,6 +1,7 @@
 #include "app/report/report_sections.h"
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
+#include "core/receivers/roof_receivers.h"
 #include "core/study/error_words.h"
 
 namespace noonmark {
@@ -18,8 +19,11 @@ QString engineWords(const Study& study) {
 }
 
 QString receiverWords(const Study& study) {
-    const QString ground =
-        study.receivers.flat() ? QStringLiteral("flat ground") : QStringLiteral("the terrain");
+    const ReceiverPlaces places = study.settings.receivers.places;
+    if (places != ReceiverPlaces::ground)
+        return QStringLiteral("Receivers: centres of square cells of %1 m on %2, inside the region.")
+            .arg(amountWords(study.field.grid.cellM, 2), QString::fromUtf8(wordsOf(places)));
+    const QString ground = study.city.terrain ? QStringLiteral("the terrain") : QStringLiteral("flat ground");
     return QStringLiteral(
                "Receivers: centres of square cells of %1 m on %2, inside the region and not under a "
                "building.")

@@ -52,7 +52,7 @@ std::vector<std::uint32_t> spreadReceivers(const Receivers& receivers, std::size
     for (std::size_t tried = 0; tried < 1000 * count && chosen.size() < count; ++tried) {
         const glm::ivec2 at = cellAt(receivers.grid, points.next());
         const std::size_t cell = receivers.grid.index(at.x, at.y);
-        if (receivers.kind[cell] == CellKind::ground) chosen.insert(std::uint32_t(cell));
+        if (isReceiver(receivers.kind[cell])) chosen.insert(std::uint32_t(cell));
     }
     return {chosen.begin(), chosen.end()};
 }
@@ -68,15 +68,15 @@ std::vector<std::uint32_t> spreadReceivers(const Receivers& piece, const Grid& w
         const glm::ivec2 at = cellAt(whole, places.next()) - glm::ivec2(west, south);
         if (at.x < 0 || at.y < 0 || at.x >= grid.columns || at.y >= grid.rows) continue;
         const std::size_t cell = grid.index(at.x, at.y);
-        if (piece.kind[cell] == CellKind::ground) chosen.insert(std::uint32_t(cell));
+        if (isReceiver(piece.kind[cell])) chosen.insert(std::uint32_t(cell));
     }
     return {chosen.begin(), chosen.end()};
 }
 
 Receivers onlyReceivers(const Receivers& receivers, std::vector<std::uint32_t> cells) {
     Receivers some{receivers.grid, receivers.kind, receivers.groundM, std::move(cells)};
-    std::ranges::replace(some.kind, CellKind::ground, CellKind::outside);
-    for (const std::uint32_t cell : some.cells) some.kind[cell] = CellKind::ground;
+    std::ranges::replace_if(some.kind, isReceiver, CellKind::outside);
+    for (const std::uint32_t cell : some.cells) some.kind[cell] = receivers.kind[cell];
     return some;
 }
 

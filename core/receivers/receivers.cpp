@@ -88,6 +88,14 @@ glm::vec3 Receivers::position(std::uint32_t cell) const {
     return {glm::vec2(grid.centre(column, row)), flat() ? 0.0F : groundM[cell]};
 }
 
+double lowestGroundM(const Receivers& receivers) {
+    if (receivers.flat() || receivers.cells.empty()) return 0;
+    double lowest = std::numeric_limits<double>::max();
+    for (const std::uint32_t cell : receivers.cells)
+        lowest = std::min(lowest, double(receivers.groundM[cell]));
+    return lowest;
+}
+
 Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
                                     const std::stop_token& stop) {
     return gridOver(region, settings).and_then([&](const Grid& grid) {

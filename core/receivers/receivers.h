@@ -12,31 +12,41 @@
 namespace noonmark {
 
 enum class CellKind : std::uint8_t {
-    outside,   ///< its centre is not in the region
+    outside,   ///< its centre is not in the region, or nothing is asked there
     building,  ///< its centre is where a part meets the ground (core/city/ground_contact.h)
     ground,    ///< a receiver
+    roof,      ///< a receiver on top of a building
 };
+inline bool isReceiver(CellKind kind) { return kind == CellKind::ground || kind == CellKind::roof; }
 
-/// The cells of a regular grid that receive shadow, on the ground.
+/// The cells of a regular grid that receive shadow, on the ground or on roofs.
 struct Receivers {
     Grid grid;
     std::vector<CellKind> kind;        ///< grid order
-    std::vector<float> groundM;        ///< grid order, local z of the ground; empty: flat at z = 0
-    std::vector<std::uint32_t> cells;  ///< indices of the ground cells, ascending
+    std::vector<float> groundM;        ///< grid order, local z of the ground or roof; empty: flat at z = 0
+    std::vector<std::uint32_t> cells;  ///< indices of the receivers, ascending
     [[nodiscard]] glm::vec3 position(std::uint32_t cell) const;
     [[nodiscard]] bool flat() const { return groundM.empty(); }
 };
+
+/// Where shadow is asked for.
+enum class ReceiverPlaces { ground, roofs, both };
 
 struct ReceiverSettings {
     static constexpr double minCellM = 0.25;
     static constexpr double maxCellM = 10;
     double cellM = 1;  ///< cell size, metres, 0.25 to 10
+    ReceiverPlaces places = ReceiverPlaces::ground;
     bool operator==(const ReceiverSettings&) const = default;
 };
 
+/// Local z of the lowest receiver; 0 where there is none.
+double lowestGroundM(const Receivers& receivers);
+
 /// Cells of the region's bounding box, classified. West and south edges lie on multiples of the cell size, so
-/// that the same cells come back for an overlapping region. Memory 9 bytes a cell; refused above 2^31 cells.
-/// cancelled() when stopped.
+/// that the same cells come back for an overlapping region. On the ground, whatever the settings' places
+/// (core/receivers/roof_receivers.h). Memory 9 bytes a cell; refused above 2^31 cells. cancelled() when
+/// stopped.
 Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
                                     const std::stop_token& stop = {});
 

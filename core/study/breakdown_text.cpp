@@ -20,9 +20,8 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-void addLine(std::string& csv, const BuildingShadow& shadow, const Building& building) {
-    csv += fmt::format("{},{},{},{:.1f},{:.1f}", shadow.building, cell(building.sourceId),
-                       cell(building.name), total(shadow.attributedMinM2), total(shadow.soleMinM2));
+void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& caster) {
+    csv += fmt::format("{},{:.1f},{:.1f}", caster, total(shadow.attributedMinM2), total(shadow.soleMinM2));
     for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
         csv += fmt::format(",{:.1f},{:.1f}", shadow.attributedMinM2[set], shadow.soleMinM2[set]);
     csv += "\n";
@@ -61,7 +60,12 @@ std::string contributionsCsv(const ShadowBreakdown& breakdown, const City& city)
     std::vector<BuildingShadow> shadows = breakdown.buildings;
     std::ranges::stable_sort(shadows, std::ranges::greater{},
                              [](const BuildingShadow& shadow) { return total(shadow.attributedMinM2); });
-    for (const BuildingShadow& shadow : shadows) addLine(csv, shadow, *city.buildings[shadow.building]);
+    for (const BuildingShadow& shadow : shadows) {
+        const Building& building = *city.buildings[shadow.building];
+        addLine(csv, shadow,
+                fmt::format("{},{},{}", shadow.building, cell(building.sourceId), cell(building.name)));
+    }
+    if (breakdown.terrain) addLine(csv, *breakdown.terrain, ",\"terrain\",\"terrain\"");
     return csv;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/receivers/roof_receivers.h"
 #include "core/study/region_text.h"
 
 namespace noonmark {
@@ -133,6 +134,8 @@ void addSettings(CommandLine& line, const Study& study) {
                 fmt::to_string(settings.temperatureC));
     line.option("--region", boxTextOf(settings.region, study.city.frame).value_or(regionFileName));
     line.option("--cell", fmt::format("{}", study.field.grid.cellM));
+    line.unless(settings.receivers.places == usual.receivers.places, "--receivers",
+                std::string(nameOf(settings.receivers.places)));
     line.option("--engine", engineToName(study));
     for (const auto& [key, value] : settings.engineSettings)
         line.option("--option", fmt::format("{}={}", key, value));

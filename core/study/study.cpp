@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "core/receivers/roof_receivers.h"
 #include "core/stopwatch.h"
 #include "core/study/memory_need.h"
 
@@ -26,6 +27,9 @@ Result<void> timed(Study& study, const char* name, T& place, std::stop_token sto
 
 Result<void> checkReceivers(const Study& study) {
     if (!study.receivers.cells.empty()) return {};
+    if (study.settings.receivers.places == ReceiverPlaces::roofs)
+        return failure("No cell of the region lies on a roof", study.settings.region.name,
+                       "Choose a region with buildings, or smaller cells");
     return failure("No cell of the region lies on open ground", study.settings.region.name,
                    "Choose a region outside the buildings, or smaller cells");
 }
@@ -65,7 +69,7 @@ Result<void> brokenDown(Study& study, Progress& progress, std::stop_token stop) 
 Result<void> computed(Study& study, const Accumulator& engine, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
     return timed(study, "receivers", study.receivers, stop,
-                 [&] { return receiversOnGround(study.city, settings.region, settings.receivers, stop); })
+                 [&] { return receiversIn(study.city, settings.region, settings.receivers, stop); })
         .and_then([&] { return checkReceivers(study); })
         .and_then([&] {
             return timed(study, "sun", study.sun, stop,

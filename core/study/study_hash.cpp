@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/receivers/roof_receivers.h"
 #include "core/study/sha256.h"
 #include "core/version.h"
 
@@ -61,6 +62,8 @@ void addSettings(Sha256& sum, const StudySettings& settings) {
     if (period.window) sum.add(fmt::format("{};", int(period.window->rule)));
     sum.add(fmt::format("{};{};{};{};", settings.receivers.cellM, settings.engine,
                         settings.errorSample.receivers, settings.errorSample.seed));
+    if (settings.receivers.places != ReceiverPlaces::ground)
+        sum.add(fmt::format("{};", nameOf(settings.receivers.places)));
     for (const auto& [key, value] : settings.engineSettings) sum.add(fmt::format("{}={};", key, value));
     for (const Footprint& polygon : settings.region.polygons) addFootprint(sum, polygon);
 }

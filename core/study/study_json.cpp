@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/accumulate/blank_field.h"
+#include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
 #include "core/study/inputs_json.h"
@@ -64,6 +65,7 @@ Json cellsJson(const Study& study) {
         return found == study.field.cost.skipped.end() ? 0 : found->second;
     };
     return {{"cell_m", grid.cellM},
+            {"receivers_on", nameOf(study.settings.receivers.places)},
             {"columns", grid.columns},
             {"rows", grid.rows},
             {"west_m", grid.westM},
@@ -124,7 +126,9 @@ Json definitions() {
          "shadow area less the reference's over the sample's area; gross and continuous, the absolute "
          "differences of the cells over whole_min (the sunlit minutes of a mean day, of the longest day)"},
         {"receiver",
-         "a cell of the region whose centre is on the ground, outside every footprint that stands on it"},
+         "a cell of the region whose centre is where receivers_on says: on the ground, outside every "
+         "footprint "
+         "that stands on it, or on the roof of a building there, its highest surface"},
         {"azimuth", "from true north, clockwise"}};
 }
 

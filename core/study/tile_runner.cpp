@@ -3,6 +3,7 @@
 #include "core/accumulate/blank_field.h"
 #include "core/io/write_raster.h"
 #include "core/measures/compared_cells.h"
+#include "core/receivers/roof_receivers.h"
 #include "core/stopwatch.h"
 #include "core/study/map_bands.h"
 
@@ -30,7 +31,10 @@ TileRunner::TileRunner(const City& city, const StudySettings& settings, const Su
 Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
     return receiversInPart(city_, settings_.region, plan_.tile(tile), stop)
-        .and_then([&](const Receivers& receivers) { return computed(tile, receivers, progress, stop); })
+        .and_then([&](Receivers receivers) {
+            const Receivers asked = placed(std::move(receivers), city_, settings_.receivers.places);
+            return computed(tile, asked, progress, stop);
+        })
         .and_then([&](TileResult result) {
             result.seconds = watch.seconds();
             return journal_.add(std::move(result));

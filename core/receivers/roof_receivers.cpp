@@ -1,0 +1,104 @@
+#include "core/receivers/roof_receivers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/receivers/rasterize.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr float none = std::numeric_limits<float>::lowest();
+
+/// Raises cells to the surfaces above them.
+class RoofHeights {
+public:
+    explicit RoofHeights(const Grid& grid) : grid_(grid), heightM_(grid.size(), none) {}
+
+    void add(const Part& part) {
+        if (!part.mesh) return fill(part.footprint, [&](glm::dvec2) { return double(part.topM); });
+        for (const glm::uvec3 t : part.mesh->triangles)
+            add(glm::dvec3(part.mesh->vertices[t.x]), glm::dvec3(part.mesh->vertices[t.y]),
+                glm::dvec3(part.mesh->vertices[t.z]));
+    }
+
+    [[nodiscard]] float at(std::size_t cell) const { return heightM_[cell]; }
+
+private:
+    template <class Height>
+    void fill(const Footprint& footprint, const Height& height) {
+        forEachRun(footprint, grid_, [&](int row, int first, int end) {
+            for (int column = first; column < end; ++column) {
+                float& highest = heightM_[grid_.index(column, row)];
+                highest = std::max(highest, float(height(grid_.centre(column, row))));
+            }
+        });
+    }
+
+    // Only faces seen from above: each cell under the mesh has one of them as its highest.
+    void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        const glm::dvec2 u = glm::dvec2(b) - glm::dvec2(a), v = glm::dvec2(c) - glm::dvec2(a);
+        const double area = u.x * v.y - u.y * v.x;
+        if (!(area > 1e-9)) return;
+        fill({{glm::vec2(a), glm::vec2(b), glm::vec2(c)}, {}}, [&](glm::dvec2 p) {
+            const glm::dvec2 d = p - glm::dvec2(a);
+            const double s = (d.x * v.y - d.y * v.x) / area, t = (u.x * d.y - u.y * d.x) / area;
+            return a.z + s * (b.z - a.z) + t * (c.z - a.z);
+        });
+    }
+
+    const Grid& grid_;
+    std::vector<float> heightM_;
+};
+
+bool overlaps(const Box2& box, const Grid& grid) {
+    return !box.empty() && double(box.low.x) <= grid.eastM() && double(box.high.x) >= grid.westM &&
+           double(box.low.y) <= grid.northM() && double(box.high.y) >= grid.southM;
+}
+
+void addRoofs(Receivers& receivers, const City& city) {
+    RoofHeights heights(receivers.grid);
+    for (const auto& building : city.buildings)
+        if (overlaps(bounds(*building), receivers.grid))
+            for (const Part& part : building->parts) heights.add(part);
+    receivers.groundM.resize(receivers.kind.size());
+    for (std::size_t cell = 0; cell < receivers.kind.size(); ++cell) {
+        if (receivers.kind[cell] != CellKind::building || heights.at(cell) == none) continue;
+        receivers.kind[cell] = CellKind::roof;
+        receivers.groundM[cell] = heights.at(cell);
+    }
+}
+
+}  // namespace
+
+std::string_view nameOf(ReceiverPlaces places) {
+    constexpr std::string_view names[] = {"ground", "roofs", "both"};
+    return names[std::size_t(places)];
+}
+
+std::string_view wordsOf(ReceiverPlaces places) {
+    constexpr std::string_view words[] = {"the ground", "roofs", "the ground and roofs"};
+    return words[std::size_t(places)];
+}
+
+Receivers placed(Receivers receivers, const City& city, ReceiverPlaces places) {
+    if (places == ReceiverPlaces::ground) return receivers;
+    addRoofs(receivers, city);
+    if (places == ReceiverPlaces::roofs)
+        std::ranges::replace(receivers.kind, CellKind::ground, CellKind::outside);
+    receivers.cells.clear();
+    for (std::size_t cell = 0; cell < receivers.kind.size(); ++cell)
+        if (isReceiver(receivers.kind[cell])) receivers.cells.push_back(std::uint32_t(cell));
+    return receivers;
+}
+
+Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
+                              const std::stop_token& stop) {
+    return receiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {
+        return placed(std::move(receivers), city, settings.places);
+    });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,70 @@
+#include "core/receivers/roof_receivers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/core/accumulate/terrain_scenes.h"
+
+namespace noonmark::tests {
+namespace {
+
+Receivers receiversAt(const City& city, ReceiverPlaces places) {
+    return receiversIn(city, regionFromLocalBox({{-20, -20}, {60, 60}}), {1, places}).value();
+}
+
+City tiered() {
+    City city = cityOf({{{0, 0, 0}, {40, 40, 10}}, {{50, 0, 6}, {60, 20, 9}}});
+    Building building = *city.buildings[0];
+    building.parts.push_back(buildingOf({rectangle(10, 10, 20, 20), {}}, 10, 35)->parts[0]);
+    city.buildings[0] = std::make_shared<const Building>(building);
+    return city;
+}
+
+TEST(RoofReceivers, aRoofIsTheHighestPartAtACell) {
+    const Receivers roofs = receiversAt(tiered(), ReceiverPlaces::roofs);
+    EXPECT_EQ(roofs.cells.size(), 40 * 40);  // the deck over open ground has none
+    for (const std::uint32_t cell : roofs.cells) {
+        const glm::vec3 at = roofs.position(cell);
+        const bool high = at.x > 10 && at.x < 20 && at.y > 10 && at.y < 20;
+        EXPECT_EQ(at.z, high ? 35 : 10);
+        EXPECT_EQ(roofs.kind[cell], CellKind::roof);
+    }
+    EXPECT_EQ(std::ranges::count(roofs.kind, CellKind::ground), 0);
+}
+
+TEST(RoofReceivers, bothAreTheGroundAndTheRoofs) {
+    const City city = tiered();
+    const Receivers ground = receiversAt(city, ReceiverPlaces::ground),
+                    roofs = receiversAt(city, ReceiverPlaces::roofs),
+                    both = receiversAt(city, ReceiverPlaces::both);
+    EXPECT_TRUE(ground.flat());
+    EXPECT_EQ(both.cells.size(), ground.cells.size() + roofs.cells.size());
+    EXPECT_TRUE(std::ranges::is_sorted(both.cells));
+    for (const std::uint32_t cell : ground.cells) EXPECT_EQ(both.position(cell), ground.position(cell));
+    for (const std::uint32_t cell : roofs.cells) EXPECT_EQ(both.position(cell), roofs.position(cell));
+}
+
+TEST(RoofReceivers, aPitchedRoofRisesToItsRidge) {
+    City city;
+    city.buildings.push_back(gabledHouse(0, 0, 12, 40, 8, 14));
+    const Receivers roofs = receiversAt(city, ReceiverPlaces::roofs);
+    EXPECT_EQ(roofs.cells.size(), 12 * 40);
+    for (const std::uint32_t cell : roofs.cells) {
+        const glm::vec3 at = roofs.position(cell);
+        EXPECT_NEAR(at.z, 14 - std::abs(at.x - 6), 1e-4);
+    }
+}
+
+TEST(RoofReceivers, theGroundBesideRoofsKeepsTheTerrainsElevation) {
+    City city = groundOf(20, [](glm::dvec2 place) { return 50 + 0.1 * place.y; });
+    city.buildings.push_back(standingBox(city, 0, 0, 10, 10, 20));
+    const Receivers both = receiversAt(city, ReceiverPlaces::both);
+    for (const std::uint32_t cell : both.cells) {
+        const glm::vec3 at = both.position(cell);
+        EXPECT_NEAR(at.z, both.kind[cell] == CellKind::roof ? 70 : 50 + 0.1F * at.y, 1e-3);
+    }
+}
+
+}  // namespace
+}  // namespace noonmark::tests
