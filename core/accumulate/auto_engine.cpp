@@ -23,16 +23,25 @@ std::size_t mostInReach(std::span<const City* const> cities, const Receivers& re
     return most;
 }
 
+std::size_t mostTerrainCells(std::span<const City* const> cities) {
+    std::size_t most = 0;
+    for (const City* city : cities)
+        if (city->terrain) most = std::max(most, city->terrain->grid.size());
+    return most;
+}
+
 }  // namespace
 
 ExpectedSeconds expectedSeconds(const Receivers& receivers, std::size_t buildingsInReach, const SunSteps& sun,
-                                double binDeg) {
+                                double binDeg, std::size_t terrainCells) {
     const auto cells = double(receivers.cells.size()), steps = double(sun.steps.size()),
                buildings = double(buildingsInReach);
     const double bins = std::min(steps, 360 / binDeg);
     return {.ray = cells * steps * 10e-9,
             .projected = steps * (buildings * 0.2e-6 + receivers.grid.rows * 0.5e-6),
-            .horizon = bins * (cells * 5e-9 + buildings * 0.05e-6) + cells * steps * 3e-12};
+            .horizon = bins * (cells * (receivers.flat() ? 5e-9 : 40e-9) + buildings * 0.05e-6 +
+                               double(terrainCells) * 10e-9) +
+                       cells * steps * 3e-12};
 }
 
 Result<ShadowField> EngineChoice::accumulate(const City& city, const Receivers& receivers,
@@ -50,20 +59,25 @@ EngineChoice raysSince(const EngineChoice& refused, const Error& error) {
             fmt::format("rays, since {} refused: {}", refused.why, error.what)};
 }
 
+// The exact engine where it takes no longer than the sweep, or not long; else the sweep.
 EngineChoice AutoEngine::choose(std::span<const City* const> cities, const Receivers& receivers,
                                 const SunSteps& sun) const {
-    const bool terrain = std::ranges::any_of(cities, [](const City* city) { return bool(city->terrain); });
-    if (terrain || !receivers.flat())
-        return {referenceEngine, std::make_unique<RayReference>(), "rays, since there is terrain"};
+    const std::size_t terrainCells = mostTerrainCells(cities);
+    const bool even = terrainCells == 0 && receivers.flat();
     const ExpectedSeconds seconds =
-        expectedSeconds(receivers, mostInReach(cities, receivers, sun), sun, binDeg_);
-    const std::string expected = fmt::format("expected {:.2g} s by projected shadows, {:.2g} s by the sweep",
-                                             seconds.projected, seconds.horizon);
-    if (seconds.projected <= std::max(shortSeconds, seconds.horizon))
+        expectedSeconds(receivers, mostInReach(cities, receivers, sun), sun, binDeg_, terrainCells);
+    const double exact = even ? seconds.projected : seconds.ray;
+    const std::string expected = fmt::format("expected {:.2g} s by {}, {:.2g} s by the sweep", exact,
+                                             even ? "projected shadows" : "rays", seconds.horizon);
+    if (exact > std::max(shortSeconds, seconds.horizon))
+        return {"horizon", std::make_unique<HorizonSweep>(HorizonSweepSettings{binDeg_}),
+                fmt::format("the horizon sweep, since the period is long ({})", expected)};
+    if (even)
         return {"projected", std::make_unique<ProjectedShadows>(),
                 fmt::format("projected shadows, exact and quick enough here ({})", expected)};
-    return {"horizon", std::make_unique<HorizonSweep>(HorizonSweepSettings{binDeg_}),
-            fmt::format("the horizon sweep, since the period is long ({})", expected)};
+    return {referenceEngine, std::make_unique<RayReference>(),
+            fmt::format("rays, since {} and they are quick enough here ({})",
+                        terrainCells > 0 ? "there is terrain" : "receivers lie on roofs", expected)};
 }
 
 Result<ShadowField> AutoEngine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,

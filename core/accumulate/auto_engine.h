@@ -15,10 +15,11 @@ struct ExpectedSeconds {
     double ray = 0;        ///< receivers x steps x 10 ns
     double projected = 0;  ///< steps x (buildings in reach x 0.2 us + rows x 0.5 us)
     double horizon = 0;    ///< bins x (receivers x 5 ns + buildings in reach x 0.05 us), and 3 ps for each
-                           ///< receiver and step
+                           ///< receiver and step; where receivers have heights of their own 40 ns instead of
+                           ///< 5, and bins x terrain cells x 10 ns
 };
 ExpectedSeconds expectedSeconds(const Receivers& receivers, std::size_t buildingsInReach, const SunSteps& sun,
-                                double binDeg);
+                                double binDeg, std::size_t terrainCells = 0);
 
 /// An engine that was chosen, and why.
 struct EngineChoice {
@@ -35,10 +36,10 @@ struct EngineChoice {
 /// The ray reference, where the chosen engine refused: it takes every case.
 EngineChoice raysSince(const EngineChoice& refused, const Error& error);
 
-/// Chooses the engine and says in the field's `engine` which one and why: on terrain the ray reference; on
-/// flat ground projected shadows, which are exact, where they are expected to take no longer than the horizon
-/// sweep or no more than 2 s; else the horizon sweep, whose cells are off by 0.04 % of a long period in the
-/// mean. Where the one chosen refuses the case the ray reference takes it.
+/// Chooses the engine and says in the field's `engine` which one and why. On flat ground projected shadows,
+/// which are exact, where they are expected to take no longer than the horizon sweep or no more than 2 s; on
+/// terrain and roofs the ray reference on the same terms; else the horizon sweep, whose cells are off by 0.04
+/// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it.
 class AutoEngine final : public Accumulator {
 public:
     explicit AutoEngine(double binDeg) : binDeg_(binDeg) {}

@@ -54,11 +54,10 @@ std::vector<std::vector<SetTable>> tablesOf(const BinnedSun& binned, const StepS
 
 class Breakdown {
 public:
-    Breakdown(const WallList& walls, std::size_t buildings, const Receivers& receivers,
-              const BinnedSun& binned, const StepSets& sets, bool byBuilding, Progress& progress,
-              std::stop_token stop)
+    Breakdown(const WallList& walls, const Receivers& receivers, const BinnedSun& binned,
+              const StepSets& sets, bool byBuilding, Progress& progress, std::stop_token stop)
         : walls_(walls),
-          buildings_(byBuilding ? buildings : 0),
+          casters_(byBuilding ? walls.terrainNumber + 1 : 0),
           receivers_(receivers),
           binned_(binned),
           tables_(tablesOf(binned, sets)),
@@ -69,27 +68,26 @@ public:
         for (const TileBox& box : tilesOf(receivers_.grid, tileSide)) {
             const ReceiverBlocks blocks(receivers_, box);
             if (blocks.receivers() == 0) continue;
-            for (StepSums& sums : sums_)
-                sums.begin(breakdown.sets.names.size(), blocks.numbers(), buildings_);
-            sweep(blocks, breakdown.sets.names.size());
+            for (StepSums& sums : sums_) sums.begin(breakdown.sets.names.size(), blocks.numbers(), casters_);
+            sweep(blocks, {receivers_, blocks, walls_.datumM}, breakdown.sets.names.size());
             if (stop_.stop_requested()) return cancelled();
             for (const StepSums& sums : sums_) addCells(blocks, sums, breakdown);
             receiversDone_ += blocks.receivers();
         }
         for (auto& minutes : breakdown.minutes)
             for (float& value : minutes) value = float(double(value) * stepMinutes);
-        addBuildings(breakdown, stepMinutes * receivers_.grid.cellAreaM2());
+        addCasters(breakdown, stepMinutes * receivers_.grid.cellAreaM2());
         return {};
     }
 
 private:
-    void sweep(const ReceiverBlocks& blocks, std::size_t sets) {
+    void sweep(const ReceiverBlocks& blocks, const BlockGrounds& grounds, std::size_t sets) {
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t bin) {
             if (stop_.stop_requested()) return;
             StepSums& sums = sums_.local();
-            if (sums.cells.empty()) sums.begin(sets, blocks.numbers(), buildings_);
-            sweepBin(blocks, bin, sums);
+            if (sums.cells.empty()) sums.begin(sets, blocks.numbers(), casters_);
+            sweepBin(blocks, grounds, bin, sums);
             const double share = double(++done) / double(binned_.bins.size());
             progress_.report((double(receiversDone_) + share * double(blocks.receivers())) /
                                  double(receivers_.cells.size()),
@@ -97,20 +95,21 @@ private:
         });
     }
 
-    void sweepBin(const ReceiverBlocks& blocks, std::size_t number, StepSums& sums) {
+    void sweepBin(const ReceiverBlocks& blocks, const BlockGrounds& grounds, std::size_t number,
+                  StepSums& sums) {
         const AzimuthBin& bin = binned_.bins[number];
         const ShadowAxes axes(bin.away);
         SquareSweep& squares = squares_.local();
-        squares.begin(walls_, walls_.prisms, axes, extentOf(blocks.box(), axes), bin.lowest(),
-                      receivers_.grid.cellM);
+        squares.beginAll(walls_, bin.away, extentOf(blocks.box(), axes), bin.lowest(), receivers_.grid.cellM);
         for (std::size_t i = 0; i < blocks.blocks().size() && !stop_.stop_requested(); ++i) {
             const ReceiverBlocks::Block& block = blocks.blocks()[i];
             const ReceiverBlocks::Masks& masks = blocks.masks(i, axes.swapped);
+            const BlockGround ground = grounds.of(i, axes.swapped);
             const std::uint8_t* places = blocks.places(block, axes.swapped);
-            if (buildings_ > 0) {
-                if (const RankedCodes* ranked = squares.rankedCodes(block, masks))
+            if (casters_ > 0) {
+                if (const RankedCodes* ranked = squares.rankedCodes(block, masks, ground))
                     add(block, places, *ranked, tables_[number], sums);
-            } else if (const HorizonCode* codes = squares.codes(block, masks)) {
+            } else if (const HorizonCode* codes = squares.codes(block, masks, ground)) {
                 for (const SetTable& table : tables_[number])
                     for (std::uint32_t n = 0; n < block.count; ++n)
                         sums.cells[table.set][block.first + n] += table.hidden(codes[places[n]]);
@@ -141,24 +140,30 @@ private:
                     breakdown.minutes[set][blocks.cell(n)] += float(sums.cells[set][n]);
     }
 
-    void addBuildings(ShadowBreakdown& breakdown, double minM2AStep) {
-        const std::size_t sets = breakdown.sets.names.size();
-        for (std::uint32_t building = 0; building < buildings_; ++building) {
-            BuildingShadow shadow{building, std::vector<double>(sets), std::vector<double>(sets)};
-            bool any = false;
-            for (const StepSums& sums : sums_)
-                for (std::size_t set = 0; set < sets; ++set) {
-                    shadow.attributedMinM2[set] +=
-                        double(sums.attributed[building * sets + set]) * minM2AStep;
-                    shadow.soleMinM2[set] += double(sums.sole[building * sets + set]) * minM2AStep;
-                    any |= sums.attributed[building * sets + set] > 0;
-                }
-            if (any) breakdown.buildings.push_back(std::move(shadow));
+    void addCasters(ShadowBreakdown& breakdown, double minM2AStep) {
+        for (std::uint32_t caster = 0; caster < casters_; ++caster) {
+            BuildingShadow shadow = shadowOf(caster, breakdown.sets.names.size(), minM2AStep);
+            if (std::ranges::all_of(shadow.attributedMinM2, [](double minM2) { return minM2 == 0; }))
+                continue;
+            if (caster == walls_.terrainNumber)
+                breakdown.terrain = std::move(shadow);
+            else
+                breakdown.buildings.push_back(std::move(shadow));
         }
     }
 
+    BuildingShadow shadowOf(std::uint32_t caster, std::size_t sets, double minM2AStep) {
+        BuildingShadow shadow{caster, std::vector<double>(sets), std::vector<double>(sets)};
+        for (const StepSums& sums : sums_)
+            for (std::size_t set = 0; set < sets; ++set) {
+                shadow.attributedMinM2[set] += double(sums.attributed[caster * sets + set]) * minM2AStep;
+                shadow.soleMinM2[set] += double(sums.sole[caster * sets + set]) * minM2AStep;
+            }
+        return shadow;
+    }
+
     const WallList& walls_;
-    std::size_t buildings_;
+    std::size_t casters_;  // buildings and the terrain; 0: nobody asks
     const Receivers& receivers_;
     const BinnedSun& binned_;
     std::vector<std::vector<SetTable>> tables_;
@@ -182,14 +187,16 @@ ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const Ste
 Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& receivers, const SunSteps& sun,
                                          const StepSets& sets, const BreakdownSettings& settings,
                                          Progress& progress, std::stop_token stop) try {
-    if (const auto able = checkHorizonCase(city, receivers, settings.sweep.binDeg); !able)
+    if (const auto able = checkBinWidth(settings.sweep.binDeg); !able)
         return tl::make_unexpected(able.error());
-    const auto walls = standingWalls(city, buildingsInReach(city, receivers, sun), receivers.grid);
-    if (!walls) return tl::make_unexpected(walls.error());
+    OpenParts open;
+    const WallList walls = standingIn(city, buildingsInReach(city, receivers, sun), receivers, open);
+    if (!open.empty())
+        return failure("Months and contributions are of what stands on the ground, and a part in reach hangs",
+                       open.front()->sourceId, "Leave it out, or use other engines without them");
     const BinnedSun binned = binnedSun(sun, settings.sweep.binDeg);
     ShadowBreakdown breakdown = blank(receivers, sun, sets);
-    Breakdown work(*walls, city.buildings.size(), receivers, binned, sets, settings.byBuilding, progress,
-                   std::move(stop));
+    Breakdown work(walls, receivers, binned, sets, settings.byBuilding, progress, std::move(stop));
     if (const auto done = work.run(breakdown, sun.stepMinutes); !done)
         return tl::make_unexpected(done.error());
     return breakdown;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/accumulate/horizon_sweep.h"
 #include "core/accumulate/step_sets.h"
 
@@ -8,8 +10,8 @@ namespace noonmark {
 /// What one building does to the receivers, in each set of steps, minutes x m2 of the whole period.
 struct BuildingShadow {
     std::uint32_t building = 0;  ///< index in City::buildings
-    /// Of the shaded cell-minutes, those whose horizon it makes: those of all buildings add up to the total.
-    /// Where two buildings make the same horizon one of them has it.
+    /// Of the shaded cell-minutes, those whose horizon it makes: those of all buildings and the terrain add
+    /// up to the total. Where two buildings make the same horizon one of them has it.
     std::vector<double> attributedMinM2;
     /// Cell-minutes that would be lit if only this building were gone, over the same receivers.
     std::vector<double> soleMinM2;
@@ -22,6 +24,8 @@ struct ShadowBreakdown {
     std::vector<double> sunlitMinutes;        ///< of each set
     std::vector<std::vector<float>> minutes;  ///< of each set: in shadow, in all; grid order, NaN elsewhere
     std::vector<BuildingShadow> buildings;    ///< those that shade a receiver, ascending; or not asked for
+    std::optional<BuildingShadow>
+        terrain;  ///< what the ground itself does, where there is terrain and it shades
 };
 
 struct BreakdownSettings {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/accumulate/inverse_accrual_scene.h"
+#include "core/accumulate/level_ground.h"
 #include "core/accumulate/ray_interval.h"
 #include "core/accumulate/reach.h"
 #include "core/accumulate/shadow_lines_opencl.h"
@@ -65,9 +66,8 @@ Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& ci
                                                                   const Receivers& receivers,
                                                                   const SunSteps& directions,
                                                                   std::stop_token stop) const {
-    if (city.terrain || !receivers.flat())
-        return failure("Inverse accrual maps draw shadows on flat ground only, and this city has terrain",
-                       "engine", "Choose the ray reference");
+    if (const auto level = checkLevelGround(city, receivers, "Inverse accrual maps draw shadows"); !level)
+        return tl::make_unexpected(level.error());
     const LowSun lowSun(settings_.lowestSunDeg);
     const SunSteps low = lowSun.of(directions, true), high = lowSun.of(directions, false);
     std::unique_ptr<IntervalScene> rays;

@@ -11,6 +11,7 @@
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/horizon/horizon_case.h"
 #include "core/accumulate/horizon/kept_tile.h"
+#include "core/accumulate/level_ground.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
@@ -120,7 +121,8 @@ KeptHorizons::~KeptHorizons() = default;
 
 Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& receivers,
                                         KeptHorizonsSettings settings) {
-    if (const auto able = checkHorizonCase(city, receivers, settings.binDeg); !able)
+    if (const auto able = checkBinWidth(settings.binDeg); !able) return tl::make_unexpected(able.error());
+    if (const auto able = checkLevelGround(city, receivers, "Kept horizons work"); !able)
         return tl::make_unexpected(able.error());
     auto walls = KeptWalls::of(city, receivers.grid);
     if (!walls) return tl::make_unexpected(walls.error());
@@ -153,7 +155,7 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
                        "Compute a period first");
     if (const auto same = checkSame(kept_->receivers, receivers); !same)
         return tl::make_unexpected(same.error());
-    if (const auto able = checkHorizonCase(city, receivers, kept_->settings.binDeg); !able)
+    if (const auto able = checkLevelGround(city, receivers, "Kept horizons work"); !able)
         return tl::make_unexpected(able.error());
     const auto change = kept_->walls.become(city);
     if (!change) return tl::make_unexpected(change.error());

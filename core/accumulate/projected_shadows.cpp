@@ -12,6 +12,7 @@
 
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/day_sum.h"
+#include "core/accumulate/level_ground.h"
 #include "core/accumulate/partial_field.h"
 #include "core/accumulate/projected/shadow_events.h"
 #include "core/accumulate/projected/step_filler.h"
@@ -26,10 +27,7 @@ namespace noonmark {
 namespace {
 
 Result<void> checkFlat(const City& city, const Receivers& receivers) {
-    if (city.terrain || !receivers.flat())
-        return failure("Projected shadows fall on flat ground only, and this city has terrain", "engine",
-                       "Choose the ray reference");
-    return {};
+    return checkLevelGround(city, receivers, "Projected shadows fall");
 }
 
 /// Fills and counts band after band of rows: its raster, and what its cells count, stay in cache.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
 
 namespace noonmark {
@@ -55,10 +54,7 @@ LowestGround lowestGround(const Receivers& receivers) {
     LowestGround lowest;
     lowest.box.add(glm::vec2(grid.centre(int(west), int(receivers.cells.front() / columns))));
     lowest.box.add(glm::vec2(grid.centre(int(east), int(receivers.cells.back() / columns))));
-    if (receivers.flat()) return lowest;
-    lowest.groundM = std::numeric_limits<float>::max();
-    for (const std::uint32_t cell : receivers.cells)
-        lowest.groundM = std::min(lowest.groundM, receivers.groundM[cell]);
+    lowest.groundM = float(lowestGroundM(receivers));
     return lowest;
 }
 

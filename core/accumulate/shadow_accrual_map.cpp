@@ -6,6 +6,7 @@
 
 #include "core/accumulate/accrual/ground_lookup.h"
 #include "core/accumulate/accrual/slice_stack.h"
+#include "core/accumulate/level_ground.h"
 #include "core/accumulate/projected/receiver_count.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
@@ -96,9 +97,8 @@ Result<std::shared_ptr<const ShadowAccrualMap>> ShadowAccrualMap::make(const Acc
 Result<std::unique_ptr<IntervalScene>> ShadowAccrualMap::prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const {
-    if (city.terrain || !receivers.flat())
-        return failure("This engine's shadow accrual map lies on flat ground, and this city has terrain",
-                       "engine", "Choose the ray reference");
+    if (const auto level = checkLevelGround(city, receivers, "This engine's shadow accrual map lies"); !level)
+        return tl::make_unexpected(level.error());
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, directions);
     CasterFaces faces = casterFaces(city, used, stop);
     if (stop.stop_requested()) return cancelled();

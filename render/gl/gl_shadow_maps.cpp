@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/accumulate/level_ground.h"
 #include "core/accumulate/projected/receiver_count.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
@@ -136,9 +137,8 @@ Result<std::shared_ptr<const GlShadowMaps>> GlShadowMaps::make(GlPasses passes,
 Result<std::unique_ptr<IntervalScene>> GlShadowMaps::prepare(const City& city, const Receivers& receivers,
                                                              const SunSteps& directions,
                                                              std::stop_token stop) const {
-    if (city.terrain || !receivers.flat())
-        return failure("This engine's shadow maps lie on flat ground, and this city has terrain", "engine",
-                       "Choose the ray reference");
+    if (const auto level = checkLevelGround(city, receivers, "This engine's shadow maps lie"); !level)
+        return tl::make_unexpected(level.error());
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, directions);
     CasterFaces faces = casterFaces(city, used, stop);
     if (stop.stop_requested()) return cancelled();

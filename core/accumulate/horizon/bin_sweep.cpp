@@ -38,8 +38,18 @@ WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block) {
             .along = float(block.along - piece.along0),
             .slope = piece.slope,
             .rise = piece.rise,
+            .riseSlope = piece.riseSlope,
             .nearest = piece.nearest,
             .building = std::int32_t(piece.building)};
+}
+
+// What an edge must surpass to change something.
+const Floats16* seenOver(const UnevenHorizons& horizons) { return horizons.lines; }
+const Floats16* seenOver(const RankedHorizons& horizons) { return horizons.others; }
+
+float tanOf(HorizonCode lowest) {
+    const float steepness = steepnessOf(lowest);
+    return steepness / (1 - steepness);
 }
 
 void write(const HorizonCode* square, const ReceiverBlocks& blocks, const ReceiverBlocks::Block& block,
@@ -62,31 +72,42 @@ ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes) {
 }
 
 std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
-                       glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes,
-                       const std::stop_token& stop) {
+                       const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM,
+                       std::span<HorizonCode> codes, const std::stop_token& stop) {
     const ShadowAxes axes(away);
-    sweep.begin(walls, walls.prisms, axes, extentOf(blocks.box(), axes), lowest, cellM);
+    sweep.beginAll(walls, away, extentOf(blocks.box(), axes), lowest, cellM);
     for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
         if (i % 256 == 0 && stop.stop_requested()) break;
         const ReceiverBlocks::Block& block = blocks.blocks()[i];
-        write(sweep.codes(block, blocks.masks(i, axes.swapped)), blocks, block, axes.swapped, codes.data());
+        const HorizonCode* square =
+            sweep.codes(block, blocks.masks(i, axes.swapped), grounds.of(i, axes.swapped));
+        write(square, blocks, block, axes.swapped, codes.data());
     }
-    return sweep.prismsOutOfReach();
+    return sweep.outOfReach();
 }
 
 void SquareSweep::begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
                         const ShadowExtent& extent, HorizonCode lowest, double cellM) {
+    begin(axes, lowest, cellM, true);
+    walls_.find(walls, prisms, axes, extent, cellM, tanOf(lowest));
+}
+
+void SquareSweep::beginAll(const WallList& walls, glm::dvec2 away, const ShadowExtent& extent,
+                           HorizonCode lowest, double cellM) {
+    begin(ShadowAxes(away), lowest, cellM, walls.even());
+    walls_.findAll(walls, away, extent, cellM, tanOf(lowest));
+}
+
+void SquareSweep::begin(const ShadowAxes& axes, HorizonCode lowest, double cellM, bool even) {
     axes_ = axes;
     lines_ = BlockLines(axes.k, axes.sign);
     lowest_ = lowest;
-    const float steepness = steepnessOf(lowest);
-    walls_.find(walls, prisms, axes, extent, cellM, steepness / (1 - steepness));
+    even_ = even;
+    risePerMetre_ = float(axes.alongPerDistance / cellM);
 }
 
-// Near walls first, as long as one may be seen. Horizons below that of the lowest sun are all the same.
-template <class Horizons>
 bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
-                        Horizons& horizons) {
+                        BlockHorizons& horizons) {
     const BlockPlace place(block, axes_);
     const BinWalls::Bands bands = walls_.bandsOf(place.lowQ, place.highQ);
     const float level = steepnessOf(lowest_);
@@ -109,16 +130,47 @@ bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks
     return any;
 }
 
-const HorizonCode* SquareSweep::codes(const ReceiverBlocks::Block& block,
-                                      const ReceiverBlocks::Masks& masks) {
-    if (!raise(block, masks, horizons_)) return nullptr;
-    codesOf(horizons_, lowest_, codes_);
+// The same, where each cell has a height of its own: what it asks of an edge grows with the distance.
+template <class Horizons>
+bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+                        const BlockGround& ground, Horizons& horizons) {
+    const BlockPlace place(block, axes_);
+    const BinWalls::Bands bands = walls_.bandsOf(place.lowQ, place.highQ);
+    const float level = steepnessOf(lowest_), foot = ground.lowestM * risePerMetre_;
+    const auto distance = [&](int row) { return place.lowestAlong - walls_.highestAlong(row); };
+    int row = std::max(0, walls_.rowOf(place.highestAlong) - 1);
+    const auto mayMatter = [&] { return mayRaise(walls_.tallest(row, bands) - foot, distance(row), level); };
+    if (row >= walls_.rows() || !mayMatter()) return false;
+    clearBlock(masks, horizons);
+    setGrounds(ground, risePerMetre_, horizons.grounds);
+    findNeed(seenOver(horizons), horizons.grounds, level, need_);
+    bool any = false;
+    for (; row < walls_.rows(); ++row) {
+        const float least = leastRise(need_, lines_, float(place.along - walls_.highestAlong(row)));
+        if (walls_.tallest(row, bands) <= least) break;
+        if (walls_.tallestIn(row, bands) <= least) continue;
+        bool raised = false;
+        for (const WallPiece& piece : walls_.pieces(row, bands)) {
+            if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ || piece.highRise <= least) continue;
+            raiseBlock(onBlock(piece, place), lines_, horizons);
+            raised = any = true;
+        }
+        if (raised) findNeed(seenOver(horizons), horizons.grounds, level, need_);
+    }
+    return any;
+}
+
+const HorizonCode* SquareSweep::codes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+                                      const BlockGround& ground) {
+    const bool even = even_ && ground.linesM == nullptr;
+    if (!(even ? raise(block, masks, horizons_) : raise(block, masks, ground, uneven_))) return nullptr;
+    codesOf(even ? horizons_ : uneven_, lowest_, codes_);
     return codes_;
 }
 
 const RankedCodes* SquareSweep::rankedCodes(const ReceiverBlocks::Block& block,
-                                            const ReceiverBlocks::Masks& masks) {
-    if (!raise(block, masks, ranked_)) return nullptr;
+                                            const ReceiverBlocks::Masks& masks, const BlockGround& ground) {
+    if (!raise(block, masks, ground, ranked_)) return nullptr;
     codesOf(ranked_, lowest_, rankedCodes_);
     return &rankedCodes_;
 }

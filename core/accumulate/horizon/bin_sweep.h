@@ -20,24 +20,39 @@ public:
     void begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
                const ShadowExtent& extent, HorizonCode lowest, double cellM);
 
+    /// From now on all that the list holds.
+    void beginAll(const WallList& walls, glm::dvec2 away, const ShadowExtent& extent, HorizonCode lowest,
+                  double cellM);
+
     /// Codes of the block's cells in `masks`, 16 a line (row, or column where swapped), noHorizon for the
     /// others; null where all are noHorizon. Valid until the next call.
-    const HorizonCode* codes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
+    const HorizonCode* codes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+                             const BlockGround& ground = {});
 
     /// The same, with who makes the horizon and what it would be without them; null where all are level.
-    const RankedCodes* rankedCodes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
+    const RankedCodes* rankedCodes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+                                   const BlockGround& ground = {});
 
-    [[nodiscard]] std::uint64_t prismsOutOfReach() const { return walls_.prismsOutOfReach(); }
+    /// Prisms and solids.
+    [[nodiscard]] std::uint64_t outOfReach() const { return walls_.outOfReach(); }
 
 private:
+    void begin(const ShadowAxes& axes, HorizonCode lowest, double cellM, bool even);
+    bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+               BlockHorizons& horizons);
     template <class Horizons>
-    bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks, Horizons& horizons);
+    bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
+               const BlockGround& ground, Horizons& horizons);
 
     BinWalls walls_;
     ShadowAxes axes_{{0, 1}};
     BlockLines lines_{0, 1};
     HorizonCode lowest_ = 0;
+    bool even_ = true;  // prisms on level ground only: the fast way
+    float risePerMetre_ = 0;
     BlockHorizons horizons_;
+    UnevenHorizons uneven_;
+    BlockNeed need_;
     RankedHorizons ranked_;
     RankedCodes rankedCodes_;
     alignas(64) HorizonCode codes_[ReceiverBlocks::cells];
@@ -46,9 +61,9 @@ private:
 ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes);
 
 /// Writes the code of each number of `blocks` (nobody's: noHorizon), unless stopped. Returns the number of
-/// prisms out of reach.
+/// prisms and solids out of reach.
 std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
-                       glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes,
-                       const std::stop_token& stop);
+                       const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM,
+                       std::span<HorizonCode> codes, const std::stop_token& stop);
 
 }  // namespace noonmark

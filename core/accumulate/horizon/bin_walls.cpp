@@ -17,17 +17,37 @@ float nearestOf(const StandingWall& wall) {
     return edge.y > edge.x ? -onTheWall : onTheWall;
 }
 
+// The same of the face behind an edge; where it leans nobody is on it who is not below the edge.
+float nearestOf(glm::vec3 outward) {
+    constexpr float plumb = 1e-6F;
+    return std::abs(outward.z) <= plumb && outward.x + outward.y > 0 ? -onTheWall : onTheWall;
+}
+
 }  // namespace
 
 void BinWalls::find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
                     const ShadowExtent& tile, double cellM, float lowestTan) {
+    begin(axes, tile, cellM, lowestTan);
+    for (const StandingPrism& prism : prisms) addPrism(list, prism, axes);
+    sort();
+}
+
+void BinWalls::findAll(const WallList& list, glm::dvec2 away, const ShadowExtent& tile, double cellM,
+                       float lowestTan) {
+    const ShadowAxes axes(away);
+    begin(axes, tile, cellM, lowestTan);
+    for (const StandingPrism& prism : list.prisms) addPrism(list, prism, axes);
+    for (const StandingSolid& solid : list.solids) addSolid(solid, axes, glm::vec2(away));
+    if (list.terrain) addTerrain(list, axes, away);
+    sort();
+}
+
+void BinWalls::begin(const ShadowAxes& axes, const ShadowExtent& tile, double cellM, float lowestTan) {
     found_.clear();
     outOfReach_ = 0;
     alongPerMetre_ = axes.alongPerDistance / cellM;
     lowestTan_ = double(lowestTan);
     tile_ = tile;
-    for (const StandingPrism& prism : prisms) addPrism(list, prism, axes);
-    sort();
 }
 
 bool BinWalls::inReach(const ShadowExtent& extent, double reach) const {
@@ -35,36 +55,79 @@ bool BinWalls::inReach(const ShadowExtent& extent, double reach) const {
            extent.highAlong + reach >= tile_.lowAlong;
 }
 
-void BinWalls::addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes) {
-    const double rise = double(prism.topM) * alongPerMetre_;
+// How far an obstacle of this rise can shade, in cells along, is kept in reach_.
+bool BinWalls::reachesTile(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 high, double rise) {
     reach_ = rise / lowestTan_ + 1;
     ShadowExtent extent;
-    extent.addBox(axes, prism.low, prism.high);
-    if (!inReach(extent, reach_)) {
-        ++outOfReach_;
-        return;
-    }
+    extent.addBox(axes, low, high);
+    const bool reaches = inReach(extent, reach_);
+    if (!reaches) ++outOfReach_;
+    return reaches;
+}
+
+void BinWalls::addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes) {
+    const double rise = double(prism.topM) * alongPerMetre_;
+    if (!reachesTile(axes, prism.low, prism.high, rise)) return;
     for (const StandingWall& wall : list.wallsOf(prism)) {
         const ShadowAxes::Point a = axes.from(wall.a), b = axes.from(wall.b);
         const bool facesAway = axes.mirrored() ? a.q < b.q : b.q < a.q;
-        if (!facesAway) continue;
-        const WallPiece piece{.rise = float(rise), .nearest = nearestOf(wall), .building = prism.building};
-        a.q < b.q ? addWall(a, b, piece) : addWall(b, a, piece);
+        if (facesAway)
+            addPieces({a, rise}, {b, rise}, {.nearest = nearestOf(wall), .building = prism.building});
     }
 }
 
-void BinWalls::addWall(const ShadowAxes::Point& a, const ShadowAxes::Point& b, WallPiece piece) {
-    const double wide = b.q - a.q, deep = b.along - a.along;
-    const double slope = deep / wide;
+void BinWalls::addSolid(const StandingSolid& solid, const ShadowAxes& axes, glm::vec2 away) {
+    if (!reachesTile(axes, solid.low, solid.high, double(solid.topM) * alongPerMetre_)) return;
+    backLit_.clear();
+    for (const glm::vec3 normal : solid.normals) backLit_.push_back(backLitBelow(normal, away));
+    for (const SolidEdge& edge : solid.edges)
+        if (edge.right == SolidEdge::noFace ||
+            isOutline(backLit_[edge.left], backLit_[edge.right], float(lowestTan_)))
+            addEdge(solid, edge, axes);
+}
+
+void BinWalls::addEdge(const StandingSolid& solid, const SolidEdge& edge, const ShadowAxes& axes) {
+    const glm::dvec3 a = solid.vertices[edge.a], b = solid.vertices[edge.b];
+    const bool leftIsBehind = edge.right == SolidEdge::noFace || backLit_[edge.left] > backLit_[edge.right];
+    const glm::vec3 behind = solid.normals[leftIsBehind ? edge.left : edge.right];
+    addPieces({axes.from(glm::dvec2(a)), a.z * alongPerMetre_},
+              {axes.from(glm::dvec2(b)), b.z * alongPerMetre_},
+              {.nearest = nearestOf(behind), .building = solid.building});
+}
+
+// Of all squares of the terrain; a receiver lies at the datum or above.
+void BinWalls::addTerrain(const WallList& list, const ShadowAxes& axes, glm::dvec2 away) {
+    list.terrain->find(
+        {.axes = axes, .away = away, .tile = tile_, .lowestTan = lowestTan_, .alongPerMetre = alongPerMetre_},
+        edges_);
+    for (const TerrainEdges::Edge& edge : edges_) {
+        const double rise = std::max(edge.aM, edge.bM) * alongPerMetre_;
+        reach_ = rise / lowestTan_ + 1;
+        if (rise > 0)
+            addPieces({edge.a, edge.aM * alongPerMetre_}, {edge.b, edge.bM * alongPerMetre_},
+                      {.nearest = onTheWall, .building = list.terrainNumber});
+    }
+}
+
+void BinWalls::addPieces(End a, End b, WallPiece piece) {
+    if (b.at.q < a.at.q) std::swap(a, b);
+    if (!(a.at.q < b.at.q) || !(std::max(a.rise, b.rise) > 0)) return;
+    const double wide = b.at.q - a.at.q, deep = b.at.along - a.at.along;
+    const double slope = deep / wide, riseSlope = (b.rise - a.rise) / wide;
     const int count = int(std::ceil(std::max({1.0, wide / bandWidth, std::abs(deep) / rowDepth})));
-    const auto cut = [&](int i) { return i == count ? b.q : a.q + wide * i / count; };
+    const auto cut = [&](int i) { return i == count ? b.at.q : a.at.q + wide * i / count; };
     piece.slope = float(slope);
+    piece.riseSlope = float(riseSlope);
     for (int i = 0; i < count; ++i) {
         piece.lowQ = cut(i);
         piece.highQ = cut(i + 1);
-        piece.along0 = a.along + slope * (piece.lowQ - a.q);
-        const double other = i + 1 == count ? b.along : a.along + slope * (piece.highQ - a.q);
+        piece.along0 = a.at.along + slope * (piece.lowQ - a.at.q);
+        const double other = i + 1 == count ? b.at.along : a.at.along + slope * (piece.highQ - a.at.q);
+        const double rise = a.rise + riseSlope * (piece.lowQ - a.at.q),
+                     otherRise = a.rise + riseSlope * (piece.highQ - a.at.q);
         piece.highAlong = float(std::max(piece.along0, other));
+        piece.rise = float(rise);
+        piece.highRise = float(std::max(rise, otherRise));
         if (inReach({piece.lowQ, piece.highQ, std::min(piece.along0, other), double(piece.highAlong)},
                     reach_))
             found_.push_back(piece);
@@ -87,12 +150,13 @@ void BinWalls::sort() {
     lastStep_ = int(std::floor(tile_.highAlong / rowDepth)) + 1;
     rows_ = rowOf(lowest) + 1;
     starts_.assign(std::size_t(rows_) * std::size_t(bands_) + 2, 0);
-    tallest_.assign(std::size_t(rows_ + 1) * std::size_t(bands_), 0);
+    tallestIn_.assign(std::size_t(rows_ + 1) * std::size_t(bands_), 0);
     for (const WallPiece& piece : found_) {
         const std::size_t slot = slotOf(piece);
         ++starts_[slot + 2];
-        tallest_[slot] = std::max(tallest_[slot], piece.rise);
+        tallestIn_[slot] = std::max(tallestIn_[slot], piece.highRise);
     }
+    tallest_ = tallestIn_;
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     sorted_.resize(found_.size());
     for (const WallPiece& piece : found_) sorted_[starts_[slotOf(piece) + 1]++] = piece;
@@ -112,8 +176,8 @@ std::span<const WallPiece> BinWalls::pieces(int row, const Bands& bands) const {
     return std::span(sorted_).subspan(first, end - first);
 }
 
-float BinWalls::tallest(int row, const Bands& bands) const {
-    const float* of = tallest_.data() + std::size_t(row) * std::size_t(bands_);
+float BinWalls::highest(const std::vector<float>& rises, int row, const Bands& bands) const {
+    const float* of = rises.data() + std::size_t(row) * std::size_t(bands_);
     return *std::max_element(of + bands.first, of + bands.end);
 }
 

@@ -9,14 +9,17 @@
 
 namespace noonmark {
 
-/// A piece of a wall that faces away from the sun, in the axes of one azimuth: at most 32 cells across and 16
-/// along. Walls are cut at places of their own, whatever the tile, and each cut belongs to one side.
+/// A piece of what hides the sun, the top of a wall that faces away from it or an edge of a roof or of the
+/// terrain, in the axes of one azimuth: at most 32 cells across and 16 along. They are cut at places of their
+/// own, whatever the tile, and each cut belongs to one side.
 struct WallPiece {
     double lowQ, highQ;  ///< it shades lowQ <= q < highQ
     double along0;       ///< `along` of the wall at lowQ
     float slope;         ///< of `along` against q
     float highAlong;     ///< highest `along` of the piece
-    float rise;          ///< height, such that rise / (distance in `along`) is the tangent of the horizon
+    float rise;  ///< height at lowQ, such that rise / (distance in `along`) is the tangent of the horizon
+    float riseSlope;  ///< of `rise` against q; 0 for walls
+    float highRise;   ///< highest of the piece
     float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it
     std::uint32_t building;
 };
@@ -28,10 +31,13 @@ public:
     static constexpr double bandWidth = 32;
     static constexpr double rowDepth = 16;
 
-    /// Replaces what is there. `tile`: cells that matter. `cellM`: metres a cell. `lowestTan`: of the bin's
-    /// suns.
+    /// Replaces what is there by these prisms' walls. `tile`: cells that matter. `cellM`: metres a cell.
+    /// `lowestTan`: of the bin's suns.
     void find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
               const ShadowExtent& tile, double cellM, float lowestTan);
+    /// The same of all that the list holds.
+    void findAll(const WallList& list, glm::dvec2 away, const ShadowExtent& tile, double cellM,
+                 float lowestTan);
 
     /// Row of the walls with the highest `along` up to this one; rows count towards the sun.
     [[nodiscard]] int rowOf(double along) const;
@@ -46,14 +52,30 @@ public:
     [[nodiscard]] Bands bandsOf(double lowQ, double highQ) const;
     [[nodiscard]] std::span<const WallPiece> pieces(int row, const Bands& bands) const;
     /// Rise of the tallest piece in this row and all farther ones.
-    [[nodiscard]] float tallest(int row, const Bands& bands) const;
-    [[nodiscard]] std::uint64_t prismsOutOfReach() const { return outOfReach_; }
+    [[nodiscard]] float tallest(int row, const Bands& bands) const { return highest(tallest_, row, bands); }
+    /// Rise of the tallest piece in this row.
+    [[nodiscard]] float tallestIn(int row, const Bands& bands) const {
+        return highest(tallestIn_, row, bands);
+    }
+    /// Prisms and solids.
+    [[nodiscard]] std::uint64_t outOfReach() const { return outOfReach_; }
 
 private:
+    /// One end of what is cut into pieces.
+    struct End {
+        ShadowAxes::Point at;
+        double rise;
+    };
+    void begin(const ShadowAxes& axes, const ShadowExtent& tile, double cellM, float lowestTan);
     [[nodiscard]] bool inReach(const ShadowExtent& extent, double reach) const;
+    [[nodiscard]] bool reachesTile(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 high, double rise);
     void addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes);
-    void addWall(const ShadowAxes::Point& a, const ShadowAxes::Point& b, WallPiece piece);
+    void addSolid(const StandingSolid& solid, const ShadowAxes& axes, glm::vec2 away);
+    void addEdge(const StandingSolid& solid, const SolidEdge& edge, const ShadowAxes& axes);
+    void addTerrain(const WallList& list, const ShadowAxes& axes, glm::dvec2 away);
+    void addPieces(End a, End b, WallPiece piece);
     void sort();
+    [[nodiscard]] float highest(const std::vector<float>& rises, int row, const Bands& bands) const;
     [[nodiscard]] std::size_t slotOf(const WallPiece& piece) const;
 
     ShadowExtent tile_;
@@ -62,7 +84,9 @@ private:
     std::uint64_t outOfReach_ = 0;
     std::vector<WallPiece> found_, sorted_;
     std::vector<std::uint32_t> starts_;  // of each slot: row by row, in it band by band
-    std::vector<float> tallest_;
+    std::vector<float> tallestIn_, tallest_;
+    std::vector<float> backLit_;             // of the faces of the solid at hand
+    std::vector<TerrainEdges::Edge> edges_;  // of the terrain
 };
 
 }  // namespace noonmark

@@ -10,14 +10,10 @@ namespace {
 constexpr std::uint32_t mostStepsADay = 32'767;  // runs are counted in 16 bits
 }
 
-Result<void> checkHorizonCase(const City& city, const Receivers& receivers, double binDeg) {
-    if (!(binDeg >= HorizonSweepSettings::minBinDeg && binDeg <= HorizonSweepSettings::maxBinDeg))
-        return failure(fmt::format("An azimuth bin of {} deg is out of range", binDeg), "bin width",
-                       "Choose 0.1 to 2 deg");
-    if (city.terrain || !receivers.flat())
-        return failure("The horizon sweep works on flat ground only, and this city has terrain", "engine",
-                       "Choose the ray reference");
-    return {};
+Result<void> checkBinWidth(double binDeg) {
+    if (binDeg >= HorizonSweepSettings::minBinDeg && binDeg <= HorizonSweepSettings::maxBinDeg) return {};
+    return failure(fmt::format("An azimuth bin of {} deg is out of range", binDeg), "bin width",
+                   "Choose 0.1 to 2 deg");
 }
 
 Result<void> checkHorizonDays(const SunSteps& sun) {

@@ -64,7 +64,8 @@ std::size_t KeptTile::retime(const KeptWalls& walls, double cellM, const BinnedS
         if (!kept.holds(bin)) {
             kept.lowest = kept.codes.empty() ? bin.lowest() : std::min(kept.lowest, bin.lowest());
             kept.codes.resize(blocks_.numbers());
-            sweepBin(sweeps.local(), walls.list(), blocks_, bin.away, kept.lowest, cellM, kept.codes, stop);
+            sweepBin(sweeps.local(), walls.list(), blocks_, {}, bin.away, kept.lowest, cellM, kept.codes,
+                     stop);
             if (stop.stop_requested()) kept = {};
             ++swept;
         }

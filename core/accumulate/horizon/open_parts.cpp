@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/accumulate/ray_reference.h"
 #include "core/city/city.h"
 
 namespace noonmark {
@@ -30,12 +31,12 @@ Crossing crossing(const Corner& a, const Corner& b, double q) {
 
 }  // namespace
 
-void addTriangles(const Part& part, const Grid& grid, std::vector<OpenTriangle>& triangles) {
+void addTriangles(const Part& part, const Grid& grid, double datumM, std::vector<OpenTriangle>& triangles) {
     const TriangleMesh mesh = part.mesh ? *part.mesh : meshOf(part);
     const auto corner = [&](std::uint32_t index) {
         const glm::dvec3 point(mesh.vertices[index]);
         return glm::dvec3((point.x - grid.westM) / grid.cellM - 0.5,
-                          (point.y - grid.southM) / grid.cellM - 0.5, point.z);
+                          (point.y - grid.southM) / grid.cellM - 0.5, point.z - datumM);
     };
     for (const glm::uvec3& triangle : mesh.triangles)
         triangles.push_back({corner(triangle.x), corner(triangle.y), corner(triangle.z)});
@@ -76,8 +77,8 @@ void OpenSweep::add(const OpenTriangle& triangle, const ShadowAxes& axes) {
     const auto [near, far] = std::minmax({corners_[0].along, corners_[1].along, corners_[2].along});
     const double rise = std::max({corners_[0].rise, corners_[1].rise, corners_[2].rise});
     if (rise <= 0 || corners_[0].q >= corners_[2].q) return;
-    const double from = axes.swapped ? box_.firstColumn : box_.firstRow,
-                 to = from + (axes.swapped ? box_.columns : box_.rows) - 1;
+    const double from = axes.swapped ? tile_.box.firstColumn : tile_.box.firstRow,
+                 to = from + (axes.swapped ? tile_.box.columns : tile_.box.rows) - 1;
     const double tileLow = std::min(axes.sign * from, axes.sign * to),
                  tileHigh = std::max(axes.sign * from, axes.sign * to);
     const double first = std::max(std::ceil(near), tileLow),
@@ -89,15 +90,16 @@ void OpenSweep::add(const OpenTriangle& triangle, const ShadowAxes& axes) {
 // The cells of one line across whose shadow line meets the triangle: lowest q <= q < highest q.
 void OpenSweep::addLine(int along, const ShadowAxes& axes) {
     const double shift = axes.k * along;
-    const int low = axes.swapped ? box_.firstRow : box_.firstColumn,
-              count = axes.swapped ? box_.rows : box_.columns;
+    const int low = axes.swapped ? tile_.box.firstRow : tile_.box.firstColumn,
+              count = axes.swapped ? tile_.box.rows : tile_.box.columns;
     const double first = std::max(std::ceil(corners_[0].q + shift), double(low)),
                  end = std::min(std::ceil(corners_[2].q + shift), double(low + count));
     const int line = int(axes.sign) * along;
     for (int across = int(first); across < end; ++across) {
         const int column = axes.swapped ? line : across, row = axes.swapped ? across : line;
-        const std::int32_t number = numbers_[std::size_t(row - box_.firstRow) * std::size_t(box_.columns) +
-                                             std::size_t(column - box_.firstColumn)];
+        const std::int32_t number =
+            tile_.numbers[std::size_t(row - tile_.box.firstRow) * std::size_t(tile_.box.columns) +
+                          std::size_t(column - tile_.box.firstColumn)];
         if (number >= 0) addCell(number, across - shift, along);
     }
 }
@@ -109,9 +111,14 @@ void OpenSweep::addCell(std::int32_t number, double q, double along) {
     const Crossing near = a.along > b.along ? a : b, far = a.along > b.along ? b : a;
     const double toNear = along - near.along, toFar = along - far.along;
     if (toFar <= onTheWall) return;
-    // Above the receiver itself: everything up to the zenith.
-    const HorizonCode atNear = toNear > 0 ? codeAt(near.rise, toNear) : codeAt(1, 0),
-                      atFar = codeAt(far.rise, toFar);
+    const double ground =
+        tile_.groundsM.empty() ? 0 : double(tile_.groundsM[std::size_t(number)]) * alongPerMetre_;
+    // Over the receiver itself: everything up to the zenith.
+    const bool over = toNear <= 0 && (near.rise * toFar - far.rise * toNear) / (toFar - toNear) > ground;
+    const HorizonCode atNear = toNear > 0 ? codeAt(near.rise - ground, toNear)
+                               : over     ? codeAt(1, 0)
+                                          : noHorizon,
+                      atFar = codeAt(far.rise - ground, toFar);
     const HorizonCode low = std::min(atNear, atFar), high = std::max(atNear, atFar);
     if (high > lowest_) gaps_.push_back({std::uint32_t(number), low, high});
 }
@@ -133,17 +140,18 @@ void OpenSweep::merge() {
     merged_ = kept;
 }
 
-std::vector<std::int32_t> numbersOf(const ReceiverBlocks& blocks, const Grid& grid) {
-    const TileBox& box = blocks.box();
-    std::vector<std::int32_t> numbers(std::size_t(box.columns) * std::size_t(box.rows), -1);
+OpenTile::OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)
+    : box(blocks.box()), numbers(std::size_t(box.columns) * std::size_t(box.rows), -1) {
+    const auto columns = std::uint32_t(receivers.grid.columns);
+    if (!receivers.flat()) groundsM.resize(blocks.numbers());
     for (std::size_t number = 0; number < blocks.numbers(); ++number) {
         const std::uint32_t cell = blocks.cell(number);
         if (cell == ReceiverBlocks::padding) continue;
-        const int column = int(cell % std::uint32_t(grid.columns)) - box.firstColumn,
-                  row = int(cell / std::uint32_t(grid.columns)) - box.firstRow;
+        const int column = int(cell % columns) - box.firstColumn, row = int(cell / columns) - box.firstRow;
         numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)] = std::int32_t(number);
+        if (!receivers.flat())
+            groundsM[number] = float(double(rayOrigin(receivers.position(cell)).z) - datumM);
     }
-    return numbers;
 }
 
 }  // namespace noonmark

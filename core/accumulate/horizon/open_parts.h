@@ -14,11 +14,21 @@
 
 namespace noonmark {
 
-/// A triangle of a part that hangs or is a general mesh: x and y in cells, z in metres above the ground.
+/// A triangle of a part that hangs: x and y in cells, z in metres above the datum.
 using OpenTriangle = std::array<glm::dvec3, 3>;
 
-/// The triangles of a part, above a flat ground at 0.
-void addTriangles(const Part& part, const Grid& grid, std::vector<OpenTriangle>& triangles);
+/// The triangles of a part. `datumM`: local z that heights count from.
+void addTriangles(const Part& part, const Grid& grid, double datumM, std::vector<OpenTriangle>& triangles);
+
+/// The receivers of a tile, cell by cell.
+struct OpenTile {
+    TileBox box;
+    std::vector<std::int32_t> numbers;  ///< row by row; -1 where there is no receiver
+    std::vector<float> groundsM;        ///< of each number, above the datum; empty: all lie on it
+
+    OpenTile() = default;
+    OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
+};
 
 /// Suns that a receiver does not see though they stand above its horizon: low <= code < high.
 struct Gap {
@@ -31,10 +41,9 @@ struct Gap {
 /// those whose ray it would stop. One for each thread.
 class OpenSweep {
 public:
-    /// `triangles` and `blocks` outlive it; `numbers`: of the tile's cells row by row, -1 for no receiver.
-    OpenSweep(std::span<const OpenTriangle> triangles, const TileBox& box,
-              std::span<const std::int32_t> numbers)
-        : triangles_(triangles), box_(box), numbers_(numbers) {}
+    /// Both outlive it.
+    OpenSweep(std::span<const OpenTriangle> triangles, const OpenTile& tile)
+        : triangles_(triangles), tile_(tile) {}
 
     /// Raises `codes` where a part hides all from the horizon up; returns the rest, receiver by receiver in
     /// ascending order, disjoint and apart. About 10 ns a triangle and shaded cell.
@@ -51,16 +60,12 @@ private:
         double q, along, rise;
     };
     std::span<const OpenTriangle> triangles_;
-    TileBox box_;
-    std::span<const std::int32_t> numbers_;
+    const OpenTile& tile_;
     double alongPerMetre_ = 0, lowestTan_ = 0;
     HorizonCode lowest_ = 0;
     std::array<Corner, 3> corners_{};  // of the triangle at hand, by q
     std::vector<Gap> gaps_;
     std::size_t merged_ = 0;
 };
-
-/// Numbers of a tile's cells, row by row; -1 where there is no receiver.
-std::vector<std::int32_t> numbersOf(const ReceiverBlocks& blocks, const Grid& grid);
 
 }  // namespace noonmark

@@ -89,9 +89,11 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
 
 LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines) {
     if (lines.linesAQ == 0) return {0, side};
+    constexpr float roundingQ = 1e-5F;  // many lines, where the shadows run nearly along them
+    const float margin = 1 + roundingQ * std::abs(lines.linesAQ);
     const float a = wall.high * lines.linesAQ, b = (wall.low + float(side - 1)) * lines.linesAQ;
-    return {int(std::clamp(std::min(a, b) - 1, 0.0F, float(side))),
-            int(std::clamp(std::max(a, b) + 2, 0.0F, float(side)))};
+    return {int(std::clamp(std::min(a, b) - margin, 0.0F, float(side))),
+            int(std::clamp(std::max(a, b) + margin + 1, 0.0F, float(side)))};
 }
 
 BlockLines::BlockLines(double k, double sign) : linesAQ(k == 0 ? 0 : float(sign / k)) {

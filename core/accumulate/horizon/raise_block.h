@@ -27,7 +27,7 @@ struct BlockLines {
 struct WallOnBlock {
     float low, high;  ///< q of the cell, less lowQ and highQ of the piece
     float along;      ///< `along` of the cell, less that of the wall at lowQ
-    float slope, rise, nearest;
+    float slope, rise, riseSlope, nearest;
     std::int32_t building;  ///< only for who asks
 };
 

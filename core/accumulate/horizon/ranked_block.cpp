@@ -9,13 +9,15 @@ namespace {
 
 constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
-// The same sums as raiseBlock() of BlockHorizons: codes are the same.
+// The same sums as raiseBlock() of UnevenHorizons: codes are the same.
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
-                                             Floats16& best, Ints16& building, Floats16& other) {
+                                             const Floats16& ground, Floats16& best, Ints16& building,
+                                             Floats16& other) {
     const Floats16 low = places + (wall.low - shift), high = places + (wall.high - shift);
     const Floats16 distance = (wall.along + along) - wall.slope * low;
     const Floats16 behind = distance > 0 ? distance : Floats16{};
-    const Floats16 steepness = wall.rise / (wall.rise + behind);
+    Floats16 steepness;
+    findSteepness(wall, low, behind, ground, steepness);
     const Ints16 shaded = (low >= 0) & (high < 0) & (distance > wall.nearest);
     const Ints16 higher = shaded & (steepness > best), foreign = building != wall.building;
     other = higher & foreign ? best : other;
@@ -39,7 +41,8 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, RankedHorizons
     const LineRange range = linesOf(wall, lines);
     for (int line = range.first; line < range.end; ++line)
         raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)],
-                  horizons.lines[line], horizons.buildings[line], horizons.others[line]);
+                  horizons.grounds[line], horizons.lines[line], horizons.buildings[line],
+                  horizons.others[line]);
 }
 
 float lowestOf(const RankedHorizons& horizons) {

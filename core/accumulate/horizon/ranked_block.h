@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/accumulate/horizon/raise_block.h"
+#include "core/accumulate/horizon/uneven_block.h"
 
 namespace noonmark {
 
@@ -9,6 +9,7 @@ struct RankedHorizons {
     Floats16 lines[ReceiverBlocks::side];    ///< steepness, as in BlockHorizons
     Ints16 buildings[ReceiverBlocks::side];  ///< whose it is; -1: nobody's
     Floats16 others[ReceiverBlocks::side];   ///< of the steepest wall of any other building
+    Floats16 grounds[ReceiverBlocks::side];  ///< as in UnevenHorizons
 };
 
 /// Their codes, 16 a line.

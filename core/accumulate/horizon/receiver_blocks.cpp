@@ -46,7 +46,7 @@ void ReceiverBlocks::addBlock(const Receivers& receivers, int column, int row) {
 }
 
 void ReceiverBlocks::addCell(CellKind kind, std::uint32_t cell, int x, int y) {
-    const bool receiver = kind == CellKind::ground;
+    const bool receiver = isReceiver(kind);
     if (!receiver && numbering_ == Numbering::receivers) return;
     cellOf_.push_back(receiver ? cell : padding);
     rowPlaces_.push_back(std::uint8_t(y * side + x));

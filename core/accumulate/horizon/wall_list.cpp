@@ -14,7 +14,7 @@ public:
 
     void add(const Part& part, std::uint32_t building) {
         StandingPrism prism{.firstWall = std::uint32_t(list_.walls.size()),
-                            .topM = part.topM,
+                            .topM = float(double(part.topM) - list_.datumM),
                             .building = building,
                             .low = glm::dvec2(1e30),
                             .high = glm::dvec2(-1e30)};
@@ -56,24 +56,26 @@ Result<void> addStandingWalls(const Building& building, std::uint32_t number, co
                               WallList& list, OpenParts* open) {
     WallBuilder builder(grid, list);
     for (const Part& part : building.parts) {
-        if (part.topM <= 0) continue;
-        if (open != nullptr && (part.mesh || part.hangs)) {
+        if (double(part.topM) <= list.datumM) continue;
+        if (open == nullptr && part.mesh) return notStanding(building, part, "is a general mesh");
+        if (open == nullptr && part.hangs) return notStanding(building, part, "has open air below it");
+        if (part.hangs)
             open->push_back(&part);
-            continue;
-        }
-        if (part.mesh) return notStanding(building, part, "is a general mesh");
-        if (part.hangs) return notStanding(building, part, "has open air below it");
-        builder.add(part, number);
+        else if (part.mesh)
+            list.solids.push_back(standingSolid(*part.mesh, number, grid, list.datumM));
+        else
+            builder.add(part, number);
     }
     return {};
 }
 
-Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid,
-                               OpenParts* open) {
-    WallList list;
+WallList standingIn(const City& city, std::span<const std::uint32_t> buildings, const Receivers& receivers,
+                    OpenParts& open) {
+    WallList list{.datumM = lowestGroundM(receivers), .terrainNumber = std::uint32_t(city.buildings.size())};
     for (const std::uint32_t index : buildings)
-        if (const auto added = addStandingWalls(*city.buildings[index], index, grid, list, open); !added)
-            return tl::make_unexpected(added.error());
+        (void)addStandingWalls(*city.buildings[index], index, receivers.grid, list, &open);
+    if (city.terrain)
+        list.terrain = std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, list.datumM);
     return list;
 }
 

@@ -2,11 +2,14 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "core/accumulate/horizon/solid_edges.h"
+#include "core/accumulate/horizon/terrain_edges.h"
 #include "core/city/city.h"
-#include "core/receivers/grid.h"
+#include "core/receivers/receivers.h"
 #include "core/result.h"
 
 namespace noonmark {
@@ -21,14 +24,22 @@ struct StandingWall {
 struct StandingPrism {
     std::uint32_t firstWall = 0;  ///< into WallList::walls
     std::uint32_t wallCount = 0;
-    float topM = 0;
+    float topM = 0;              ///< above the list's datum
     std::uint32_t building = 0;  ///< as its adder numbers them
     glm::dvec2 low{}, high{};    ///< bounds, cells
 };
 
+/// What stands on the ground and may hide the sun.
 struct WallList {
+    double datumM = 0;  ///< local z that heights count from
     std::vector<StandingPrism> prisms;
     std::vector<StandingWall> walls;
+    std::vector<StandingSolid> solids;            ///< general meshes that stand
+    std::shared_ptr<const TerrainEdges> terrain;  ///< null: flat
+    std::uint32_t terrainNumber = 0;              ///< in the place of a building's
+
+    /// Whether all that stands there are prisms on level ground.
+    [[nodiscard]] bool even() const { return solids.empty() && !terrain; }
 
     [[nodiscard]] std::span<const StandingWall> wallsOf(const StandingPrism& prism) const {
         return std::span(walls).subspan(prism.firstWall, prism.wallCount);
@@ -38,14 +49,16 @@ struct WallList {
 /// What walls cannot describe: parts that hang or are general meshes. Not owned.
 using OpenParts = std::vector<const Part*>;
 
-/// Adds the prisms of a building, each taken from the ground up. A part that starts on another of its
-/// building is taken so too: what is below it is solid. Parts that hang or are general meshes go to `open`;
-/// where that is null they are an error: a horizon cannot say what they hide.
+/// Adds the parts of a building, each taken from the ground up. A part that starts on another of its
+/// building is taken so too: what is below it is solid. Parts that hang go to `open`, general meshes that
+/// stand to the list's solids; where `open` is null both are an error.
 Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
                               WallList& list, OpenParts* open = nullptr);
 
-/// The prisms of some buildings, numbered by their index in the city.
-Result<WallList> standingWalls(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid,
-                               OpenParts* open = nullptr);
+/// What may hide the sun from receivers: what stands of some buildings, numbered by their index in the city,
+/// and its terrain, which has the number after the last building's. The datum is the lowest receiver's. Parts
+/// that hang go to `open`.
+WallList standingIn(const City& city, std::span<const std::uint32_t> buildings, const Receivers& receivers,
+                    OpenParts& open);
 
 }  // namespace noonmark

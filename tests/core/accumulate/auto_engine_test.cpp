@@ -40,13 +40,26 @@ TEST(AutoEngine, aLongPeriodGoesToTheHorizonSweep) {
     EXPECT_THAT(field.engine, HasSubstr("since the period is long"));
 }
 
-TEST(AutoEngine, terrainGoesToRays) {
+City onTerrain() {
     City city = oneTower();
     city.terrain =
         std::make_shared<const Terrain>(Terrain{{-300, -300, 100, 7, 7}, std::vector<float>(49, 1)});
-    const ShadowField field = byAuto(city, days(1, 60));
+    return city;
+}
+
+TEST(AutoEngine, aDayOnTerrainGoesToRays) {
+    const ShadowField field = byAuto(onTerrain(), days(1, 60));
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("terrain"));
+}
+
+TEST(AutoEngine, aLongPeriodOnTerrainGoesToTheHorizonSweep) {
+    NoProgress progress;
+    const City city = onTerrain();
+    const auto field =
+        AutoEngine(0.5).accumulate(city, receiversOver(city, 30, -200, 60, 200), days(60, 480), progress, {});
+    ASSERT_TRUE(field);
+    EXPECT_EQ(field->engineKey, "horizon");
 }
 
 TEST(AutoEngine, whatTheChosenOneRefusesGoesToRaysAndIsSaid) {

@@ -5,22 +5,10 @@
 
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/accumulate/terrain_scenes.h"
 
 namespace noonmark::tests {
 namespace {
-
-/// Ground of 10 m cells around the origin, its elevation a function of the place.
-template <class Elevation>
-City groundOf(int side, const Elevation& elevation) {
-    Terrain terrain{{-side * 5.0, -side * 5.0, 10, side, side}, {}};
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            terrain.elevationM.push_back(float(elevation(terrain.grid.centre(column, row))));
-    City city;
-    city.terrain = std::make_shared<const Terrain>(std::move(terrain));
-    return city;
-}
 
 TEST(RayTerrain, groundElevationIsTheSurfaceThatCastsShadow) {
     std::mt19937 random(5);

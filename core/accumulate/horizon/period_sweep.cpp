@@ -1,0 +1,153 @@
+#include "core/accumulate/horizon/period_sweep.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "core/stopwatch.h"
+
+namespace noonmark {
+
+namespace {
+
+// For the ranks of one tile, were all its cells receivers.
+constexpr std::size_t tileBytes = std::size_t{448} << 20U;
+constexpr std::size_t partsShown = 16;
+constexpr int largestTile = 1024;  // cells a side: a line of horizons stays in the first-level cache
+
+int tileSide(std::size_t bins) {
+    const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(HorizonCode));
+    return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
+}
+
+}  // namespace
+
+/// What the threads share while a tile is swept.
+struct PeriodSweep::TileWork {
+    const ReceiverBlocks& blocks;
+    BlockGrounds grounds;
+    TileHorizons& horizons;
+    OpenTile open;
+    tbb::enumerable_thread_specific<Sums> sums{[this] { return Sums(blocks.numbers()); }};
+    std::atomic<std::size_t> done{0};
+
+    // Whole numbers of steps: their sum is the same in any order.
+    Sums hidden() {
+        Sums all(blocks.numbers());
+        for (const Sums& some : sums) std::ranges::transform(all, some, all.begin(), std::plus<>());
+        return all;
+    }
+};
+
+PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenTriangle> open,
+                         const Receivers& receivers, const SunSteps& sun, const BinnedSun& binned,
+                         Progress& progress, std::stop_token stop)
+    : walls_(walls),
+      open_(open),
+      receivers_(receivers),
+      binned_(binned),
+      count_(sun, binned),
+      progress_(progress),
+      stop_(std::move(stop)) {}
+
+std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>()); }
+
+Result<void> PeriodSweep::run(ShadowField& field) {
+    const std::vector<TileBox> tiles = tilesOf(receivers_.grid, tileSide(binned_.bins.size()));
+    oneTile_ = tiles.size() == 1;
+    for (const TileBox& box : tiles) {
+        const ReceiverBlocks blocks(receivers_, box);
+        if (blocks.receivers() == 0) continue;
+        TileHorizons horizons(binned_.bins.size(), blocks.numbers());
+        Sums hidden;
+        timed(field, "sweep", [&] { hidden = sweep(blocks, horizons, field); });
+        if (stop_.stop_requested()) return cancelled();
+        timed(field, "count", [&] { count(blocks, horizons, hidden, field); });
+        if (stop_.stop_requested()) return cancelled();
+        receiversDone_ += blocks.receivers();
+    }
+    return {};
+}
+
+template <class Work>
+void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
+    const Stopwatch watch;
+    work();
+    field.cost.seconds[stage] += watch.seconds();
+}
+
+// Where somebody looks, bins from all over the sky in turn, and in between what they come to.
+PeriodSweep::Sums PeriodSweep::sweep(const ReceiverBlocks& blocks, TileHorizons& horizons,
+                                     const ShadowField& field) {
+    TileWork work{blocks, {receivers_, blocks, walls_.datumM}, horizons, {}};
+    if (!open_.empty()) work.open = OpenTile(receivers_, blocks, walls_.datumM);
+    gaps_.assign(binned_.bins.size(), {});
+    PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
+    const std::size_t turns = sink == nullptr ? 1 : std::min(partsShown, binned_.bins.size());
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+        const std::size_t some = (binned_.bins.size() - turn + turns - 1) / turns;
+        tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweep(turn + i * turns, work); });
+        if (sink != nullptr && turn + 1 < turns && !stop_.stop_requested() && sink->wants())
+            sink->take(partialOf(blocks, work.hidden(), turn, turns, field));
+    }
+    return work.hidden();
+}
+
+void PeriodSweep::sweep(std::size_t bin, TileWork& work) {
+    if (stop_.stop_requested()) return;
+    const AzimuthBin& of = binned_.bins[bin];
+    const double cellM = receivers_.grid.cellM;
+    const std::span<HorizonCode> codes = work.horizons.of(bin);
+    outOfReach_.local() += sweepBin(sweeps_.local(), walls_, work.blocks, work.grounds, of.away, of.lowest(),
+                                    cellM, codes, stop_);
+    if (!open_.empty())
+        gaps_[bin] = OpenSweep(open_, work.open).sweep(of.away, of.lowest(), cellM, codes, stop_);
+    if (stop_.stop_requested()) return;
+    count_.addHidden(bin, codes, work.sums.local());
+    count_.addHidden(bin, gaps_[bin], work.sums.local());
+    report(work.blocks, 0.8 * double(++work.done) / double(binned_.bins.size()));
+}
+
+// Of the first bins of every `turns`, up to `turn`.
+PartialField PeriodSweep::partialOf(const ReceiverBlocks& blocks, const Sums& hidden, std::size_t turn,
+                                    std::size_t turns, const ShadowField& blank) const {
+    PartialField partial{.field = blank};
+    std::size_t steps = 0, bins = 0;
+    for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin)
+        if (bin % turns <= turn) steps += binned_.bins[bin].suns.size(), ++bins;
+    const double minutes = blank.stepMinutes / blank.days;
+    partial.field.sunlitMinutesPerDay = double(steps) * minutes;
+    std::ranges::fill(partial.field.continuousMin, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < hidden.size(); ++i)
+        if (blocks.cell(i) != ReceiverBlocks::padding)
+            partial.field.grossMin[blocks.cell(i)] = float(double(hidden[i]) * minutes);
+    partial.share = double(steps) / double(std::max<std::size_t>(1, count_.steps()));
+    partial.part = fmt::format("{} of {} azimuth bins", bins, binned_.bins.size());
+    return partial;
+}
+
+void PeriodSweep::count(const ReceiverBlocks& blocks, const TileHorizons& horizons, const Sums& hidden,
+                        ShadowField& field) {
+    BinCodes codes;
+    for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin) codes.push_back(horizons.of(bin));
+    std::atomic<std::size_t> done{0};
+    tbb::parallel_for(std::size_t{0}, partsOf(blocks), [&](std::size_t part) {
+        if (stop_.stop_requested()) return;
+        writeMinutes(blocks, part, hidden, count_.longestRuns(codes, part, lanes_.local()), field);
+        report(blocks, 0.8 + 0.2 * double(++done) / double(partsOf(blocks)));
+    });
+    if (!open_.empty()) count_.writeOpenRuns(blocks, codes, gaps_, field, stop_);
+}
+
+void PeriodSweep::report(const ReceiverBlocks& blocks, double fraction) {
+    progress_.report(
+        (double(receiversDone_) + fraction * double(blocks.receivers())) / double(receivers_.cells.size()),
+        "sweeping horizons");
+}
+
+}  // namespace noonmark
