@@ -52,7 +52,9 @@ struct FillScratch {
 /// All facets at one instant.
 class ThrownFacets {
 public:
-    ThrownFacets(const SurfaceFacets& facets, const Grid& grid, glm::dvec3 towardsSun, float nearestHitM)
+    /// Bands are so many rows high.
+    ThrownFacets(const SurfaceFacets& facets, const Grid& grid, glm::dvec3 towardsSun, float nearestHitM,
+                 int bandRows)
         : facets_(facets),
           grid_(grid),
           throwCells_(throwInCells(towardsSun, grid.cellM)),
@@ -62,19 +64,32 @@ public:
             for (std::size_t i = range.begin(); i < range.end(); ++i)
                 throws_[i] = thrownBy(facets_.facets[i]);
         });
+        sortIntoBands(bandRows);
     }
 
+    /// Rows [firstRow, endRow) are those of one band.
     void fill(NearestLevels& levels, int firstRow, int endRow, FillScratch& scratch) const {
-        for (std::size_t i = 0; i < throws_.size(); ++i) {
+        for (const std::uint32_t i : ofBand_[std::size_t(firstRow / bandRows_)]) {
             const int from = std::max(throws_[i].firstRow, firstRow),
                       to = std::min(throws_[i].endRow, endRow);
-            if (from >= to) continue;
             findLines(facets_.facets[i], scratch.lines);
             for (int row = from; row < to; ++row) fillRow(levels, i, row, row - firstRow, scratch);
         }
     }
 
 private:
+    // Most facets reach few bands, and few facets a band.
+    void sortIntoBands(int bandRows) {
+        bandRows_ = bandRows;
+        ofBand_.resize(std::size_t((grid_.rows + bandRows - 1) / bandRows));
+        for (std::uint32_t i = 0; i < throws_.size(); ++i) {
+            const Throw& cast = throws_[i];
+            if (cast.firstRow >= cast.endRow || cast.firstColumn >= cast.endColumn) continue;
+            for (int band = cast.firstRow / bandRows; band * bandRows < cast.endRow; ++band)
+                ofBand_[std::size_t(band)].push_back(i);
+        }
+    }
+
     // From below the point h metres up on the way to the sun is p - h throw, so the facet's plane gives h.
     [[nodiscard]] Throw thrownBy(const SurfaceFacet& facet) const {
         const glm::dvec3 n = facet.normal;
@@ -143,6 +158,8 @@ private:
     glm::dvec2 throwCells_;
     float nearestM_;  // lowest height that counts
     std::vector<Throw> throws_;
+    int bandRows_ = 1;
+    std::vector<std::vector<std::uint32_t>> ofBand_;  // facets, ascending
 };
 
 void copyBand(const NearestLevels& band, const Grid& grid, int firstRow, int endRow, ShadowSources& sources) {
@@ -165,8 +182,8 @@ void ProjectedSourceFinder::find(glm::dvec3 towardsSun, ShadowSources& sources,
     sources.steepestM = steepestOnASurface(towardsSun, grid_.cellM);
     sources.heightM.resize(std::size_t(levels_) * grid_.size());
     sources.building.resize(sources.heightM.size());
-    const ThrownFacets instant(facets_, grid_, towardsSun, nearestHitM_);
     const int rows = rowsOfABand(grid_, levels_);
+    const ThrownFacets instant(facets_, grid_, towardsSun, nearestHitM_, rows);
     tbb::enumerable_thread_specific<NearestLevels> bands(levels_, rows, grid_.columns);
     tbb::parallel_for(0, (grid_.rows + rows - 1) / rows, [&](int number) {
         if (stop.stop_requested()) return;
