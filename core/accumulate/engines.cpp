@@ -88,7 +88,8 @@ Engine projectedShadows() {
 Engine horizonSweep() {
     return {{"horizon",
              "Horizon sweep",
-             "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on flat ground",
+             "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and "
+             "roofs too",
              24,
              {binOption()}},
             [](const EngineSettings& settings) -> Made {

@@ -33,8 +33,8 @@ struct BreakdownSettings {
     bool byBuilding = false;  ///< some twice the time
 };
 
-/// From one horizon sweep (horizon_sweep.h: the same errors and refusals). `sets.ofStep`: one a step. The sum
-/// over all sets is the sweep's gross shadow, exactly.
+/// From one horizon sweep (horizon_sweep.h: the same errors and refusals; and parts in reach that hang).
+/// `sets.ofStep`: one a step. The sum over all sets is the sweep's gross shadow, exactly.
 Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& receivers, const SunSteps& sun,
                                          const StepSets& sets, const BreakdownSettings& settings,
                                          Progress& progress, std::stop_token stop);

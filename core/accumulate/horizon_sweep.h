@@ -13,7 +13,7 @@ struct HorizonSweepSettings {
     bool operator==(const HorizonSweepSettings&) const = default;
 };
 
-/// Long periods on flat ground. All that a city which stands on the ground does to a receiver at one azimuth
+/// Long periods. All that a city which stands on the ground does to a receiver at one azimuth
 /// is one number, the slope of its horizon: the sun is hidden where the tangent of its altitude is below. The
 /// suns of a period are put into bins of azimuth; for each bin every wall that faces away from the sun raises
 /// the horizons behind it; then each receiver's gross and longest shadow are counted from its horizons, step
@@ -27,14 +27,22 @@ struct HorizonSweepSettings {
 /// (tests/benchmarks/horizon_bench.cpp). The answer does not depend on the number of threads, on tiles or on
 /// the order of buildings.
 ///
-/// Parts that hang or are general meshes hide an interval of altitudes triangle by triangle, just those whose
-/// rays they would stop; receivers that see the sun below such a part are counted step by step.
+/// Terrain, and general meshes that stand, raise horizons by the edges of their faces, wherever one is turned
+/// away from a sun of the bin and its neighbour is not: exactly the surface that rays meet. Receivers lie at
+/// their own heights, a millimetre above the ground or roof like those of rays. What is under a mesh that
+/// stands counts as solid, as under a prism: gaps of up to 2 m (core/city/mesh_parts.h) let no light through.
 ///
-/// Refused, with an error that names another engine: terrain; more than 50,000 triangles of such parts in
-/// reach; a bin width out of range; days of more than 32,767 steps.
+/// Parts that hang hide an interval of altitudes triangle by triangle, just those whose rays they would stop;
+/// receivers that see the sun below such a part are counted step by step.
+///
+/// Refused, with an error that names another engine: more than 50,000 triangles of parts that hang in reach
+/// (each is looked at from every cell that it may shade); a bin width out of range; days of more than 32,767
+/// steps.
 ///
 /// Cost, each shared by all cores: some 3 ms for each bin of 800 x 800 cells in a dense city for the sweep,
-/// steps x receivers x some 8 ps for the longest runs. Memory: up to half a GiB.
+/// steps x receivers x some 8 ps for the longest runs. On terrain more by as much as it is rough where the
+/// sun is low: up to 100 ns a receiver and bin where every metre has a bump of its own. Memory: up to half a
+/// GiB, and some 60 bytes for each edge of the terrain that a bin's suns make an outline.
 class HorizonSweep final : public Accumulator {
 public:
     explicit HorizonSweep(HorizonSweepSettings settings = {});
