@@ -60,9 +60,9 @@ QStringList labelsOf(const Legend& legend) {
 /// Every how many ticks a label has room: those at the ends are the widest.
 int labelStride(const Canvas& canvas, const QRectF& bar, const QStringList& labels) {
     const QFontMetricsF metrics(textFont(canvas, labelPt));
-    const double needed =
-        std::max(metrics.horizontalAdvance(labels.front()), metrics.horizontalAdvance(labels.back())) +
-        6 * canvas.point;
+    const double widest =
+        std::max(metrics.horizontalAdvance(labels.front()), metrics.horizontalAdvance(labels.back()));
+    const double needed = widest * 1.5 + 4 * canvas.point;  // those at the ends are moved inwards by half
     const double between = bar.width() / double(labels.size() - 1);
     return std::max(1, int(std::ceil(needed / between)));
 }

@@ -53,9 +53,17 @@ void Workbench::takeProject(Result<OpenProject> opened) {
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
                   openedView_.baseline);
     following_.drop();  // the city that came along is the session's
-    document_.reset(openedView_.study.value_or(firstSettings(city_->loaded)));
+    document_.reset(openedView_.study.value_or(firstQuestion()));
     Q_EMIT cityShown();
     Q_EMIT projectOpened();
+}
+
+// Of a project that the window has not been used on: where it wants to know.
+StudySettings Workbench::firstQuestion() const {
+    StudySettings settings = firstSettings(city_->loaded);
+    const auto& regions = session_.project().regions;
+    if (!regions.empty()) settings.region = regions.front();
+    return settings;
 }
 
 void Workbench::recover(const std::filesystem::path& recovery) {

@@ -77,6 +77,7 @@ private:
     };
     void takeProject(Result<OpenProject> opened);
     void takeRecovered(Result<ProjectFile> kept);
+    [[nodiscard]] StudySettings firstQuestion() const;
     void follow();
     void takeCity(Result<OpenCity> city);
     void forgetAnswers();

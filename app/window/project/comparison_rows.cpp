@@ -20,8 +20,7 @@ void addThresholds(std::vector<ResultRow>& rows, const ImpactAnswer& answer, con
                    ChangeFigures ImpactFigures::*measure, const QString& meaning) {
     for (const double threshold : answer.thresholdsMin) {
         const ChangeFigures figures = figuresOf(answer.study.total, threshold).*measure;
-        rows.push_back(
-            {tr("%1 by over %2 min").arg(name).arg(threshold), changedAreaWords(figures), meaning});
+        rows.push_back({tr("%1 > %2 min").arg(name).arg(threshold), changedAreaWords(figures), meaning});
     }
 }
 
@@ -43,7 +42,7 @@ QString changedAreaWords(const ChangeFigures& figures) {
     QStringList words;
     if (figures.gainedM2 > 0) words << tr("%1 more").arg(areaWords(figures.gainedM2));
     if (figures.lostM2 > 0) words << tr("%1 less").arg(areaWords(figures.lostM2));
-    return words.join(QStringLiteral(", "));
+    return words.join(QLatin1Char('\n'));
 }
 
 std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer) {
@@ -51,14 +50,14 @@ std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer) {
     const ImpactFigures all = figuresOf(impact, 0);
     std::vector<ResultRow> rows{
         {tr("Compared"),
-         tr("%1 with %2").arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)),
+         tr("%1\nwith %2").arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)),
          tr("Minutes of the first less minutes of the second: same engine, steps and cells")}};
     addThresholds(rows, answer, tr("Gross"), &ImpactFigures::gross,
                   tr("Ground whose minutes of shadow a day rise or fall by more than that"));
     addThresholds(rows, answer, tr("Continuous"), &ImpactFigures::continuous,
                   tr("Ground whose longest unbroken shadow grows or shrinks by more than that"));
     rows.push_back({tr("Touched at all"),
-                    tr("%1 more, %2 less").arg(areaWords(all.gross.touchedM2), areaWords(all.gross.easedM2)),
+                    tr("%1 more\n%2 less").arg(areaWords(all.gross.touchedM2), areaWords(all.gross.easedM2)),
                     tr("Ground with any change of gross shadow")});
     rows.push_back({tr("Most gained"), signedWords(all.gross.mostGainedMin, 1, tr(" min a day")),
                     tr("The cell with the largest rise of gross shadow")});

@@ -11,7 +11,7 @@ namespace noonmark {
 /// threshold, means, the largest change, cells that are no receivers, and each new building by itself.
 std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer);
 
-/// "1,234 m² more, 56 m² less"
+/// "1,234 m² more" and "56 m² less", a line each; "nowhere".
 QString changedAreaWords(const ChangeFigures& figures);
 
 }  // namespace noonmark

@@ -58,8 +58,8 @@ Legend legendOf(const Impact& impact, ShadowMeasure measure) {
     const double most = amounts.empty() ? 0 : double(amounts.back());
     const double usual = amounts.empty() ? 0 : double(amounts[(amounts.size() - 1) * 98 / 100]);
     legend.scale = legendScale(std::max(usual, 1.0));
-    legend.unit = measure == ShadowMeasure::gross ? QObject::tr("minutes a day") : QObject::tr("minutes");
-    if (most > legend.scale.top) legend.unit += QObject::tr(", up to %1").arg(most, 0, 'f', 0);
+    legend.unit = measure == ShadowMeasure::gross ? QObject::tr("min a day") : QObject::tr("min");
+    if (most > legend.scale.top) legend.unit += QObject::tr(", most %1").arg(most, 0, 'f', 0);
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));
     addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QObject::tr("now ground"));
     return legend;
