@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QCoreApplication>
 #include <QFont>
+#include <QKeyEvent>
 #include <QPersistentModelIndex>
 #include <QTreeView>
 #include <QUndoStack>
@@ -147,6 +149,19 @@ TEST_F(ProjectTree, ScenarioTableFollows) {
     other.receivers.cellM = 9;
     table.setStudies({{"Proposal A", study}}, other);
     EXPECT_EQ(table.index(1, 2).data().toString(), QString()) << "another question";
+}
+
+TEST_F(ProjectTree, KeysInTheTreeGoBeforeTheWindowsShortcuts) {
+    ProjectDock dock(session);
+    session.addEdits({newTower("New", 44)}, QStringLiteral("tower"));
+    dock.tree().setCurrentIndex(dock.model().indexOf(ProjectPart::scenario, "Proposal A"));
+    QKeyEvent claim(QEvent::ShortcutOverride, Qt::Key_Delete, Qt::NoModifier);
+    claim.ignore();
+    QCoreApplication::sendEvent(&dock.tree(), &claim);
+    EXPECT_TRUE(claim.isAccepted());
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_Delete, Qt::NoModifier);
+    QCoreApplication::sendEvent(&dock.tree(), &press);
+    EXPECT_TRUE(session.project().scenarios.empty());
 }
 
 TEST_F(ProjectTree, DockUsesRemovesAndCopies) {

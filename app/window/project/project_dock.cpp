@@ -67,13 +67,21 @@ void ProjectDock::openGroup(const QModelIndex& group) {
     if (part && *part != ProjectPart::lot && *part != ProjectPart::weights) tree_->expand(group);
 }
 
+// Before the window's shortcuts: Delete in the tree is not the building's that is selected in the view.
 bool ProjectDock::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != tree_ || event->type() != QEvent::KeyPress || tree_->indexWidget(tree_->currentIndex()))
+    const bool claim = event->type() == QEvent::ShortcutOverride;
+    if (watched != tree_ || (!claim && event->type() != QEvent::KeyPress))
         return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Delete) return remove(tree_->currentIndex()), true;
-    if (key == Qt::Key_Return || key == Qt::Key_Enter) return use(tree_->currentIndex()), true;
-    return QWidget::eventFilter(watched, event);
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (!enter && key != Qt::Key_Delete) return QWidget::eventFilter(watched, event);
+    if (claim)
+        event->accept();
+    else if (enter)
+        use(tree_->currentIndex());
+    else
+        remove(tree_->currentIndex());
+    return true;
 }
 
 void ProjectDock::use(const QModelIndex& index) {

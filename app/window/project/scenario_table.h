@@ -10,9 +10,8 @@ namespace noonmark {
 
 class ProjectSession;
 
-/// The scenarios side by side: how many changes, and the figures of the latest study of each. A cell without
-/// a study is empty. Below it the same question must be asked of all for the numbers to be comparable:
-/// studies of other settings than the latest one's are left out.
+/// The scenarios side by side: how many changes, and the figures of the latest study of each. Numbers can be
+/// compared only where the same question was asked, so those of other settings than the present are left out.
 class ScenarioTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
