@@ -14,8 +14,9 @@ TerrainEdges::TerrainEdges(std::shared_ptr<const Terrain> terrain, const Grid& r
       origin_((terrain_->grid.centre(0, 0) - receivers.centre(0, 0)) / receivers.cellM),
       cells_(terrain_->grid.cellM / receivers.cellM),
       datumM_(datumM) {
-    for (int row = 0; row < std::max(1, terrain_->grid.rows - 1); row += side)
-        for (int column = 0; column < std::max(1, terrain_->grid.columns - 1); column += side)
+    // None where there is but one row or column: it has no triangles.
+    for (int row = 0; row < terrain_->grid.rows - 1; row += side)
+        for (int column = 0; column < terrain_->grid.columns - 1; column += side)
             squares_.push_back(squareFrom({column, row}));
 }
 

@@ -148,6 +148,14 @@ TEST(HorizonTerrain, aFarRangeIsSeenBeyondTheEarthsCurvature) {
     }
 }
 
+TEST(HorizonTerrain, aTerrainOfOneRowHasNoSurface) {
+    City city;
+    city.terrain = std::make_shared<const Terrain>(Terrain{{-50, -5, 10, 10, 1}, std::vector<float>(10, 3)});
+    const Receivers receivers = receiversOver(city, -20, -20, 20, 20);
+    const ShadowField field = swept(city, receivers, oneDay(arc(30, 40)));
+    for (const std::uint32_t cell : receivers.cells) ASSERT_EQ(field.grossMin[cell], 0);
+}
+
 // A hill in the east and a wall in the south: who shades when is known, and the shares add up.
 TEST(HorizonTerrain, theTerrainHasAShareOfItsOwn) {
     City city =
