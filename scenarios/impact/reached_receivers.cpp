@@ -9,10 +9,6 @@ namespace {
 
 constexpr int side = 32;
 
-float lowestGroundM(const Receivers& receivers) {
-    return receivers.flat() ? 0 : *std::ranges::min_element(receivers.groundM);
-}
-
 Box2 boxOf(const Grid& grid, int column, int row) {
     const auto along = [&](double fromM, int cells) { return float(fromM + cells * grid.cellM); };
     return {{along(grid.westM, column), along(grid.southM, row)},
@@ -32,7 +28,7 @@ void leaveOut(Receivers& receivers, int firstColumn, int firstRow) {
 Receivers reachedBy(const Building& building, const Receivers& receivers, const ShadowReach& reach) {
     Receivers reached = receivers;
     const Box2 box = bounds(building);
-    const double heightM = double(topM(building) - lowestGroundM(receivers));
+    const double heightM = double(topM(building)) - lowestGroundM(receivers);
     for (int row = 0; row < receivers.grid.rows; row += side)
         for (int column = 0; column < receivers.grid.columns; column += side)
             if (!reach.touches(box, heightM, boxOf(receivers.grid, column, row)))
