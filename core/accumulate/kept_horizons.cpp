@@ -34,6 +34,11 @@ Result<void> checkSame(const Receivers& before, const Receivers& now) {
                    "Make new ones for this region");
 }
 
+tl::unexpected<Error> noPeriod() {
+    return failure("There is no period yet whose shadow could change", "kept horizons",
+                   "Compute a period first");
+}
+
 }  // namespace
 
 struct KeptHorizons::Kept {
@@ -71,21 +76,37 @@ struct KeptHorizons::Kept {
         field.cost.seconds[stage] += watch.seconds();
     }
 
-    std::size_t sweep(KeptTile& tile, const std::stop_token& stop) {
+    std::size_t sweep(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
         std::size_t swept = 0;
-        timed("sweep", [&] { swept = tile.retime(walls, receivers.grid.cellM, binned, *count, stop); });
-        timed("count", [&] { tile.write(binned, *count, field, true, stop); });
+        timed("sweep", [&] { swept = tile.retime(walls, receivers.grid.cellM, binned, stop); });
+        write(tile, counts, stop);
         return swept;
     }
 
-    void change(KeptTile& tile, const WallChange& change, const std::stop_token& stop) {
+    void change(KeptTile& tile, const WallChange& change, KeptCounts counts, const std::stop_token& stop) {
         const bool dropped = tile.bytes() == 0;
         timed("change",
-              [&] { tile.change(receivers, walls, change, binned, &*count, settings.binDeg, stop); });
+              [&] { tile.change(receivers, walls, change, binned, *count, settings.binDeg, stop); });
         if (dropped)
-            sweep(tile, stop);
+            sweep(tile, counts, stop);
         else
-            timed("count", [&] { tile.write(binned, *count, field, false, stop); });
+            write(tile, counts, stop);
+    }
+
+    void write(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
+        if (stop.stop_requested()) return;
+        timed("count", [&] { tile.writeGross(field, stop); });
+        if (counts == KeptCounts::grossAndRuns)
+            timed("runs", [&] { tile.writeRuns(binned, *count, field, stop); });
+    }
+
+    // Sweeps again what did not stay.
+    void writeRuns(KeptTile& tile, const std::stop_token& stop) {
+        if (tile.bytes() == 0)
+            sweep(tile, KeptCounts::grossAndRuns, stop);
+        else
+            write(tile, KeptCounts::grossAndRuns, stop);
+        keepWithinMemory(tile);
     }
 
     // Cells that are no receivers any more, or not yet, hold NaN.
@@ -105,12 +126,15 @@ struct KeptHorizons::Kept {
         if (bytes() > settings.memoryBytes) latest.drop();
     }
 
-    Result<ShadowField> result(const std::stop_token& stop) {
+    Result<ShadowField> result(KeptCounts counts, const std::stop_token& stop) {
         if (stop.stop_requested()) {
             count.reset();
             return cancelled();
         }
-        return field;
+        if (counts == KeptCounts::grossAndRuns) return field;
+        ShadowField gross = field;
+        gross.continuousMin.assign(field.continuousMin.size(), std::numeric_limits<float>::quiet_NaN());
+        return gross;
     }
 };
 
@@ -129,19 +153,20 @@ Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& recei
     return KeptHorizons(std::make_unique<Kept>(settings, receivers, std::move(*walls)));
 }
 
-Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress, std::stop_token stop) try {
+Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
+                                         KeptCounts counts) try {
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     kept_->begin(sun);
     std::size_t swept = 0, done = 0;
     for (KeptTile& tile : kept_->tiles) {
         if (stop.stop_requested()) break;
-        swept += kept_->sweep(tile, stop);
+        swept += kept_->sweep(tile, counts, stop);
         kept_->keepWithinMemory(tile);
         progress.report(double(++done) / double(kept_->tiles.size()), "sweeping horizons");
     }
     kept_->field.cost.skipped["azimuth bins kept from before (bins x tiles)"] =
         kept_->tiles.size() * kept_->binned.bins.size() - swept;
-    return kept_->result(stop);
+    return kept_->result(counts, stop);
 } catch (const std::bad_alloc&) {
     for (KeptTile& tile : kept_->tiles) tile.drop();
     return failure("There is not enough memory for this study", "kept horizons",
@@ -149,10 +174,8 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
 }
 
 Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& receivers, Progress& progress,
-                                         std::stop_token stop) {
-    if (!kept_->count)
-        return failure("There is no period yet whose shadow could change", "kept horizons",
-                       "Compute a period first");
+                                         std::stop_token stop, KeptCounts counts) {
+    if (!kept_->count) return noPeriod();
     if (const auto same = checkSame(kept_->receivers, receivers); !same)
         return tl::make_unexpected(same.error());
     if (const auto able = checkLevelGround(city, receivers, "Kept horizons work"); !able)
@@ -162,12 +185,20 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     kept_->receivers = receivers;
     kept_->field.cost.seconds.clear();
     for (KeptTile& tile : kept_->tiles) {
-        kept_->change(tile, *change, stop);
+        kept_->change(tile, *change, counts, stop);
         kept_->keepWithinMemory(tile);
     }
     kept_->mask();
     progress.report(1, "sweeping horizons");
-    return kept_->result(stop);
+    return kept_->result(counts, stop);
+}
+
+Result<ShadowField> KeptHorizons::withRuns(Progress& progress, std::stop_token stop) {
+    if (!kept_->count) return noPeriod();
+    for (KeptTile& tile : kept_->tiles) kept_->writeRuns(tile, stop);
+    kept_->mask();
+    progress.report(1, "sweeping horizons");
+    return kept_->result(KeptCounts::grossAndRuns, stop);
 }
 
 std::uint64_t KeptHorizons::bytes() const { return kept_->bytes(); }

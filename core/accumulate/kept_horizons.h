@@ -15,6 +15,12 @@ struct KeptHorizonsSettings {
     bool operator==(const KeptHorizonsSettings&) const = default;
 };
 
+/// What is counted: the longest runs cost several times what gross shadow costs.
+enum class KeptCounts {
+    gross,  ///< continuousMin is NaN everywhere; withRuns() gives it later
+    grossAndRuns,
+};
+
 /// A study by horizons that stay: other dates, hours, steps and weights are a walk through tables, and a city
 /// that changed by a few buildings is looked at only where these stand, stood or throw their shadow. A city
 /// and receivers as the horizon sweep takes them (horizon_sweep.h), with the same error; but each bin's suns
@@ -36,14 +42,20 @@ public:
     ~KeptHorizons();
 
     /// The field of a period. Sweeps the bins that are not there yet, or not for suns as low. Cost: a sweep
-    /// of those; then some 1 ns a bin and receiver, and the walk of the longest runs.
-    Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop);
+    /// of those; then some 1 ns a receiver and bin whose suns are not those of the period before, and the
+    /// walk of the longest runs if these are wanted.
+    Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
+                               KeptCounts counts = KeptCounts::grossAndRuns);
 
     /// The field of the present period in another city. `receivers`: the same grid and region. Buildings that
     /// the cities share by address did not change. Error, and nothing changed: no period yet, another region,
     /// or what the horizon sweep refuses.
     Result<ShadowField> change(const City& city, const Receivers& receivers, Progress& progress,
-                               std::stop_token stop);
+                               std::stop_token stop, KeptCounts counts = KeptCounts::grossAndRuns);
+
+    /// The present field with its longest runs: only those are counted that are out of date. Error: no period
+    /// yet.
+    Result<ShadowField> withRuns(Progress& progress, std::stop_token stop);
 
     [[nodiscard]] std::uint64_t bytes() const;  ///< of the horizons that are there
 

@@ -18,9 +18,11 @@ std::vector<SummaryFigure> horizonSummary() {
             {"year_cell_error_max_pct", "its cell error, largest, %", "<= 0.5"},
             {"day_vs_ray", "a day by projected shadows, times as fast as rays", ">= 25"},
             {"day_mistagged_pct", "cells and minutes that they see otherwise, %", "<= 0.001"},
-            {"retime_fraction", "other hours on kept horizons, of the full sweep", "<= 0.05"},
-            {"edit_fraction", "a tower moved by 10 m, of the full sweep", "<= 0.02"},
-            {"edit_ms", "the same, ms", "< 33"}};
+            {"retime_fraction", "other hours on kept horizons, gross, of the full sweep", "<= 0.05"},
+            {"retime_with_runs_fraction", "the same with the longest runs", ""},
+            {"edit_fraction", "a tower moved by 10 m, gross, of the full sweep", "<= 0.02"},
+            {"edit_with_runs_fraction", "the same with the longest runs", ""},
+            {"edit_ms", "a tower moved by 10 m, gross, ms", "< 33"}};
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ City withTower(City city, glm::vec2 middle, float eastM) {
     return city;
 }
 
-/// Kept horizons: the year again, one day of it, and a tower of 200 m that is moved by 10 m.
+/// Kept horizons, gross shadow: the year again, one day of it, and a tower of 200 m that is moved by 10 m.
 void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, double binDeg, int rounds) {
     NoProgress progress;
     const Box2 box = bounds(city);
@@ -122,7 +122,7 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
     };
     City now = withTower(city, middle, 0);
     KeptHorizons kept = taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg}));
-    const double full = secondsOf([&] { taken(kept.retime(sun, progress, {})); });
+    const double full = secondsOf([&] { taken(kept.retime(sun, progress, {}, KeptCounts::gross)); });
     SunSteps day = sun;
     day.days = {sun.days[100]};
     day.days[0].first = 0;
@@ -130,14 +130,15 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
                      sun.steps.begin() + sun.days[100].first + sun.days[100].count);
     std::vector<double> again, ofDay, edits;
     for (int round = 0; round < rounds; ++round) {
-        ofDay.push_back(secondsOf([&] { taken(kept.retime(day, progress, {})); }));
-        again.push_back(secondsOf([&] { taken(kept.retime(sun, progress, {})); }));
+        ofDay.push_back(secondsOf([&] { taken(kept.retime(day, progress, {}, KeptCounts::gross)); }));
+        again.push_back(secondsOf([&] { taken(kept.retime(sun, progress, {}, KeptCounts::gross)); }));
     }
     for (int round = 1; round <= 2 * rounds; ++round) {
         now = withTower(city, middle, round % 2 == 0 ? 0.0F : 10.0F);
         const Receivers receivers = receiversOf(now);
         ShadowField field;
-        edits.push_back(secondsOf([&] { field = taken(kept.change(now, receivers, progress, {})); }));
+        edits.push_back(
+            secondsOf([&] { field = taken(kept.change(now, receivers, progress, {}, KeptCounts::gross)); }));
         if (round == 1) printStages(field);
     }
     fmt::print(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -62,14 +63,33 @@ glm::dvec2 middleAway(std::uint32_t bin, double widthDeg) {
     return {-std::sin(azimuth), -std::cos(azimuth)};
 }
 
-HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns) {
-    if (!suns.empty()) {
-        lowest_ = suns.front();
-        last_ = suns.back() - lowest_ + 1;
+HiddenSuns::HiddenSuns(std::span<const HorizonCode> suns, std::span<const HorizonCode> others) {
+    int low = std::numeric_limits<int>::max(), high = std::numeric_limits<int>::lowest();
+    for (const auto& some : {suns, others})
+        if (!some.empty()) {
+            low = std::min(low, int(some.front()));
+            high = std::max(high, int(some.back()));
+        }
+    if (low <= high) {
+        lowest_ = low;
+        last_ = high - low + 1;
     }
     counts_.assign(std::size_t(last_) + 1, 0);
     for (const HorizonCode sun : suns) ++counts_[std::size_t(sun - lowest_ + 1)];
+    for (const HorizonCode sun : others) --counts_[std::size_t(sun - lowest_ + 1)];
     for (std::size_t i = 1; i < counts_.size(); ++i) counts_[i] += counts_[i - 1];
+    if (std::max(suns.size(), others.size()) <= std::size_t(std::numeric_limits<std::int16_t>::max()))
+        short_.assign(counts_.begin(), counts_.end());
+}
+
+void HiddenSuns::addTo(const HorizonCode* horizons, std::span<const Stretch> of, std::uint32_t* sums) const {
+    const auto add = [&](const auto* counts) {
+        const int lowest = lowest_, last = last_;
+        for (const auto& [first, end] : of)
+            for (std::uint32_t i = first; i < end; ++i)
+                sums[i] += std::uint32_t(counts[std::clamp(int(horizons[i]) - lowest, 0, last)]);
+    };
+    short_.empty() ? add(counts_.data()) : add(short_.data());
 }
 
 BinnedSun binnedSun(const SunSteps& sun, double widthDeg, BinDirection direction) {

@@ -20,19 +20,31 @@ struct AzimuthBin {
     [[nodiscard]] HorizonCode lowest() const { return suns.front(); }
 };
 
+/// Numbers [first, end).
+struct Stretch {
+    std::uint32_t first, end;
+};
+
 /// How many of some suns a horizon hides, looked up.
 class HiddenSuns {
 public:
     /// `suns`: ascending; none is fine. 4 bytes for each level between the lowest and the highest.
-    explicit HiddenSuns(std::span<const HorizonCode> suns);
+    explicit HiddenSuns(std::span<const HorizonCode> suns) : HiddenSuns(suns, {}) {}
+    /// How many more of `suns` than of `others`, modulo 2^32.
+    HiddenSuns(std::span<const HorizonCode> suns, std::span<const HorizonCode> others);
 
     [[nodiscard]] std::uint32_t operator()(HorizonCode horizon) const {
         return counts_[std::size_t(std::clamp(int(horizon) - lowest_, 0, last_))];
     }
 
+    /// Adds the count of each horizon to its sum. A table of small counts is read in 16 bits: it stays in
+    /// cache.
+    void addTo(const HorizonCode* horizons, std::span<const Stretch> of, std::uint32_t* sums) const;
+
 private:
     int lowest_ = 0, last_ = 0;
     std::vector<std::uint32_t> counts_;
+    std::vector<std::int16_t> short_;  // the same, where they fit
 };
 
 /// Where a step of the period is found among the bins: hidden by a horizon of that bin above its code.

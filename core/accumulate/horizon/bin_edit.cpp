@@ -28,24 +28,34 @@ ShadowExtent extentOf(const ReceiverBlocks::Block& block, const ShadowAxes& axes
 
 }  // namespace
 
-void BinEdit::run(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest, std::span<HorizonCode> codes,
-                  const OnChange& changed) {
+std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest,
+                                         std::span<HorizonCode> codes) {
     const ShadowAxes axes(away);
     const ShadowExtent tile = noonmark::extentOf(edit.blocks.box(), axes);
     const WallList& list = edit.walls.list();
     removed_.begin(list, edit.change.removed, axes, tile, lowest, edit.cellM);
     added_.begin(list, edit.change.added, axes, tile, lowest, edit.cellM);
-    findBlocks(edit, axes);
-    findLost(edit, axes, codes);
-    if (!lost_.empty()) findAgain(edit, axes, lowest, codes, changed);
-    raise(edit, axes, codes, changed);
+    findBlocks(edit, axes, lowest);
+    lost_.clear();
+    changes_.clear();
+    for (const std::uint32_t number : edit.newNumbers) codes[number] = noHorizon;
+    for (const std::size_t block : blocks_) look(edit, axes, block, codes);
+    if (!lost_.empty()) findAgain(edit, axes, lowest, codes);
+    return changes_;
 }
 
-// The squares of each line across that the prisms' bands of q meet.
-void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes) {
+// The squares that the prisms' bands of q meet, as far as their shadows are long.
+void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest) {
+    const double tan = double(steepnessOf(lowest)) / (1 - double(steepnessOf(lowest)));
     ShadowExtent extent;
     for (const auto* prisms : {&edit.change.removed, &edit.change.added})
-        for (const StandingPrism& prism : *prisms) extent.addBox(axes, prism.low, prism.high);
+        for (const StandingPrism& prism : *prisms) {
+            ShadowExtent own;
+            own.addBox(axes, prism.low, prism.high);
+            own.highAlong += double(prism.topM) * axes.alongPerDistance / (edit.cellM * tan) + 2;
+            extent.add({own.lowQ, own.lowAlong - 1});
+            extent.add({own.highQ, own.highAlong});
+        }
     blocks_ = edit.newBlocks;
     const TileBox& box = edit.blocks.box();
     const glm::ivec2 squares = edit.blocks.squares();
@@ -53,6 +63,8 @@ void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes) {
     for (int line = 0; line < alongs && extent.lowQ <= extent.highQ; ++line) {
         const int from = axes.swapped ? box.firstColumn : box.firstRow,
                   other = axes.swapped ? box.firstRow : box.firstColumn;
+        const double one = axes.sign * (from + line * side), last = one + axes.sign * (side - 1);
+        if (std::max(one, last) < extent.lowAlong || std::min(one, last) > extent.highAlong) continue;
         const double a = axes.k * axes.sign * (from + line * side), b = a + axes.k * axes.sign * side;
         const double low = extent.lowQ + std::min(a, b) - other - 1,
                      high = extent.highQ + std::max(a, b) - other + 1;
@@ -67,23 +79,38 @@ void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes) {
     blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
 }
 
-void BinEdit::findLost(const TileEdit& edit, const ShadowAxes& axes, std::span<const HorizonCode> codes) {
-    lost_.clear();
-    for (const std::size_t i : blocks_) {
-        const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
-        Lost lost{i, axes.swapped ? edit.newColumns[i] : edit.newRows[i]};
-        const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
-        const HorizonCode* of = codes.data() + block.first;
-        if (const HorizonCode* gone = removed_.codes(block, edit.blocks.masks(i, axes.swapped)))
-            for (std::uint32_t n = 0; n < block.count; ++n)
-                if (const HorizonCode code = gone[places[n]]; code > noHorizon && code == of[n])
-                    add(lost.masks, places[n]);
-        if (any(lost.masks)) lost_.push_back(lost);
+void BinEdit::put(std::span<HorizonCode> codes, std::uint32_t number, HorizonCode code) {
+    if (codes[number] == code) return;
+    changes_.push_back({number, codes[number], code});
+    codes[number] = code;
+}
+
+// Where nothing is lost the horizon is the higher one of the old and what was added.
+void BinEdit::look(const TileEdit& edit, const ShadowAxes& axes, std::size_t i,
+                   std::span<HorizonCode> codes) {
+    const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
+    const ReceiverBlocks::Masks& receivers = edit.blocks.masks(i, axes.swapped);
+    const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
+    const HorizonCode* gone = removed_.codes(block, receivers);
+    const HorizonCode* come = added_.codes(block, receivers);
+    Lost lost{i, axes.swapped ? edit.newColumns[i] : edit.newRows[i]};
+    const bool anyNew = any(lost.masks);
+    if (gone == nullptr && come == nullptr && !anyNew) return;
+    for (std::uint32_t n = 0; n < block.count; ++n) {
+        const std::uint8_t place = places[n];
+        const HorizonCode now = codes[block.first + n], raised = come == nullptr ? noHorizon : come[place];
+        if (anyNew && has(lost.masks, place)) continue;
+        if (raised >= now) {
+            put(codes, block.first + n, raised);
+        } else if (gone != nullptr && gone[place] == now) {
+            add(lost.masks, place);
+        }
     }
+    if (any(lost.masks)) lost_.push_back(lost);
 }
 
 void BinEdit::findAgain(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest,
-                        std::span<HorizonCode> codes, const OnChange& changed) {
+                        std::span<HorizonCode> codes) {
     ShadowExtent extent;
     for (const Lost& lost : lost_) extent = extentOf(edit.blocks.blocks()[lost.block], axes, extent);
     edit.walls.across(axes, extent, prisms_);
@@ -92,29 +119,9 @@ void BinEdit::findAgain(const TileEdit& edit, const ShadowAxes& axes, HorizonCod
         const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
         const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
         const HorizonCode* square = all_.codes(block, lost.masks);
-        for (std::uint32_t n = 0; n < block.count; ++n) {
-            if (!has(lost.masks, places[n])) continue;
-            const HorizonCode before = codes[block.first + n],
-                              after = square == nullptr ? noHorizon : square[places[n]];
-            codes[block.first + n] = after;
-            if (before != after) changed(block.first + n, before, after);
-        }
-    }
-}
-
-void BinEdit::raise(const TileEdit& edit, const ShadowAxes& axes, std::span<HorizonCode> codes,
-                    const OnChange& changed) {
-    for (const std::size_t i : blocks_) {
-        const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
-        const HorizonCode* square = added_.codes(block, edit.blocks.masks(i, axes.swapped));
-        if (square == nullptr) continue;
-        const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
-        for (std::uint32_t n = 0; n < block.count; ++n) {
-            const HorizonCode before = codes[block.first + n], after = square[places[n]];
-            if (after <= before) continue;
-            codes[block.first + n] = after;
-            changed(block.first + n, before, after);
-        }
+        for (std::uint32_t n = 0; n < block.count; ++n)
+            if (has(lost.masks, places[n]))
+                put(codes, block.first + n, square == nullptr ? noHorizon : square[places[n]]);
     }
 }
 

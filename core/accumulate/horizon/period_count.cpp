@@ -24,6 +24,13 @@ std::span<const Gap> of(std::uint32_t number, std::span<const Gap> gaps) {
     return {own.begin(), own.end()};
 }
 
+void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& visit) {
+    const std::size_t first = part * lanesARun, end = std::min(first + lanesARun, blocks.numbers());
+    for (std::size_t number = first; number < end; ++number)
+        if (const std::uint32_t cell = blocks.cell(number); cell != ReceiverBlocks::padding)
+            visit(number, cell);
+}
+
 }  // namespace
 
 PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned) : runs_(timedSteps(sun, binned)) {
@@ -69,14 +76,23 @@ RunLanes PeriodCount::longestRuns(const BinCodes& codes, std::size_t part,
     return runs_.of(lanes);
 }
 
+void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
+                ShadowField& field) {
+    forEachCell(blocks, part, [&](std::size_t number, std::uint32_t cell) {
+        field.grossMin[cell] = float(double(hidden[number]) * field.stepMinutes / field.days);
+    });
+}
+
+void writeRuns(const ReceiverBlocks& blocks, std::size_t part, const RunLanes& longest, ShadowField& field) {
+    forEachCell(blocks, part, [&](std::size_t number, std::uint32_t cell) {
+        field.continuousMin[cell] = float(longest.values[number % lanesARun] * field.stepMinutes);
+    });
+}
+
 void writeMinutes(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
                   const RunLanes& longest, ShadowField& field) {
-    const std::size_t first = part * lanesARun, end = std::min(first + lanesARun, blocks.numbers());
-    for (std::size_t i = first; i < end; ++i)
-        if (const std::uint32_t cell = blocks.cell(i); cell != ReceiverBlocks::padding) {
-            field.grossMin[cell] = float(double(hidden[i]) * field.stepMinutes / field.days);
-            field.continuousMin[cell] = float(longest.values[i - first] * field.stepMinutes);
-        }
+    writeGross(blocks, part, hidden, field);
+    writeRuns(blocks, part, longest, field);
 }
 
 }  // namespace noonmark

@@ -45,7 +45,12 @@ private:
     std::vector<HiddenSuns> hidden_;
 };
 
-/// Writes the minutes of numbers [64 part, 64 part + 64) into their cells. `hidden`: steps, one a number.
+/// Writes minutes of numbers [64 part, 64 part + 64) into their cells. `hidden`: steps, one a number.
+void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
+                ShadowField& field);
+void writeRuns(const ReceiverBlocks& blocks, std::size_t part, const RunLanes& longest, ShadowField& field);
+
+/// Both.
 void writeMinutes(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
                   const RunLanes& longest, ShadowField& field);
 

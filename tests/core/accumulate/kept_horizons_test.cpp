@@ -143,6 +143,29 @@ TEST(KeptHorizons, anyEditsGiveTheFieldOfAFreshComputation) {
     }
 }
 
+TEST(KeptHorizons, longestRunsMayBeCountedLater) {
+    std::mt19937 random(5);
+    City city = blocks(6, 3);
+    Receivers receivers = smallRegion(city, 4);
+    KeptHorizons kept = keptOf(city, receivers);
+    NoProgress progress;
+    EXPECT_FALSE(kept.withRuns(progress, {}));
+    const std::vector<SunSteps> periods{someDays(25, 3), someDays(25, 2), someDays(50, 2)};
+    for (int round = 0; round < 60; ++round) {
+        const SunSteps& sun = periods[std::size_t(round) % periods.size()];
+        kept.retime(sun, progress, {}, KeptCounts::gross).value();
+        editAnything(city, random);
+        receivers = smallRegion(city, 4);
+        const ShadowField gross = kept.change(city, receivers, progress, {}, KeptCounts::gross).value();
+        const ShadowField whole = fresh(city, receivers, sun);
+        ASSERT_TRUE(sameBits(gross.grossMin, whole.grossMin)) << round;
+        ASSERT_TRUE(
+            std::ranges::all_of(gross.continuousMin, [](float minutes) { return std::isnan(minutes); }));
+        if (round % 3 == 1) continue;
+        ASSERT_TRUE(sameField(kept.withRuns(progress, {}).value(), whole)) << round;
+    }
+}
+
 TEST(KeptHorizons, tilesBeyondTheMemoryAreSweptAnew) {
     const City city = blocks(4, 4);
     const Receivers receivers = receiversOver(city, -60, -60, 330, 330);
