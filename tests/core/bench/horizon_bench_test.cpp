@@ -31,7 +31,8 @@ TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
     }
     EXPECT_EQ(keys, (std::vector<std::string>{"year_vs_ray", "year_cell_error_mean_pct",
                                               "year_cell_error_max_pct", "day_vs_ray", "day_mistagged_pct",
-                                              "retime_fraction", "edit_fraction", "edit_ms"}));
+                                              "retime_fraction", "retime_with_runs_fraction", "edit_fraction",
+                                              "edit_with_runs_fraction", "edit_ms"}));
     EXPECT_LT(json["year_cell_error_mean_pct"].get<double>(), 0.5);
     EXPECT_LT(json["day_mistagged_pct"].get<double>(), 0.05);
 }
