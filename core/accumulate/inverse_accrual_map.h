@@ -23,7 +23,7 @@ struct InverseAccrualSettings {
     float nearestHitM = 1;
     /// Lines also begin up to this far outside the region, and under its buildings: a shadow that comes from
     /// there was somewhere at t1, too. Metres, 0 to 500.
-    double marginM = 48;
+    double marginM = 24;
     /// Steps with the sun lower than this are traced, a ray each: their shadows come from farther away than
     /// lines are followed, past more occluders than `levels`. Degrees, 0 to 45; 0: lines only, as the paper.
     double lowestSunDeg = 10;
