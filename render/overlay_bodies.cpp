@@ -126,7 +126,7 @@ std::optional<glm::dvec2> OverlayBodies::handlePixel(const CameraPose& pose, con
     if (!foot_) return std::nullopt;
     const auto foot = pixelOf(pose, lens, *foot_);
     if (!foot) return foot;
-    return *foot - glm::dvec2(0, handlePx / 2 * std::cos(glm::radians(pose.pitchDeg)));
+    return *foot - glm::dvec2(0, handlePx / 2);
 }
 
 void OverlayBodies::setLens(const ViewLens& lens) {

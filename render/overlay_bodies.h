@@ -25,7 +25,7 @@ class ShaderMaterial;
 class OverlayBodies {
 public:
     enum class Tint { hovered, selected, proposed };
-    static constexpr double handlePx = 60;  ///< height of the handle on the screen, device-independent pixels
+    static constexpr double handlePx = 48;  ///< height of the handle on the screen, device-independent pixels
 
     explicit OverlayBodies(Qt3DCore::QEntity* parent);  ///< owns this one's nodes
     ~OverlayBodies();
@@ -35,7 +35,7 @@ public:
     /// The buildings of `some`; none: nothing. Some 0.1 ms a building.
     void show(Tint tint, const City& some);
     void showLines(const std::vector<GroundLine>& lines);
-    /// An arrow up and down that stands on this point; its size in pixels stays.
+    /// An arrow up and down, upright on the screen, that stands on this point; its size in pixels stays.
     void showHandle(std::optional<glm::dvec3> foot);
     void lightHandle(bool lit);  ///< under the cursor
 

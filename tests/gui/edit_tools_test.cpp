@@ -160,6 +160,16 @@ TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {
     EXPECT_FALSE(view.drawing());
 }
 
+TEST_F(EditToolsTest, ATowerInABuildingsPlaceBeginsAsHighAsThatIs) {
+    tools.building().select(0);
+    tools.replace();
+    EXPECT_EQ(field<QSpinBox>(tools.massingDock(), "storeys").value(), 17) << "60 m";
+    tools.tower().build();
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(lastEdit<Replace>().building, "South House");
+    EXPECT_NEAR(massOf(0), 17 * 1600, 1);
+}
+
 TEST_F(EditToolsTest, WhatWasBuiltIsDesignedFurther) {
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     tools.tower().build();

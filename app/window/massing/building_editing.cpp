@@ -6,7 +6,6 @@
 #include "app/window/massing/building_facts.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/selection_panel.h"
-#include "app/window/massing/tower_draft.h"
 #include "core/city/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 
@@ -190,7 +189,12 @@ std::optional<NamedLot> BuildingEditing::lot() const {
         if (contains(lot.outline, middle)) return lot;
     const auto footprint = lotUnder(building(), desk_.city->city());
     if (!footprint) return std::nullopt;
-    return NamedLot{freeLotName(desk_.lots), *footprint};
+    const std::string& name = building().name.empty() ? id_ : building().name;
+    return NamedLot{"Lot of " + name, *footprint};
+}
+
+int BuildingEditing::storeys() const {
+    return selected_ ? factsOf(building(), desk_.city->city()).storeys : 0;
 }
 
 }  // namespace noonmark

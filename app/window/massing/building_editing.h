@@ -34,8 +34,10 @@ public:
     void show();       ///< tint and handle again, unless a preview stands in their place
     void standBack();  ///< another tool has the view: both go
 
-    /// The lot that the middle of the selected building stands on, or its footprint under a free name.
+    /// The lot that the middle of the selected building stands on, or its footprint, "Lot of One57".
     [[nodiscard]] std::optional<NamedLot> lot() const;
+    [[nodiscard]] int storeys()
+        const;  ///< of the selected building, of usualStoreyM; 0 where none is selected
 
 Q_SIGNALS:
     void editsMade(std::vector<noonmark::Edit> edits, QString what);

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/window/file_dialogs.h"
 #include "app/window/ground_lines.h"
@@ -95,7 +96,10 @@ void EditTools::connectTools() {
     connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
     connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
     connect(massing_, &MassingPanel::drawRequested, this, &EditTools::drawLot);
-    connect(massing_, &MassingPanel::designRequested, this, [this](const NamedLot& lot) { design(lot, {}); });
+    connect(massing_, &MassingPanel::designRequested, this, [this](const NamedLot& lot) {
+        tower_.begin(lot, {});
+        tellOfDesign();
+    });
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
     connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
@@ -205,24 +209,27 @@ void EditTools::takeLot(const std::vector<Footprint>& pieces) {
             {"The sides of the lot cross one another", {}, "Draw it again, corner after corner"});
     const NamedLot lot{freeLotName(desk_.lots), pieces.front()};
     Q_EMIT lotDrawn(lot);
-    design(lot, {});
+    tower_.begin(lot, {});
+    tellOfDesign();
 }
 
 void EditTools::lotFromFootprint() {
     if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
 }
 
+// What was built here is designed further; in place of any other building a tower begins as high as it is.
 void EditTools::replace() {
-    if (const auto design = tower_.designOf(building_.id())) {
+    const auto lot = building_.lot();
+    if (!lot) return;
+    if (const auto design = tower_.designOf(building_.id()))
         tower_.resume(*design);
-        return Q_EMIT designBegan();
-    }
-    if (const auto lot = building_.lot()) design(*lot, building_.id());
+    else
+        tower_.begin(*lot, building_.id(), std::clamp(building_.storeys(), 1, 500));
+    tellOfDesign();
 }
 
-void EditTools::design(const NamedLot& lot, const std::string& replaces) {
-    tower_.begin(lot, replaces);
-    desk_.panel.view().requestActivate();
+void EditTools::tellOfDesign() {
+    desk_.panel.view().requestActivate();  // the number that is typed goes there
     Q_EMIT designBegan();
     Q_EMIT hinted(
         tr("Drag the arrow, or type a height in metres. Shift: not in whole storeys. Enter builds, Esc "

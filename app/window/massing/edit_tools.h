@@ -61,7 +61,7 @@ private:
     void extrude(double heightM);
     void extruded(double heightM);
     void takeLot(const std::vector<Footprint>& pieces);
-    void design(const NamedLot& lot, const std::string& replaces);
+    void tellOfDesign();
     void importMesh();
     void showLots();
     void enableActions();

@@ -9,8 +9,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr int firstStoreys = 10;
-
 // Where a tower's handle stands: over the middle of its highest plate.
 glm::dvec2 middleOf(const Tier& tier) {
     Building building;
@@ -27,10 +25,10 @@ TowerEditing::TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent)
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
 }
 
-void TowerEditing::begin(const NamedLot& lot, const std::string& replaces) {
+void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, int storeys) {
     if (!desk_.city) return;
     resume({.lot = lot,
-            .settings = {.storeys = firstStoreys},
+            .settings = {.storeys = storeys},
             .tower = freeTowerName(desk_.city->city()),
             .replaces = replaces});
 }

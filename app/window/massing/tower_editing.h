@@ -19,7 +19,7 @@ public:
     TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
 
     /// `replaces`: id of a building whose place it takes; empty: none.
-    void begin(const NamedLot& lot, const std::string& replaces);
+    void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
     /// The design of a tower that was built here; none of any other building.
     [[nodiscard]] std::optional<TowerDraft> designOf(const std::string& id) const;
     void resume(TowerDraft draft);
