@@ -4,6 +4,7 @@
 #include <QStatusBar>
 
 #include "app/window/main_window.h"
+#include "app/window/project/project_dock.h"
 #include "app/window/view_panel.h"
 
 // The part of MainWindow that joins the tools to the project: what they make are steps of it.
@@ -24,6 +25,7 @@ void MainWindow::connectEditing() {
             });
     connect(&tools_, &EditTools::lotDrawn, this,
             [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
+    connect(docks_.project, &ProjectDock::drawLotRequested, &tools_, &EditTools::drawLot);
     connect(&workbench_.session(), &ProjectSession::changed, this,
             [this] { tools_.setLots(workbench_.session().project().lots); });
     connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);

@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QDoubleSpinBox>
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTemporaryDir>
 #include <cmath>
+#include <fstream>
 
 #include "app/window/massing/building_facts.h"
 #include "app/window/massing/massing_panel.h"
@@ -26,6 +31,7 @@ struct EditToolsTest : ::testing::Test {
     std::shared_ptr<const OpenCity> city = test::smallOpenCity();
     std::vector<std::vector<Edit>> made;
     std::vector<NamedLot> lots;
+    bool cityComesBack = true;  // false: the project is still at work
 
     void SetUp() override {
         view.resize(900, 700);
@@ -34,7 +40,7 @@ struct EditToolsTest : ::testing::Test {
                          [this](const std::vector<Edit>& edits, const QString& what) {
                              EXPECT_FALSE(what.isEmpty());
                              made.push_back(edits);
-                             show(applied(city->city(), edits).value().city);
+                             if (cityComesBack) show(applied(city->city(), edits).value().city);
                          });
         QObject::connect(&tools, &EditTools::lotDrawn, [this](const NamedLot& lot) {
             lots.push_back(lot);
@@ -59,6 +65,27 @@ struct EditToolsTest : ::testing::Test {
     template <class Widget>
     Widget& field(QWidget* dock, const char* name) {
         return *dock->findChild<Widget*>(QLatin1String(name));
+    }
+    QDoubleSpinBox& number(const char* name) { return field<QDoubleSpinBox>(tools.dock(), name); }
+    static void enter(QDoubleSpinBox& field) {
+        QKeyEvent press(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+        QCoreApplication::sendEvent(&field, &press);
+    }
+    static void leave(QDoubleSpinBox& field) {
+        QFocusEvent out(QEvent::FocusOut, Qt::MouseFocusReason);
+        QCoreApplication::sendEvent(&field, &out);
+    }
+    [[nodiscard]] QPointF pixelAt(glm::dvec3 point) {
+        const auto pixel = pixelOf(view.view().pose(), view.view().lens(), point);
+        return {pixel->x, pixel->y};
+    }
+    void dragTheLowHouse() {
+        view.navigator().show({{-200, -200}, {200, 200}});
+        tools.building().select(1);
+        tools.building().setMoving(true);
+        ASSERT_TRUE(tools.building().moveTool().grab(pixelAt({75, 35, 25})));
+        tools.building().moveTool().dragTo(pixelAt({95, 25, 25}));
+        ASSERT_TRUE(waitFor([this] { return tools.desk().preview.shown(); }));
     }
     [[nodiscard]] double massOf(std::size_t building) const {
         return factsOf(*city->city().buildings[building], city->city()).grossFloorM2;
@@ -91,26 +118,26 @@ TEST_F(EditToolsTest, AClickSelectsAndEscDeselects) {
 
 TEST_F(EditToolsTest, HeightIsPreviewedAndThenOneEdit) {
     tools.building().select(2);
-    field<QDoubleSpinBox>(tools.dock(), "buildingHeight").setValue(120);
+    number("buildingHeight").setValue(120);
     EXPECT_TRUE(made.empty()) << "still being typed";
     ASSERT_EQ(tools.desk().preview.changes().added.size(), 1U);
     EXPECT_FLOAT_EQ(topM(*tools.desk().preview.changes().added.front()), 120);
-    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "buildingHeight").editingFinished();
+    enter(number("buildingHeight"));
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(lastEdit<ChangeHeight>(), (ChangeHeight{"Tower", 120}));
     EXPECT_EQ(tools.building().id(), "Tower") << "still selected";
     EXPECT_FALSE(tools.desk().preview.shown());
-    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "buildingHeight").editingFinished();
+    enter(number("buildingHeight"));
     EXPECT_EQ(made.size(), 1U) << "nothing new";
 }
 
 TEST_F(EditToolsTest, MoveAndTurnAreEdits) {
     tools.building().select(1);
-    field<QDoubleSpinBox>(tools.dock(), "moveEast").setValue(12.5);
-    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "moveEast").editingFinished();
+    number("moveEast").setValue(12.5);
+    enter(number("moveEast"));
     EXPECT_EQ(lastEdit<Move>(), (Move{"Low House", {12.5, 0}}));
-    field<QDoubleSpinBox>(tools.dock(), "buildingTurn").setValue(30);
-    Q_EMIT field<QDoubleSpinBox>(tools.dock(), "buildingTurn").editingFinished();
+    number("buildingTurn").setValue(30);
+    enter(number("buildingTurn"));
     EXPECT_EQ(lastEdit<Rotate>(), (Rotate{"Low House", 30}));
     EXPECT_EQ(made.size(), 2U);
 }
@@ -119,18 +146,49 @@ TEST_F(EditToolsTest, ADragOnAHouseMovesIt) {
     view.navigator().show({{-200, -200}, {200, 200}});
     tools.building().select(1);
     tools.building().setMoving(true);
-    const auto at = [this](glm::dvec3 point) {
-        const auto pixel = pixelOf(view.view().pose(), view.view().lens(), point);
-        return QPointF(pixel->x, pixel->y);
-    };
     MoveTool& move = tools.building().moveTool();
-    EXPECT_FALSE(move.grab(at({0, -40, 60}))) << "another building";
-    ASSERT_TRUE(move.grab(at({75, 35, 25})));
-    move.dragTo(at({95, 25, 25}));
+    EXPECT_FALSE(move.grab(pixelAt({0, -40, 60}))) << "another building";
+    ASSERT_TRUE(move.grab(pixelAt({75, 35, 25})));
+    move.dragTo(pixelAt({95, 25, 25}));
     move.drop();
     ASSERT_EQ(made.size(), 1U);
     EXPECT_NEAR(lastEdit<Move>().byM.x, 20, 0.2);
     EXPECT_NEAR(lastEdit<Move>().byM.y, -10, 0.2);
+}
+
+TEST_F(EditToolsTest, EscLetsGoOfWhatIsDragged) {
+    dragTheLowHouse();
+    Q_EMIT view.navigator().keyPressed(Qt::Key_Escape);
+    EXPECT_FALSE(tools.desk().preview.shown()) << "it stands where it stood";
+    EXPECT_EQ(tools.building().id(), "Low House") << "still selected";
+    EXPECT_EQ(number("moveEast").value(), 0);
+    tools.building().moveTool().drop();
+    EXPECT_TRUE(made.empty());
+}
+
+TEST_F(EditToolsTest, ADragEndsWhereAnotherCityArrives) {
+    dragTheLowHouse();
+    show(city->city());
+    tools.building().moveTool().drop();
+    EXPECT_TRUE(made.empty());
+}
+
+TEST_F(EditToolsTest, EnterTakesANumberOnceAndLeavingTheFieldDoesNot) {
+    cityComesBack = false;
+    tools.building().select(1);
+    const std::vector<std::pair<const char*, double>> typed{
+        {"moveEast", 10}, {"moveNorth", -5}, {"buildingTurn", 30}, {"buildingHeight", 44}};
+    for (const auto& [name, value] : typed) {
+        made.clear();
+        number(name).setValue(value);
+        leave(number(name));
+        EXPECT_TRUE(made.empty()) << name << ": Enter was not pressed";
+        enter(number(name));
+        EXPECT_EQ(made.size(), 1U) << name;
+        leave(number(name));
+        enter(number(name));
+        EXPECT_EQ(made.size(), 1U) << name << ": taken before";
+    }
 }
 
 TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
@@ -181,6 +239,38 @@ TEST_F(EditToolsTest, WhatWasBuiltIsDesignedFurther) {
     EXPECT_EQ(made.back().size(), 1U);
     EXPECT_EQ(lastEdit<Replace>().building, "Tower 1");
     EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 105);
+}
+
+TEST_F(EditToolsTest, ADesignIsNotThatOfAnotherTowerOfThisName) {
+    const City without = city->city();
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    tools.tower().build();
+    City other = without;  // another scenario, with a tower of its own elsewhere
+    Building tower = *without.buildings[1];
+    tower.sourceId = "Tower 1";
+    other.buildings[1] = std::make_shared<const Building>(tower);
+    show(other);
+    tools.building().select(1);
+    tools.replace();
+    const TowerDraft draft = static_cast<MassingPanel*>(tools.massingDock())->draft();
+    EXPECT_EQ(draft.replaces, "Tower 1");
+    EXPECT_NE(draft.lot.name, "Lot 1") << "it does not stand there";
+}
+
+TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("hut.obj"));
+    std::ofstream(file.toStdString()) << "v 0 0 0\nv 10 0 0\nv 0 0 10\nv 0 10 0\n"
+                                         "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 3 4 1\n";
+    drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
+    ASSERT_TRUE(tools.tower().active());
+    tools.mesh().begin(file);
+    ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 10000));
+    EXPECT_FALSE(tools.tower().active());
+    EXPECT_FALSE(tools.desk().preview.shown());
+    tools.tower().begin(lots.front(), {});
+    EXPECT_TRUE(tools.tower().active());
+    EXPECT_FALSE(tools.mesh().active());
 }
 
 TEST_F(EditToolsTest, AMassingThatCannotBeSaysItsLimitAndIsNotBuilt) {

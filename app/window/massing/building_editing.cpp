@@ -37,6 +37,7 @@ BuildingEditing::BuildingEditing(EditDesk& desk, SelectionPanel& panel, QObject*
         preview(Move{id_, byM});
     });
     connect(&move_, &MoveTool::dropped, this, [this](glm::dvec2 byM) {
+        panel_.showMove({0, 0});
         if (byM != glm::dvec2(0)) make(Move{id_, byM});
     });
 }
@@ -146,8 +147,10 @@ void BuildingEditing::setMoving(bool on) {
 }
 
 void BuildingEditing::endTool() {
-    if (move_.active()) return setMoving(false);
-    select(std::nullopt);
+    if (!move_.active()) return select(std::nullopt);
+    setMoving(false);
+    desk_.preview.clear();
+    show();
 }
 
 void BuildingEditing::previewHeight(double heightM) {

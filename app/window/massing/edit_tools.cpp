@@ -102,9 +102,11 @@ void EditTools::connectTools() {
     });
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
+    connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
     connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
     connect(&mesh_, &MeshPlacing::editsMade, this, made);
     connect(&mesh_, &MeshPlacing::failed, this, &EditTools::failed);
+    connect(&mesh_, &MeshPlacing::began, &tower_, &TowerEditing::cancel);
     connect(&mesh_, &MeshPlacing::began, placing_, &QWidget::show);
     connect(&mesh_, &MeshPlacing::ended, placing_, &QWidget::hide);
 }
@@ -221,7 +223,7 @@ void EditTools::lotFromFootprint() {
 void EditTools::replace() {
     const auto lot = building_.lot();
     if (!lot) return;
-    if (const auto design = tower_.designOf(building_.id()))
+    if (const auto design = tower_.designOf(*desk_.city->city().buildings[*building_.selected()]))
         tower_.resume(*design);
     else
         tower_.begin(*lot, building_.id(), std::clamp(building_.storeys(), 1, 500));

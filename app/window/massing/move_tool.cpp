@@ -63,7 +63,9 @@ void MoveTool::follow() {
     Q_EMIT dragged(byM_);
 }
 
+// Of what was let go of before, by Esc or by another city, nothing becomes of the drag.
 void MoveTool::drop() {
+    if (!from_) return;
     if (next_.isActive()) follow();
     next_.stop();
     from_.reset();

@@ -5,10 +5,12 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/number_fields.h"
@@ -149,16 +151,34 @@ void SelectionPanel::connectFields() {
     changed(turn_, [this] { Q_EMIT turnChanged(turn_->value()); });
     for (QDoubleSpinBox* field : {east_, north_}) {
         changed(field, [this] { Q_EMIT moveChanged(move()); });
-        connect(field, &QDoubleSpinBox::editingFinished, this, [this] {
-            if (move() != glm::dvec2(0)) Q_EMIT moveTaken(move());
-        });
+        onEnter(*field, &SelectionPanel::takeMove);
     }
-    connect(height_, &QDoubleSpinBox::editingFinished, this, [this] {
-        if (std::abs(height_->value() - heightM_) > 0.05) Q_EMIT heightTaken(height_->value());
-    });
-    connect(turn_, &QDoubleSpinBox::editingFinished, this, [this] {
-        if (turn_->value() != 0) Q_EMIT turnTaken(turn_->value());
-    });
+    onEnter(*height_, &SelectionPanel::takeHeight);
+    onEnter(*turn_, &SelectionPanel::takeTurn);
+}
+
+// Not editingFinished, which comes as well when the field is left, for whatever reason.
+void SelectionPanel::onEnter(const QDoubleSpinBox& field, void (SelectionPanel::*take)()) {
+    connect(field.findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, take);
+}
+
+// What was taken is no longer asked for: until the city comes back, a second Enter makes nothing again.
+void SelectionPanel::takeMove() {
+    const glm::dvec2 byM = move();
+    showMove({0, 0});
+    if (byM != glm::dvec2(0)) Q_EMIT moveTaken(byM);
+}
+
+void SelectionPanel::takeHeight() {
+    const double before = std::exchange(heightM_, height_->value());
+    if (std::abs(heightM_ - before) > 0.05) Q_EMIT heightTaken(heightM_);
+}
+
+void SelectionPanel::takeTurn() {
+    const double degrees = turn_->value();
+    const QSignalBlocker block(turn_);
+    turn_->setValue(0);
+    if (degrees != 0) Q_EMIT turnTaken(degrees);
 }
 
 void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {

@@ -13,7 +13,7 @@ class QPushButton;
 namespace noonmark {
 
 /// What the selected building is, and what can be done with it. A number that is being changed is shown in
-/// the view at once; it is made an edit when its field is left or Enter is pressed.
+/// the view at once; Enter makes it an edit.
 class SelectionPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -47,6 +47,10 @@ private:
     QWidget* makeVariants();
     QWidget* makeButtons();
     void connectFields();
+    void onEnter(const QDoubleSpinBox& field, void (SelectionPanel::*take)());
+    void takeMove();
+    void takeHeight();
+    void takeTurn();
     [[nodiscard]] glm::dvec2 move() const;
 
     QLabel* facts_;
@@ -57,7 +61,7 @@ private:
     QDoubleSpinBox* turn_;
     QPushButton* moveTool_;
     QLabel* error_;
-    double heightM_ = 0;  // as it stands
+    double heightM_ = 0;  // as it stands, or as it was taken last
     bool showing_ = false;
 };
 

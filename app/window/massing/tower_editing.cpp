@@ -1,5 +1,6 @@
 #include "app/window/massing/tower_editing.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/window/massing/figure_words.h"
@@ -33,9 +34,9 @@ void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, int s
             .replaces = replaces});
 }
 
-std::optional<TowerDraft> TowerEditing::designOf(const std::string& id) const {
-    const auto found = built_.find(id);
-    return found == built_.end() ? std::nullopt : std::optional(found->second);
+std::optional<TowerDraft> TowerEditing::designOf(const Building& building) const {
+    const auto found = std::ranges::find_if(built_, [&](const Built& one) { return *one.tower == building; });
+    return found == built_.end() ? std::nullopt : std::optional(found->design);
 }
 
 void TowerEditing::resume(TowerDraft draft) {
@@ -79,7 +80,8 @@ void TowerEditing::build() {
     if (!draft_ || edits_.empty()) return;
     const TowerDraft done = *draft_;
     draft_.reset();
-    built_[done.tower] = {done.lot, done.settings, done.tower, done.tower};
+    built_.push_back(
+        {desk_.preview.changes().added.back(), {done.lot, done.settings, done.tower, done.tower}});
     desk_.handle.hide();
     panel_.showNone();
     Q_EMIT ended();

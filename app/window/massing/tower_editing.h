@@ -1,8 +1,9 @@
 #pragma once
 
 #include <QObject>
-#include <map>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/window/massing/edit_desk.h"
 #include "app/window/massing/tower_draft.h"
@@ -20,8 +21,9 @@ public:
 
     /// `replaces`: id of a building whose place it takes; empty: none.
     void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
-    /// The design of a tower that was built here; none of any other building.
-    [[nodiscard]] std::optional<TowerDraft> designOf(const std::string& id) const;
+    /// The design of a tower that was built here and still is as it was built; none of any other building,
+    /// though it should bear the same id in another scenario.
+    [[nodiscard]] std::optional<TowerDraft> designOf(const Building& building) const;
     void resume(TowerDraft draft);
     [[nodiscard]] bool active() const { return draft_.has_value(); }
 
@@ -37,13 +39,18 @@ Q_SIGNALS:
     void ended();
 
 private:
+    struct Built {
+        std::shared_ptr<const Building> tower;
+        TowerDraft design;
+    };
+
     void take();
 
     EditDesk& desk_;
     MassingPanel& panel_;
     std::optional<TowerDraft> draft_;
     std::vector<Edit> edits_;  ///< of the draft; empty while it cannot be
-    std::map<std::string, TowerDraft> built_;
+    std::vector<Built> built_;
 };
 
 }  // namespace noonmark

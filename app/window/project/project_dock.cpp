@@ -149,7 +149,8 @@ void ProjectDock::showMenu(QPoint at) {
     if (!menu.isEmpty()) menu.exec(tree_->viewport()->mapToGlobal(at));
 }
 
-void ProjectDock::addPartActions(QMenu& menu, const QModelIndex& index, const ProjectNode& node) {
+// The project may change while the menu is open.
+void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node) {
     if (node.kind == Kind::part && !useWords(*node.part).isEmpty())
         menu.addAction(useWords(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);

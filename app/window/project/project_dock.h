@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPersistentModelIndex>
 #include <QWidget>
 #include <optional>
 
@@ -43,7 +44,7 @@ protected:
 
 private:
     void showMenu(QPoint at);
-    void addPartActions(QMenu& menu, const QModelIndex& index, const ProjectNode& node);
+    void addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node);
     void addScenarioActions(QMenu& menu, const std::string& name);
     void addGroupActions(QMenu& menu, const ProjectNode& node);
     void openGroup(const QModelIndex& group);
