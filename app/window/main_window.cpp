@@ -157,7 +157,10 @@ void MainWindow::showCity() {
     exploration_.setCity(workbench_.city());
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
     docks_.results->show({});
-    if (workbench_.study()) showStudy();
+    if (workbench_.comparison())
+        showComparison();
+    else
+        showStudy();
     showDocument();
     answerAnew();
 }
@@ -165,7 +168,7 @@ void MainWindow::showCity() {
 void MainWindow::showStudy() {
     docks_.scenarios->table().setStudies(workbench_.studies(), workbench_.document().settings());
     const auto study = workbench_.study();
-    if (!study) return;
+    if (!study || workbench_.comparison()) return;
     answered_ = study->settings;
     answerShown_ = true;
     panel_->results().setStudy(study);

@@ -16,13 +16,16 @@ void MainWindow::connectJobs() {
     const auto show = [this](JobSlot& slot, ProgressStrip& bar) {
         connect(&slot, &JobSlot::started, &bar, &ProgressStrip::follow);
         connect(&slot, &JobSlot::ended, &bar, &ProgressStrip::finish);
+    };
+    const auto control = [this, show](JobSlot& slot, ProgressStrip& bar) {
+        show(slot, bar);
         connect(&bar, &ProgressStrip::cancelRequested, &slot, &JobSlot::cancel);
     };
-    show(workbench_.opening(), *progress_);
-    show(workbench_.following(), *progress_);
-    show(workbench_.writing(), *progress_);
-    show(saving_.writing(), *progress_);
-    show(workbench_.running(), docks_.study->progress());
+    control(workbench_.opening(), *progress_);
+    show(workbench_.following(), *progress_);  // half way the view would show another scenario than the tree
+    control(workbench_.writing(), *progress_);
+    control(saving_.writing(), *progress_);
+    control(workbench_.running(), docks_.study->progress());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
         docks_.study->setRunning(true);
         mode_.showStudies();

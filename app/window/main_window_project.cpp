@@ -8,6 +8,7 @@
 #include "app/window/open_options.h"
 #include "app/window/project/comparison_rows.h"
 #include "app/window/project/project_dock.h"
+#include "app/window/project/scenario_table.h"
 #include "app/window/project/scenarios_dock.h"
 #include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
@@ -70,8 +71,10 @@ void MainWindow::connectScenarios() {
     connect(menus_.keepResult, &QAction::triggered, this, &MainWindow::keepResult);
     connect(docks_.scenarios, &ScenariosDock::measureAllRequested, &workbench_, &Workbench::measureAll);
     connect(&session, &ProjectSession::baselineChanged, this, &MainWindow::compare);
-    connect(&session, &ProjectSession::changed, this,
-            [this] { menus_.compare->setChecked(workbench_.session().baseline() == existingCity); });
+    connect(&session, &ProjectSession::changed, this, [this] {
+        menus_.compare->setChecked(workbench_.session().baseline() == existingCity);
+        docks_.scenarios->table().setStudies(workbench_.studies(), workbench_.document().settings());
+    });
 }
 
 void MainWindow::connectSaving() {
@@ -150,7 +153,9 @@ void MainWindow::showProject() {
     const ViewState& view = workbench_.openedView();
     const bool saved = workbench_.session().file().has_value();
     panel_->messages().hide();
-    saving_.startOver();
+    afterSave_ = nullptr;
+    saving_.projectReplaced();
+    leftTaken_ = workbench_.session().recovered();
     answerShown_ = false;
     mode_.setAnalysisEngine(StudySettings().engine);
     options_->setMiddle(middleOf(workbench_.city()->city()));
@@ -173,10 +178,10 @@ void MainWindow::offerRecovery() {
     panel_->messages().showHelp(
         tr("Noonmark ended before %1 was saved. The work up to then can be taken up again.")
             .arg(projectName()));
-    panel_->messages().offer(tr("Recover"), [this, path = file->path()] {
-        const auto older = ProjectSaving::olderRecovery(path);
-        std::error_code none;
-        workbench_.recover(std::filesystem::exists(older, none) ? older : recoveryPath(path));
+    panel_->messages().offer(tr("Recover"), [this, path = file->path(), offered = *found] {
+        std::error_code gone;
+        const bool moved = std::filesystem::last_write_time(offered.path, gone) != offered.at;
+        workbench_.recover(moved || gone ? ProjectSaving::olderRecovery(path) : offered.path);
     });
 }
 
@@ -185,9 +190,10 @@ void MainWindow::offerLeftWork() {
     panel_->messages().showHelp(
         tr("Noonmark ended before a project was saved. The work up to then can be taken up again."));
     panel_->messages().offer(tr("Recover"), [this] {
-        opening_.clear();
-        leftTaken_ = true;
-        workbench_.recoverUntitled(*place_.left());
+        whenSafe([this] {
+            opening_.clear();
+            workbench_.recoverUntitled(*place_.left());
+        });
     });
 }
 
@@ -205,6 +211,7 @@ void MainWindow::answerAnew() {
     const ProjectSession& session = workbench_.session();
     const bool comparing = !session.baseline().empty() && session.baseline() != session.scenario();
     if (comparing ? workbench_.comparison() != nullptr : workbench_.study() != nullptr) return;
+    if (workbench_.running().busy()) return;  // it was started after the change
     if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
 }
 

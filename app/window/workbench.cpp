@@ -1,6 +1,7 @@
 #include "app/window/workbench.h"
 
 #include <QFileInfo>
+#include <limits>
 
 #include "app/input/all_engines.h"
 #include "app/report/study_files.h"
@@ -38,10 +39,16 @@ void Workbench::open(const QStringList& files, const ReadSettings& reading) {
         [files = textsOf(files), reading](Progress& progress, std::stop_token stop) {
             return openProject(files, reading, progress, std::move(stop));
         },
-        [this](Result<OpenProject> opened) { takeProject(std::move(opened)); });
+        [this, version = session_.version()](Result<OpenProject> opened) {
+            takeProject(std::move(opened), version);
+        });
 }
 
-void Workbench::takeProject(Result<OpenProject> opened) {
+// What was changed since `version` was never asked about: it must not be lost.
+void Workbench::takeProject(Result<OpenProject> opened, int version) {
+    if (opened && session_.version() != version && session_.hasUnsavedWork())
+        opened = failure("The file was not opened: the project was changed while it was read", {},
+                         "Save or undo the change, then open the file again");
     if (!opened) {
         if (!isCancelled(opened.error())) Q_EMIT openFailed(opened.error());
         return;
@@ -50,10 +57,12 @@ void Workbench::takeProject(Result<OpenProject> opened) {
     openedView_ = std::move(opened->view);
     forgetAnswers();
     known_.clear();
+    answerSeconds_ = std::numeric_limits<double>::infinity();  // of this city nobody knows yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
                   openedView_.baseline);
     following_.drop();  // the city that came along is the session's
     document_.reset(openedView_.study.value_or(firstQuestion()));
+    if (opened->recovered) session_.setRecovered();
     Q_EMIT cityShown();
     Q_EMIT projectOpened();
 }
@@ -85,13 +94,12 @@ void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
         [file = recovery.string()](Progress& progress, std::stop_token stop) {
             return openProject({file}, {}, progress, std::move(stop)).map([](OpenProject opened) {
                 opened.file.reset();
+                opened.recovered = true;
                 return opened;
             });
         },
-        [this](Result<OpenProject> opened) {
-            const bool found = opened.has_value();
-            takeProject(std::move(opened));
-            if (found) session_.setRecovered();
+        [this, version = session_.version()](Result<OpenProject> opened) {
+            takeProject(std::move(opened), version);
         });
 }
 
@@ -102,7 +110,9 @@ void Workbench::forgetAnswers() {
     comparison_.reset();
 }
 
+// The answers go at once: a run that is started before the city is shown is already of the new one.
 void Workbench::follow() {
+    forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(
         tr("Showing %1").arg(QString::fromStdString(session_.scenario())),
@@ -114,7 +124,6 @@ void Workbench::follow() {
 
 void Workbench::takeCity(Result<OpenCity> city) {
     if (!city) return tell(city.error());
-    forgetAnswers();
     city_ = std::make_shared<const OpenCity>(*std::move(city));
     takeKnown();
     Q_EMIT cityShown();
@@ -130,10 +139,9 @@ std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
 
 void Workbench::run() {
     if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
-    if (session_.baseline().empty() || session_.baseline() == session_.scenario())
-        measure(tr("Study"), {{session_.scenario(), session_.city(), nullptr}});
-    else
-        runComparison();
+    if (!session_.baseline().empty() && session_.baseline() != session_.scenario()) return runComparison();
+    comparison_.reset();
+    measure(tr("Study"), {{session_.scenario(), session_.city(), nullptr}});
 }
 
 void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted) {
@@ -207,9 +215,10 @@ void Workbench::runComparison() {
                 });
         },
         [this, watch = Stopwatch(), before = *before, after = session_.city()](Result<ImpactAnswer> answer) {
-            if (answer) answerSeconds_ = watch.seconds();
             const auto still = session_.cityOf(session_.baseline());
-            if (after == session_.city() && still && *still == before) takeComparison(std::move(answer));
+            if (after != session_.city() || !still || *still != before) return Q_EMIT studyStopped(false);
+            if (answer) answerSeconds_ = watch.seconds();
+            takeComparison(std::move(answer));
         });
 }
 

@@ -22,7 +22,7 @@ public:
     explicit Workbench(QObject* parent = nullptr);
 
     /// A project file, or city files that become a project without a file. What was open stays until then.
-    /// `reading` says what city files do not.
+    /// `reading` says what city files do not. What is changed meanwhile is kept: then nothing is opened.
     void open(const QStringList& files, const ReadSettings& reading = {});
     /// Takes up the work that a recovery file holds, as a step of undo of the project that is open.
     void recover(const std::filesystem::path& recovery);
@@ -75,7 +75,7 @@ private:
         std::shared_ptr<const City> city;    ///< what it is of
         std::shared_ptr<const Study> study;  ///< null: still to be made
     };
-    void takeProject(Result<OpenProject> opened);
+    void takeProject(Result<OpenProject> opened, int version);
     void takeRecovered(Result<ProjectFile> kept);
     [[nodiscard]] StudySettings firstQuestion() const;
     void follow();

@@ -170,6 +170,34 @@ TEST_F(Session, TheSavedStateIsCleanByWhateverWayItIsComeBackTo) {
     EXPECT_TRUE(session.hasUnsavedWork()) << "what was written is not surely what is there now";
 }
 
+TEST_F(Session, AStepThatIsTakenBackWhileItIsSavedLeavesNoStateClean) {
+    const QTemporaryDir folder;
+    demolish(0);
+    auto file =
+        ProjectFile::create(folder.filePath("a.noonmark.gpkg").toStdString(), session.project()).value();
+    session.setSaved(file, session.version());
+    demolish(1);
+    const int version = session.version();
+    undo.undo();
+    session.setSaved(file, version);
+    EXPECT_TRUE(session.hasUnsavedWork()) << "the file holds the step that was taken back";
+}
+
+TEST_F(Session, OtherBuildingsInTheBaselineAreTold) {
+    demolish(0);
+    demolish(1);
+    session.compareWith("Proposal A");
+    session.goTo(existingCity);
+    cities.clear();
+    const QSignalSpy baselines(&session, &ProjectSession::baselineChanged);
+    EXPECT_TRUE(session.change(withoutEdit(session.project(), "Proposal A", 1), QStringLiteral("take back")));
+    EXPECT_EQ(session.baseline(), "Proposal A");
+    EXPECT_EQ(cities.count(), 0);
+    EXPECT_EQ(baselines.count(), 1);
+    session.goTo("Proposal A");
+    EXPECT_EQ(baselines.count(), 1) << "another scenario is shown, the baseline is the same";
+}
+
 TEST(ProposalNames, GoOnAfterZ) {
     std::vector<Scenario> scenarios;
     for (int i = 0; i < 30; ++i) scenarios.push_back({nextProposal(scenarios), {}, {}});

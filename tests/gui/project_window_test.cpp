@@ -4,9 +4,11 @@
 #include <QFile>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 
 #include "app/window/main_window.h"
 #include "app/window/project/project_session.h"
+#include "app/window/project/unsaved_place.h"
 #include "app/window/view_panel.h"
 #include "scenarios/project/autosave.h"
 #include "tests/gui/small_project.h"
@@ -249,6 +251,70 @@ TEST_F(ProjectWindow, ACityBecomesAProjectOfItsOwn) {
     ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
     EXPECT_EQ(ProjectFile::open(name.toStdString()).value().project().city->buildings.size(),
               session().project().city->buildings.size());
+}
+
+TEST_F(ProjectWindow, ASaveThatEndsAfterAnotherWasOpenedIsNotTakenForThatOnes) {
+    const QString other = folder.filePath(QStringLiteral("other.noonmark.gpkg"));
+    ASSERT_TRUE(ProjectFile::create(other.toStdString(), test::smallProject()));
+    build();
+    const QSignalSpy saved(&window->saving(), &ProjectSaving::saved);
+    // Just before the other is taken: the save ends after it.
+    QObject::connect(&workbench().opening(), &JobSlot::ended, window.get(),
+                     [this] { window->saving().save(); });
+    workbench().open({other});
+    ASSERT_TRUE(waitFor([&] { return session().file()->path() == other.toStdString(); }));
+    ASSERT_TRUE(waitFor([this] {
+        const auto written = ProjectFile::open(file.toStdString());
+        return written && written->saves() == 2;
+    })) << "the save still ends on the disk";
+    save();
+    EXPECT_EQ(session().file()->path(), other.toStdString());
+    EXPECT_EQ(saved.count(), 1) << "of the other";
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+TEST_F(ProjectWindow, WhatIsChangedWhileAnotherOpensIsNotLost) {
+    window->open({QStringLiteral("sample:grid")});
+    ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    EXPECT_TRUE(message().contains(QStringLiteral("while it was read"))) << message().toStdString();
+    EXPECT_EQ(session().file()->path(), file.toStdString());
+    EXPECT_EQ(session().project().lots.back().name, "Mine");
+}
+
+TEST_F(ProjectWindow, ARunRightAfterAnEditAnswersForTheEditedCity) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height")));
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    EXPECT_TRUE(workbench().study());
+    EXPECT_EQ(workbench().studies().count("Proposal A"), 1U);
+}
+
+TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {
+    const QTemporaryDir folder;
+    const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
+    const auto leave = [&](const char* text) {
+        QFile file(QString::fromStdString(recovery.string()));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    };
+    const auto left = [](const UnsavedPlace& place) {
+        return bytesOf(QString::fromStdString(place.left().value().string()));
+    };
+    leave("first");
+    EXPECT_EQ(left(UnsavedPlace(folder.path())), "first");
+    leave("second");
+    {
+        UnsavedPlace place(folder.path());
+        EXPECT_EQ(left(place), "second");
+        place.forgetLeft();
+    }
+    EXPECT_EQ(left(UnsavedPlace(folder.path())), "first");
 }
 
 }  // namespace

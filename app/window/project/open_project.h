@@ -11,7 +11,8 @@ struct OpenProject {
     Project project;
     std::optional<ProjectFile> file;  ///< none: it was never saved
     ViewState view;
-    OpenCity city;  ///< of view.scenario
+    OpenCity city;           ///< of view.scenario
+    bool recovered = false;  ///< work that an earlier run left unsaved
 };
 
 /// Whether the files are one project file, by its ending.

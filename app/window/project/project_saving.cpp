@@ -1,5 +1,6 @@
 #include "app/window/project/project_saving.h"
 
+#include <atomic>
 #include <mutex>
 #include <utility>
 
@@ -10,6 +11,7 @@ namespace noonmark {
 namespace fs = std::filesystem;
 
 /// A recovery file that one thread writes and another takes away; after that nothing is written any more.
+/// Taking it away does not wait for a write: the file goes when that ends.
 class KeptWork {
 public:
     explicit KeptWork(const fs::path& file) : autosave_(file) {
@@ -19,20 +21,30 @@ public:
     }
 
     Result<void> keep(const Project& project) {
+        Result<void> kept = keepUnlessGone(project);
+        if (gone_) removeUnlessWritten();
+        return kept;
+    }
+
+    void discard() {
+        gone_ = true;
+        removeUnlessWritten();
+    }
+
+private:
+    Result<void> keepUnlessGone(const Project& project) {
         const std::scoped_lock lock(mutex_);
         return gone_ ? Result<void>() : autosave_.keep(project);
     }
 
-    void discard() {
-        const std::scoped_lock lock(mutex_);
-        gone_ = true;
-        autosave_.discard();
+    void removeUnlessWritten() {
+        const std::unique_lock lock(mutex_, std::try_to_lock);
+        if (lock) autosave_.discard();
     }
 
-private:
     std::mutex mutex_;
     Autosave autosave_;
-    bool gone_ = false;
+    std::atomic<bool> gone_ = false;
 };
 
 ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view, fs::path unsavedFile,
@@ -79,6 +91,8 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
     }
     forgetUnsaved();
     session_.setSaved(*std::move(written), version);
+    std::error_code none;
+    fs::remove(olderRecovery(session_.file()->path()), none);  // what was saved later than it counts
     Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
     if (const auto next = std::exchange(next_, nullptr)) next();
 }
@@ -94,7 +108,7 @@ fs::path ProjectSaving::olderRecovery(const fs::path& file) {
 
 void ProjectSaving::keepUnsaved() {
     if (!session_.hasUnsavedWork() || keptBeside().empty()) return;
-    if (keeping_.busy() || writing_.busy()) return timer_.start();
+    if (keeping_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
     if (!kept_) kept_ = std::make_shared<KeptWork>(keptBeside());
     keeping_.start<bool>(
         tr("Keeping unsaved work"),
@@ -107,8 +121,18 @@ void ProjectSaving::keepUnsaved() {
 }
 
 void ProjectSaving::forgetUnsaved() {
-    if (kept_) kept_->discard();
+    if (kept_) {
+        kept_->discard();
+        leaving_ = kept_;
+    }
     startOver();
+}
+
+void ProjectSaving::projectReplaced() {
+    next_ = nullptr;
+    writing_.drop();
+    startOver();
+    if (session_.hasUnsavedWork()) timer_.start();
 }
 
 void ProjectSaving::startOver() {

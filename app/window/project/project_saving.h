@@ -33,8 +33,9 @@ public:
     void keepUnsaved();
     /// The work was saved or is not wanted: the recovery file goes.
     void forgetUnsaved();
-    /// Another project was opened: what was kept of the one before stays.
-    void startOver();
+    /// Another project was opened: what was kept of the one before stays. A save of that one still ends on
+    /// the disk, unheard; one that waited is left out.
+    void projectReplaced();
 
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
@@ -52,13 +53,15 @@ private:
     using Write = std::function<Result<ProjectFile>()>;
     void write(const std::filesystem::path& file, Write work);
     void take(Result<ProjectFile> written, int version);
+    void startOver();
     [[nodiscard]] std::filesystem::path keptBeside() const;
 
     ProjectSession& session_;
     std::function<View()> view_;
     std::filesystem::path unsavedFile_;
-    std::shared_ptr<KeptWork> kept_;  // null: nothing was kept since the last save
-    std::function<void()> next_;      // a save that was asked for while another wrote
+    std::shared_ptr<KeptWork> kept_;   // null: nothing was kept since the last save
+    std::weak_ptr<KeptWork> leaving_;  // still being written when it was discarded
+    std::function<void()> next_;       // a save that was asked for while another wrote
     QTimer timer_;
     JobSlot writing_;
     JobSlot keeping_;

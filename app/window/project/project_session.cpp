@@ -101,14 +101,15 @@ void ProjectSession::compareWith(const std::string& scenario) {
 // A scenario that is gone (undone, deleted, renamed) is left for the existing city, a baseline for none.
 void ProjectSession::apply(const State& state) {
     const std::string baseline = now_.baseline;
+    const auto before = cityOf(baseline).value_or(nullptr);
     now_ = state;
     now_.baseline = baseline;
     if (!cityOf(now_.scenario)) now_.scenario = existingCity;
-    const bool noBaseline = !baseline.empty() && !cityOf(baseline);
-    if (noBaseline) now_.baseline.clear();
+    const auto after = cityOf(baseline).value_or(nullptr);
+    if (!after) now_.baseline.clear();
     takeCity();
     Q_EMIT changed();
-    if (noBaseline) Q_EMIT baselineChanged();
+    if (after != before) Q_EMIT baselineChanged();
 }
 
 void ProjectSession::takeCity() {
@@ -136,7 +137,10 @@ void ProjectSession::setRecovered() {
 void ProjectSession::setSaved(ProjectFile file, int version) {
     file_ = std::move(file);
     recovered_ = false;
-    if (version == version_) undo_.setClean();
+    if (version == version_)
+        undo_.setClean();
+    else
+        undo_.resetClean();
     Q_EMIT unsavedChanged();
 }
 

@@ -52,16 +52,17 @@ public:
     [[nodiscard]] int version() const { return version_; }
     /// The project is work that an earlier run left unsaved.
     void setRecovered();
+    [[nodiscard]] bool recovered() const { return recovered_; }  ///< until it is saved
     /// What was saved when the version was `version`.
     void setSaved(ProjectFile file, int version);
     /// The value that a save writes: with the window's state in it.
     [[nodiscard]] Project withView(std::map<std::string, std::string> view) const;
 
 Q_SIGNALS:
-    void changed();         ///< what lists show
-    void unsavedChanged();  ///< hasUnsavedWork() or file() may be another
-    void cityChanged();     ///< another scenario, or other buildings in it
-    void baselineChanged();
+    void changed();          ///< what lists show
+    void unsavedChanged();   ///< hasUnsavedWork() or file() may be another
+    void cityChanged();      ///< another scenario, or other buildings in it
+    void baselineChanged();  ///< another baseline, or other buildings in it
     void refused(noonmark::Error error);
 
 private:

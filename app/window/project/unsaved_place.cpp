@@ -13,12 +13,20 @@ namespace {
 
 constexpr int mostWindows = 50;
 
-// Out of the way of this run's own recovery file.
+fs::path asideName(const fs::path& recovery, int number) {
+    return recovery.string() + ".left" + (number > 1 ? std::to_string(number) : "") + projectEnding;
+}
+
+// Out of the way of this run's own recovery file and beside what was put aside before; the newest of all.
 std::optional<fs::path> putAside(const fs::path& recovery) {
-    const fs::path aside = recovery.string() + ".left" + projectEnding;
     std::error_code error;
-    if (fs::exists(recovery, error)) fs::rename(recovery, aside, error);
-    return fs::exists(aside, error) ? std::optional(aside) : std::nullopt;
+    int unused = 1;
+    while (fs::exists(asideName(recovery, unused), error)) ++unused;
+    if (fs::exists(recovery, error)) {
+        fs::rename(recovery, asideName(recovery, unused), error);
+        if (!error) ++unused;
+    }
+    return unused > 1 ? std::optional(asideName(recovery, unused - 1)) : std::nullopt;
 }
 
 }  // namespace
