@@ -5,27 +5,12 @@
 #include <iterator>
 #include <span>
 
-#include "render/array_geometry.h"
+#include "render/array_entity.h"
 #include "render/shader_material.h"
 
 namespace noonmark {
 
 namespace {
-
-Qt3DCore::QEntity* entityOf(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent) {
-    auto* entity = new Qt3DCore::QEntity(parent);
-    entity->addComponent(geometry);
-    entity->addComponent(&material);
-    return entity;
-}
-
-ArrayGeometry* geometryOf(Qt3DRender::QGeometryRenderer::PrimitiveType primitive,
-                          const std::vector<glm::vec3>& points, const std::vector<std::uint32_t>& indices) {
-    auto* geometry = new ArrayGeometry(primitive);
-    geometry->addPoints(QStringLiteral("vertexPosition"), points);
-    geometry->setIndices(indices);
-    return geometry;
-}
 
 // Triangles and lines whose ends are one point are not drawn.
 void change(ArrayGeometry* geometry, const std::vector<std::uint32_t>& indices,
@@ -44,12 +29,12 @@ BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderM
     : arrays_(std::move(arrays)) {
     if (!arrays_->triangles.empty()) {
         faceArray_ =
-            geometryOf(Qt3DRender::QGeometryRenderer::Triangles, arrays_->points, arrays_->triangles);
-        faces_ = entityOf(faceArray_, faces, parent);
+            indexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays_->points, arrays_->triangles);
+        faces_ = arrayEntity(faceArray_, faces, parent);
     }
     if (!arrays_->edges.empty()) {
-        edgeArray_ = geometryOf(Qt3DRender::QGeometryRenderer::Lines, arrays_->points, arrays_->edges);
-        edges_ = entityOf(edgeArray_, edges, parent);
+        edgeArray_ = indexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays_->points, arrays_->edges);
+        edges_ = arrayEntity(edgeArray_, edges, parent);
     }
 }
 

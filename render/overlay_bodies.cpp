@@ -9,6 +9,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "render/array_entity.h"
 #include "render/city_arrays.h"
 #include "render/handle_shape.h"
 #include "render/shader_material.h"
@@ -26,21 +27,6 @@ constexpr QColor handleColour{0xc2, 0x18, 0x8b, 255};
 constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
 
 QVector4D vectorOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
-
-Qt3DCore::QEntity* entityOf(ArrayGeometry* geometry, ShaderMaterial* material, Qt3DCore::QEntity* parent) {
-    auto* entity = new Qt3DCore::QEntity(parent);
-    entity->addComponent(geometry);
-    entity->addComponent(material);
-    return entity;
-}
-
-ArrayGeometry* geometryOf(Qt3DRender::QGeometryRenderer::PrimitiveType primitive,
-                          const std::vector<glm::vec3>& points, const std::vector<std::uint32_t>& indices) {
-    auto* geometry = new ArrayGeometry(primitive);
-    geometry->addPoints(QStringLiteral("vertexPosition"), points);
-    geometry->setIndices(indices);
-    return geometry;
-}
 
 std::vector<std::uint32_t> indicesOf(const TriangleMesh& mesh) {
     std::vector<std::uint32_t> indices;
@@ -92,23 +78,24 @@ void OverlayBodies::show(Tint tint, const City& some) {
     drop(body.edges);
     if (some.buildings.empty()) return;
     const CityArrays arrays = buildingArraysOf(some);
-    body.faces =
-        entityOf(geometryOf(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
-                 body.material, root_);
+    body.faces = arrayEntity(
+        indexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
+        *body.material, root_);
     if (tint != Tint::proposed) return;
-    body.edges =
-        entityOf(geometryOf(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), edge_, root_);
+    body.edges = arrayEntity(
+        indexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), *edge_, root_);
 }
 
 void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
     drop(lines_);
-    if (!lines.empty()) lines_ = entityOf(outlineGeometry(lines), line_, root_);
+    if (!lines.empty()) lines_ = arrayEntity(outlineGeometry(lines), *line_, root_);
 }
 
 void OverlayBodies::makeHandle() {
     const TriangleMesh arrow = doubleArrow(float(handlePx));
-    handle_ = entityOf(geometryOf(Qt3DRender::QGeometryRenderer::Triangles, arrow.vertices, indicesOf(arrow)),
-                       handleMaterial_, root_);
+    handle_ = arrayEntity(
+        indexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrow.vertices, indicesOf(arrow)),
+        *handleMaterial_, root_);
 }
 
 void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) {

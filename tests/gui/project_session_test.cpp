@@ -108,13 +108,14 @@ TEST_F(Session, AScenarioSharesWhatItsBaseBuilt) {
 TEST_F(Session, RenamingAScenarioKeepsThoseThatStartFromIt) {
     demolish(0);
     session.change(withScenario(session.project(), "B", "Proposal A"), QStringLiteral("new"), "B");
-    EXPECT_TRUE(session.change(renamed(session.project(), ProjectPart::scenario, "Proposal A", "Slim"),
-                               QStringLiteral("rename")));
+    EXPECT_TRUE(
+        session.change(renamed(session.project(), ProjectPart::scenario, "Proposal A", "Slim").value(),
+                       QStringLiteral("rename")));
     EXPECT_EQ(session.project().scenarios[1].base, "Slim");
     EXPECT_EQ(session.city()->buildings.size(), 2U);
-    EXPECT_FALSE(session.change(renamed(session.project(), ProjectPart::scenario, "Slim", "B"),
-                                QStringLiteral("rename")));
-    EXPECT_THAT(without(session.project(), ProjectPart::scenario, "Slim").error().text(), HasSubstr("'B'"));
+    EXPECT_FALSE(renamed(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is taken";
+    EXPECT_THAT(without(session.project(), ProjectPart::scenario, "Slim").error().text(),
+                HasSubstr("first: B"));
 }
 
 TEST_F(Session, ADeletedScenarioIsLeftAndABaselineToo) {

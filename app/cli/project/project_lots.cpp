@@ -9,6 +9,7 @@
 #include "core/io/read_parcels.h"
 #include "core/io/read_region.h"
 #include "scenarios/edits/building_ids.h"
+#include "scenarios/free_name.h"
 #include "scenarios/massing/lot_edits.h"
 
 namespace noonmark::cli {
@@ -70,9 +71,8 @@ Result<std::string> add(const AddOptions& options, Project& project) {
 // A name that no lot has yet: those without one are counted, a second of a name gets a number.
 std::string freeName(const Project& project, const std::string& name) {
     const std::string own = name.empty() ? "lot" : name;
-    std::string free = own;
-    for (int copy = 2; lotNamed(project, free); ++copy) free = fmt::format("{} ({})", own, copy);
-    return free;
+    return firstFreeName(own,
+                         [&](const std::string& wanted) { return lotNamed(project, wanted).has_value(); });
 }
 
 Result<ParcelSettings> settingsFrom(const ImportOptions& options, const Project& project) {

@@ -6,18 +6,16 @@
 
 #include "app/window/massing/placing_panel.h"
 #include "scenarios/edits/read_shape.h"
+#include "scenarios/free_name.h"
 
 namespace noonmark {
 
 namespace {
 
 std::string freeId(const City& city, const std::string& wanted) {
-    const auto taken = [&](const std::string& id) {
+    return firstFreeName(wanted, [&](const std::string& id) {
         return std::ranges::any_of(city.buildings, [&](const auto& b) { return b->sourceId == id; });
-    };
-    std::string id = wanted;
-    for (int copy = 2; taken(id); ++copy) id = wanted + " (" + std::to_string(copy) + ")";
-    return id;
+    });
 }
 
 }  // namespace

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "scenarios/free_name.h"
+#include "scenarios/scenario_list.h"
 
 namespace noonmark {
 
@@ -63,10 +67,8 @@ std::string nextProposal(const std::vector<Scenario>& scenarios) {
 
 std::string freeName(const Project& project, ProjectPart part, const std::string& name) {
     const std::vector<std::string> names = namesOf(project, part);
-    std::string free = name;
-    for (int i = 2; std::ranges::find(names, free) != names.end(); ++i)
-        free = fmt::format("{} ({})", name, i);
-    return free;
+    return firstFreeName(
+        name, [&](const std::string& wanted) { return std::ranges::find(names, wanted) != names.end(); });
 }
 
 Project withScenario(Project project, const std::string& name, const std::string& base) {
@@ -74,25 +76,20 @@ Project withScenario(Project project, const std::string& name, const std::string
     return project;
 }
 
-Project renamed(Project project, ProjectPart part, const std::string& from, const std::string& to) {
+Result<Project> renamed(Project project, ProjectPart part, const std::string& from, const std::string& to) {
+    if (part == ProjectPart::scenario)
+        return renameScenario(project.scenarios, from, to).map([&] { return std::move(project); });
     inList(project, part, [&](auto& list) {
         for (auto& one : list)
             if (one.name == from) one.name = to;
     });
     if (part == ProjectPart::result) renameResult(project, from, to);
-    if (part == ProjectPart::scenario)
-        for (Scenario& scenario : project.scenarios)
-            if (scenario.base == from) scenario.base = to;
     return project;
 }
 
 Result<Project> without(Project project, ProjectPart part, const std::string& name) {
     if (part == ProjectPart::scenario)
-        for (const Scenario& scenario : project.scenarios)
-            if (scenario.base == name)
-                return failure(fmt::format("'{}' starts from it", scenario.name),
-                               fmt::format("scenario '{}'", name),
-                               fmt::format("Delete '{}' first, or let it start from another", scenario.name));
+        return removeScenario(project.scenarios, name).map([&] { return std::move(project); });
     inList(project, part,
            [&](auto& list) { std::erase_if(list, [&](auto& one) { return one.name == name; }); });
     if (part == ProjectPart::result)

@@ -18,7 +18,8 @@ std::string freeName(const Project& project, ProjectPart part, const std::string
 
 /// Changes of a project, as new values. Whether the outcome is sound is for ProjectSession::change() to say.
 Project withScenario(Project project, const std::string& name, const std::string& base);
-Project renamed(Project project, ProjectPart part, const std::string& from, const std::string& to);
+/// Error: no scenario may have this name.
+Result<Project> renamed(Project project, ProjectPart part, const std::string& from, const std::string& to);
 /// Error: the scenario is one that others start from.
 Result<Project> without(Project project, ProjectPart part, const std::string& name);
 /// A copy under a free name, after the original; `made` gets the name.

@@ -143,8 +143,12 @@ bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int 
     const std::string from = node->name;
     const std::string shown =
         session_.scenario() == from && node->part == ProjectPart::scenario ? name : std::string();
-    return session_.change(renamed(session_.project(), *node->part, from, name),
-                           tr("rename %1").arg(QString::fromStdString(from)), shown);
+    auto next = renamed(session_.project(), *node->part, from, name);
+    if (!next) {
+        Q_EMIT session_.refused(next.error());
+        return false;
+    }
+    return session_.change(*std::move(next), tr("rename %1").arg(QString::fromStdString(from)), shown);
 }
 
 Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {

@@ -1,0 +1,23 @@
+#include "render/array_entity.h"
+
+#include "render/shader_material.h"
+
+namespace noonmark {
+
+ArrayGeometry* indexedGeometry(Qt3DRender::QGeometryRenderer::PrimitiveType primitive,
+                               const std::vector<glm::vec3>& points,
+                               const std::vector<std::uint32_t>& indices) {
+    auto* geometry = new ArrayGeometry(primitive);
+    geometry->addPoints(QStringLiteral("vertexPosition"), points);
+    geometry->setIndices(indices);
+    return geometry;
+}
+
+Qt3DCore::QEntity* arrayEntity(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent) {
+    auto* entity = new Qt3DCore::QEntity(parent);
+    entity->addComponent(geometry);
+    entity->addComponent(&material);
+    return entity;
+}
+
+}  // namespace noonmark
