@@ -119,7 +119,7 @@ TEST(ShadowAccrualMap, refusesTerrain) {
     city.terrain = std::make_shared<const Terrain>(Terrain{{-5, -5, 5, 2, 2}, {0, 0, 0, 1}});
     const auto scene = ShadowAccrualMap::make({}).value()->prepare(city, receivers, oneDay({{90, 20}}), {});
     ASSERT_FALSE(scene);
-    EXPECT_EQ(scene.error().advice, "Choose the ray reference");
+    EXPECT_EQ(scene.error().advice, "Choose the horizon sweep or the ray reference");
 }
 
 TEST(ShadowAccrualMap, saysWhatItLeftOut) {
