@@ -85,7 +85,7 @@ Result<ShadowField> AutoEngine::accumulate(const City& city, const Receivers& re
     const City* const cities[]{&city};
     const EngineChoice choice = choose(cities, receivers, sun);
     Result<ShadowField> field = choice.accumulate(city, receivers, sun, progress, stop);
-    if (field || isCancelled(field.error())) return field;
+    if (field || isCancelled(field.error()) || choice.key == referenceEngine) return field;
     return raysSince(choice, field.error()).accumulate(city, receivers, sun, progress, std::move(stop));
 }
 

@@ -42,7 +42,8 @@ struct HorizonSweepSettings {
 /// Cost, each shared by all cores: some 3 ms for each bin of 800 x 800 cells in a dense city for the sweep,
 /// steps x receivers x some 8 ps for the longest runs. On terrain more by as much as it is rough where the
 /// sun is low: up to 100 ns a receiver and bin where every metre has a bump of its own. Memory: up to half a
-/// GiB, and some 60 bytes for each edge of the terrain that a bin's suns make an outline.
+/// GiB, and on each thread some 160
+/// bytes for each edge of the terrain that a bin's suns make an outline.
 class HorizonSweep final : public Accumulator {
 public:
     explicit HorizonSweep(HorizonSweepSettings settings = {});

@@ -35,7 +35,7 @@ public:
             std::ranges::fill(masks, ShadowMask{0});
         else if (const auto drawn = draw(partOf(interval, high), masks, stop); !drawn)
             return tl::make_unexpected(drawn.error());
-        if (high.first > 0)
+        if (high.first > 0 && !high.empty())
             for (ShadowMask& mask : masks) mask <<= high.first;
         for (const StepRange low : lowSteps(interval, high))
             if (const auto traced = trace(interval, low, masks, stop); !traced) return traced;

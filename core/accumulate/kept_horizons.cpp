@@ -57,6 +57,13 @@ struct KeptHorizons::Kept {
             tiles.emplace_back(receivers, box, bins);
     }
 
+    void countCity() {
+        field.cost.seconds.clear();
+        field.cost.buildingsUsed = std::uint32_t(walls.buildings());
+        field.cost.skipped[cellsUnderBuildings] =
+            std::uint64_t(std::ranges::count(receivers.kind, CellKind::building));
+    }
+
     void begin(const SunSteps& sun) {
         count.reset();
         binned = binnedSun(sun, settings.binDeg, BinDirection::middle);
@@ -74,6 +81,14 @@ struct KeptHorizons::Kept {
         const Stopwatch watch;
         work();
         field.cost.seconds[stage] += watch.seconds();
+    }
+
+    // What is half done holds nothing that can be trusted.
+    Error outOfMemory() {
+        for (KeptTile& tile : tiles) tile.drop();
+        count.reset();
+        return {"There is not enough memory for this study", "kept horizons",
+                "Choose a smaller region or larger cells"};
     }
 
     std::size_t sweep(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
@@ -168,13 +183,11 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
         kept_->tiles.size() * kept_->binned.bins.size() - swept;
     return kept_->result(counts, stop);
 } catch (const std::bad_alloc&) {
-    for (KeptTile& tile : kept_->tiles) tile.drop();
-    return failure("There is not enough memory for this study", "kept horizons",
-                   "Choose a smaller region or larger cells");
+    return tl::make_unexpected(kept_->outOfMemory());
 }
 
 Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& receivers, Progress& progress,
-                                         std::stop_token stop, KeptCounts counts) {
+                                         std::stop_token stop, KeptCounts counts) try {
     if (!kept_->count) return noPeriod();
     if (const auto same = checkSame(kept_->receivers, receivers); !same)
         return tl::make_unexpected(same.error());
@@ -183,7 +196,7 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     const auto change = kept_->walls.become(city);
     if (!change) return tl::make_unexpected(change.error());
     kept_->receivers = receivers;
-    kept_->field.cost.seconds.clear();
+    kept_->countCity();
     for (KeptTile& tile : kept_->tiles) {
         kept_->change(tile, *change, counts, stop);
         kept_->keepWithinMemory(tile);
@@ -191,14 +204,18 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     kept_->mask();
     progress.report(1, "sweeping horizons");
     return kept_->result(counts, stop);
+} catch (const std::bad_alloc&) {
+    return tl::make_unexpected(kept_->outOfMemory());
 }
 
-Result<ShadowField> KeptHorizons::withRuns(Progress& progress, std::stop_token stop) {
+Result<ShadowField> KeptHorizons::withRuns(Progress& progress, std::stop_token stop) try {
     if (!kept_->count) return noPeriod();
     for (KeptTile& tile : kept_->tiles) kept_->writeRuns(tile, stop);
     kept_->mask();
     progress.report(1, "sweeping horizons");
     return kept_->result(KeptCounts::grossAndRuns, stop);
+} catch (const std::bad_alloc&) {
+    return tl::make_unexpected(kept_->outOfMemory());
 }
 
 std::uint64_t KeptHorizons::bytes() const { return kept_->bytes(); }

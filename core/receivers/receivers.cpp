@@ -117,18 +117,4 @@ Result<Receivers> receiversInPart(const City& city, const Region& region, const 
     return receivers;
 }
 
-Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow) {
-    Receivers tile;
-    tile.grid = receivers.grid;
-    tile.grid.southM = receivers.grid.southM + firstRow * receivers.grid.cellM;
-    tile.grid.rows = lastRow - firstRow;
-    const auto from = std::ptrdiff_t(receivers.grid.index(0, firstRow));
-    const auto to = std::ptrdiff_t(receivers.grid.index(0, lastRow));
-    tile.kind.assign(receivers.kind.begin() + from, receivers.kind.begin() + to);
-    if (!receivers.flat())
-        tile.groundM.assign(receivers.groundM.begin() + from, receivers.groundM.begin() + to);
-    listGroundCells(tile);
-    return tile;
-}
-
 }  // namespace noonmark

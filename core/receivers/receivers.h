@@ -58,7 +58,4 @@ Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings);
 Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
                                   const std::stop_token& stop = {});
 
-/// A copy of the cells of `receivers` in rows [firstRow, lastRow), for work in tiles.
-Receivers rowsOf(const Receivers& receivers, int firstRow, int lastRow);
-
 }  // namespace noonmark

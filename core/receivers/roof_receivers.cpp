@@ -94,6 +94,12 @@ Receivers placed(Receivers receivers, const City& city, ReceiverPlaces places) {
     return receivers;
 }
 
+Result<void> checkOnGround(ReceiverPlaces places) {
+    if (places == ReceiverPlaces::ground) return {};
+    return failure("This is measured on the ground only, not on roofs", "receivers",
+                   "Choose the ground, or make a study of the roofs");
+}
+
 Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
                               const std::stop_token& stop) {
     return receiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {

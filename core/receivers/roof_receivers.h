@@ -12,6 +12,9 @@ std::string_view nameOf(ReceiverPlaces places);
 /// In words: "the ground", "roofs", "the ground and roofs".
 std::string_view wordsOf(ReceiverPlaces places);
 
+/// Error where anything but the ground is asked for: what compares cities or scores them is of the ground.
+Result<void> checkOnGround(ReceiverPlaces places);
+
 /// The receivers of a region where its settings ask for them. The same errors as receiversOnGround().
 Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
                               const std::stop_token& stop = {});

@@ -8,6 +8,7 @@
 
 #include "core/accumulate/auto_engine.h"
 #include "core/progress_share.h"
+#include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "scenarios/impact/reached_receivers.h"
 
@@ -38,9 +39,9 @@ std::vector<std::size_t> newBuildings(const City& before, const City& after) {
 }
 
 // Whether an engine gives a receiver the same minutes whichever others there are; those with maps of the
-// whole region may not.
-bool looksAtEachReceiverAlone(std::string_view engineKey) {
-    return engineKey == referenceEngine || engineKey == "projected" || engineKey == "horizon";
+// whole region may not, and on terrain the sweep rounds heights from the lowest receiver up.
+bool looksAtEachReceiverAlone(std::string_view engineKey, bool flat) {
+    return engineKey == referenceEngine || engineKey == "projected" || (engineKey == "horizon" && flat);
 }
 
 // One question asked of several cities.
@@ -80,6 +81,7 @@ private:
 
     Result<void> prepare(const City& before, const City& after) {
         const StudySettings& study = settings_.study;
+        if (auto ground = checkOnGround(study.receivers.places); !ground) return ground;
         auto engine = makeAccumulator(study.engine, study.engineSettings, engines_);
         if (!engine) return tl::make_unexpected(engine.error());
         engine_ = *std::move(engine);
@@ -133,7 +135,7 @@ private:
 
     // Looks only where the building's shadow can fall: elsewhere the field is as it is with the building.
     Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
-        if (!looksAtEachReceiverAlone(with.engineKey)) return fieldOf(without);
+        if (!looksAtEachReceiverAlone(with.engineKey, common_.receivers.flat())) return fieldOf(without);
         if (!reach_) reach_.emplace(sun_);
         const Receivers reached = reachedBy(building, common_.receivers, *reach_);
         if (reached.cells.empty()) {

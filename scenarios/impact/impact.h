@@ -61,9 +61,9 @@ struct ImpactStudy {
 
 /// All fields with the same engine, receivers and steps; the engine auto is asked once, and what it chose is
 /// said in `engine`. A building is new when `before` does not share it (its pointer): both cities come from
-/// one project. Error: as of runStudy, or no cell is open ground in both. Costs two fields, and for each new
-/// building one where its shadow can fall (with the ray reference, projected shadows and the horizon sweep;
-/// with the others one more everywhere).
+/// one project. Error: as of runStudy, receivers on roofs, or no cell is open ground in both. Costs two
+/// fields, and for each new building one where its shadow can fall (with the ray reference, projected shadows
+/// and the horizon sweep; with the others one more everywhere).
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
                               Progress& progress, std::stop_token stop,
                               const EngineList& engines = coreEngines());

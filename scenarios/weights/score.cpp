@@ -9,6 +9,7 @@
 #include "core/accumulate/horizon_breakdown.h"
 #include "core/progress_share.h"
 #include "core/receivers/rasterize.h"
+#include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "scenarios/weights/score_sum.h"
 #include "scenarios/weights/time_pieces.h"
@@ -108,6 +109,8 @@ Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSte
 
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
                        Progress& progress, const std::stop_token& stop, const EngineList& engines) try {
+    if (const auto ground = checkOnGround(settings.receivers.places); !ground)
+        return tl::make_unexpected(ground.error());
     const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     const auto zone = Zone::named(settings.period.zone);

@@ -47,7 +47,8 @@ Result<std::chrono::month_day> dayOf(const Row& row, const char* column) {
     if (first == std::errc{} && dash != end && *dash == '-') {
         const auto [last, second] = std::from_chars(dash + 1, end, day);
         const std::chrono::month_day date{std::chrono::month(month), std::chrono::day(day)};
-        if (second == std::errc{} && last == end && date.ok()) return date;
+        // Months and days are kept as bytes: 257 would come out as 1.
+        if (second == std::errc{} && last == end && month <= 12 && day <= 31 && date.ok()) return date;
     }
     return failure(fmt::format("'{}' is no day of the year", text), fmt::format("{}, {}", row.where, column),
                    "Give month and day: 12-31");
@@ -140,7 +141,9 @@ Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& nam
                 fmt::format("It has {} fields, and the heading {}", lines[i].size(), lines[0].size()),
                 row.where, "Give a field for every column");
         for (std::size_t column = 0; column < lines[i].size(); ++column)
-            row.fields[foldedText(lines[0][column])] = lines[i][column];
+            if (!row.fields.emplace(foldedText(lines[0][column]), lines[i][column]).second)
+                return failure(fmt::format("The column '{}' stands twice", lines[0][column]), "heading",
+                               "Leave one of them out");
         rows.push_back(std::move(row));
     }
     return tableOf(rows, name);

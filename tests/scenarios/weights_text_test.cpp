@@ -61,6 +61,18 @@ TEST(WeightsText, SaysTheLineAndWhatIsWrongWithIt) {
         EXPECT_FALSE(weightsFromJson(json, "mine")) << json;
 }
 
+TEST(WeightsText, DatesThatAreNoneAndColumnsThatStandTwiceAreRefused) {
+    for (const char* date : {"257-01", "06-257", "02-30", "13-01", "00-10"}) {
+        const auto table =
+            weightsFromCsv(std::string("first,last,weight\n") + date + ",12-31,1\n", "table");
+        ASSERT_FALSE(table) << date;
+        EXPECT_NE(table.error().what.find("no day of the year"), std::string::npos) << table.error().what;
+    }
+    const auto twice = weightsFromCsv("first,first,last,weight\n01-01,02-01,12-31,1\n", "table");
+    ASSERT_FALSE(twice);
+    EXPECT_NE(twice.error().what.find("stands twice"), std::string::npos) << twice.error().what;
+}
+
 TEST(WeightsText, AFileIsJsonOrCsvByItsBeginning) {
     const TemporaryFolder folder;
     const TimeWeights table = monthlyWeights();

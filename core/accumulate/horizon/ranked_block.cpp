@@ -45,12 +45,6 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, RankedHorizons
                   horizons.others[line]);
 }
 
-float lowestOf(const RankedHorizons& horizons) {
-    BlockHorizons others;
-    std::ranges::copy(horizons.others, others.lines);
-    return lowestOf(others);
-}
-
 void codesOf(const RankedHorizons& horizons, HorizonCode lowest, RankedCodes& codes) {
     BlockHorizons some;
     std::ranges::copy(horizons.lines, some.lines);

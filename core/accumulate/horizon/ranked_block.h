@@ -22,8 +22,6 @@ struct RankedCodes {
 /// As for BlockHorizons. Where two buildings are equally steep the one that came first has the cell.
 void clearBlock(const ReceiverBlocks::Masks& masks, RankedHorizons& horizons);
 void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, RankedHorizons& horizons);
-/// Of all cells' `others`: a wall below changes nothing.
-float lowestOf(const RankedHorizons& horizons);
 void codesOf(const RankedHorizons& horizons, HorizonCode lowest, RankedCodes& codes);
 
 }  // namespace noonmark

@@ -78,8 +78,8 @@ CasterFill::Sweep CasterFill::sweepOf(const ShadowCaster& caster, const StepThro
                 throws.at.scaled(bottom),
                 throws.at.scaled(top),
                 {},
-                throws.low * bottom,
-                throws.high * bottom,
+                glm::min(throws.low * bottom, throws.high * bottom),  // `bottom` may be behind the wall
+                glm::max(throws.low * bottom, throws.high * bottom),
                 throws.low * top,
                 throws.high * top};
     sweep.move = sweep.far - sweep.near;

@@ -91,24 +91,6 @@ TEST(Receivers, standOnTheTerrain) {
     EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(19, 3))).z, 10);
 }
 
-TEST(Receivers, tilesAreTheWholeCutIntoRows) {
-    City city;
-    city.buildings = {building(rectangle(2, 2, 5, 14))};
-    city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 2, 2}, {0, 10, 20, 30}});
-    const Receivers whole = receiversOf(city, regionFromLocalBox({{0, 0}, {12, 17}}));
-    std::size_t cells = 0;
-    for (int first = 0; first < whole.grid.rows; first += 5) {
-        const Receivers tile = rowsOf(whole, first, std::min(first + 5, whole.grid.rows));
-        const auto shift = std::uint32_t(whole.grid.index(0, first));
-        for (const std::uint32_t cell : tile.cells) {
-            EXPECT_EQ(tile.position(cell), whole.position(cell + shift));
-            EXPECT_EQ(whole.cells[cells++], cell + shift);
-        }
-    }
-    EXPECT_EQ(cells, whole.cells.size());
-    EXPECT_TRUE(rowsOf(whole, 3, 3).cells.empty());
-}
-
 TEST(Receivers, whatCannotBeIsRefusedInWords) {
     const Region region = regionFromLocalBox({{0, 0}, {8, 8}});
     for (const double cellM : {0.0, -1.0, 0.2, 10.5, std::nan("")})
