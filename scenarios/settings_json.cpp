@@ -1,5 +1,6 @@
 #include "scenarios/settings_json.h"
 
+#include "core/receivers/roof_receivers.h"
 #include "core/version.h"
 
 namespace noonmark {
@@ -23,7 +24,8 @@ Json settingsJson(const StudySettings& settings) {
               {"zone", period.zone},
               {"refraction", period.refraction}}},
             {"region", settings.region.name},
-            {"cell_m", settings.receivers.cellM}};
+            {"cell_m", settings.receivers.cellM},
+            {"receivers_on", nameOf(settings.receivers.places)}};
 }
 
 std::string csvField(const std::string& text) {

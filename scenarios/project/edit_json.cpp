@@ -3,6 +3,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/project/ring_json.h"
+
 namespace noonmark {
 
 using Json = nlohmann::ordered_json;
@@ -11,19 +13,6 @@ namespace {
 
 constexpr std::array heightSources{HeightSource::measured, HeightSource::levels, HeightSource::assumed,
                                    HeightSource::mesh};
-
-Json jsonOf(const Ring& ring) {
-    Json json = Json::array();
-    for (const glm::vec2 point : ring) json.push_back({point.x, point.y});
-    return json;
-}
-
-Ring ringOf(const Json& json) {
-    Ring ring;
-    for (const Json& point : json) ring.emplace_back(point.at(0).get<float>(), point.at(1).get<float>());
-    if (ring.size() < 3) throw std::invalid_argument("a ring of fewer than three points");
-    return ring;
-}
 
 Json jsonOf(const TriangleMesh& mesh) {
     Json vertices = Json::array(), triangles = Json::array();
@@ -49,9 +38,9 @@ std::shared_ptr<const TriangleMesh> meshOf(const Json& json) {
 
 Json jsonOf(const Part& part) {
     Json holes = Json::array();
-    for (const Ring& hole : part.footprint.holes) holes.push_back(jsonOf(hole));
+    for (const Ring& hole : part.footprint.holes) holes.push_back(ringJson(hole));
     Json json{{"source_id", part.sourceId},
-              {"outer", jsonOf(part.footprint.outer)},
+              {"outer", ringJson(part.footprint.outer)},
               {"holes", holes},
               {"bottom_m", part.bottomM},
               {"top_m", part.topM},

@@ -4,30 +4,13 @@
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/placed_building.h"
 #include "tests/cli/project_command.h"
+#include "tests/shared/box_obj.h"
 
 namespace noonmark::cli::tests {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-// A box of 20 x 30 x 100 units, y up, its corner at the origin.
-constexpr const char* boxObj = R"(o box
-v 0 0 0
-v 20 0 0
-v 20 0 -30
-v 0 0 -30
-v 0 100 0
-v 20 100 0
-v 20 100 -30
-v 0 100 -30
-f 1 4 3 2
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)";
 
 class ProjectEdits : public ProjectCommand {
 protected:
@@ -49,7 +32,7 @@ protected:
         return kinds;
     }
 
-    std::string mesh_ = folder_.file("box.obj", boxObj).string();
+    std::string mesh_ = folder_.file("box.obj", noonmark::tests::boxObj(20, 30, 100)).string();
 };
 
 TEST_F(ProjectEdits, EveryKindGoesIntoTheFileAndBack) {

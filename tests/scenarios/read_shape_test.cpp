@@ -6,27 +6,10 @@
 #include "scenarios/edits/apply_edits.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/small_town.h"
+#include "tests/shared/box_obj.h"
 
 namespace noonmark::tests {
 namespace {
-
-// A box of 4 x 6 x 10 units, y up, its corner at the origin.
-constexpr const char* boxObj = R"(o box
-v 0 0 0
-v 4 0 0
-v 4 0 -6
-v 0 0 -6
-v 0 10 0
-v 4 10 0
-v 4 10 -6
-v 0 10 -6
-f 1 4 3 2
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)";
 
 Result<ImportMesh> read(const std::filesystem::path& file) {
     Warnings warnings;
@@ -36,7 +19,7 @@ Result<ImportMesh> read(const std::filesystem::path& file) {
 
 TEST(ReadShape, AMeshComesAtItsOwnOriginAndIsPlacedByTheUser) {
     const TemporaryFolder folder;
-    ImportMesh import = read(folder.file("box.obj", boxObj)).value();
+    ImportMesh import = read(folder.file("box.obj", boxObj(4, 6, 10))).value();
     EXPECT_EQ(import.shape->sourceId, "tower");
     EXPECT_EQ(import.file, "box.obj");
     EXPECT_NEAR(topM(*import.shape), 10, 1e-3);

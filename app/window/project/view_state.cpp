@@ -3,25 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include "core/city/repair_footprint.h"
+#include "core/receivers/roof_receivers.h"
+#include "scenarios/project/ring_json.h"
 
 namespace noonmark {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 using Texts = std::map<std::string, std::string>;
-
-Json ringJson(const Ring& ring) {
-    Json json = Json::array();
-    for (const glm::vec2 point : ring) json.push_back({point.x, point.y});
-    return json;
-}
-
-RawRing ringFrom(const Json& json) {
-    RawRing ring;
-    for (const Json& point : json) ring.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
-    return ring;
-}
 
 Json regionJson(const Region& region) {
     Json polygons = Json::array();
@@ -37,7 +27,10 @@ Region regionFrom(const Json& json) {
     Region region{json.at("name"), {}};
     for (const Json& polygon : json.at("polygons")) {
         std::vector<RawRing> rings;
-        for (const Json& ring : polygon) rings.push_back(ringFrom(ring));
+        for (const Json& points : polygon) {
+            const Ring ring = ringOf(points);
+            rings.emplace_back(ring.begin(), ring.end());
+        }
         for (Footprint& piece : repairFootprint(rings).pieces) region.polygons.push_back(std::move(piece));
     }
     return region;
@@ -76,12 +69,22 @@ Period periodFrom(const Json& json) {
     return period;
 }
 
+ReceiverPlaces placesFrom(const std::string& name) {
+    for (const ReceiverPlaces places : {ReceiverPlaces::roofs, ReceiverPlaces::both})
+        if (name == nameOf(places)) return places;
+    return ReceiverPlaces::ground;
+}
+
 Json studyJson(const StudySettings& study) {
     Json options = Json::object();
     for (const auto& [key, value] : study.engineSettings) options[key] = value;
-    return {{"region", regionJson(study.region)},  {"cell_m", study.receivers.cellM},
-            {"period", periodJson(study.period)},  {"engine", study.engine},
-            {"options", std::move(options)},       {"by_month", study.byMonth},
+    return {{"region", regionJson(study.region)},
+            {"cell_m", study.receivers.cellM},
+            {"receivers_on", nameOf(study.receivers.places)},
+            {"period", periodJson(study.period)},
+            {"engine", study.engine},
+            {"options", std::move(options)},
+            {"by_month", study.byMonth},
             {"contributions", study.contributions}};
 }
 
@@ -90,6 +93,7 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     StudySettings study;
     study.region = regionFrom(json.at("region"));
     study.receivers.cellM = json.at("cell_m");
+    if (json.contains("receivers_on")) study.receivers.places = placesFrom(json.at("receivers_on"));
     study.period = periodFrom(json.at("period"));
     study.engine = json.at("engine");
     for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
@@ -97,7 +101,7 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     study.contributions = json.at("contributions");
     if (!checked(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
     return study;
-} catch (const Json::exception&) {
+} catch (const std::exception&) {  // JSON of another shape, a ring of two points
     return std::nullopt;
 }
 

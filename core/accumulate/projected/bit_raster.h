@@ -7,27 +7,20 @@
 
 namespace noonmark {
 
-/// One bit a cell, 64 cells of a row a word. The words of 64 columns lie together, row after row, so that one
-/// vector holds the words of eight rows: a shadow is filled eight rows at a time. A region of 800 x 800 cells
-/// takes 84 kB and stays in cache.
+/// One bit a cell, 64 cells of a row a word. The words of 64 columns lie together, row after row. A region of
+/// 800 x 800 cells takes 83 kB a step.
 struct BitLayout {
-    static constexpr int rowsTogether = 8;
     int columns = 0;
     int rows = 0;
     int wordColumns = 0;
-    int stride =
-        0;  ///< words from one column of words to the next: all rows, and some for vectors to run over
 
     explicit BitLayout(const Grid& grid) : BitLayout(grid.columns, grid.rows) {}
     BitLayout(int columnCount, int rowCount)
-        : columns(columnCount),
-          rows(rowCount),
-          wordColumns((columnCount + 63) / 64),
-          stride((rowCount + 2 * rowsTogether - 1) / rowsTogether * rowsTogether) {}
-    [[nodiscard]] std::size_t words() const { return std::size_t(wordColumns) * std::size_t(stride); }
+        : columns(columnCount), rows(rowCount), wordColumns((columnCount + 63) / 64) {}
+    [[nodiscard]] std::size_t words() const { return std::size_t(wordColumns) * std::size_t(rows); }
     /// Index of the word that holds a cell, in bit column % 64.
     [[nodiscard]] std::size_t word(int column, int row) const {
-        return std::size_t(column >> 6) * std::size_t(stride) + std::size_t(row);
+        return std::size_t(column >> 6) * std::size_t(rows) + std::size_t(row);
     }
     [[nodiscard]] bool at(std::span<const std::uint64_t> raster, int column, int row) const {
         return (raster[word(column, row)] >> (column & 63) & 1) != 0;

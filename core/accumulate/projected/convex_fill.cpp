@@ -125,7 +125,7 @@ int fillShape(const StepShape& shape, const BitLayout& layout, const RowBand& ba
     if (extent.empty()) return 0;
     const std::size_t first = layout.word(extent.firstWord() * 64, extent.bottom - band.first);
     fillRows(shape, extent, layout.columns, reinterpret_cast<Words8*>(&rasters[first * stepsTogether]),
-             layout.stride);
+             layout.rows);
     return extent.top - extent.bottom;
 }
 

@@ -3,24 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accumulate/horizon_sweep.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/accumulate/sweep_scenes.h"
 
 namespace noonmark {
 namespace {
 
 using namespace tests;
-
-ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg = 0.2) {
-    NoProgress progress;
-    return HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
-}
-
-SunSteps threeDays() {
-    SunSteps sun;
-    for (const double noon : {22.0, 41.0, 68.0}) addDay(sun, arc(260, noon));
-    return sun;
-}
 
 /// Means over the receivers of the difference from the rays, per cent of the period (gross) and of a day.
 struct Off {

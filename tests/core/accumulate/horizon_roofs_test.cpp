@@ -3,23 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accumulate/horizon_sweep.h"
 #include "core/receivers/roof_receivers.h"
+#include "tests/core/accumulate/sweep_scenes.h"
 #include "tests/core/accumulate/terrain_scenes.h"
 
 namespace noonmark::tests {
 namespace {
-
-ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg = 0.2) {
-    NoProgress progress;
-    return HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
-}
-
-SunSteps threeDays() {
-    SunSteps sun;
-    for (const double noon : {22.0, 41.0, 68.0}) addDay(sun, arc(260, noon));
-    return sun;
-}
 
 Receivers receiversAt(ReceiverPlaces places, const City& city, float west, float south, float east,
                       float north, double cellM = 1) {

@@ -4,25 +4,14 @@
 #include <cmath>
 
 #include "core/accumulate/horizon_breakdown.h"
-#include "core/accumulate/horizon_sweep.h"
 #include "core/geo/earth_drop.h"
+#include "tests/core/accumulate/sweep_scenes.h"
 #include "tests/core/accumulate/terrain_scenes.h"
 
 namespace noonmark::tests {
 namespace {
 
-ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg = 0.2) {
-    NoProgress progress;
-    return HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
-}
-
 double tanOf(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
-
-SunSteps threeDays() {
-    SunSteps sun;
-    for (const double noon : {22.0, 41.0, 68.0}) addDay(sun, arc(260, noon));
-    return sun;
-}
 
 Errors errorsAgainstRays(const City& city, const Receivers& receivers, double binDeg = 0.2) {
     const SunSteps sun = threeDays();
