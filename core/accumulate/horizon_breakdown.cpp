@@ -100,7 +100,8 @@ private:
         const AzimuthBin& bin = binned_.bins[number];
         const ShadowAxes axes(bin.away);
         SquareSweep& squares = squares_.local();
-        squares.beginAll(walls_, bin.away, extentOf(blocks.box(), axes), bin.lowest(), receivers_.grid.cellM);
+        squares.beginAll(walls_, bin.away, extentOf(blocks.box(), axes), bin.lowest(), receivers_.grid.cellM,
+                         stop_);
         for (std::size_t i = 0; i < blocks.blocks().size() && !stop_.stop_requested(); ++i) {
             const ReceiverBlocks::Block& block = blocks.blocks()[i];
             const ReceiverBlocks::Masks& masks = blocks.masks(i, axes.swapped);

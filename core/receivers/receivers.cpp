@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/city/ground_contact.h"
+#include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -31,11 +32,6 @@ void mark(Receivers& receivers, const Footprint& footprint, CellKind from, CellK
             if (kind == from) kind = to;
         }
     });
-}
-
-bool overlaps(const Box2& box, const Grid& grid) {
-    return !box.empty() && box.low.x <= grid.eastM() && box.high.x >= grid.westM &&
-           box.low.y <= grid.northM() && box.high.y >= grid.southM;
 }
 
 void markBuildings(Receivers& receivers, const City& city, const std::stop_token& stop) {

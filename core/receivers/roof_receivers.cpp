@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -52,11 +53,6 @@ private:
     const Grid& grid_;
     std::vector<float> heightM_;
 };
-
-bool overlaps(const Box2& box, const Grid& grid) {
-    return !box.empty() && double(box.low.x) <= grid.eastM() && double(box.high.x) >= grid.westM &&
-           double(box.low.y) <= grid.northM() && double(box.high.y) >= grid.southM;
-}
 
 void addRoofs(Receivers& receivers, const City& city) {
     RoofHeights heights(receivers.grid);

@@ -21,35 +21,39 @@ class Rows {
 public:
     void letter(char one) { field_ += one; }
     void quote() { quoted_ = true; }
+    void lineEnds() { ++line_; }
     void endField() {
-        row_.push_back(quoted_ ? std::move(field_) : trimmed(field_));
+        row_.fields.push_back(quoted_ ? std::move(field_) : trimmed(field_));
         field_.clear();
         quoted_ = false;
     }
     void endRow() {
-        const bool empty = row_.empty() && !quoted_ && trimmed(field_).empty();
+        const bool empty = row_.fields.empty() && !quoted_ && trimmed(field_).empty();
         endField();
         if (!empty) rows_.push_back(std::move(row_));
-        row_.clear();
+        row_ = {line_, {}};
     }
-    std::vector<std::vector<std::string>> take() && { return std::move(rows_); }
+    std::vector<CsvRow> take() && { return std::move(rows_); }
 
 private:
-    std::vector<std::vector<std::string>> rows_;
-    std::vector<std::string> row_;
+    std::vector<CsvRow> rows_;
+    CsvRow row_;
+    std::size_t line_ = 1;
     std::string field_;
     bool quoted_ = false;
 };
 
 }  // namespace
 
-std::vector<std::vector<std::string>> csvRows(std::string_view text) {
+std::vector<CsvRow> csvRows(std::string_view text) {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     const char separator = separatorOf(text);
     Rows rows;
     bool inQuotes = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
+        // Of "\r\n" the second ends the line, and an empty row, which is none.
+        if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n")) rows.lineEnds();
         if (text[i] == '"' && inQuotes && i + 1 < text.size() && text[i + 1] == '"')
             rows.letter(text[i++]);
         else if (text[i] == '"') {
@@ -60,7 +64,7 @@ std::vector<std::vector<std::string>> csvRows(std::string_view text) {
         else if (text[i] == separator)
             rows.endField();
         else
-            rows.endRow();  // of "\r\n" the second ends an empty row, which is none
+            rows.endRow();
     }
     rows.endRow();
     return std::move(rows).take();

@@ -135,14 +135,14 @@ Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& nam
     if (lines.empty()) return failure("The table is empty", name, "Begin with `weights show`");
     std::vector<Row> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        Row row{fmt::format("line {}", i + 1), {}};
-        if (lines[i].size() != lines[0].size())
-            return failure(
-                fmt::format("It has {} fields, and the heading {}", lines[i].size(), lines[0].size()),
-                row.where, "Give a field for every column");
-        for (std::size_t column = 0; column < lines[i].size(); ++column)
-            if (!row.fields.emplace(foldedText(lines[0][column]), lines[i][column]).second)
-                return failure(fmt::format("The column '{}' stands twice", lines[0][column]), "heading",
+        const std::vector<std::string>&heading = lines[0].fields, &fields = lines[i].fields;
+        Row row{fmt::format("line {}", lines[i].line), {}};
+        if (fields.size() != heading.size())
+            return failure(fmt::format("It has {} fields, and the heading {}", fields.size(), heading.size()),
+                           row.where, "Give a field for every column");
+        for (std::size_t column = 0; column < fields.size(); ++column)
+            if (!row.fields.emplace(foldedText(heading[column]), fields[column]).second)
+                return failure(fmt::format("The column '{}' stands twice", heading[column]), "heading",
                                "Leave one of them out");
         rows.push_back(std::move(row));
     }

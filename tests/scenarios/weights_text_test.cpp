@@ -19,11 +19,29 @@ std::string whyNot(const std::string& csv) {
     return table ? "no error" : table.error().text();
 }
 
+std::vector<std::vector<std::string>> fieldsOf(std::string_view text) {
+    std::vector<std::vector<std::string>> fields;
+    for (const CsvRow& row : csvRows(text)) fields.push_back(row.fields);
+    return fields;
+}
+
+// Empty lines count, and those within quotes, as an editor counts them.
+TEST(CsvRows, KnowTheirLines) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        std::string text;
+        for (const char* line : {"a,b", "", "1,\"x", "y\"", "2,z", ""}) text += line + end;
+        std::vector<std::size_t> lines;
+        for (const CsvRow& row : csvRows(text)) lines.push_back(row.line);
+        EXPECT_THAT(lines, ElementsAre(1, 3, 5));
+    }
+    EXPECT_THAT(whyNot("first,last,weight\n\n01-01,02-30,1\n"), HasSubstr("line 3, last: '02-30'"));
+}
+
 TEST(CsvRows, TakesWhatSpreadsheetsWrite) {
-    EXPECT_THAT(csvRows("\xEF\xBB\xBF"
-                        "a,b\r\n 1 ,\"x, \"\"y\"\"\n\"\r\n\r\n2,\"\"\n"),
+    EXPECT_THAT(fieldsOf("\xEF\xBB\xBF"
+                         "a,b\r\n 1 ,\"x, \"\"y\"\"\n\"\r\n\r\n2,\"\"\n"),
                 ElementsAre(ElementsAre("a", "b"), ElementsAre("1", "x, \"y\"\n"), ElementsAre("2", "")));
-    EXPECT_THAT(csvRows("a;b\n1,5;2"), ElementsAre(ElementsAre("a", "b"), ElementsAre("1,5", "2")));
+    EXPECT_THAT(fieldsOf("a;b\n1,5;2"), ElementsAre(ElementsAre("a", "b"), ElementsAre("1,5", "2")));
     EXPECT_TRUE(csvRows("").empty());
     EXPECT_TRUE(csvRows("\n\n").empty());
 }
@@ -63,8 +81,7 @@ TEST(WeightsText, SaysTheLineAndWhatIsWrongWithIt) {
 
 TEST(WeightsText, DatesThatAreNoneAndColumnsThatStandTwiceAreRefused) {
     for (const char* date : {"257-01", "06-257", "02-30", "13-01", "00-10"}) {
-        const auto table =
-            weightsFromCsv(std::string("first,last,weight\n") + date + ",12-31,1\n", "table");
+        const auto table = weightsFromCsv(std::string("first,last,weight\n") + date + ",12-31,1\n", "table");
         ASSERT_FALSE(table) << date;
         EXPECT_NE(table.error().what.find("no day of the year"), std::string::npos) << table.error().what;
     }

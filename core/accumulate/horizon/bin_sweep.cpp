@@ -75,7 +75,7 @@ std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const Receiver
                        const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM,
                        std::span<HorizonCode> codes, const std::stop_token& stop) {
     const ShadowAxes axes(away);
-    sweep.beginAll(walls, away, extentOf(blocks.box(), axes), lowest, cellM);
+    sweep.beginAll(walls, away, extentOf(blocks.box(), axes), lowest, cellM, stop);
     for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
         if (i % 256 == 0 && stop.stop_requested()) break;
         const ReceiverBlocks::Block& block = blocks.blocks()[i];
@@ -93,9 +93,9 @@ void SquareSweep::begin(const WallList& walls, std::span<const StandingPrism> pr
 }
 
 void SquareSweep::beginAll(const WallList& walls, glm::dvec2 away, const ShadowExtent& extent,
-                           HorizonCode lowest, double cellM) {
+                           HorizonCode lowest, double cellM, const std::stop_token& stop) {
     begin(ShadowAxes(away), lowest, cellM, walls.even());
-    walls_.findAll(walls, away, extent, cellM, tanOf(lowest));
+    walls_.findAll(walls, away, extent, cellM, tanOf(lowest), stop);
 }
 
 void SquareSweep::begin(const ShadowAxes& axes, HorizonCode lowest, double cellM, bool even) {

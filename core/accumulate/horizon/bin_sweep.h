@@ -20,9 +20,9 @@ public:
     void begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
                const ShadowExtent& extent, HorizonCode lowest, double cellM);
 
-    /// From now on all that the list holds.
+    /// From now on all that the list holds; less once stopped.
     void beginAll(const WallList& walls, glm::dvec2 away, const ShadowExtent& extent, HorizonCode lowest,
-                  double cellM);
+                  double cellM, const std::stop_token& stop);
 
     /// Codes of the block's cells in `masks`, 16 a line (row, or column where swapped), noHorizon for the
     /// others; null where all are noHorizon. Valid until the next call.

@@ -33,12 +33,12 @@ void BinWalls::find(const WallList& list, std::span<const StandingPrism> prisms,
 }
 
 void BinWalls::findAll(const WallList& list, glm::dvec2 away, const ShadowExtent& tile, double cellM,
-                       float lowestTan) {
+                       float lowestTan, const std::stop_token& stop) {
     const ShadowAxes axes(away);
     begin(axes, tile, cellM, lowestTan);
     for (const StandingPrism& prism : list.prisms) addPrism(list, prism, axes);
     for (const StandingSolid& solid : list.solids) addSolid(solid, axes, glm::vec2(away));
-    if (list.terrain) addTerrain(list, axes, away);
+    if (list.terrain) addTerrain(list, axes, away, stop);
     sort();
 }
 
@@ -96,10 +96,11 @@ void BinWalls::addEdge(const StandingSolid& solid, const SolidEdge& edge, const 
 }
 
 // Of all squares of the terrain; a receiver lies at the datum or above.
-void BinWalls::addTerrain(const WallList& list, const ShadowAxes& axes, glm::dvec2 away) {
+void BinWalls::addTerrain(const WallList& list, const ShadowAxes& axes, glm::dvec2 away,
+                          const std::stop_token& stop) {
     list.terrain->find(
         {.axes = axes, .away = away, .tile = tile_, .lowestTan = lowestTan_, .alongPerMetre = alongPerMetre_},
-        edges_);
+        edges_, stop);
     for (const TerrainEdges::Edge& edge : edges_) {
         const double rise = std::max(edge.aM, edge.bM) * alongPerMetre_;
         reach_ = rise / lowestTan_ + 1;

@@ -139,10 +139,14 @@ private:
     float lowestTan_;
 };
 
-void TerrainEdges::find(const Question& question, std::vector<Edge>& edges) const {
+void TerrainEdges::find(const Question& question, std::vector<Edge>& edges,
+                        const std::stop_token& stop) const {
     edges.clear();
     Finder finder(*this, question, edges);
-    for (const Square& square : squares_) finder.look(square);
+    for (const Square& square : squares_) {
+        if (stop.stop_requested()) return;
+        finder.look(square);
+    }
 }
 
 }  // namespace noonmark

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include "core/accumulate/horizon/shadow_axes.h"
@@ -36,8 +37,9 @@ public:
         double lowestTan = 0;
         double alongPerMetre = 1;
     };
-    /// Replaces what is in `edges`. Some 3 ns for each cell of the squares that are looked through.
-    void find(const Question& question, std::vector<Edge>& edges) const;
+    /// Replaces what is in `edges`; only some of them once stopped. Some 3 ns for each cell of the squares
+    /// that are looked through.
+    void find(const Question& question, std::vector<Edge>& edges, const std::stop_token& stop) const;
 
 private:
     /// Cells [first, last] of the terrain's grid, corners included, and the most of what is in them.
