@@ -13,16 +13,19 @@
 namespace noonmark {
 
 void MainWindow::connectJobs() {
-    const auto show = [this](JobSlot& slot, ProgressStrip& bar) {
-        connect(&slot, &JobSlot::started, &bar, &ProgressStrip::follow);
+    const auto show = [this](JobSlot& slot, ProgressStrip& bar, bool cancellable) {
+        connect(&slot, &JobSlot::started, &bar, [&bar, cancellable](const Job& job, const QString& what) {
+            bar.follow(job, what, cancellable);
+        });
         connect(&slot, &JobSlot::ended, &bar, &ProgressStrip::finish);
     };
     const auto control = [this, show](JobSlot& slot, ProgressStrip& bar) {
-        show(slot, bar);
+        show(slot, bar, true);
         connect(&bar, &ProgressStrip::cancelRequested, &slot, &JobSlot::cancel);
     };
     control(workbench_.opening(), *progress_);
-    show(workbench_.following(), *progress_);  // half way the view would show another scenario than the tree
+    // Half way the view would show another scenario than the tree.
+    show(workbench_.following(), *progress_, false);
     control(workbench_.writing(), *progress_);
     control(saving_.writing(), *progress_);
     control(workbench_.running(), docks_.study->progress());

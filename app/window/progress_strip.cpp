@@ -5,15 +5,16 @@
 #include <QPushButton>
 
 #include "app/window/job.h"
+#include "app/window/push_button.h"
 
 namespace noonmark {
 
 ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
-    : QWidget(parent), label_(new QLabel), bar_(new QProgressBar) {
-    auto* cancel = new QPushButton(tr("Cancel"));
-    cancel->setObjectName(QStringLiteral("cancel"));
-    cancel->setToolTip(tr("Stop this work; what was there before stays"));
-    connect(cancel, &QPushButton::clicked, this, &ProgressStrip::cancelRequested);
+    : QWidget(parent),
+      label_(new QLabel),
+      bar_(new QProgressBar),
+      cancel_(pushButton(tr("Cancel"), "cancel", tr("Stop this work; what was there before stays"))) {
+    connect(cancel_, &QPushButton::clicked, this, &ProgressStrip::cancelRequested);
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMinimumWidth(120);
@@ -22,11 +23,12 @@ ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(label_);
     layout->addWidget(bar_);
-    layout->addWidget(cancel);
+    layout->addWidget(cancel_);
     hide();
 }
 
-void ProgressStrip::follow(const Job& job, const QString& what) {
+void ProgressStrip::follow(const Job& job, const QString& what, bool cancellable) {
+    cancel_->setVisible(cancellable);
     label_->setText(what);
     bar_->setValue(0);
     connect(&job, &Job::progressed, this, [this, what](double fraction, const QString& stage) {

@@ -5,6 +5,7 @@
 
 class QLabel;
 class QProgressBar;
+class QPushButton;
 
 namespace noonmark {
 
@@ -17,7 +18,8 @@ public:
     /// Side by side, or above each other where there is little width.
     explicit ProgressStrip(QBoxLayout::Direction direction, QWidget* parent = nullptr);
 
-    void follow(const Job& job, const QString& what);
+    /// Without the button where cancelling would leave things half done.
+    void follow(const Job& job, const QString& what, bool cancellable = true);
     void finish();
 
 Q_SIGNALS:
@@ -26,6 +28,7 @@ Q_SIGNALS:
 private:
     QLabel* label_;
     QProgressBar* bar_;
+    QPushButton* cancel_;
 };
 
 }  // namespace noonmark

@@ -11,6 +11,7 @@
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_form.h"
+#include "app/window/push_button.h"
 #include "app/window/region_words.h"
 
 namespace noonmark {
@@ -60,14 +61,12 @@ MassingPanel::MassingPanel(QWidget* parent)
 QWidget* MassingPanel::makeLotRow() {
     lot_ = new QComboBox;
     lot_->setToolTip(tr("The project's lots"));
-    design_ = new QPushButton(tr("Design tower"));
-    design_->setObjectName(QStringLiteral("designTower"));
-    design_->setToolTip(tr("A tower on this lot; what stands on it is demolished with it"));
-    auto* draw = new QPushButton(tr("Draw lot"));
-    draw->setObjectName(QStringLiteral("drawLot"));
-    draw->setToolTip(
-        tr("Click the corners on the ground (Shift: square to the last side).\n"
-           "Double click, Enter or the right button finish it, Backspace takes a corner back."));
+    design_ = pushButton(tr("Design tower"), "designTower",
+                         tr("A tower on this lot; what stands on it is demolished with it"));
+    auto* draw =
+        pushButton(tr("Draw lot"), "drawLot",
+                   tr("Click the corners on the ground (Shift: square to the last side).\n"
+                      "Double click, Enter or the right button finish it, Backspace takes a corner back."));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(draw);
     buttons->addWidget(design_);
@@ -93,12 +92,11 @@ QWidget* MassingPanel::makeFigures() {
     error_->setWordWrap(true);
     error_->setObjectName(QStringLiteral("massingError"));
     error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
-    apply_ = new QPushButton(tr("Build"));
-    apply_->setObjectName(QStringLiteral("applyMassing"));
-    apply_->setToolTip(
+    apply_ = pushButton(
+        tr("Build"), "applyMassing",
         tr("Puts the tower into the scenario, as one step that can be undone (Enter over the view)"));
-    auto* cancel = new QPushButton(tr("Cancel"));
-    cancel->setToolTip(tr("Leaves the scenario as it is (Esc over the view)"));
+    auto* cancel =
+        pushButton(tr("Cancel"), "cancelMassing", tr("Leaves the scenario as it is (Esc over the view)"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(apply_);
     buttons->addWidget(cancel);

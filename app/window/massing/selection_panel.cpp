@@ -14,6 +14,7 @@
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/number_fields.h"
+#include "app/window/push_button.h"
 #include "app/window/region_words.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
@@ -39,13 +40,6 @@ QString rowsOf(const BuildingFacts& facts) {
            QStringLiteral("</table>");
 }
 
-QPushButton* button(const QString& text, const char* name, const QString& tip) {
-    auto* made = new QPushButton(text);
-    made->setObjectName(QString::fromLatin1(name));
-    made->setToolTip(tip);
-    return made;
-}
-
 }  // namespace
 
 SelectionPanel::SelectionPanel(QWidget* parent)
@@ -66,8 +60,9 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     inside->addWidget(makeButtons());
     inside->addWidget(makeFields());
     inside->addWidget(makeVariants());
-    auto* import = button(tr("Import mesh..."), "importMesh",
-                          tr("A building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
+    auto* import =
+        pushButton(tr("Import mesh..."), "importMesh",
+                   tr("A building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(facts_);
     column->addWidget(tools_);
@@ -80,12 +75,12 @@ SelectionPanel::SelectionPanel(QWidget* parent)
 }
 
 QWidget* SelectionPanel::makeButtons() {
-    auto* demolish = button(tr("Demolish"), "demolish", tr("Takes the building away (Delete)"));
-    auto* replace = button(tr("Replace by tower"), "replace",
-                           tr("A tower on its lot, or on its footprint where it has none"));
+    auto* demolish = pushButton(tr("Demolish"), "demolish", tr("Takes the building away (Delete)"));
+    auto* replace = pushButton(tr("Replace by tower"), "replace",
+                               tr("A tower on its lot, or on its footprint where it has none"));
     auto* lot =
-        button(tr("Lot from footprint"), "lotFromFootprint", tr("Makes its outline on the ground a lot"));
-    moveTool_ = button(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends it"));
+        pushButton(tr("Lot from footprint"), "lotFromFootprint", tr("Makes its outline on the ground a lot"));
+    moveTool_ = pushButton(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends it"));
     moveTool_->setCheckable(true);
     connect(demolish, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
     connect(replace, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
@@ -129,7 +124,7 @@ QWidget* SelectionPanel::makeVariants() {
     auto* row = new QHBoxLayout;
     column->addLayout(row);
     const auto variant = [&](const QString& text, double factor, const QString& tip) {
-        auto* made = button(text, "variant", tip);
+        auto* made = pushButton(text, "variant", tip);
         connect(made, &QPushButton::clicked, this, [this, factor] { Q_EMIT variantRequested(factor); });
         row->addWidget(made);
     };
