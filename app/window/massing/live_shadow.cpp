@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/projected/bit_raster.h"
@@ -63,7 +64,9 @@ Result<std::shared_ptr<const LiveShadow>> LiveShadow::around(const City& city, g
                                                              const std::stop_token& stop) {
     const auto sun = sunSteps(period, observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->steps.empty()) return failure("The sun is below the horizon all the time", "live shadow");
+    if (sun->steps.empty())
+        return failure("The sun is below the horizon all the time", textOf(period),
+                       "Choose other hours or days");
     const auto half = glm::vec2(float(halfM));
     const Region region = regionFromLocalBox({glm::vec2(centre) - half, glm::vec2(centre) + half});
     auto receivers = receiversOnGround(city, region, {.cellM = 2 * halfM / cellsToASide}, stop);
@@ -93,7 +96,7 @@ ShadowField LiveShadow::with(const std::vector<std::shared_ptr<const Building>>&
         const int column = int(cell) % receivers_.grid.columns, row = int(cell) / receivers_.grid.columns;
         field.grossMin[cell] = float(minutes * numberAt(counters[layout.word(column, row)], column & 63));
     }
-    field.continuousMin = field.grossMin;
+    std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
     return field;
 }
 

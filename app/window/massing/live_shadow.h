@@ -27,7 +27,8 @@ public:
                                                             const Period& period, const Observer& observer,
                                                             Progress& progress, const std::stop_token& stop);
 
-    /// Gross shadow of the city and these buildings; continuousMin is the same. Some ms.
+    /// Gross shadow of the city and these buildings; single moments know no runs: continuousMin is NaN. Some
+    /// ms.
     [[nodiscard]] ShadowField with(const std::vector<std::shared_ptr<const Building>>& shape) const;
 
     [[nodiscard]] const Receivers& receivers() const { return receivers_; }
