@@ -47,6 +47,7 @@ std::vector<Gap> OpenSweep::sweep(glm::dvec2 away, HorizonCode lowest, double ce
     const ShadowAxes axes(away);
     alongPerMetre_ = axes.alongPerDistance / cellM;
     lowest_ = lowest;
+    codes_ = codes;
     lowestTan_ = double(steepnessOf(lowest) / (1 - steepnessOf(lowest)));
     gaps_.clear();
     merged_ = 0;
@@ -83,12 +84,14 @@ void OpenSweep::add(const OpenTriangle& triangle, const ShadowAxes& axes) {
                  tileHigh = std::max(axes.sign * from, axes.sign * to);
     const double first = std::max(std::ceil(near), tileLow),
                  last = std::min(std::floor(far + rise / lowestTan_ + 1), tileHigh);
-    for (double along = first; along <= last; ++along) addLine(int(along), axes);
+    for (double along = first; along <= last; ++along)
+        addLine(int(along), along > far ? codeAt(rise, along - far) : codeAt(1, 0), axes);
     if (gaps_.size() - merged_ > gapsAMerge) merge();
 }
 
-// The cells of one line across whose shadow line meets the triangle: lowest q <= q < highest q.
-void OpenSweep::addLine(int along, const ShadowAxes& axes) {
+// The cells of one line across whose shadow line meets the triangle: lowest q <= q < highest q. None of them
+// can see it higher than `most`, but for a level of rounding.
+void OpenSweep::addLine(int along, HorizonCode most, const ShadowAxes& axes) {
     const double shift = axes.k * along;
     const int low = axes.swapped ? tile_.box.firstRow : tile_.box.firstColumn,
               count = axes.swapped ? tile_.box.rows : tile_.box.columns;
@@ -100,7 +103,7 @@ void OpenSweep::addLine(int along, const ShadowAxes& axes) {
         const std::int32_t number =
             tile_.numbers[std::size_t(row - tile_.box.firstRow) * std::size_t(tile_.box.columns) +
                           std::size_t(column - tile_.box.firstColumn)];
-        if (number >= 0) addCell(number, across - shift, along);
+        if (number >= 0 && codes_[std::size_t(number)] <= most) addCell(number, across - shift, along);
     }
 }
 
@@ -120,7 +123,9 @@ void OpenSweep::addCell(std::int32_t number, double q, double along) {
                                           : noHorizon,
                       atFar = codeAt(far.rise - ground, toFar);
     const HorizonCode low = std::min(atNear, atFar), high = std::max(atNear, atFar);
-    if (high > lowest_) gaps_.push_back({std::uint32_t(number), low, high});
+    // Below the horizon it changes nothing: what it would join begins at the horizon or below, too.
+    if (high > std::max(lowest_, codes_[std::size_t(number)]))
+        gaps_.push_back({std::uint32_t(number), low, high});
 }
 
 // By receiver and from below; those that meet become one.

@@ -45,14 +45,15 @@ public:
     OpenSweep(std::span<const OpenTriangle> triangles, const OpenTile& tile)
         : triangles_(triangles), tile_(tile) {}
 
-    /// Raises `codes` where a part hides all from the horizon up; returns the rest, receiver by receiver in
-    /// ascending order, disjoint and apart. About 10 ns a triangle and shaded cell.
+    /// `codes`: of the horizons of what stands. Raises them where a part hides all from the horizon up;
+    /// returns the rest, receiver by receiver in ascending order, disjoint and apart. About 10 ns a triangle
+    /// and shaded cell.
     std::vector<Gap> sweep(glm::dvec2 away, HorizonCode lowest, double cellM, std::span<HorizonCode> codes,
                            const std::stop_token& stop);
 
 private:
     void add(const OpenTriangle& triangle, const ShadowAxes& axes);
-    void addLine(int along, const ShadowAxes& axes);
+    void addLine(int along, HorizonCode most, const ShadowAxes& axes);
     void addCell(std::int32_t number, double q, double along);
     void merge();
 
@@ -63,6 +64,7 @@ private:
     const OpenTile& tile_;
     double alongPerMetre_ = 0, lowestTan_ = 0;
     HorizonCode lowest_ = 0;
+    std::span<HorizonCode> codes_;
     std::array<Corner, 3> corners_{};  // of the triangle at hand, by q
     std::vector<Gap> gaps_;
     std::size_t merged_ = 0;
