@@ -39,6 +39,7 @@ public:
           receivers_(receivers),
           sun_(sun),
           where_(receivers),
+          starts_(startsOfRuns(sun)),
           bands_(bandsOf(receivers.grid)),
           progress_(progress),
           stop_(std::move(stop)) {}
@@ -64,7 +65,7 @@ private:
         for (std::size_t step = 0; step < sun_.steps.size(); step += stepsTogether) {
             if (!goOn()) return;
             filler.fill(step, words);
-            events.add(words, startsOfRuns(step));
+            events.add(words, starts_[step / stepsTogether]);
         }
         events.finish(sun_.steps.size(), field);
         counts_.local() += filler.count();
@@ -77,23 +78,11 @@ private:
         return !stop_.stop_requested();
     }
 
-    [[nodiscard]] ShadowEvents::StartsRun startsOfRuns(std::size_t first) const {
-        ShadowEvents::StartsRun starts{};
-        for (std::size_t step = first; step < std::min(first + stepsTogether, sun_.steps.size()); ++step)
-            starts[step - first] = step == 0 || startsRun(step);
-        return starts;
-    }
-
-    [[nodiscard]] bool startsRun(std::size_t step) const {
-        const auto day = std::ranges::lower_bound(sun_.days, std::uint32_t(step), {}, &SunDay::first);
-        const bool newDay = day != sun_.days.end() && day->first == step;
-        return newDay || sun_.steps[step].slot != sun_.steps[step - 1].slot + 1;
-    }
-
     const ShadowCasters& casters_;
     const Receivers& receivers_;
     const SunSteps& sun_;
     ReceiverCount where_;
+    std::vector<RunStarts> starts_;
     std::vector<RowBand> bands_;
     Progress& progress_;
     std::stop_token stop_;

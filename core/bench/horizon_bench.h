@@ -9,7 +9,8 @@
 namespace noonmark::bench {
 
 /// The figures of the two exact engines against their targets: the horizon sweep over a year, with the curves
-/// of error and time, projected shadows over a day, and changes on kept horizons. Errors as in paperBench.
+/// of error and time, projected shadows over a day, and changes on kept horizons and kept shadows. Errors as
+/// in paperBench.
 Result<BenchReport> horizonBench(const BenchSite& site, const Extent& extent, const EngineList& engines,
                                  Progress& progress, const std::stop_token& stop);
 

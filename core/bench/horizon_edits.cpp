@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/accumulate/kept_horizons.h"
 #include "core/bench/moments.h"
+#include "core/bench/moved_tower.h"
 #include "core/stopwatch.h"
 
 namespace noonmark::bench {
@@ -13,31 +12,6 @@ namespace noonmark::bench {
 namespace {
 
 constexpr double hoursADay = 8, fewerHoursADay = 6;
-constexpr float towerSideM = 40, towerHighM = 200, moveM = 10;
-
-City withTower(City city, glm::vec2 middle) {
-    const glm::vec2 a = middle - towerSideM / 2, b = middle + towerSideM / 2;
-    Building tower;
-    tower.parts.push_back({.footprint = {{a, {b.x, a.y}, b, {a.x, b.y}}, {}}, .topM = towerHighM});
-    city.buildings.push_back(std::make_shared<const Building>(std::move(tower)));
-    return city;
-}
-
-/// A city with a tower, and its receivers.
-struct State {
-    City city;
-    Receivers receivers;
-};
-
-Result<State> stateOf(const BenchSite& site, float eastM, const Work& work) {
-    const Region square = middleSquare(site.city, site.sideM);
-    const Box2 box = bounds(square);
-    State state{withTower(site.city, (box.low + box.high) / 2.0F + glm::vec2(eastM, 0)), {}};
-    auto receivers = receiversOnGround(state.city, square, {}, work.stop);
-    if (!receivers) return tl::make_unexpected(receivers.error());
-    state.receivers = std::move(*receivers);
-    return state;
-}
 
 /// Kept horizons and the times of what is done with them. The first error ends it.
 class KeptStudy {
@@ -48,7 +22,7 @@ public:
     Result<double> retime(const SunSteps& sun) {
         return timed([&] { return kept_.retime(sun, silent_, work_.stop, KeptCounts::gross); });
     }
-    Result<double> change(const State& state) {
+    Result<double> change(const TowerPlace& state) {
         return timed([&] {
             return kept_.change(state.city, state.receivers, silent_, work_.stop, KeptCounts::gross);
         });
@@ -85,13 +59,7 @@ struct KeptTimes {
     Times full, retimes, edits;
 };
 
-bool same(const std::vector<float>& a, const std::vector<float>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (a[i] != b[i] && !(std::isnan(a[i]) && std::isnan(b[i]))) return false;
-    return a.size() == b.size();
-}
-
-Result<KeptStudy> studyOf(const State& state, const Work& work) {
+Result<KeptStudy> studyOf(const TowerPlace& state, const Work& work) {
     return KeptHorizons::make(state.city, state.receivers).map([&](KeptHorizons&& kept) {
         return KeptStudy(std::move(kept), work);
     });
@@ -108,7 +76,7 @@ Result<void> add(Times& times, KeptStudy& study, const Result<double>& gross) {
 
 Result<void> measure(KeptTimes& times, const BenchSite& site, const Extent& extent, const SunSteps& year,
                      const SunSteps& shorter, const Work& work) {
-    const auto here = stateOf(site, 0, work), there = stateOf(site, moveM, work);
+    const auto here = placedTower(site, 0, work), there = placedTower(site, towerMoveM, work);
     if (!here || !there) return tl::make_unexpected(here ? there.error() : here.error());
     auto fresh = studyOf(*there, work), study = studyOf(*here, work);
     if (!fresh || !study) return tl::make_unexpected(fresh ? study.error() : fresh.error());
@@ -116,8 +84,7 @@ Result<void> measure(KeptTimes& times, const BenchSite& site, const Extent& exte
     if (state) state = add(times.full, *study, study->retime(year));
     if (state) state = add(times.edits, *study, study->change(*there));
     if (!state) return state;
-    if (!same(study->field().grossMin, fresh->field().grossMin) ||
-        !same(study->field().continuousMin, fresh->field().continuousMin))
+    if (!sameMinutes(study->field(), fresh->field()))
         return failure("The edited field differs from a fresh one", "kept horizons");
     for (int run = 0; run < 2 * extent.runs && state; ++run)
         state = add(times.edits, *study, study->change(run % 2 == 0 ? *here : *there));

@@ -1,9 +1,11 @@
 // Projected shadows on one day of 6 h: 800 x 800 m in the middle of a city, by processor time. Where cells
-// differ from rays (with "check") each is told with what each engine says.
+// differ from rays (with "check") each is told with what each engine says; with "edit" a tower is moved on
+// kept shadows.
 //
-//     projected_bench [FILE or number of buildings] [rounds] [check]
+//     projected_bench [FILE or number of buildings] [rounds] [check|edit]
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -13,6 +15,7 @@
 #include "core/accumulate/projected_shadows.h"
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
+#include "core/bench/day_edits.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -24,6 +27,15 @@ ShadowField fieldOf(const Accumulator& engine, const City& city, const Receivers
                     const SunSteps& sun) {
     NoProgress progress;
     return engine.accumulate(city, receivers, sun, progress, {}).value();
+}
+
+// The same for the same bits of all cells: to hold one version of the engine against another.
+std::uint64_t checksum(const ShadowField& field) {
+    std::uint64_t sum = 0;
+    for (const auto* minutes : {&field.grossMin, &field.continuousMin})
+        for (const float value : *minutes)
+            sum = (sum ^ (std::isnan(value) ? 1U : std::bit_cast<std::uint32_t>(value))) * 0x100000001b3U;
+    return sum;
 }
 
 double median(std::vector<double> values) {
@@ -78,6 +90,14 @@ void explain(const City& city, const Receivers& receivers, const SunSteps& sun, 
             }
 }
 
+void moveTower(const City& city, int rounds) {
+    NoProgress progress;
+    const Finding finding = dayEdits({.city = city}, {.runs = rounds}, {progress, {}}).value();
+    fmt::print("{}\n", finding.text);
+    for (const auto& row : finding.comparisons[0].rows)
+        fmt::print("  {}: {} ms, {} to {}\n", row[0], row[1], row[2], row[3]);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -100,7 +120,10 @@ int main(int argc, char** argv) {
     fmt::print("{} receivers, {} steps: {:.4f} s processor, median of {}\n", receivers.cells.size(),
                sun.steps.size(), median(processor), rounds);
     for (const auto& [stage, seconds] : stages) fmt::print("  {} {:.4f} s wall\n", stage, median(seconds));
-    if (argc > 3)
+    fmt::print("  checksum of the field {:016x}\n", checksum(field));
+    const std::string more = argc > 3 ? argv[3] : "";
+    if (more == "check")
         explain(city, receivers, sun,
                 compare(receivers, field, fieldOf(RayReference(), city, receivers, sun)));
+    if (more == "edit") moveTower(city, rounds);
 }

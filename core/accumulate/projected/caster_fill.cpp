@@ -18,6 +18,11 @@ constexpr double farOff = 1e9;
 // begin in the building (rayOrigin()). No receiver stands in there.
 constexpr double behindWallM = 1e-3;
 
+double bottomOf(const ShadowCaster& caster) {
+    const bool fromGround = caster.kind == Kind::wall && caster.bottomM == 0;
+    return fromGround ? -behindWallM : double(caster.bottomM);
+}
+
 void keepLeast(StepDoubles& least, const StepDoubles& other) { least = other < least ? other : least; }
 void keepMost(StepDoubles& most, const StepDoubles& other) { most = other > most ? other : most; }
 
@@ -32,6 +37,14 @@ void addEastern(StepLines<count>& lines, const StepLine& line) {
 }
 
 }  // namespace
+
+SweptBox sweptBox(const ShadowCaster& caster, const StepThrows& throws) {
+    const double bottom = bottomOf(caster), top = caster.topM;
+    const glm::dvec2 ofBottom = glm::min(throws.low * bottom, throws.high * bottom),
+                     toBottom = glm::max(throws.low * bottom, throws.high * bottom);
+    return {caster.low + glm::min(ofBottom, throws.low * top),
+            caster.high + glm::max(toBottom, throws.high * top)};
+}
 
 CasterFill::CasterFill(const ShadowCasters& casters) : casters_(casters), far_(casters.casters.size()) {}
 
@@ -70,8 +83,7 @@ CasterFill::FarEdges CasterFill::Sweep::findFar(std::size_t step) const {
 }
 
 CasterFill::Sweep CasterFill::sweepOf(const ShadowCaster& caster, const StepThrows& throws) const {
-    const bool fromGround = caster.kind == Kind::wall && caster.bottomM == 0;
-    const double bottom = fromGround ? -behindWallM : double(caster.bottomM), top = caster.topM;
+    const double bottom = bottomOf(caster), top = caster.topM;
     Sweep sweep{caster,
                 casters_.pointsOf(caster),
                 casters_.edgesOf(caster),

@@ -8,6 +8,13 @@
 
 namespace noonmark {
 
+/// A rectangle of cells.
+struct SweptBox {
+    glm::dvec2 low, high;
+};
+/// Holds the shadow of a caster at all these steps.
+SweptBox sweptBox(const ShadowCaster& caster, const StepThrows& throws);
+
 /// Throws the shadows of casters at eight steps of the sun at a time. Which edges face away from it changes
 /// rarely, so it is kept from one time to the next. One for each thread.
 class CasterFill {

@@ -23,43 +23,19 @@ ShadowEvents::ShadowEvents(const BitLayout& layout, const RowBand& band,
       shaded_(noReceivers_),
       cells_(layout.words() * 64) {}
 
-void ShadowEvents::add(std::span<const std::uint64_t> rasters, const StartsRun& startsRun) {
+void ShadowEvents::add(std::span<const std::uint64_t> rasters, const RunStarts& startsRun) {
     const bool anyStart = std::ranges::count(startsRun, true) > 0;
     for (std::size_t word = 0; word < shaded_.size(); ++word) {
         const std::uint64_t* steps = &rasters[word * stepsTogether];
         if (differ(steps, shaded_[word]) || (anyStart && shaded_[word] != noReceivers_[word]))
-            addWord(word, steps, startsRun);
+            passEight(&cells_[word * 64], shaded_[word], steps, startsRun, noReceivers_[word], step_);
     }
     step_ += stepsTogether;
 }
 
-void ShadowEvents::addWord(std::size_t word, const std::uint64_t* steps, const StartsRun& startsRun) {
-    for (std::uint32_t k = 0; k < stepsTogether; ++k) {
-        if (startsRun[k]) change(word, noReceivers_[word], step_ + k);
-        if (steps[k] != shaded_[word]) change(word, steps[k], step_ + k);
-    }
-}
-
-void ShadowEvents::change(std::size_t word, std::uint64_t now, std::uint32_t step) {
-    const std::uint64_t before = shaded_[word];
-    endRuns(word, before & ~now, step);
-    for (std::uint64_t begun = now & ~before; begun != 0; begun &= begun - 1)
-        cells_[word * 64 + std::size_t(std::countr_zero(begun))].start = step;
-    shaded_[word] = now;
-}
-
-void ShadowEvents::endRuns(std::size_t word, std::uint64_t ended, std::uint32_t step) {
-    for (; ended != 0; ended &= ended - 1) {
-        CellState& cell = cells_[word * 64 + std::size_t(std::countr_zero(ended))];
-        const std::uint32_t length = step - cell.start;
-        cell.gross += length;
-        cell.longest = std::max(cell.longest, length);
-    }
-}
-
 void ShadowEvents::finish(std::size_t steps, ShadowField& field) {
     for (std::size_t word = 0; word < shaded_.size(); ++word)
-        change(word, noReceivers_[word], std::uint32_t(steps));
+        changeRuns(&cells_[word * 64], shaded_[word], noReceivers_[word], std::uint32_t(steps));
     for (int row = 0; row < layout_.rows; ++row)
         for (int column = 0; column < layout_.columns; column += 64)
             write(layout_.word(column, row), std::uint32_t(field.grid.index(column, band_.first + row)),
@@ -69,9 +45,9 @@ void ShadowEvents::finish(std::size_t steps, ShadowField& field) {
 void ShadowEvents::write(std::size_t word, std::uint32_t firstCell, ShadowField& field) const {
     for (std::uint64_t left = ~noReceivers_[word]; left != 0; left &= left - 1) {
         const auto bit = std::size_t(std::countr_zero(left));
-        const CellState& state = cells_[word * 64 + bit];
-        field.grossMin[firstCell + bit] = float(state.gross * field.stepMinutes / field.days);
-        field.continuousMin[firstCell + bit] = float(state.longest * field.stepMinutes);
+        const CellRuns& state = cells_[word * 64 + bit];
+        field.grossMin[firstCell + bit] = grossMinutes(state, field);
+        field.continuousMin[firstCell + bit] = longestMinutes(state, field);
     }
 }
 

@@ -1,10 +1,9 @@
 #include "core/accumulate/projected/step_filler.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <numeric>
 
-#include "core/accumulate/projected/cell_coordinates.h"
+#include "core/accumulate/projected/sun_throws.h"
 
 namespace noonmark {
 
@@ -45,37 +44,19 @@ StepFiller::StepFiller(const ShadowCasters& casters, const ReceiverCount& where,
       caster_(casters) {
     Indices all(casters.casters.size());
     std::iota(all.begin(), all.end(), 0U);
-    if (!sun.steps.empty()) reach(throwsOf(0, sun.steps.size()), all, everInReach_);
-}
-
-// The throws of some steps, the last one again for lanes beyond, and the bounds of all.
-StepThrows StepFiller::throwsOf(std::size_t first, std::size_t end) const {
-    StepThrows throws{{}, glm::dvec2(1e30), glm::dvec2(-1e30)};
-    for (std::size_t step = first; step < std::max(end, first + stepsTogether); ++step) {
-        const glm::dvec3 sun(sun_.steps[std::min(step, sun_.steps.size() - 1)].direction);
-        const glm::dvec2 thrown = throwInCells(sun, cellM_);
-        throws.low = glm::min(throws.low, thrown);
-        throws.high = glm::max(throws.high, thrown);
-        if (step - first >= stepsTogether) continue;
-        throws.at.x[step - first] = thrown.x;
-        throws.at.y[step - first] = thrown.y;
-    }
-    return throws;
+    if (!sun.steps.empty()) reach(throwsOf(sun, cellM_, 0, sun.steps.size()), all, everInReach_);
 }
 
 void StepFiller::reach(const StepThrows& throws, const Indices& among, Indices& inReach) const {
     inReach.clear();
     for (const std::uint32_t i : among) {
-        const ShadowCaster& caster = casters_.casters[i];
-        const double bottom = caster.bottomM, top = caster.topM;
-        const glm::dvec2 west = caster.low + glm::min(throws.low * bottom, throws.low * top);
-        const glm::dvec2 east = caster.high + glm::max(throws.high * bottom, throws.high * top);
-        if (where_.any(west, east, band_)) inReach.push_back(i);
+        const SweptBox box = sweptBox(casters_.casters[i], throws);
+        if (where_.any(box.low, box.high, band_)) inReach.push_back(i);
     }
 }
 
 void StepFiller::fill(std::size_t first, std::span<std::uint64_t> rasters) {
-    const StepThrows throws = throwsOf(first, first + stepsTogether);
+    const StepThrows throws = throwsOf(sun_, cellM_, first, first + stepsTogether);
     reach(throws, everInReach_, inReach_);
     for (std::size_t word = 0; word < noReceivers_.size(); ++word)
         std::fill_n(&rasters[word * stepsTogether], stepsTogether, noReceivers_[word]);

@@ -35,7 +35,6 @@ public:
 private:
     using Indices = std::vector<std::uint32_t>;
     void reach(const StepThrows& throws, const Indices& among, Indices& inReach) const;
-    [[nodiscard]] StepThrows throwsOf(std::size_t first, std::size_t end) const;
 
     const ShadowCasters& casters_;
     const ReceiverCount& where_;

@@ -14,6 +14,19 @@ struct alignas(64) StepWords {
     std::uint64_t words[stepsTogether];
 };
 
+/// The same, as a vector.
+using StepBits = std::uint64_t __attribute__((vector_size(64), may_alias));
+
+/// Whether any bit is set.
+[[gnu::always_inline]] inline bool anySet(const StepBits& bits) {
+    using Four = std::uint64_t __attribute__((vector_size(32)));
+    using Two = std::uint64_t __attribute__((vector_size(16)));
+    const Four four =
+        __builtin_shufflevector(bits, bits, 0, 1, 2, 3) | __builtin_shufflevector(bits, bits, 4, 5, 6, 7);
+    const Two two = __builtin_shufflevector(four, four, 0, 1) | __builtin_shufflevector(four, four, 2, 3);
+    return (two[0] | two[1]) != 0;
+}
+
 using StepDoubles = double __attribute__((vector_size(64), may_alias));
 
 /// A point at each of these steps.

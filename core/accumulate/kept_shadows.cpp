@@ -1,0 +1,198 @@
+#include "core/accumulate/kept_shadows.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <new>
+
+#include "core/accumulate/blank_field.h"
+#include "core/accumulate/changed_buildings.h"
+#include "core/accumulate/level_ground.h"
+#include "core/accumulate/projected/kept_band.h"
+#include "core/accumulate/projected/sun_throws.h"
+#include "core/accumulate/reach.h"
+#include "core/stopwatch.h"
+
+namespace noonmark {
+
+namespace {
+
+KeptPeriod periodOf(const SunSteps& sun, double cellM) {
+    KeptPeriod period{sun.steps.size(), throwsByEight(sun, cellM), {}, startsOfRuns(sun)};
+    if (!sun.steps.empty()) period.whole = throwsOf(sun, cellM, 0, sun.steps.size());
+    return period;
+}
+
+Box2 boxOf(const Grid& grid) {
+    Box2 box;
+    box.add(glm::vec2(grid.centre(0, 0)));
+    box.add(glm::vec2(grid.centre(grid.columns - 1, grid.rows - 1)));
+    return box;
+}
+
+bool sameRegion(const std::vector<CellKind>& before, const std::vector<CellKind>& now) {
+    const auto both = [](CellKind a, CellKind b) {
+        return (a == CellKind::outside) == (b == CellKind::outside);
+    };
+    return before == now || std::ranges::equal(before, now, both);
+}
+
+Error tooMuch(const Grid& grid, std::size_t steps, const KeptShadowsSettings& settings) {
+    return {fmt::format("The shadows of {} steps over {} x {} cells need more than {:.0f} MB to be kept",
+                        steps, grid.columns, grid.rows, double(settings.memoryBytes) * 1e-6),
+            "kept shadows", "Choose a smaller region, larger cells, fewer days or a longer step"};
+}
+
+}  // namespace
+
+struct KeptShadows::Kept {
+    KeptShadowsSettings settings;
+    SunSteps sun;
+    KeptPeriod period;
+    ShadowReach reach;
+    std::vector<CellKind> kinds;
+    Buildings buildings;
+    std::vector<KeptBand> bands;
+    ShadowField field;
+    KeptMemory memory;
+    bool whole = false;  ///< the bands hold the shadow of `buildings`
+
+    Kept(const Receivers& receivers, const SunSteps& steps, const KeptShadowsSettings& chosen)
+        : settings(chosen),
+          sun(steps),
+          period(periodOf(steps, receivers.grid.cellM)),
+          reach(steps),
+          kinds(receivers.kind),
+          field(blankField(receivers, steps)) {
+        memory.most = chosen.memoryBytes;
+        field.engine =
+            "Kept shadows: each building's shadow filled as polygons at every step and kept, exact on flat "
+            "ground";
+    }
+
+    void begin() {
+        whole = false;
+        buildings.clear();
+        drop();
+        for (int row = 0; row < field.grid.rows; row += KeptBand::rows)
+            bands.emplace_back(field.grid, row, period.throws.size());
+        for (KeptBand& band : bands) band.markAll();
+        field.cost.buildingsUsed = 0;
+    }
+
+    void drop() {
+        bands.clear();
+        memory.used = 0;
+    }
+
+    // Those whose shadow falls on the grid at all.
+    Buildings reaching(Buildings some) const {
+        const Box2 box = boxOf(field.grid);
+        std::erase_if(some, [&](const auto& building) {
+            return !reach.touches(bounds(*building), double(topM(*building)), box);
+        });
+        return some;
+    }
+
+    // Cells that are receivers from now on are to be counted; those that are none any more hold NaN.
+    void remask(const std::vector<CellKind>& now) {
+        const auto columns = std::size_t(field.grid.columns);
+        for (KeptBand& band : bands)
+            for (int row = band.band().first; row < band.band().end; ++row) {
+                const std::size_t first = std::size_t(row) * columns;
+                if (std::equal(&kinds[first], &kinds[first] + columns, &now[first])) continue;
+                for (std::size_t i = 0; i < columns; ++i) remask(band, first + i, now[first + i]);
+            }
+    }
+
+    void remask(KeptBand& band, std::size_t cell, CellKind now) {
+        if (kinds[cell] == now) return;
+        kinds[cell] = now;
+        const auto columns = std::size_t(field.grid.columns);
+        if (now == CellKind::ground)
+            band.mark(int(cell % columns), int(cell / columns));
+        else
+            field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
+    }
+
+    Result<void> become(const Buildings& now, Progress& progress, const std::stop_token& stop) {
+        const Stopwatch watch;
+        const ChangedBuildings changed = changedBuildings(buildings, now);
+        const BuildingCasters gone(reaching(changed.gone), field.grid),
+            come(reaching(changed.come), field.grid);
+        if (const auto done = change(gone, come, progress, stop); !done) return done;
+        buildings = now;
+        field.cost.seconds["fill and count"] = watch.seconds();
+        field.cost.buildingsUsed += std::uint32_t(come.buildings()) - std::uint32_t(gone.buildings());
+        field.cost.skipped[cellsUnderBuildings] =
+            std::uint64_t(std::ranges::count(kinds, CellKind::building));
+        return {};
+    }
+
+    // Half done it holds nothing that can be trusted.
+    Result<void> change(const BuildingCasters& gone, const BuildingCasters& come, Progress& progress,
+                        const std::stop_token& stop) {
+        whole = false;
+        std::atomic<std::size_t> done{0};
+        tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) {
+            bands[i].change(gone, come, period, memory, stop);
+            if (stop.stop_requested() || memory.exceeded()) return;
+            bands[i].recount(period, kinds, field);
+            progress.report(double(++done) / double(bands.size()), "filling shadows");
+        });
+        if (stop.stop_requested()) return cancelled();
+        if (memory.exceeded()) return tl::make_unexpected(tooMuch(field.grid, period.steps, settings));
+        whole = true;
+        return {};
+    }
+
+    Result<void> follow(const City& city, const Receivers& receivers, Progress& progress,
+                        const std::stop_token& stop) try {
+        if (!whole) begin();
+        remask(receivers.kind);
+        auto done = become(city.buildings, progress, stop);
+        if (!done) drop();
+        return done;
+    } catch (const std::bad_alloc&) {
+        whole = false;
+        drop();
+        return failure("There is not enough memory for this study", "kept shadows",
+                       "Choose a smaller region or larger cells");
+    }
+};
+
+KeptShadows::KeptShadows(std::unique_ptr<Kept> kept) : kept_(std::move(kept)) {}
+KeptShadows::KeptShadows(KeptShadows&&) noexcept = default;
+KeptShadows& KeptShadows::operator=(KeptShadows&&) noexcept = default;
+KeptShadows::~KeptShadows() = default;
+
+Result<KeptShadows> KeptShadows::make(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                      Progress& progress, const std::stop_token& stop,
+                                      KeptShadowsSettings settings) {
+    if (const auto able = checkLevelGround(city, receivers, "Kept shadows fall"); !able)
+        return tl::make_unexpected(able.error());
+    const std::uint64_t oneRaster = BitLayout(receivers.grid).words() * sizeof(std::uint64_t);
+    if (oneRaster * sun.steps.size() > settings.memoryBytes)
+        return tl::make_unexpected(tooMuch(receivers.grid, sun.steps.size(), settings));
+    KeptShadows made(std::make_unique<Kept>(receivers, sun, settings));
+    if (const auto done = made.kept_->follow(city, receivers, progress, stop); !done)
+        return tl::make_unexpected(done.error());
+    return made;
+}
+
+Result<void> KeptShadows::change(const City& city, const Receivers& receivers, Progress& progress,
+                                 const std::stop_token& stop) {
+    if (!(kept_->field.grid == receivers.grid) || !sameRegion(kept_->kinds, receivers.kind))
+        return failure("The kept shadows are those of another region", "kept shadows",
+                       "Make new ones for this region");
+    if (const auto able = checkLevelGround(city, receivers, "Kept shadows fall"); !able) return able;
+    return kept_->follow(city, receivers, progress, stop);
+}
+
+const ShadowField& KeptShadows::field() const { return kept_->field; }
+std::uint64_t KeptShadows::bytes() const { return kept_->memory.used; }
+
+}  // namespace noonmark
