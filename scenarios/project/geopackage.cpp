@@ -118,6 +118,25 @@ void dropCoverage(Database& database, const std::string& table) {
     database.execute("DROP TABLE " + table);
 }
 
+void createPolygonLayer(Database& database, const PolygonTable& layer) {
+    database.execute(fmt::format("CREATE TABLE {} (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, {})",
+                                 layer.table, layer.columns));
+    database
+        .prepare(
+            "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, srs_id) VALUES (?, "
+            "'features', ?, ?, ?)")
+        .run(layer.table, layer.identifier, layer.description, localSrsId);
+    database.prepare("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', 'POLYGON', ?, 0, 0)")
+        .run(layer.table, localSrsId);
+}
+
+void dropPolygonLayer(Database& database, const std::string& table) {
+    for (const char* statement : {"DELETE FROM gpkg_geometry_columns WHERE table_name = ?",
+                                  "DELETE FROM gpkg_contents WHERE table_name = ?"})
+        database.prepare(statement).run(table);
+    database.execute("DROP TABLE IF EXISTS " + table);
+}
+
 void touchLayer(Database& database, const std::string& table, double westM, double southM, double eastM,
                 double northM) {
     const bool any = westM <= eastM;

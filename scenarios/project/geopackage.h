@@ -21,6 +21,16 @@ struct CoverageTable {
 void createCoverage(Database& database, const CoverageTable& coverage);
 void dropCoverage(Database& database, const std::string& table);
 
+/// Adds a layer of polygons. `columns`: SQL of its columns beside `fid` and `geom`.
+struct PolygonTable {
+    std::string table;
+    std::string identifier;  ///< what GIS programs call it
+    std::string description;
+    std::string columns;
+};
+void createPolygonLayer(Database& database, const PolygonTable& layer);
+void dropPolygonLayer(Database& database, const std::string& table);  ///< nothing where there is none
+
 /// Notes when a layer changed, and what box its features fill now.
 void touchLayer(Database& database, const std::string& table, double westM, double southM, double eastM,
                 double northM);

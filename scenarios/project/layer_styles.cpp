@@ -17,7 +17,7 @@ INSERT INTO gpkg_contents (table_name, data_type, identifier) VALUES ('layer_sty
 )sql";
 
 struct Fill {
-    const char* fill;  // "r,g,b,a"
+    std::string fill;  // "r,g,b,a"
     const char* outline;
     double widthMm;
 };
@@ -67,19 +67,53 @@ std::string byHeight() {
         ranges + "</ranges><symbols>" + symbols + "</symbols></renderer-v2>");
 }
 
+std::string byBand(const std::vector<ValueBand>& bands) {
+    std::string categories, symbols;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const auto& [low, high, colour, label] = bands[i];
+        categories +=
+            fmt::format(R"(<category value="{}" symbol="{}" label="{}" render="true"/>)", label, i, label);
+        const std::string fill = fmt::format("{},{},{},255", colour.red, colour.green, colour.blue);
+        symbols += symbol(int(i), {fill, "0,0,0,0", 0});
+    }
+    return qml("<renderer-v2 type=\"categorizedSymbol\" attr=\"label\"><categories>" + categories +
+               "</categories><symbols>" + symbols + "</symbols></renderer-v2>");
+}
+
+struct Style {
+    const char* name;
+    std::string qml;
+    const char* description;
+};
+
+void add(Database& database, const std::string& layer, const Style& style) {
+    database
+        .prepare(
+            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
+            "styleName, styleQML, styleSLD, useAsDefault, description, owner) VALUES ('', '', ?, 'geom', ?, "
+            "?, "
+            "'', 1, ?, 'Noonmark')")
+        .run(layer, style.name, style.qml, style.description);
+}
+
 }  // namespace
 
 void addLayerStyles(Database& database) {
     database.execute(table);
-    Statement add = database.prepare(
-        "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
-        "styleName, styleQML, "
-        "styleSLD, useAsDefault, description, owner) VALUES ('', '', ?, 'geom', ?, ?, '', 1, ?, 'Noonmark')");
-    add.run("buildings", "Buildings by height", byHeight(), "Metres above the ground");
-    add.run("proposals", "Proposed buildings", single({"214,96,77,200", "140,40,30,255", 0.3}),
-            "What scenarios build");
-    add.run("lots", "Lots", single({"255,255,255,0", "33,102,172,255", 0.4}), "Outlines");
-    add.run("regions", "Regions", single({"77,175,74,40", "35,120,40,255", 0.5}), "Where shadow is measured");
+    add(database, "buildings", {"Buildings by height", byHeight(), "Metres above the ground"});
+    add(database, "proposals",
+        {"Proposed buildings", single({"214,96,77,200", "140,40,30,255", 0.3}), "What scenarios build"});
+    add(database, "lots", {"Lots", single({"255,255,255,0", "33,102,172,255", 0.4}), "Outlines"});
+    add(database, "regions",
+        {"Regions", single({"77,175,74,40", "35,120,40,255", 0.5}), "Where shadow is measured"});
+}
+
+void addBandStyle(Database& database, const std::string& table, const std::vector<ValueBand>& bands) {
+    add(database, table, {"Bands", byBand(bands), "The colours of the program"});
+}
+
+void removeStyle(Database& database, const std::string& table) {
+    database.prepare("DELETE FROM layer_styles WHERE f_table_name = ?").run(table);
 }
 
 }  // namespace noonmark

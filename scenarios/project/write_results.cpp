@@ -2,6 +2,7 @@
 
 #include "scenarios/project/geopackage.h"
 #include "scenarios/project/grid_tiles.h"
+#include "scenarios/project/write_bands.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -31,6 +32,7 @@ void writeLayer(Database& database, const KeptResult& result, std::int64_t id, s
     writeTiles(database, table, grid, layer.values);
     database.prepare("INSERT INTO result_layers (result, name, unit, tiles) VALUES (?, ?, ?, ?)")
         .run(id, layer.name, layer.unit, table);
+    writeBands(database, result, layer, table);
 }
 
 }  // namespace
@@ -52,7 +54,10 @@ void removeResult(Database& database, const std::string& name) {
     Statement find = database.prepare(
         "SELECT tiles FROM result_layers WHERE result IN (SELECT id FROM results WHERE name = ?)");
     for (find.begin(name); find.step();) tables.push_back(find.text(0));
-    for (const std::string& table : tables) dropCoverage(database, table);
+    for (const std::string& table : tables) {
+        dropCoverage(database, table);
+        removeBands(database, table);
+    }
     database.prepare("DELETE FROM result_layers WHERE result IN (SELECT id FROM results WHERE name = ?)")
         .run(name);
     database.prepare("DELETE FROM results WHERE name = ?").run(name);

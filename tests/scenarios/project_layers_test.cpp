@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <glm/geometric.hpp>
+
 #include "core/io/gdal_calls.h"
 #include "scenarios/project/project_file.h"
 #include "tests/core/io/temporary_folder.h"
@@ -83,6 +85,49 @@ TEST_F(ProjectLayersTest, AResultIsARasterInItsPlace) {
         const float truth = result->layers[0].values[result->grid.index(column, row)];
         EXPECT_EQ(value, std::isnan(truth) ? -9999 : truth);
     }
+}
+
+// Of a counter-clockwise ring along cells: the middle of a cell inside.
+glm::dvec2 besideFirstEdge(const OGRLinearRing& ring, double halfCellM) {
+    const glm::dvec2 from(ring.getX(0), ring.getY(0)), to(ring.getX(1), ring.getY(1));
+    const glm::dvec2 along = (to - from) / glm::length(to - from);
+    return from + halfCellM * (along + glm::dvec2(-along.y, along.x));
+}
+
+TEST_F(ProjectLayersTest, ItsBandsAreColouredPolygonsOfTheSameArea) {
+    const auto result = sampleProject().results[0];
+    double cells = 0, polygons = 0;
+    for (const float value : result->layers[0].values)
+        cells += std::isnan(value) ? 0 : result->grid.cellM * result->grid.cellM;
+    OGRLayer& bands = layer("result_1_1_bands");
+    for (const auto& feature : bands) {
+        const OGRPolygon& shape = *feature->GetGeometryRef()->toPolygon();
+        EXPECT_DOUBLE_EQ(shape.get_Area(), feature->GetFieldAsDouble("area_m2"));
+        polygons += shape.get_Area();
+        const glm::dvec2 inside = besideFirstEdge(*shape.getExteriorRing(), result->grid.cellM / 2);
+        const int column = int((inside.x - result->grid.westM) / result->grid.cellM);
+        const int row = int((inside.y - result->grid.southM) / result->grid.cellM);
+        const float value = result->layers[0].values[result->grid.index(column, row)];
+        EXPECT_GE(value, feature->GetFieldAsDouble("low"));
+        EXPECT_LE(value, feature->GetFieldAsDouble("high"));
+    }
+    EXPECT_NEAR(polygons, cells, 1e-6 * cells);
+    layer("layer_styles").SetAttributeFilter("f_table_name = 'result_1_1_bands'");
+    EXPECT_EQ(layer("layer_styles").GetFeatureCount(), 1);
+}
+
+TEST_F(ProjectLayersTest, BandsGoWithTheirResult) {
+    {
+        auto file = ProjectFile::open(file_).value();
+        Project project = file.project();
+        project.results.clear();
+        ASSERT_TRUE(file.save(project));
+    }
+    const GDALDatasetUniquePtr after(GDALDataset::Open(file_.c_str(), GDAL_OF_VECTOR));
+    EXPECT_EQ(after->GetLayerByName("result_1_1_bands"), nullptr);
+    OGRLayer& styles = *after->GetLayerByName("layer_styles");
+    styles.SetAttributeFilter("f_table_name LIKE 'result%'");
+    EXPECT_EQ(styles.GetFeatureCount(), 0);
 }
 
 }  // namespace
