@@ -39,9 +39,9 @@ std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point) {
 QString minutesText(float gross, float continuous, bool instant) {
     if (std::isnan(gross)) return QStringLiteral("not measured here");
     if (instant) return gross > 0 ? QStringLiteral("in shadow") : QStringLiteral("in the sun");
-    return QStringLiteral("gross %1 min a day, continuous %2 min")
-        .arg(double(gross), 0, 'f', 1)
-        .arg(double(continuous), 0, 'f', 1);
+    const QString text = QStringLiteral("gross %1 min a day").arg(double(gross), 0, 'f', 1);
+    if (std::isnan(continuous)) return text;
+    return text + QStringLiteral(", continuous %1 min").arg(double(continuous), 0, 'f', 1);
 }
 
 QString minutesText(const ShadowField& field, glm::dvec2 point) {

@@ -12,7 +12,8 @@ namespace noonmark {
 /// height, and `minutes` of shadow there, where known.
 QString hoverText(const Pick& pick, const City& city, const QString& minutes);
 
-/// "gross 60.0 min a day, continuous 30.0 min"; `instant`: of one moment, in the sun or not.
+/// "gross 60.0 min a day, continuous 30.0 min"; without the second where it is NaN: not counted. `instant`:
+/// of one moment, in the sun or not.
 QString minutesText(float gross, float continuous, bool instant);
 
 /// The same of the cell that holds a point; empty outside of the field.

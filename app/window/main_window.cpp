@@ -72,6 +72,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectModes();
     connectProject();
     connectEditing();
+    connectTime();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
 }
@@ -161,6 +162,7 @@ void MainWindow::showCity() {
         showComparison();
     else
         showStudy();
+    offerTime();
     showDocument();
     answerAnew();
 }

@@ -9,6 +9,7 @@
 #include "app/window/project/project_saving.h"
 #include "app/window/project/unsaved_place.h"
 #include "app/window/recent_menu.h"
+#include "app/window/time/time_looking.h"
 #include "app/window/window_docks.h"
 #include "app/window/window_menus.h"
 #include "app/window/workbench.h"
@@ -34,6 +35,7 @@ public:
     [[nodiscard]] EditTools& tools() { return tools_; }
     [[nodiscard]] ModeSwitch& mode() { return mode_; }
     [[nodiscard]] const Exploration& exploration() const { return exploration_; }
+    [[nodiscard]] const TimeLooking& looking() const { return looking_; }
 
     [[nodiscard]] ProjectSaving& saving() { return saving_; }
 
@@ -62,6 +64,10 @@ private:
     void connectModes();
     void connectProject();
     void connectEditing();
+    void connectTime();
+    void offerTime();
+    void showTime();
+    void studyTime(const TimeLook& look);
     void raiseDock(const QWidget* content);
     void connectTree();
     void connectScenarios();
@@ -104,6 +110,7 @@ private:
     OpenOptions* options_;
     ModeSwitch mode_;
     Exploration exploration_;
+    TimeLooking looking_;
     UnsavedPlace place_;
     ProjectSaving saving_;
     std::function<Unsaved()> askUnsaved_;

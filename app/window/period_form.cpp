@@ -12,19 +12,11 @@
 #include <cmath>
 
 #include "app/window/number_fields.h"
+#include "app/window/qt_dates.h"
 
 namespace noonmark {
 
 namespace {
-
-QDate dateOf(CivilDate date) {
-    return {int(date.year()), int(unsigned(date.month())), int(unsigned(date.day()))};
-}
-
-CivilDate civilOf(QDate date) {
-    return {std::chrono::year{date.year()}, std::chrono::month{unsigned(date.month())},
-            std::chrono::day{unsigned(date.day())}};
-}
 
 std::chrono::minutes minutesOf(double hours) { return std::chrono::minutes(std::lround(hours * 60)); }
 double hoursOf(std::chrono::minutes minutes) { return double(minutes.count()) / 60; }

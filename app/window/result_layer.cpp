@@ -40,6 +40,7 @@ void ResultLayer::forget() {
     study_.reset();
     comparison_.reset();
     partial_.reset();
+    time_.reset();
     explored_.reset();
     show();
 }
@@ -68,6 +69,12 @@ void ResultLayer::setPartial(std::shared_ptr<const PartialField> partial) {
     if (mode_ != ViewMode::exploration) show();
 }
 
+void ResultLayer::setTime(std::shared_ptr<const TimeAnswer> answer) {
+    if (answer == time_) return;
+    time_ = std::move(answer);
+    if (mode_ != ViewMode::exploration) show();
+}
+
 void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
     explored_ = std::move(answer);
     if (mode_ == ViewMode::exploration) show();
@@ -92,7 +99,7 @@ void ResultLayer::show() {
     }
     view_.surfaces().clear();
     if (comparison_ && !partial_) return showComparison();
-    if (study_ || partial_) return showGround();
+    if (groundField()) return showGround();
     showNothing();
 }
 
@@ -104,14 +111,23 @@ void ResultLayer::showExplored() {
     strip_.setNote(noteOf(*explored_, distance), isSoFar(explored_->view));
 }
 
+const ShadowField* ResultLayer::groundField() const {
+    if (partial_) return &partial_->field;
+    if (time_) return &time_->field;
+    return study_ ? &study_->field : nullptr;
+}
+
 void ResultLayer::showGround() {
-    const ShadowField& field = partial_ ? partial_->field : study_->field;
-    const Legend legend = legendOf(field, strip_.measure());
-    view_.showPicture(
-        fieldPicture(field, partial_ ? nullptr : &study_->receivers, strip_.measure(), legend.scale.top),
-        partial_ != nullptr);
+    const ShadowField& field = *groundField();
+    const bool part = partial_ != nullptr;
+    // Horizons that stay count no longest runs.
+    const ShadowMeasure measure = time_ && !part ? ShadowMeasure::gross : strip_.measure();
+    const Study* study = time_ ? time_->study.get() : study_.get();
+    const Legend legend = legendOf(field, measure);
+    view_.showPicture(fieldPicture(field, part ? nullptr : &study->receivers, measure, legend.scale.top),
+                      part);
     strip_.setLegend(legend);
-    strip_.setNote(partial_ ? soFarWords(*partial_) : QString(), partial_ != nullptr);
+    strip_.setNote(part ? soFarWords(*partial_) : time_ ? wordsOf(time_->look) : QString(), part);
 }
 
 void ResultLayer::showComparison() {
@@ -145,8 +161,8 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
     if (pick.building) return {};
     if (comparison_ && !partial_)
         return changeText(comparison_->study.total, {pick.position.x, pick.position.y});
-    if (!study_ && !partial_) return {};
-    return minutesText(partial_ ? partial_->field : study_->field, {pick.position.x, pick.position.y});
+    const ShadowField* field = groundField();
+    return field ? minutesText(*field, {pick.position.x, pick.position.y}) : QString();
 }
 
 std::optional<Legend> ResultLayer::legend() const {

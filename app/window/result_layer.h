@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/window/legend_strip.h"
+#include "app/window/time/time_looking.h"
 #include "app/window/view_mode.h"
 #include "app/window/view_refinement.h"
 #include "core/accumulate/partial_field.h"
@@ -26,6 +27,8 @@ public:
     void setComparison(std::shared_ptr<const ImpactAnswer> comparison);
     /// Of a study that runs, over the one before; null: none, the one before is shown again.
     void setPartial(std::shared_ptr<const PartialField> partial);
+    /// A day or moment of the study, in its place; null: none, and the study is shown again.
+    void setTime(std::shared_ptr<const TimeAnswer> answer);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
 
     /// Gross shadow of a building that is being shaped, over whatever mode is on, until null is given. `note`
@@ -39,6 +42,7 @@ public:
 
 private:
     void showExplored();
+    [[nodiscard]] const ShadowField* groundField() const;  // null: none
     void showGround();
     void showComparison();
     void showNothing();
@@ -49,6 +53,7 @@ private:
     std::shared_ptr<const Study> study_;
     std::shared_ptr<const ImpactAnswer> comparison_;
     std::shared_ptr<const PartialField> partial_;
+    std::shared_ptr<const TimeAnswer> time_;
     std::shared_ptr<const ViewAnswer> explored_;
     bool live_ = false;
 };

@@ -10,6 +10,7 @@
 #include "app/window/ground_lines.h"
 #include "app/window/hover_text.h"
 #include "app/window/region_words.h"
+#include "app/window/time/time_strip.h"
 #include "app/window/view_picture.h"
 #include "app/window/visible_ground.h"
 
@@ -29,6 +30,7 @@ ViewPanel::ViewPanel(QWidget* parent)
       lotTool_(new PolygonTool(tr("lot"), this)),
       label_(new CursorLabel(*view_, this)),
       messages_(new MessageBar),
+      time_(new TimeStrip),
       legend_(new LegendStrip),
       results_(std::make_unique<ResultLayer>(*view_, *legend_)) {
     QWidget* container = QWidget::createWindowContainer(view_, this);
@@ -39,7 +41,9 @@ ViewPanel::ViewPanel(QWidget* parent)
     column->setSpacing(0);
     column->addWidget(messages_);
     column->addWidget(container, 1);
+    column->addWidget(time_);
     column->addWidget(legend_);
+    time_->hide();
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window under the container takes the drops
     connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });

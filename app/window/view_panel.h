@@ -13,7 +13,9 @@
 
 namespace noonmark {
 
-/// The middle of the window: messages, the city, the legend below it; and drawing polygons on the ground.
+class TimeStrip;
+
+/// The middle of the window: messages, the city, the time that is looked at and the legend below it; and drawing polygons on the ground.
 class ViewPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -30,6 +32,7 @@ public:
     [[nodiscard]] bool drawing() const { return activeTool() != nullptr; }
     [[nodiscard]] CursorLabel& cursorLabel() { return *label_; }
     [[nodiscard]] MessageBar& messages() { return *messages_; }
+    [[nodiscard]] TimeStrip& time() { return *time_; }  ///< hidden at first
     [[nodiscard]] LegendStrip& legend() { return *legend_; }
     [[nodiscard]] ResultLayer& results() { return *results_; }
 
@@ -64,6 +67,7 @@ private:
     PolygonTool* lotTool_;
     CursorLabel* label_;
     MessageBar* messages_;
+    TimeStrip* time_;
     LegendStrip* legend_;
     std::shared_ptr<const OpenCity> city_;
     std::unique_ptr<ResultLayer> results_;

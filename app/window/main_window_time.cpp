@@ -1,0 +1,49 @@
+#include "app/report/study_words.h"
+#include "app/window/main_window.h"
+#include "app/window/time/time_strip.h"
+#include "app/window/view_panel.h"
+
+// The part of MainWindow that looks at a day or a moment of the study that is shown.
+namespace noonmark {
+
+void MainWindow::connectTime() {
+    TimeStrip& strip = panel_->time();
+    for (auto signal : {&Workbench::studyDone, &Workbench::comparisonDone})
+        connect(&workbench_, signal, this, &MainWindow::offerTime);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &MainWindow::offerTime);
+    connect(&mode_, &ModeSwitch::changed, this, &MainWindow::offerTime);
+    connect(&strip, &TimeStrip::lookChanged, &looking_, &TimeLooking::look);
+    connect(&strip, &TimeStrip::taken, this, &MainWindow::studyTime);
+    connect(&looking_, &TimeLooking::changed, this, &MainWindow::showTime);
+    connect(&looking_, &TimeLooking::failed, &strip,
+            [&strip](const Error& error) { strip.setAnswer(QString::fromStdString(error.what)); });
+}
+
+// Where a study of one scenario is shown.
+void MainWindow::offerTime() {
+    const bool shown = mode_.mode() != ViewMode::exploration && !workbench_.comparison();
+    const auto study = shown ? workbench_.study() : nullptr;
+    TimeStrip& strip = panel_->time();
+    if (study) strip.setPeriod(study->settings.period);
+    strip.setVisible(study != nullptr);
+    looking_.look(strip.look());
+    looking_.setStudy(study);
+}
+
+void MainWindow::showTime() {
+    const auto answer = looking_.answer();
+    panel_->results().setTime(answer);
+    if (answer)
+        panel_->time().setAnswer(tr("%1 in shadow").arg(shadowAreaWords(statisticsOf(answer->field))));
+}
+
+void MainWindow::studyTime(const TimeLook& look) {
+    StudySettings settings = workbench_.document().settings();
+    settings.period = periodOf(look, settings.period);
+    panel_->time().setLook(firstLook(settings.period));
+    looking_.look(panel_->time().look());
+    workbench_.document().change(settings, tr("period"));
+    workbench_.run();
+}
+
+}  // namespace noonmark

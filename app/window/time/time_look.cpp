@@ -1,0 +1,35 @@
+#include "app/window/time/time_look.h"
+
+#include <QLocale>
+
+#include "app/window/qt_dates.h"
+
+namespace noonmark {
+
+Period periodOf(const TimeLook& look, const Period& study) {
+    Period period = study;
+    if (look.span == TimeSpan::period) return period;
+    period.start = look.date;
+    period.days = 1;
+    if (look.span == TimeSpan::day) return period;
+    period.window.reset();
+    period.from = look.at;
+    period.hours = 0;
+    return period;
+}
+
+TimeLook firstLook(const Period& study) {
+    TimeLook look{TimeSpan::period, study.start};
+    const auto middle = study.from + std::chrono::minutes(int(study.hours * 30));
+    if (!study.window && middle <= std::chrono::hours(24)) look.at = middle;
+    return look;
+}
+
+QString wordsOf(const TimeLook& look) {
+    if (look.span == TimeSpan::period) return {};
+    const QString date = QLocale(QLocale::English).toString(dateOf(look.date), QStringLiteral("d MMMM yyyy"));
+    if (look.span == TimeSpan::day) return date;
+    return QStringLiteral("%1, %2").arg(date, QString::fromStdString(textOf(look.at)));
+}
+
+}  // namespace noonmark

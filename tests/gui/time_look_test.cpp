@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+
+#include "app/window/time/time_looking.h"
+#include "app/window/time/time_strip.h"
+#include "core/accumulate/projected_shadows.h"
+#include "tests/gui/small_city.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using namespace std::chrono_literals;
+using test::waitFor;
+
+std::shared_ptr<const Study> smallStudy() {
+    StudySettings settings;
+    settings.region = {"around", {test::square({-120, -120}, 240)}};
+    settings.receivers.cellM = 4;
+    settings.period = {.days = 30, .from = 8h, .hours = 8, .stepMinutes = 5, .zone = "America/New_York"};
+    settings.errorSample.receivers = 0;
+    NoProgress progress;
+    return std::make_shared<const Study>(runStudy(test::smallCity(), settings, progress, {}).value());
+}
+
+const TimeLook may{TimeSpan::day, {2026y, std::chrono::May, 4d}, 14h};
+
+TEST(TimeLook, IsAPartOfTheStudysTime) {
+    Period study = smallStudy()->settings.period;
+    study.window = SolarWindow{};
+    EXPECT_EQ(periodOf({}, study), study);
+    const Period day = periodOf(may, study);
+    EXPECT_EQ(day.start, may.date);
+    EXPECT_EQ(day.days, 1);
+    EXPECT_EQ(day.window, study.window) << "a day has the hours of the study";
+    const Period moment = periodOf({TimeSpan::moment, may.date, 14h}, study);
+    EXPECT_EQ(moment.hours, 0);
+    EXPECT_EQ(moment.from, 14h);
+    EXPECT_FALSE(moment.window);
+    EXPECT_EQ(wordsOf({TimeSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
+}
+
+TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
+    TimeStrip strip;
+    strip.setPeriod({.start = {2028y, std::chrono::February, 27d}, .hours = 4});
+    QSignalSpy looks(&strip, &TimeStrip::lookChanged);
+    strip.findChild<QComboBox*>(QStringLiteral("lookSpan"))->setCurrentIndex(int(TimeSpan::moment));
+    auto* date = strip.findChild<QSlider*>(QStringLiteral("lookDate"));
+    auto* time = strip.findChild<QSlider*>(QStringLiteral("lookTime"));
+    EXPECT_EQ(date->maximum(), 365) << "2028 is a leap year";
+    EXPECT_EQ(time->value(), 11 * 60) << "the middle of the hours";
+    date->setValue(date->value() + 2);
+    time->setValue(16 * 60 + 30);
+    EXPECT_EQ(looks.count(), 3);
+    EXPECT_EQ(strip.look(), (TimeLook{TimeSpan::moment, {2028y, std::chrono::February, 29d}, 16h + 30min}));
+    strip.setPeriod({.start = {2028y, std::chrono::June, 1d}});
+    EXPECT_EQ(strip.look().date, CivilDate(2028y, std::chrono::February, 29d)) << "another run of the year";
+    strip.setPeriod({.start = {2026y, std::chrono::June, 1d}});
+    EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::June, 1d));
+}
+
+// Bins of half a degree take a shadow's edge by up to a quarter of a degree of azimuth wrong.
+TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
+    const auto study = smallStudy();
+    TimeLooking looking;
+    looking.setStudy(study);
+    EXPECT_FALSE(looking.answer()) << "the whole period needs no other answer";
+    TimeLook look{TimeSpan::moment, {2026y, std::chrono::May, 4d}, 9h};
+    for (; look.at < 15h; look.at += 7min) {
+        looking.look(look);
+        QCoreApplication::processEvents();
+    }
+    look.at -= 7min;
+    ASSERT_TRUE(waitFor([&] { return looking.answer() && looking.answer()->look == look; }));
+    NoProgress progress;
+    const auto sun = sunSteps(periodOf(look, study->settings.period), observerOf(*study)).value();
+    const ShadowField exact =
+        ProjectedShadows().accumulate(study->city, study->receivers, sun, progress, {}).value();
+    std::size_t shaded = 0, other = 0;
+    for (const std::uint32_t cell : study->receivers.cells) {
+        shaded += exact.grossMin[cell] > 0;
+        other += exact.grossMin[cell] != looking.answer()->field.grossMin[cell];
+    }
+    EXPECT_GT(shaded, 100U);
+    EXPECT_LT(other, study->receivers.cells.size() / 50);
+    looking.look({});
+    EXPECT_FALSE(looking.answer());
+}
+
+TEST(TimeLooking, NightIsSaidAndTheNextMomentAnswered) {
+    TimeLooking looking;
+    QStringList said;
+    QObject::connect(&looking, &TimeLooking::failed, &looking,
+                     [&said](const Error& error) { said << QString::fromStdString(error.what); });
+    looking.setStudy(smallStudy());
+    looking.look({TimeSpan::moment, may.date, 2h});
+    ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));
+    EXPECT_EQ(said.front(), "The sun is below the horizon");
+    looking.look(may);
+    ASSERT_TRUE(waitFor([&] { return looking.answer() != nullptr; }));
+    EXPECT_EQ(looking.answer()->look, may);
+    looking.setStudy(nullptr);
+    EXPECT_FALSE(looking.answer());
+}
+
+}  // namespace
+}  // namespace noonmark
