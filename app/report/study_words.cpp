@@ -24,6 +24,11 @@ QString minutesADayWords(const Study& study, double minutes) {
     return amountWords(minutes) + QStringLiteral(" min/day") + share;
 }
 
+QString shadowAreaWords(const ShadowStatistics& s) {
+    const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
+    return QStringLiteral("%1 m² (%2 %)").arg(amountWords(s.shadowAreaM2, 0), amountWords(share));
+}
+
 void addMinutes(std::vector<Figure>& figures, const Study& study) {
     const ShadowStatistics& s = study.statistics;
     figures.push_back({QStringLiteral("Gross shadow, mean"), minutesADayWords(study, s.meanGrossMin)});
@@ -35,11 +40,6 @@ void addMinutes(std::vector<Figure>& figures, const Study& study) {
 }
 
 }  // namespace
-
-QString shadowAreaWords(const ShadowStatistics& s) {
-    const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
-    return QStringLiteral("%1 m² (%2 %)").arg(amountWords(s.shadowAreaM2, 0), amountWords(share));
-}
 
 QString countWords(std::uint64_t count) { return english().toString(qulonglong(count)); }
 

@@ -9,14 +9,12 @@ namespace noonmark {
 QString countWords(std::uint64_t count);               ///< "176,123"
 QString amountWords(double amount, int decimals = 1);  ///< "61,234.5"; without zeros at the end
 
-QString shadowAreaWords(const ShadowStatistics& figures);  ///< "156,401 m² (71.5 %)", of the receivers' area
-
 QString latLonWords(LonLat place);        ///< "40.75400 N, 73.98401 W"
 QString placeWords(const Study& study);   ///< size and middle of the region
 QString sunlitWords(const Study& study);  ///< how long the sun is up in the hours looked at
 QString dataWords(const Study& study);    ///< whose data it is: "Data: © OpenStreetMap contributors"
 QString dataWords(const std::string& attribution);
-QString programWords();  ///< "Noonmark 0.1.0"
+QString programWords();                   ///< "Noonmark 0.1.0"
 
 /// A line of the table of numbers.
 struct Figure {

@@ -6,6 +6,16 @@
 // The part of MainWindow that looks at a day or a moment of the study that is shown.
 namespace noonmark {
 
+namespace {
+
+QString shareWords(const ShadowField& field) {
+    const ShadowStatistics figures = statisticsOf(field);
+    const double share = figures.receiverAreaM2 > 0 ? figures.shadowAreaM2 / figures.receiverAreaM2 : 0;
+    return QObject::tr("%1 % in shadow").arg(amountWords(100 * share));
+}
+
+}  // namespace
+
 void MainWindow::connectTime() {
     TimeStrip& strip = panel_->time();
     for (auto signal : {&Workbench::studyDone, &Workbench::comparisonDone})
@@ -15,8 +25,9 @@ void MainWindow::connectTime() {
     connect(&strip, &TimeStrip::lookChanged, &looking_, &TimeLooking::look);
     connect(&strip, &TimeStrip::taken, this, &MainWindow::studyTime);
     connect(&looking_, &TimeLooking::changed, this, &MainWindow::showTime);
-    connect(&looking_, &TimeLooking::failed, &strip,
-            [&strip](const Error& error) { strip.setAnswer(QString::fromStdString(error.what)); });
+    connect(&looking_, &TimeLooking::failed, &strip, [&strip](const TimeLook& look, const Error& error) {
+        strip.setAnswer(look, QString::fromStdString(error.what));
+    });
 }
 
 // Where a study of one scenario is shown.
@@ -33,8 +44,7 @@ void MainWindow::offerTime() {
 void MainWindow::showTime() {
     const auto answer = looking_.answer();
     panel_->results().setTime(answer);
-    if (answer)
-        panel_->time().setAnswer(tr("%1 in shadow").arg(shadowAreaWords(statisticsOf(answer->field))));
+    if (answer) panel_->time().setAnswer(answer->look, shareWords(answer->field));
 }
 
 void MainWindow::studyTime(const TimeLook& look) {

@@ -94,8 +94,9 @@ TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
 TEST(TimeLooking, NightIsSaidAndTheNextMomentAnswered) {
     TimeLooking looking;
     QStringList said;
-    QObject::connect(&looking, &TimeLooking::failed, &looking,
-                     [&said](const Error& error) { said << QString::fromStdString(error.what); });
+    QObject::connect(&looking, &TimeLooking::failed, &looking, [&said](const TimeLook&, const Error& error) {
+        said << QString::fromStdString(error.what);
+    });
     looking.setStudy(smallStudy());
     looking.look({TimeSpan::moment, may.date, 2h});
     ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));

@@ -53,10 +53,12 @@ Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, Kept& kept, Progre
 
 void TimeLooking::take(Result<TimeAnswer> answer) {
     if (look_.span == TimeSpan::period) return;
-    if (!answer && isCancelled(answer.error())) return;
-    answer_ = answer ? std::make_shared<const TimeAnswer>(*std::move(answer)) : nullptr;
-    Q_EMIT changed();
-    if (!answer) Q_EMIT failed(answer.error());
+    if (answer) {
+        answer_ = std::make_shared<const TimeAnswer>(*std::move(answer));
+        Q_EMIT changed();
+    } else if (!isCancelled(answer.error())) {
+        Q_EMIT failed(asked_, answer.error());
+    }
     if (asked_ != look_) ask();
 }
 

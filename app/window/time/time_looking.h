@@ -28,12 +28,13 @@ public:
     void setStudy(std::shared_ptr<const Study> study);  ///< null: none. The look stays and is answered anew
     void look(const TimeLook& look);                    ///< the whole period: there is no answer then
 
+    /// The latest; stays until there is another, also where a later look has none.
     [[nodiscard]] std::shared_ptr<const TimeAnswer> answer() const { return answer_; }
     [[nodiscard]] JobSlot& working() { return slot_; }
 
 Q_SIGNALS:
     void changed();  ///< another answer, or none any more
-    void failed(noonmark::Error error);
+    void failed(noonmark::TimeLook look, noonmark::Error error);
 
 private:
     struct Kept {

@@ -15,7 +15,8 @@ namespace noonmark {
 namespace {
 
 constexpr int minutesADay = 24 * 60;
-constexpr int wordsWidth = 330;
+constexpr int spanWidth = 166;
+constexpr int wordsWidth = 240;
 
 QSlider* slider(const char* name, const QString& tip, int last, int page) {
     auto* slider = new QSlider(Qt::Horizontal);
@@ -55,12 +56,13 @@ TimeStrip::TimeStrip(QWidget* parent)
 
 void TimeStrip::place() {
     words_->setObjectName(QStringLiteral("lookWords"));
+    span_->setFixedWidth(spanWidth);
     words_->setMinimumWidth(wordsWidth);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 2, 12, 2);
-    row->addWidget(span_);
-    row->addWidget(date_, 1);
-    row->addWidget(time_, 1);
+    row->addWidget(span_, 0, Qt::AlignLeft);
+    row->addWidget(date_, 2);
+    row->addWidget(time_, 3);
     row->addWidget(words_);
     row->addWidget(use_);
 }
@@ -83,9 +85,8 @@ void TimeStrip::setLook(const TimeLook& look) {
     showLook();
 }
 
-void TimeStrip::setAnswer(const QString& words) {
-    const QString when = wordsOf(look_);
-    words_->setText(words.isEmpty() ? when : QStringLiteral("%1: %2").arg(when, words));
+void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
+    words_->setText(QStringLiteral("%1: %2").arg(wordsOf(of), words));
 }
 
 void TimeStrip::take() {
@@ -106,7 +107,6 @@ void TimeStrip::showLook() {
     time_->setVisible(look_.span == TimeSpan::moment);
     words_->setVisible(look_.span != TimeSpan::period);
     use_->setVisible(look_.span != TimeSpan::period);
-    setAnswer({});
 }
 
 }  // namespace noonmark

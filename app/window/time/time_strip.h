@@ -21,8 +21,9 @@ public:
     /// Another study: the look stays where its year is the same.
     void setPeriod(const Period& period);
     [[nodiscard]] const TimeLook& look() const { return look_; }
-    void setLook(const TimeLook& look);    ///< the date lies in the year of the study
-    void setAnswer(const QString& words);  ///< what is to be said of what is shown: "71 % in shadow"
+    void setLook(const TimeLook& look);  ///< the date lies in the year of the study
+    /// What is to be said of a look that was worked out: "71 % in shadow".
+    void setAnswer(const TimeLook& of, const QString& words);
 
 Q_SIGNALS:
     void lookChanged(noonmark::TimeLook look);
