@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include "core/io/gdal_calls.h"
 
 #include "tests/core/io/temporary_folder.h"
 
@@ -76,6 +80,43 @@ TEST_F(ReadParcels, aRegisterOfAWholeCityIsRefusedAndStops) {
     EXPECT_EQ(read({.names = {"12"}}).value().size(), 1U);
     stop_.request_stop();
     EXPECT_TRUE(isCancelled(read({}).error()));
+}
+
+// As New York's register comes: NAD83, Long Island, US survey feet.
+void writeFeetShapefile(const std::filesystem::path& file, double eastFt, double northFt, double sideFt) {
+    const GdalCalls calls;
+    const GDALDatasetUniquePtr made(GetGDALDriverManager()
+                                        ->GetDriverByName("ESRI Shapefile")
+                                        ->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    OGRSpatialReference feet;
+    feet.importFromEPSG(2263);
+    OGRLayer* layer = made->CreateLayer("plots", &feet, wkbPolygon, nullptr);
+    OGRFieldDefn name("BBL", OFTString);
+    layer->CreateField(&name);
+    OGRLinearRing ring;
+    for (const auto& [x, y] : {std::pair{0, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 0}})
+        ring.addPoint(eastFt + x * sideFt, northFt + y * sideFt);
+    OGRPolygon square;
+    square.addRing(&ring);
+    const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+    feature->SetField(0, "1010290027");
+    feature->SetGeometry(&square);
+    ASSERT_EQ(layer->CreateFeature(feature.get()), OGRERR_NONE);
+}
+
+TEST_F(ReadParcels, aShapefileInFeetIsInMetres) {
+    file_ = folder_.path("plots.shp");
+    writeFeetShapefile(file_, 990'000, 217'000, 200);
+    const auto plots = read({}).value();
+    ASSERT_EQ(plots.size(), 1U);
+    EXPECT_EQ(plots[0].name, "1010290027");
+    EXPECT_NEAR(area(plots[0].polygons[0]), 200 * 200 * 0.3048 * 0.3048, 0.5)
+        << "scale of the projection: 1e-4";
+    // As gdaltransform has the corner.
+    const Box2 box = bounds(plots[0].polygons[0]);
+    const LonLat corner = frame.lonLatFromLocal(glm::dvec2(box.low));
+    EXPECT_NEAR(corner.lonDeg, -73.9792435, 1e-6);
+    EXPECT_NEAR(corner.latDeg, 40.7622894, 1e-6);
 }
 
 }  // namespace
