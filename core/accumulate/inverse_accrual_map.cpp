@@ -38,7 +38,7 @@ Result<std::unique_ptr<SourceFinder>> finderOver(const City& city, const std::ve
                                                  std::stop_token stop) {
     const float nearest = settings.nearestHitM;
     if (settings.sourceFinder == SourceFinderKind::projected)
-        return std::make_unique<ProjectedSourceFinder>(surfaceFacets(city, used, grid, nearest), grid,
+        return std::make_unique<ProjectedSourceFinder>(surfaceFacets(city, used, grid, nearest),
                                                        settings.levels, nearest);
     auto scene = RayScene::over(city, used, std::move(stop));
     if (!scene) return tl::make_unexpected(scene.error());

@@ -1,12 +1,13 @@
 #include "core/accumulate/inverse_accrual_scene.h"
 
-#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <numeric>
 
+#include "core/accumulate/line_leg.h"
 #include "core/accumulate/shadow_claims.h"
 #include "core/stopwatch.h"
 
@@ -14,17 +15,41 @@ namespace noonmark {
 
 namespace {
 
-// Where so many of the receivers have a full list at both ends, what lies behind may matter in between; where
-// so many are found in a shadow of the middle step that no line leads to, it does. Both: shares.
-constexpr double crowdedShare = 0.4;
+std::vector<int> allBlocks(const Lanes& lanes) {
+    std::vector<int> blocks(std::size_t(lanes.blocks()));
+    std::iota(blocks.begin(), blocks.end(), 0);
+    return blocks;
+}
+
+/// An interval's lanes, and what throws shadows on them at its ends and in its middle. The sun's path is a
+/// straight line on the ground, so that its halves have the same lanes.
+struct IntervalLanes {
+    SunInterval interval;
+    Lanes lanes;
+    std::unique_ptr<SourceInstant> atFirst, atMiddle, atLast;  // atMiddle: null until it is asked for
+    std::vector<int> halved;                                   // blocks that are drawn in halves
+
+    IntervalLanes(const SunInterval& sun, const Grid& grid, const SourceFinder& finder)
+        : interval(sun),
+          lanes(grid, motionForward(sun).shift),
+          atFirst(finder.at(sun.first, lanes)),
+          atLast(finder.at(sun.last, lanes)) {}
+
+    [[nodiscard]] int middle() const { return interval.steps / 2; }
+    [[nodiscard]] LineLeg whole() const { return {lanes, *atFirst, *atLast, interval, 0}; }
+    [[nodiscard]] std::array<LineLeg, 2> halves() const {
+        return {LineLeg(lanes, *atFirst, *atMiddle, partOf(interval, {0, middle() + 1}), 0),
+                LineLeg(lanes, *atMiddle, *atLast, partOf(interval, {middle(), interval.steps}), middle())};
+    }
+};
 
 class InverseAccrualScene final : public IntervalScene {
 public:
     InverseAccrualScene(InverseAccrualParts parts, const Receivers& receivers)
-        : receivers_(receivers),
-          parts_(std::move(parts)),
+        : parts_(std::move(parts)),
           grid_(padded(receivers.grid, parts_.marginCells)),
-          masks_(grid_.size()) {
+          receivers_(receivers, parts_.marginCells),
+          receiverCount_(receivers.cells.size()) {
         cost_.buildingsUsed = parts_.buildingsUsed;
     }
 
@@ -33,8 +58,8 @@ public:
         const StepRange high = highSteps(interval);
         if (high.empty())
             std::ranges::fill(masks, ShadowMask{0});
-        else if (const auto drawn = draw(partOf(interval, high), masks, stop); !drawn)
-            return tl::make_unexpected(drawn.error());
+        else if (const auto drawn = shadeHigh(partOf(interval, high), masks, stop); !drawn)
+            return drawn;
         if (high.first > 0 && !high.empty())
             for (ShadowMask& mask : masks) mask <<= high.first;
         for (const StepRange low : lowSteps(interval, high))
@@ -71,154 +96,94 @@ private:
         return {StepRange{0, high.first}, StepRange{high.end, interval.steps}};
     }
 
-    // Sets all bits. The step in the middle where the interval had to be halved, else 0.
-    Result<int> draw(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop) {
-        findSources(interval, stop);
-        if (const auto drawn = drawLines({atFirst_, atLast_, interval}, masks, stop); !drawn)
-            return tl::make_unexpected(drawn.error());
-        const int middle = interval.steps / 2;
-        if (middle == 0 || !crowded()) return 0;
-        findMiddle(interval.at(middle), stop);
-        if (stop.stop_requested()) return cancelled();
-        if (missedInMiddle(middle, masks) <= mostMissedShare) return 0;
-        return drawHalves(interval, middle, masks, stop).map([&] { return middle; });
-    }
-
-    Result<void> drawHalves(const SunInterval& interval, int middle, std::span<ShadowMask> masks,
-                            const std::stop_token& stop) {
-        part_.resize(masks.size());
-        const SunInterval before = partOf(interval, {0, middle + 1}),
-                          after = partOf(interval, {middle, interval.steps});
-        if (const auto drawn = drawLines({atFirst_, atMiddle_, before}, masks, stop); !drawn) return drawn;
-        if (const auto drawn = drawLines({atMiddle_, atLast_, after}, part_, stop); !drawn) return drawn;
-        for (std::size_t i = 0; i < masks.size(); ++i) masks[i] |= part_[i] << middle;
-        return {};
-    }
-
-    Result<void> drawLines(const IntervalSources& sources, std::span<ShadowMask> masks,
+    Result<void> shadeHigh(const SunInterval& interval, std::span<ShadowMask> masks,
                            const std::stop_token& stop) {
-        if (stop.stop_requested()) return cancelled();
+        IntervalLanes ofInterval(interval, grid_, *parts_.finder);
+        return draw(ofInterval, masks, stop);
+    }
+
+    // Sets all bits, and notes which blocks are drawn in halves.
+    Result<void> draw(IntervalLanes& of, std::span<ShadowMask> masks, const std::stop_token& stop) {
         const Stopwatch watch;
-        openReceivers();
-        const auto& [atFirst, atLast, interval] = sources;
-        if (const auto drawn = parts_.drawer->draw(grid_, atFirst, motionForward(interval), masks_, stop);
-            !drawn)
-            return drawn;
-        if (const auto drawn = parts_.drawer->draw(grid_, atLast, motionBackward(interval), masks_, stop);
-            !drawn)
-            return drawn;
-        takeReceivers(sources, masks);
-        cost_.seconds["draw"] += watch.seconds();
+        const LegDrawer drawer(of.lanes, receivers_, *parts_.drawer, parts_.finder->levels());
+        cost_.rays += 2 * parts_.finder->raysAnInstant();
+        const auto crowded = drawer.draw(of.whole(), allBlocks(of.lanes), masks, stop);
+        if (!crowded) return tl::make_unexpected(crowded.error());
+        if (of.middle() > 0 && !crowded->empty()) findHalved(of, drawer, *crowded, masks, stop);
+        if (!of.halved.empty())
+            for (const LineLeg& leg : of.halves())
+                if (const auto drawn = drawer.draw(leg, of.halved, masks, stop); !drawn)
+                    return tl::make_unexpected(drawn.error());
+        cost_.seconds["find and draw lines"] += watch.seconds();
         return {};
     }
 
-    [[nodiscard]] bool crowded() const {
-        const std::size_t deepest = std::size_t(atFirst_.levels - 1) * grid_.size();
-        return shareOfReceivers([&](std::size_t, std::size_t cell) {
-                   return atFirst_.heightM[deepest + cell] > 0 && atLast_.heightM[deepest + cell] > 0;
-               }) > crowdedShare;
+    void findHalved(IntervalLanes& of, const LegDrawer& drawer, std::span<const int> crowded,
+                    std::span<const ShadowMask> masks, const std::stop_token& stop) {
+        of.atMiddle = parts_.finder->at(of.interval.at(of.middle()), of.lanes);
+        cost_.rays += parts_.finder->raysAnInstant();
+        of.halved = drawer.missing(*of.atMiddle, of.middle(), mostMissedShare, crowded, masks, stop);
     }
 
-    [[nodiscard]] double missedInMiddle(int middle, std::span<const ShadowMask> masks) const {
-        return shareOfReceivers([&](std::size_t i, std::size_t cell) {
-            return atMiddle_.heightM[cell] > 0 && (masks[i] >> middle & 1) == 0;
-        });
-    }
-
-    /// Of those for which is(number of the receiver, its cell in the wide grid); one in seven is asked.
-    template <class Is>
-    [[nodiscard]] double shareOfReceivers(const Is& is) const {
-        std::size_t count = 0, asked = 0;
-        for (std::size_t i = 0; i < receivers_.cells.size(); i += 7, ++asked)
-            count += std::size_t(is(i, wideCell(receivers_.cells[i])));
-        return asked == 0 ? 0 : double(count) / double(asked);
-    }
-
-    // Adds the bits of some steps.
-    Result<void> trace(const SunInterval& interval, StepRange steps, std::span<ShadowMask> masks,
+    Result<void> trace(const SunInterval& interval, StepRange low, std::span<ShadowMask> masks,
                        const std::stop_token& stop) {
-        if (steps.empty()) return {};
+        if (low.empty()) return {};
         part_.resize(masks.size());
-        if (const auto done = parts_.rays->shade(partOf(interval, steps), part_, stop); !done) return done;
-        for (std::size_t i = 0; i < masks.size(); ++i) masks[i] |= part_[i] << steps.first;
+        if (const auto traced = parts_.rays->shade(partOf(interval, low), part_, stop); !traced)
+            return traced;
+        for (std::size_t i = 0; i < masks.size(); ++i) masks[i] |= part_[i] << low.first;
         return {};
     }
 
     // As drawn: in halves where they are.
     Result<void> attributeLines(const SunInterval& interval, std::span<std::uint64_t> cellSteps,
                                 const std::stop_token& stop) {
-        std::vector<ShadowMask> masks(receivers_.cells.size());
-        const auto middle = draw(interval, masks, stop);
-        if (!middle) return tl::make_unexpected(middle.error());
-        std::vector<bool> wanted(grid_.size());
-        for (const std::uint32_t cell : receivers_.cells) wanted[wideCell(cell)] = true;
-        if (*middle == 0) {
-            claimSteps(grid_, {atFirst_, atLast_, interval}, 0, wanted, cellSteps, stop);
-        } else {
-            const SunInterval before = partOf(interval, {0, *middle + 1}),
-                              after = partOf(interval, {*middle, interval.steps});
-            claimSteps(grid_, {atFirst_, atMiddle_, before}, 0, wanted, cellSteps, stop);
-            claimSteps(grid_, {atMiddle_, atLast_, after}, 1, wanted, cellSteps, stop);
-        }
+        std::vector<ShadowMask> masks(receiverCount_);
+        IntervalLanes of(interval, grid_, *parts_.finder);
+        if (const auto drawn = draw(of, masks, stop); !drawn) return drawn;
+        std::vector<int> undivided;
+        std::ranges::set_difference(allBlocks(of.lanes), of.halved, std::back_inserter(undivided));
+        claim(of.lanes, of.whole(), undivided, cellSteps, stop);
+        if (!of.halved.empty())
+            for (const LineLeg& leg : of.halves()) claim(of.lanes, leg, of.halved, cellSteps, stop);
         if (stop.stop_requested()) return cancelled();
         return {};
     }
 
-    // An interval often begins where the last one ended: its sources are there already.
-    void findSources(const SunInterval& interval, const std::stop_token& stop) {
-        const Stopwatch watch;
-        if (knownLast_ && *knownLast_ == interval.first)
-            std::swap(atFirst_, atLast_);
-        else
-            find(interval.first, atFirst_, stop);
-        find(interval.last, atLast_, stop);
-        knownLast_ = interval.last;
-        cost_.seconds["trace"] += watch.seconds();
-    }
-
-    void findMiddle(glm::dvec3 towardsSun, const std::stop_token& stop) {
-        const Stopwatch watch;
-        find(towardsSun, atMiddle_, stop);
-        cost_.seconds["trace"] += watch.seconds();
-    }
-
-    void find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) {
-        parts_.finder->find(towardsSun, sources, stop);
-        cost_.rays += parts_.finder->raysAnInstant();
-    }
-
-    // Only receivers' masks are looked at; the others count as full, for a drawer to pass over.
-    void openReceivers() {
-        std::ranges::fill(masks_, ~ShadowMask{0});
-        for (const std::uint32_t cell : receivers_.cells) masks_[wideCell(cell)] = 0;
-    }
-
-    // At t1 and at tn the rays know the answer; lines do not.
-    void takeReceivers(const IntervalSources& sources, std::span<ShadowMask> masks) const {
-        const ShadowMask firstBit = 1, lastBit = ShadowMask{1} << (sources.interval.steps - 1);
-        const std::vector<float>&first = sources.atFirst.heightM, &last = sources.atLast.heightM;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, masks.size(), 8192), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                const std::size_t cell = wideCell(receivers_.cells[i]);
-                const ShadowMask known = (first[cell] > 0 ? firstBit : 0) | (last[cell] > 0 ? lastBit : 0);
-                masks[i] = (masks_[cell] & ~(firstBit | lastBit)) | known;
-            }
+    // The step that both halves have counts in the first one.
+    void claim(const Lanes& lanes, const LineLeg& leg, std::span<const int> blocks,
+               std::span<std::uint64_t> cellSteps, const std::stop_token& stop) const {
+        tbb::combinable<std::vector<std::uint64_t>> sums(
+            [&] { return std::vector<std::uint64_t>(cellSteps.size()); });
+        tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+            if (stop.stop_requested()) return;
+            LaneSources first, last;
+            first.resize(parts_.finder->levels(), lanes.majors());
+            last.resize(first.levels, first.majors);
+            leg.atFirst.fill(blocks[i], first, 0);
+            leg.atLast.fill(blocks[i], last, 0);
+            claimSteps({first, last, leg.forward, leg.backward, leg.interval}, leg.firstStep > 0 ? 1 : 0,
+                       wantedIn(lanes, blocks[i]), sums.local());
+        });
+        sums.combine_each([&](const std::vector<std::uint64_t>& sum) {
+            for (std::size_t i = 0; i < sum.size(); ++i) cellSteps[i] += sum[i];
         });
     }
 
-    [[nodiscard]] std::size_t wideCell(std::uint32_t cell) const {
-        const int columns = receivers_.grid.columns;
-        return grid_.index(int(cell) % columns + parts_.marginCells,
-                           int(cell) / columns + parts_.marginCells);
+    [[nodiscard]] std::vector<bool> wantedIn(const Lanes& lanes, int block) const {
+        std::vector<Line<std::uint32_t>> numbers;
+        receivers_.find(lanes, block, numbers);
+        std::vector<bool> wanted;
+        for (const auto& line : numbers)
+            for (const std::uint32_t number : line.values) wanted.push_back(number != LaneReceivers::none);
+        return wanted;
     }
 
-    const Receivers& receivers_;
     InverseAccrualParts parts_;
     Grid grid_;  // with its margin
-    ShadowSources atFirst_, atMiddle_, atLast_;
-    std::optional<glm::dvec3> knownLast_;
-    std::vector<ShadowMask> masks_;  // of the wide grid
-    std::vector<ShadowMask> part_;   // of the receivers: some of their steps
+    LaneReceivers receivers_;
+    std::size_t receiverCount_;
+    std::vector<ShadowMask> part_;  // of the receivers: some of their steps
     Cost cost_;
 };
 

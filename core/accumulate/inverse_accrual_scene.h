@@ -19,8 +19,8 @@ struct InverseAccrualParts {
     std::uint32_t buildingsUsed = 0;
 };
 
-/// Share of the receivers in a shadow of an interval's middle step that no line leads to: beyond it, the
-/// interval is drawn in halves. It is looked at where most receivers have a full list at both ends.
+/// Share of a block's receivers in a shadow of an interval's middle step that no line leads to: beyond it,
+/// the block is drawn in halves. It is looked at where most receivers have a full list at both ends.
 constexpr double mostMissedShare = 0.01;
 
 /// `grid` with so many more cells on each side.

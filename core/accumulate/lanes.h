@@ -10,42 +10,45 @@ namespace noonmark {
 /// The cells of a grid strung on parallel lanes, each cell on exactly one: what moves along `direction` stays
 /// on its lane to half a cell. Lanes can be worked on at the same time, for none writes to another's cells.
 ///
-/// Along the major axis (x where the direction is more east-west than north-south) a lane has one cell a
-/// column; across it, cell = lane + bend(major), the bend being the direction's slope rounded to whole cells.
+/// Along the major axis (x where the direction is more east-west than north-south) a lane has one place a
+/// column; across it, minor = lane + bend(major), the bend being the direction's slope rounded to whole
+/// cells. Every lane has all major positions: where it bends beyond the grid's sides its places are no cells.
 class Lanes {
 public:
+    /// Lanes side by side that are worked on together.
+    static constexpr int perBlock = 16;
+
     /// `direction`: metres, any length; zero counts as east.
     Lanes(const Grid& grid, glm::dvec2 direction);
 
-    struct Stretch {
-        int first = 0;  ///< major positions [first, end) at which the lane is on the grid
-        int end = 0;
-    };
-
     [[nodiscard]] int count() const { return laneCount_; }
+    [[nodiscard]] int blocks() const { return (laneCount_ + perBlock - 1) / perBlock; }
     [[nodiscard]] bool alongX() const { return alongX_; }
-    [[nodiscard]] Stretch stretch(int lane) const;
+    [[nodiscard]] int majors() const { return alongX_ ? grid_.columns : grid_.rows; }
+    [[nodiscard]] int minors() const { return alongX_ ? grid_.rows : grid_.columns; }
+    [[nodiscard]] const Grid& grid() const { return grid_; }
 
-    /// The lanes [first, end) that are on the grid at a major position.
-    [[nodiscard]] Stretch lanesAt(int major) const {
-        const int low = -firstLane_ - bend_[std::size_t(major)];
-        return {low, low + (alongX_ ? grid_.rows : grid_.columns)};
-    }
-
-    /// For devices that work out cell() by themselves: minor = lane + firstLane + bend[major].
+    /// Cells across that a lane moves from one major position to the next, before rounding: at most 1.
+    [[nodiscard]] double slope() const { return slope_; }
+    /// Of lane 0, before its bend; may be negative: lanes that enter the grid late.
     [[nodiscard]] int firstLane() const { return firstLane_; }
-    [[nodiscard]] const std::vector<int>& bend() const { return bend_; }
 
-    /// Grid index of a lane's cell; only within its stretch.
-    [[nodiscard]] std::size_t cell(int lane, int major) const {
-        const int minor = lane + firstLane_ + bend_[std::size_t(major)];
+    /// Minor position of a lane; a cell where it is 0 to minors() - 1.
+    [[nodiscard]] int minor(int lane, int major) const {
+        return lane + firstLane_ + bend_[std::size_t(major)];
+    }
+    [[nodiscard]] bool onGrid(int minor) const { return unsigned(minor) < unsigned(minors()); }
+
+    /// Grid index of a cell.
+    [[nodiscard]] std::size_t cellAt(int major, int minor) const {
         return alongX_ ? grid_.index(major, minor) : grid_.index(minor, major);
     }
 
 private:
     Grid grid_;
     bool alongX_ = true;
-    int firstLane_ = 0;  // may be negative: lanes that enter the grid late
+    double slope_ = 0;
+    int firstLane_ = 0;
     int laneCount_ = 0;
     std::vector<int> bend_;  // by major position; monotone
 };

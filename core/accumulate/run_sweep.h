@@ -35,6 +35,8 @@ struct RunSweep {
 
     int count = 0;
     RunEnd rear, front;
+    /// Of these cells: from this one on `rear` is behind all the time; before this one `front` is ahead.
+    int rearBehindFrom = 0, frontAheadTo = 0;
     bool folds = false;
     RunEnd foldedRear, foldedFront;
 
@@ -49,6 +51,8 @@ struct RunSweep {
             run.first;
         rear = RunEnd::over(firstLength, reach);
         front = RunEnd::over(lastLength, -width - reach);
+        rearBehindFrom = std::min(count, int(std::min(firstLength, 1e6F)) + 2);
+        frontAheadTo = std::min(count, run.last - run.first + 1);
         foldedRear = RunEnd::over(lastLength, reach - width);
         foldedFront = RunEnd::over(firstLength, -reach);
     }

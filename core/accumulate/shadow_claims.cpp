@@ -1,16 +1,10 @@
 #include "core/accumulate/shadow_claims.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
-#include "core/accumulate/lanes.h"
-#include "core/accumulate/low_sun.h"
 #include "core/accumulate/run_sweep.h"
 
 namespace noonmark {
@@ -53,98 +47,69 @@ float heightThere(const SourceRun& run, float cellsPerMetre, float share, int i)
 /// The lines of one direction: from the first step on, or from the last backward.
 class Pass {
 public:
-    Pass(const Grid& grid, const Lanes& lanes, const ShadowSources& sources, const ShadowMotion& motion)
-        : lanes_(lanes), size_(grid.size()), sources_(sources), motion_(motion), table_(motion.fraction) {
-        const double along = (lanes.alongX() ? motion.shift.x : motion.shift.y) / grid.cellM;
-        rule_ = {float(std::abs(along)), sources.steepestM};
-        reversed_ = along < 0;
-    }
+    Pass(const LinePass& pass, const LaneSources& sources, std::vector<double> fraction)
+        : pass_(pass), sources_(sources), fraction_(std::move(fraction)) {}
 
     void claim(int lane, LaneClaims& claims) const {
-        const auto [first, end] = lanes_.stretch(lane);
-        const int cells = end - first;
-        OpenRuns runs(rule_);
-        const auto draw = [&](const SourceRun& run) { claimRun(run, cells, claims); };
+        OpenRuns runs(pass_.rule);
+        const auto draw = [&](const SourceRun& run) { claimRun(run, claims); };
         CellSources before, now;
-        for (int at = 0; at < cells; ++at, before = now) {
-            now = sourcesOf(lanes_.cell(lane, reversed_ ? end - 1 - at : first + at));
+        for (int at = 0; at < sources_.majors; ++at, before = now) {
+            now = sources_.of(0, pass_.reversed ? sources_.majors - 1 - at : at, lane);
             runs.change(at, before, now, draw);
         }
-        if (cells > 0) runs.finish(cells - 1, before, draw);
+        runs.finish(sources_.majors - 1, before, draw);
     }
 
 private:
-    void claimRun(const SourceRun& run, int cells, LaneClaims& claims) const {
-        const RunSweep sweep(run, rule_, cells);
+    void claimRun(const SourceRun& run, LaneClaims& claims) const {
+        const RunSweep sweep(run, pass_.rule, sources_.majors);
         for (int i = 0; i < sweep.count; ++i) {
-            const int cell = reversed_ ? cells - 1 - run.first - i : run.first + i;
-            for (ShadowMask steps = sweep.steps(i, table_); steps != 0; steps &= steps - 1) {
+            const int place = pass_.reversed ? sources_.majors - 1 - run.first - i : run.first + i;
+            for (ShadowMask steps = sweep.steps(i, pass_.table); steps != 0; steps &= steps - 1) {
                 const int step = std::countr_zero(steps);
-                const auto share = float(motion_.fraction[std::size_t(step)]);
-                claims.claim(cell, step, heightThere(run, rule_.cellsPerMetre, share, i), run.building);
+                const auto share = float(fraction_[std::size_t(step)]);
+                claims.claim(place, step, heightThere(run, pass_.rule.cellsPerMetre, share, i), run.building);
             }
         }
     }
 
-    [[nodiscard]] CellSources sourcesOf(std::size_t cell) const {
-        CellSources found{};
-        for (std::size_t place = cell; found.count < sources_.levels; ++found.count, place += size_) {
-            if (sources_.heightM[place] <= 0) break;
-            found.heightM[std::size_t(found.count)] = sources_.heightM[place];
-            found.building[std::size_t(found.count)] = sources_.building[place];
-        }
-        return found;
-    }
-
-    const Lanes& lanes_;
-    std::size_t size_;
-    const ShadowSources& sources_;
-    const ShadowMotion& motion_;
-    StepTable table_;
-    RunRule rule_;
-    bool reversed_ = false;
+    const LinePass& pass_;
+    const LaneSources& sources_;
+    std::vector<double> fraction_;
 };
 
 // At the interval's ends the sources themselves know; lines do not.
-void settle(LaneClaims::Claim& claim, const ShadowSources& sources, std::size_t cell) {
-    claim = {sources.heightM[cell] > 0 ? sources.heightM[cell] : nobody, sources.building[cell]};
+void settle(LaneClaims::Claim& claim, const LaneSources& sources, int major, int lane) {
+    const std::size_t line = sources.line(0, major);
+    const float height = sources.heightM[line].values[lane];
+    claim = {height > 0 ? height : nobody, sources.building[line].values[lane]};
 }
 
-void count(LaneClaims& claims, int cell, StepRange steps, std::vector<std::uint64_t>& cellSteps) {
+void count(LaneClaims& claims, int place, StepRange steps, std::span<std::uint64_t> cellSteps) {
     for (int step = steps.first; step < steps.end; ++step)
-        if (const auto& claim = claims.at(cell, step); claim.heightM < nobody) ++cellSteps[claim.building];
+        if (const auto& claim = claims.at(place, step); claim.heightM < nobody) ++cellSteps[claim.building];
 }
 
 }  // namespace
 
-void claimSteps(const Grid& grid, const IntervalSources& sources, int fromStep,
-                const std::vector<bool>& wanted, std::span<std::uint64_t> cellSteps,
-                const std::stop_token& stop) {
-    const ShadowMotion ahead = motionForward(sources.interval), back = motionBackward(sources.interval);
-    const Lanes lanes(grid, ahead.shift);
-    const Pass forward(grid, lanes, sources.atFirst, ahead), backward(grid, lanes, sources.atLast, back);
-    const int steps = sources.interval.steps;
-    tbb::combinable<std::vector<std::uint64_t>> sums(
-        [&] { return std::vector<std::uint64_t>(cellSteps.size()); });
-    tbb::parallel_for(tbb::blocked_range<int>(0, lanes.count(), 8), [&](const auto& range) {
-        LaneClaims claims;
-        for (int lane = range.begin(); lane < range.end() && !stop.stop_requested(); ++lane) {
-            const auto [first, end] = lanes.stretch(lane);
-            claims.start(end - first);
-            forward.claim(lane, claims);
-            backward.claim(lane, claims);
-            for (int major = first; major < end; ++major) {
-                const std::size_t cell = lanes.cell(lane, major);
-                if (!wanted[cell]) continue;
-                settle(claims.at(major - first, steps - 1), sources.atLast, cell);
-                settle(claims.at(major - first, 0), sources.atFirst, cell);
-                count(claims, major - first, {fromStep, steps}, sums.local());
-            }
+void claimSteps(const IntervalLines& lines, int fromStep, const std::vector<bool>& wanted,
+                std::span<std::uint64_t> cellSteps) {
+    const Pass forward(lines.forward, lines.atFirst, motionForward(lines.interval).fraction),
+        backward(lines.backward, lines.atLast, motionBackward(lines.interval).fraction);
+    const int majors = lines.atFirst.majors, steps = lines.interval.steps;
+    LaneClaims claims;
+    for (int lane = 0; lane < Lanes::perBlock; ++lane) {
+        claims.start(majors);
+        forward.claim(lane, claims);
+        backward.claim(lane, claims);
+        for (int major = 0; major < majors; ++major) {
+            if (!wanted[std::size_t(major * Lanes::perBlock + lane)]) continue;
+            settle(claims.at(major, steps - 1), lines.atLast, major, lane);
+            settle(claims.at(major, 0), lines.atFirst, major, lane);
+            count(claims, major, {fromStep, steps}, cellSteps);
         }
-    });
-    sums.combine_each([&](const std::vector<std::uint64_t>& sum) {
-        for (std::size_t i = 0; i < sum.size(); ++i) cellSteps[i] += sum[i];
-    });
+    }
 }
 
 }  // namespace noonmark

@@ -1,15 +1,10 @@
 #include "core/accumulate/shadow_lines.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
 
-#include "core/accumulate/change_map.h"
-#include "core/accumulate/horizon/lanes16.h"
-#include "core/accumulate/lanes.h"
 #include "core/accumulate/run_sweep.h"
 
 namespace noonmark {
@@ -33,211 +28,150 @@ std::vector<double> fractions(const SunInterval& interval) {
     return result;
 }
 
-// Shades each of some cells at the steps that `rear` has come to and `front` has not passed.
-NOONMARK_EVERY_ISA void shadeBetween(const ShadowMask* before, RunEnd rear, RunEnd front, int count,
-                                     ShadowMask* row) {
-    for (int i = 0; i < count; ++i) row[i] |= before[rear.entry(i)] & ~before[front.entry(i)];
+/// Where an end of a run stands, without what cannot be passed to several instruction sets.
+struct Way {
+    const ShadowMask* before;
+    RunEnd end;
+    [[nodiscard]] ShadowMask operator()(int cell) const { return before[end.entry(cell)]; }
+};
+
+// Shades each cell of a run at the steps that `rear` has come to and `front` has not passed. Between where
+// the rear end comes to and where the front began nothing needs looking up.
+NOONMARK_EVERY_ISA void shadeSweep(const Way& rear, const Way& front, const RunSweep& sweep,
+                                   ShadowMask* row) {
+    const ShadowMask all = rear.before[StepTable::size + 2];
+    const int rearTo = sweep.rearBehindFrom, frontFrom = sweep.frontAheadTo;
+    const int near = std::min(rearTo, frontFrom), far = std::max(rearTo, frontFrom);
+    for (int i = 0; i < near; ++i) row[i] |= rear(i);
+    for (int i = rearTo; i < frontFrom; ++i) row[i] |= all;
+    for (int i = frontFrom; i < rearTo; ++i) row[i] |= rear(i) & ~front(i);
+    for (int i = far; i < sweep.count; ++i) row[i] |= all & ~front(i);
 }
 
-/// The masks of one lane, in the order in which shadows move over it.
-class LanePen {
-public:
-    void start(std::size_t cells) {
-        row_.resize(cells);
-        open_.assign(cells + 1, 0);
-    }
+NOONMARK_EVERY_ISA void shadeFold(const Way& rear, const Way& front, int count, ShadowMask* row) {
+    for (int i = 0; i < count; ++i) row[i] |= rear(i) & ~front(i);
+}
 
-    /// In order.
-    void setMask(int at, ShadowMask mask) {
-        row_[std::size_t(at)] = mask;
-        open_[std::size_t(at) + 1] = open_[std::size_t(at)] + (mask != ~ShadowMask{0});
-    }
+constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr Ints16 laneBits = 1 << counting;
 
-    void draw(const SourceRun& run, const StepTable& table, const RunRule& rule) {
-        const RunSweep sweep(run, rule, int(row_.size()));
-        if (open_[std::size_t(run.first + sweep.count)] == open_[std::size_t(run.first)]) return;
-        ShadowMask* row = &row_[std::size_t(run.first)];
-        const ShadowMask* before = table.before.data();
-        shadeBetween(before, sweep.rear, sweep.front, sweep.count, row);
-        if (sweep.folds) shadeBetween(before, sweep.foldedRear, sweep.foldedFront, sweep.count, row);
-    }
-
-    [[nodiscard]] ShadowMask mask(int at) const { return row_[std::size_t(at)]; }
-
-private:
-    std::vector<ShadowMask> row_;
-    std::vector<std::uint32_t> open_;  // cells before this one whose masks were not full
+/// A block's sources, in the order in which shadows move.
+struct SourceLines {
+    const Line<float>* heightM;
+    const Line<std::uint32_t>* building;
+    std::ptrdiff_t step;  // lines from one place to the next; negative where shadows move against the lanes
+    int levels;
 };
 
-struct DrawWith {
-    LanePen& pen;
-    const StepTable& table;
-    const RunRule& rule;
-    void operator()(const SourceRun& run) const { pen.draw(run, table, rule); }
-};
+// changed[at]: a bit for each lane on which the sources of a place do not simply go on from the one before. A
+// few more do no harm: a little less than what folds counts, too.
+NOONMARK_EVERY_ISA void markChanges(const SourceLines& lines, int places, const RunRule& rule,
+                                    std::uint16_t* changed) {
+    const float steepest = rule.steepestM;
+    const float lowest =
+        std::max(-steepest, 0.9999F * RunRule::foldedBy / std::max(rule.cellsPerMetre, 1e-9F));
+    const Ints16 zero{};
+    for (int at = 1; at < places; ++at) {
+        Ints16 other{}, beyond{};  // sign bits of what must not be negative
+        for (int level = 0; level < lines.levels; ++level) {
+            const std::ptrdiff_t now = at * lines.step + level, before = now - lines.step;
+            const Floats16 higher = reinterpret_cast<const Floats16&>(lines.heightM[now]) -
+                                    reinterpret_cast<const Floats16&>(lines.heightM[before]);
+            other |= reinterpret_cast<const Ints16&>(lines.building[now]) ^
+                     reinterpret_cast<const Ints16&>(lines.building[before]);
+            const Floats16 below = steepest - higher, above = higher - lowest;
+            beyond |= reinterpret_cast<const Ints16&>(below) | reinterpret_cast<const Ints16&>(above);
+        }
+        other = other != zero;
+        beyond = beyond < zero;
+        Ints16 bits = (other | beyond) & laneBits;
+        bits |= __builtin_shuffle(bits, counting ^ 8);
+        bits |= __builtin_shuffle(bits, counting ^ 4);
+        bits |= __builtin_shuffle(bits, counting ^ 2);
+        changed[at] = std::uint16_t(bits[0] | bits[1]);
+    }
+}
 
-/// Neighbouring lanes walked side by side, so that the cells at hand lie next to each other in memory.
-class LaneBlock {
+/// Draws one block of lanes.
+class BlockDrawing {
 public:
-    static int lanesABlock(const Lanes& lanes) { return lanes.alongX() ? 1 : 64; }
+    BlockDrawing(const LinePass& pass, const LaneSources& sources, int block, LaneMasks& masks)
+        : pass_(pass), sources_(sources), block_(block), masks_(masks) {
+        runs_.fill(OpenRuns(pass.rule));
+    }
 
-    LaneBlock(const Grid& grid, const Lanes& lanes, const StepTable& table, const RunRule& rule,
-              bool reversed)
-        : lanes_(lanes), size_(grid.size()), table_(table), rule_(rule), reversed_(reversed) {}
-
-    void draw(int first, int end, const ShadowSources& sources, const ChangeMap& changes,
-              std::span<ShadowMask> masks) {
-        start(first, end);
-        for (Lane& lane : lanesAtWork_)
-            forEachCell(lane, [&](int at, std::size_t cell) { lane.pen.setMask(at, masks[cell]); });
-        for (Lane& lane : lanesAtWork_) begin(lane, sources);
-        forEachChange(changes, [&](Lane& lane, int at, std::size_t cell, std::size_t before) {
-            lane.runs.change(at, sourcesOf(sources, before), sourcesOf(sources, cell),
-                             DrawWith{lane.pen, table_, rule_});
-        });
-        for (Lane& lane : lanesAtWork_) finish(lane, sources);
-        for (Lane& lane : lanesAtWork_)
-            forEachCell(lane, [&](int at, std::size_t cell) { masks[cell] = lane.pen.mask(at); });
+    void draw() {
+        turnRows();
+        findChanges();
+        for (int lane = 0; lane < Lanes::perBlock; ++lane) change(lane, 0, {}, sourcesAt(0, lane));
+        for (int at = 1; at < sources_.majors; ++at)
+            for (unsigned bits = changed_[std::size_t(at)]; bits != 0; bits &= bits - 1) {
+                const int lane = std::countr_zero(bits);
+                change(lane, at, sourcesAt(at - 1, lane), sourcesAt(at, lane));
+            }
+        for (int lane = 0; lane < Lanes::perBlock; ++lane)
+            change(lane, sources_.majors, sourcesAt(sources_.majors - 1, lane), {});
+        turnRows();
     }
 
 private:
-    struct Lane {
-        int number = 0;
-        Lanes::Stretch stretch;
-        OpenRuns runs;
-        LanePen pen;
-    };
-
-    void start(int first, int end) {
-        firstLane_ = first;
-        lanesAtWork_.resize(std::size_t(end - first));
-        from_ = std::numeric_limits<int>::max();
-        to_ = 0;
-        for (int number = first; number < end; ++number) {
-            Lane& lane = lanesAtWork_[std::size_t(number - first)];
-            lane.number = number;
-            lane.stretch = lanes_.stretch(number);
-            lane.runs = OpenRuns(rule_);
-            lane.pen.start(std::size_t(lane.stretch.end - lane.stretch.first));
-            from_ = std::min(from_, lane.stretch.first);
-            to_ = std::max(to_, lane.stretch.end);
-        }
+    // Rows of masks lie in the order of motion while they are drawn into.
+    void turnRows() {
+        if (!pass_.reversed) return;
+        for (int lane = 0; lane < Lanes::perBlock; ++lane)
+            std::reverse(masks_.lane(block_, lane), masks_.lane(block_, lane) + masks_.majors);
     }
 
-    // Where the lane is entered and left, in the order of motion.
-    [[nodiscard]] std::size_t firstCell(const Lane& lane) const {
-        return lanes_.cell(lane.number, reversed_ ? lane.stretch.end - 1 : lane.stretch.first);
-    }
-    [[nodiscard]] std::size_t lastCell(const Lane& lane) const {
-        return lanes_.cell(lane.number, reversed_ ? lane.stretch.first : lane.stretch.end - 1);
-    }
-
-    void begin(Lane& lane, const ShadowSources& sources) const {
-        if (lane.stretch.first == lane.stretch.end) return;
-        lane.runs.change(0, {}, sourcesOf(sources, firstCell(lane)), DrawWith{lane.pen, table_, rule_});
+    void findChanges() {
+        changed_.resize(std::size_t(sources_.majors));
+        const std::size_t first = sources_.line(block_, majorAt(0));
+        markChanges({&sources_.heightM[first], &sources_.building[first],
+                     pass_.reversed ? -sources_.levels : sources_.levels, sources_.levels},
+                    sources_.majors, pass_.rule, changed_.data());
     }
 
-    void finish(Lane& lane, const ShadowSources& sources) const {
-        const auto [first, end] = lane.stretch;
-        if (first == end) return;
-        lane.runs.finish(end - first - 1, sourcesOf(sources, lastCell(lane)),
-                         DrawWith{lane.pen, table_, rule_});
+    void change(int lane, int at, const CellSources& before, const CellSources& now) {
+        runs_[std::size_t(lane)].change(at, before, now, [&](const SourceRun& run) { drawRun(lane, run); });
     }
 
-    /// The cells of one major position: those of lanes side by side lie side by side in memory, where there
-    /// is more than one.
-    struct Front {
-        int major = 0;
-        int firstLane = 0;
-        std::size_t count = 0;
-        std::size_t cell = 0;    ///< of the first lane
-        std::size_t before = 0;  ///< the one before it in the order of motion, where there is one
-    };
-
-    /// body(front), in the order of motion.
-    template <class Body>
-    void forEachFront(const Body& body) const {
-        for (int k = from_; k < to_; ++k) {
-            const int major = reversed_ ? from_ + to_ - 1 - k : k;
-            const int majorBefore = std::clamp(reversed_ ? major + 1 : major - 1, from_, to_ - 1);
-            const auto [low, high] = lanes_.lanesAt(major);
-            const int first = std::max(low, firstLane_);
-            const int end = std::min(high, firstLane_ + int(lanesAtWork_.size()));
-            if (first < end)
-                body(Front{major, first, std::size_t(end - first), lanes_.cell(first, major),
-                           lanes_.cell(first, majorBefore)});
-        }
+    void drawRun(int lane, const SourceRun& run) {
+        const RunSweep sweep(run, pass_.rule, masks_.majors);
+        if (!wanted(lane, run.first, run.first + sweep.count)) return;
+        ShadowMask* row = masks_.lane(block_, lane) + run.first;
+        const ShadowMask* before = pass_.table.before.data();
+        shadeSweep({before, sweep.rear}, {before, sweep.front}, sweep, row);
+        if (sweep.folds) shadeFold({before, sweep.foldedRear}, {before, sweep.foldedFront}, sweep.count, row);
     }
 
-    Lane& laneOf(const Front& front, std::size_t aside) {
-        return lanesAtWork_[std::size_t(front.firstLane - firstLane_) + aside];
+    // Whether anybody asks for one of the places [first, end).
+    [[nodiscard]] bool wanted(int lane, int first, int end) const {
+        const Line<std::int32_t>* before = masks_.wanted(block_);
+        const int low = pass_.reversed ? masks_.majors - end : first,
+                  high = pass_.reversed ? masks_.majors - first : end;
+        return before[high].values[lane] != before[low].values[lane];
     }
 
-    [[nodiscard]] int position(const Lane& lane, int major) const {
-        return reversed_ ? lane.stretch.end - 1 - major : major - lane.stretch.first;
+    [[nodiscard]] int majorAt(int at) const { return pass_.reversed ? sources_.majors - 1 - at : at; }
+    [[nodiscard]] CellSources sourcesAt(int at, int lane) const {
+        return sources_.of(block_, majorAt(at), lane);
     }
 
-    /// body(position in the order of motion, cell).
-    template <class Body>
-    void forEachCell(const Lane& lane, const Body& body) const {
-        const auto [first, end] = lane.stretch;
-        for (int at = 0; at < end - first; ++at)
-            body(at, lanes_.cell(lane.number, reversed_ ? end - 1 - at : first + at));
-    }
-
-    /// body(lane, position in the order of motion, cell, the cell before it): where the sources change. A
-    /// change is marked between a cell and the one before it in the order of major positions.
-    template <class Body>
-    void forEachChange(const ChangeMap& changes, const Body& body) {
-        forEachFront([&](const Front& front) {
-            changes.forEachFrom(reversed_ ? front.before : front.cell, front.count, [&](std::size_t aside) {
-                Lane& lane = laneOf(front, aside);
-                if (const int at = position(lane, front.major); at > 0)
-                    body(lane, at, front.cell + aside, front.before + aside);
-            });
-        });
-    }
-
-    [[nodiscard]] CellSources sourcesOf(const ShadowSources& sources, std::size_t cell) const {
-        CellSources found;
-        for (std::size_t place = cell; found.count < sources.levels; ++found.count, place += size_) {
-            if (sources.heightM[place] <= 0) break;
-            found.heightM[std::size_t(found.count)] = sources.heightM[place];
-            found.building[std::size_t(found.count)] = sources.building[place];
-        }
-        return found;
-    }
-
-    const Lanes& lanes_;
-    std::size_t size_;
-    const StepTable& table_;
-    RunRule rule_;
-    bool reversed_;
-    std::vector<Lane> lanesAtWork_;
-    int firstLane_ = 0;
-    int from_ = 0, to_ = 0;  // major positions of the block
+    const LinePass& pass_;
+    const LaneSources& sources_;
+    int block_;
+    LaneMasks& masks_;
+    std::array<OpenRuns, Lanes::perBlock> runs_;
+    std::vector<std::uint16_t> changed_;
 };
 
 class ProcessorDrawer final : public ShadowLineDrawer {
 public:
-    Result<void> draw(const Grid& grid, const ShadowSources& sources, const ShadowMotion& motion,
-                      std::span<ShadowMask> masks, std::stop_token stop) override {
-        const Lanes lanes(grid, motion.shift);
-        const StepTable table(motion.fraction);
-        const float alongLanes = float((lanes.alongX() ? motion.shift.x : motion.shift.y) / grid.cellM);
-        const RunRule rule{std::abs(alongLanes), sources.steepestM};
-        const ChangeMap changes(grid, lanes, sources, {alongLanes, sources.steepestM});
-        const int wide = LaneBlock::lanesABlock(lanes);
-        tbb::parallel_for(
-            tbb::blocked_range<int>(0, (lanes.count() + wide - 1) / wide), [&](const auto& range) {
-                LaneBlock block(grid, lanes, table, rule, alongLanes < 0);
-                for (int i = range.begin(); i < range.end() && !stop.stop_requested(); ++i)
-                    block.draw(i * wide, std::min((i + 1) * wide, lanes.count()), sources, changes, masks);
-            });
-        if (stop.stop_requested()) return cancelled();
+    Result<void> draw(const LinePass& pass, const LaneSources& sources, LaneMasks& masks) override {
+        const int blocks = int(masks.wantedBefore.size()) / (masks.majors + 1);
+        for (int block = 0; block < blocks; ++block) BlockDrawing(pass, sources, block, masks).draw();
         return {};
     }
-
+    [[nodiscard]] int blocksAtOnce(int) const override { return 1; }
     [[nodiscard]] std::string describe() const override { return "lines drawn on the processor"; }
 };
 
@@ -269,6 +203,12 @@ StepTable::StepTable(const std::vector<double>& fraction) {
         const auto beyond = std::upper_bound(ordered.begin(), ordered.end(), entry >= size ? 2.0 : share);
         before.push_back(upTo[std::size_t(beyond - ordered.begin())]);
     }
+}
+
+LinePass::LinePass(const Lanes& lanes, const ShadowMotion& motion, float steepestM) : table(motion.fraction) {
+    const auto along = float((lanes.alongX() ? motion.shift.x : motion.shift.y) / lanes.grid().cellM);
+    rule = {std::abs(along), steepestM};
+    reversed = along < 0;
 }
 
 std::unique_ptr<ShadowLineDrawer> makeShadowLineDrawer() { return std::make_unique<ProcessorDrawer>(); }

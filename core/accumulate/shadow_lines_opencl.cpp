@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/accumulate/lanes.h"
 #include "generated/shadow_lines_cl.h"
 
 namespace noonmark {
@@ -61,18 +60,13 @@ ComputeDevice described(const cl::Device& device) {
 }
 
 template <class T>
-cl::Buffer readOnly(const cl::Context& context, const std::vector<T>& values) {
-    return {context, CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, values.size() * sizeof(T),
-            const_cast<T*>(values.data())};
+std::size_t bytesOf(const std::vector<T>& values) {
+    return values.size() * sizeof(T);
 }
 
-std::vector<cl_int2> stretchesOf(const Lanes& lanes) {
-    std::vector<cl_int2> stretches;
-    for (int lane = 0; lane < lanes.count(); ++lane) {
-        const auto [first, end] = lanes.stretch(lane);
-        stretches.push_back({{first, end}});
-    }
-    return stretches;
+template <class T>
+cl::Buffer readOnly(const cl::Context& context, const std::vector<T>& values) {
+    return {context, CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR, bytesOf(values), const_cast<T*>(values.data())};
 }
 
 class OpenClDrawer final : public ShadowLineDrawer {
@@ -84,17 +78,15 @@ public:
         kernel_ = cl::Kernel(program, "draw_lanes");
     }
 
-    Result<void> draw(const Grid& grid, const ShadowSources& sources, const ShadowMotion& motion,
-                      std::span<ShadowMask> masks, std::stop_token stop) override {
-        if (stop.stop_requested()) return cancelled();
+    Result<void> draw(const LinePass& pass, const LaneSources& sources, LaneMasks& masks) override {
         const std::size_t largest = device_.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-        const std::size_t needed = std::max(sources.heightM.size() * sizeof(float), masks.size_bytes());
+        const std::size_t needed = std::max(bytesOf(sources.heightM), bytesOf(masks.masks));
         if (needed > largest)
             return failure(fmt::format("The map needs {} MB in one piece and the device allows {} MB",
                                        needed >> 20U, largest >> 20U),
                            device_.getInfo<CL_DEVICE_NAME>(), "Choose larger cells or a smaller region");
         try {
-            run(grid, sources, motion, masks);
+            run(pass, sources, masks);
         } catch (const cl::Error& error) {
             return failure(fmt::format("OpenCL failed in {} (code {})", error.what(), error.err()),
                            device_.getInfo<CL_DEVICE_NAME>(), "Choose another device, or the processor");
@@ -102,33 +94,30 @@ public:
         return {};
     }
 
+    // One after the other would leave most of a device idle.
+    [[nodiscard]] int blocksAtOnce(int blocks) const override { return blocks; }
+
     [[nodiscard]] std::string describe() const override {
         return "lines drawn by OpenCL on " + device_.getInfo<CL_DEVICE_NAME>();
     }
 
 private:
-    void run(const Grid& grid, const ShadowSources& sources, const ShadowMotion& motion,
-             std::span<ShadowMask> masks) {
-        const Lanes lanes(grid, motion.shift);
-        const StepTable table(motion.fraction);
-        const std::vector<cl_int2> stretches = stretchesOf(lanes);
-        const double cellsPerMetre = (lanes.alongX() ? motion.shift.x : motion.shift.y) / grid.cellM;
-        cl::Buffer out(context_, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, masks.size_bytes(), masks.data());
+    void run(const LinePass& pass, const LaneSources& sources, LaneMasks& masks) {
+        const std::size_t bytes = bytesOf(masks.masks);
+        cl::Buffer out(context_, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, masks.masks.data());
         const cl::Buffer heights = readOnly(context_, sources.heightM);
-        const cl::Buffer bend = readOnly(context_, lanes.bend());
-        const cl::Buffer stretch = readOnly(context_, stretches);
         const cl::Buffer buildings = readOnly(context_, sources.building);
-        const cl::Buffer before = readOnly(context_, table.before);
+        const cl::Buffer before = readOnly(context_, pass.table.before);
         cl_uint argument = 0;
         const auto set = [&](const auto& value) { kernel_.setArg(argument++, value); };
-        set(heights), set(buildings), set(sources.levels), set(grid.columns), set(grid.rows);
-        set(int(lanes.alongX())), set(lanes.firstLane()), set(bend), set(stretch);
-        set(float(std::abs(cellsPerMetre))), set(sources.steepestM), set(int(cellsPerMetre < 0));
-        set(before), set(out);
-        queue_.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(std::size_t(lanes.count())));
+        set(heights), set(buildings), set(sources.levels), set(sources.majors);
+        set(pass.rule.cellsPerMetre), set(pass.rule.steepestM), set(int(pass.reversed)), set(before),
+            set(out);
+        const std::size_t lanes = masks.masks.size() / std::size_t(masks.majors);
+        queue_.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(lanes));
         // Mapping brings the masks back where the device keeps its own copy, and costs nothing where it does
         // not.
-        void* mapped = queue_.enqueueMapBuffer(out, CL_TRUE, CL_MAP_READ, 0, masks.size_bytes());
+        void* mapped = queue_.enqueueMapBuffer(out, CL_TRUE, CL_MAP_READ, 0, bytes);
         queue_.enqueueUnmapMemObject(out, mapped);
         queue_.finish();
     }

@@ -24,6 +24,7 @@ struct SourceRun {
 struct RunRule {
     float cellsPerMetre = 0;
     float steepestM = 0;
+    static constexpr float foldedBy = -1.5F;  ///< cells that a shadow falls ahead of the one before
 
     [[nodiscard]] constexpr bool sameSurface(float beforeM, float afterM) const {
         const float higher = afterM - beforeM;
@@ -31,7 +32,7 @@ struct RunRule {
     }
     /// The second one's shadow falls behind the first one's on the way: between them the surface folds over.
     [[nodiscard]] constexpr bool folds(float beforeM, float afterM) const {
-        return (afterM - beforeM) * cellsPerMetre < -1.5F;
+        return (afterM - beforeM) * cellsPerMetre < foldedBy;
     }
 };
 

@@ -1,10 +1,11 @@
-// Draws the shadow lines of one lane of cells a work item. A lane's cells belong to no other lane, so plain reads and
+// Draws the shadow lines of one lane of places a work item. A lane's masks belong to no other lane, so plain reads and
 // writes will do. The same algorithm, to the bit, as core/accumulate/shadow_lines.cpp and source_runs.h; the host side
-// and the meaning of every argument: core/accumulate/shadow_lines_opencl.cpp.
+// and the meaning of every argument: core/accumulate/shadow_lines_opencl.cpp, lane_sources.h and lane_masks.h.
 #pragma OPENCL FP_CONTRACT OFF
 
 #define TABLE_SIZE 4096
 #define MAX_LEVELS 8
+#define LANES 16  // of a block
 #define GOES_ON -1
 #define REACH (0.5f - 1.0f / 6)  // of a run's end beyond its cell's centre
 
@@ -22,21 +23,13 @@ typedef struct {
 typedef struct {
     global ulong* masks;
     constant ulong* before;
-    global const int* bend;
-    int start;
-    int columns;
-    int along_x;
+    int places;
     int reversed;
-    int2 part;
     float cells_per_metre;
     float steepest_m;
 } lane_t;
 
-inline size_t cell_at(const lane_t* lane, int at) {
-    const int major = lane->reversed ? lane->part.y - 1 - at : lane->part.x + at;
-    const int minor = lane->start + lane->bend[major];
-    return lane->along_x ? (size_t)minor * lane->columns + major : (size_t)major * lane->columns + minor;
-}
+inline int major_at(const lane_t* lane, int at) { return lane->reversed ? lane->places - 1 - at : at; }
 
 inline bool same_surface(const lane_t* lane, float before_m, float after_m) {
     const float higher = after_m - before_m;
@@ -59,13 +52,13 @@ inline int end_of(int cell, float length, int cells) {
 }
 
 void shade(const lane_t* lane, int cell, ulong steps) {
-    const size_t target = cell_at(lane, cell);
+    const int target = major_at(lane, cell);
     const ulong now = lane->masks[target];
     if ((now | steps) != now) lane->masks[target] = now | steps;
 }
 
 void draw_run(const lane_t* lane, const run_t* run) {
-    const int cells = lane->part.y - lane->part.x;
+    const int cells = lane->places;
     const float first_length = run->first_m * lane->cells_per_metre, last_length = run->last_m * lane->cells_per_metre;
     const float per_first = (float)TABLE_SIZE / fmax(first_length, 1e-6f);
     const float per_last = (float)TABLE_SIZE / fmax(last_length, 1e-6f);
@@ -79,35 +72,28 @@ void draw_run(const lane_t* lane, const run_t* run) {
     }
 }
 
-kernel void draw_lanes(global const float* height_m,  // levels x cells, level-major; 0 = no occluder
+kernel void draw_lanes(global const float* height_m,  // blocks x places x levels x lanes of a block; 0 = no occluder
                        global const uint* building,   // the same shape
                        int levels,
-                       int columns,
-                       int rows,
-                       int along_x,                // 1: lanes run along x
-                       int first_lane,
-                       global const int* bend,     // by major position
-                       global const int2* stretch, // by lane: first and end major position
+                       int places,                 // of a lane
                        float cells_per_metre,      // > 0
                        float steepest_m,
-                       int reversed,               // 1: shadows move against the lane
+                       int reversed,               // 1: shadows move towards a lane's first place
                        constant ulong* before,     // TABLE_SIZE + 3: bits of the steps up to a share of the line
-                       global ulong* masks)        // cells; ORed into
+                       global ulong* masks)        // lanes x places; ORed into
 {
-    const int number = get_global_id(0);
-    const lane_t lane = {masks,   before,   bend,            number + first_lane, columns,
-                         along_x, reversed, stretch[number], cells_per_metre,     steepest_m};
-    const size_t size = (size_t)columns * (size_t)rows;
-    const int cells = lane.part.y - lane.part.x;
+    const size_t number = get_global_id(0);
+    const lane_t lane = {masks + number * places, before, places, reversed, cells_per_metre, steepest_m};
+    const size_t first_line = number / LANES * places * levels;
     run_t open[2][MAX_LEVELS];
     int count = 0;
 
-    for (int cell = 0; cell <= cells; ++cell) {
+    for (int cell = 0; cell <= places; ++cell) {
         run_t* old = open[cell & 1];
         run_t* next = open[1 - (cell & 1)];
         int next_count = 0;
-        for (int level = 0; cell < cells && level < levels; ++level) {
-            const size_t place = level * size + cell_at(&lane, cell);
+        for (int level = 0; cell < places && level < levels; ++level) {
+            const size_t place = (first_line + (size_t)(major_at(&lane, cell) * levels + level)) * LANES + number % LANES;
             const float height = height_m[place];
             if (height <= 0) break;
             run_t run = {cell, cell, height, height, building[place]};

@@ -1,44 +1,40 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
-#include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/lane_sources.h"
 
 namespace noonmark {
 
-/// The nearest few occluders of each cell in a band of rows, each building once.
+/// The nearest few occluders of each place in a block of lanes, each building once.
 class NearestLevels {
 public:
-    NearestLevels(int levels, int rows, int columns);
+    /// Works in block `into` of `sources`, of which nothing is known yet.
+    NearestLevels(LaneSources& sources, int into);
 
-    void clear();
-
-    /// A stretch of a row under one facet.
+    /// Lanes [first, end) of a block at one major position; 0 <= first < end <= 16.
     struct Span {
-        int row = 0;
-        int first = 0;  ///< cells [first, end); 0 <= first < end <= columns
+        int major = 0;
+        int first = 0;
         int end = 0;
-        double heightM = 0;  ///< of the occluding point above the ground, at column 0
-        double slopeM = 0;   ///< what a column adds
+        float heightM = 0;  ///< of the occluding point above the ground, at lane 0
+    };
+    /// What the spans of one facet have in common.
+    struct Facet {
+        float perLaneM = 0;  ///< what a lane adds to the height
         float nearestM = 0;  ///< heights below this are left out
         std::uint32_t building = 0;
     };
-    /// Keeps, cell by cell, the lowest of each building and the lowest buildings of all.
-    void add(const Span& span);
+    /// Keeps, place by place, the lowest of each building and the lowest buildings of all.
+    void add(std::span<const Span> spans, const Facet& facet);
 
-    /// One row of one level as ShadowSources has them: 0 = no occluder.
-    void copyRow(int level, int row, float* heightM, std::uint32_t* building) const;
+    /// To be called once, at the end: the block becomes as LaneSources has it.
+    void finish();
 
 private:
-    [[nodiscard]] std::size_t lineOf(int level, int row) const {
-        return (std::size_t(level) * std::size_t(rows_) + std::size_t(row)) * std::size_t(linesPerRow_);
-    }
-
-    int levels_, rows_, columns_;
-    int linesPerRow_;                   // of 16 cells
-    std::vector<Line<float>> heightM_;  // level-major
-    std::vector<Line<std::int32_t>> building_;
+    LaneSources& sources_;
+    std::size_t firstLine_, lines_;
 };
 
 }  // namespace noonmark

@@ -1,9 +1,8 @@
 #include "core/accumulate/sources/ray_source_finder.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "core/accumulate/flush_denormals.h"
 #include "core/accumulate/ray_reference.h"
@@ -11,53 +10,85 @@
 namespace noonmark {
 
 namespace {
+
 constexpr int packetSide = 4;  // cells: rays of a square of 4 x 4 stay together best
-}
+
+/// Up to 16 places of a block, close together.
+struct Packet {
+    struct Place {
+        int major, lane;
+    };
+    std::array<Place, 16> places{};
+    std::array<glm::vec3, 16> origins{};
+    int count = 0;
+};
+
+class TracedInstant final : public SourceInstant {
+public:
+    TracedInstant(const RayScene& scene, const Lanes& lanes, glm::dvec3 towardsSun, float nearestHitM)
+        : scene_(scene), lanes_(lanes), towardsSun_(towardsSun), nearestHitM_(nearestHitM) {}
+
+    void fill(int block, LaneSources& sources, int into) const override {
+        const FlushDenormals flush;
+        clear(sources, into);
+        std::vector<Occluder> occluders(std::size_t(16 * sources.levels));
+        for (int major = 0; major < sources.majors; major += packetSide)
+            for (int lane = 0; lane < Lanes::perBlock; lane += packetSide)
+                trace(packetAt(block, major, lane), sources, into, occluders);
+    }
+
+private:
+    static void clear(LaneSources& sources, int into) {
+        for (std::size_t line = sources.line(into, 0); line < sources.line(into + 1, 0); ++line) {
+            sources.heightM[line] = {};
+            std::ranges::fill(sources.building[line].values, LaneSources::nobody);
+        }
+    }
+
+    [[nodiscard]] Packet packetAt(int block, int firstMajor, int firstLane) const {
+        Packet packet;
+        for (int major = firstMajor; major < std::min(firstMajor + packetSide, lanes_.majors()); ++major)
+            for (int lane = firstLane; lane < firstLane + packetSide; ++lane) {
+                const int minor = lanes_.minor(block * Lanes::perBlock + lane, major);
+                if (!lanes_.onGrid(minor)) continue;
+                packet.places[std::size_t(packet.count)] = {major, lane};
+                packet.origins[std::size_t(packet.count++)] = rayOrigin({glm::vec2(centre(major, minor)), 0});
+            }
+        return packet;
+    }
+
+    [[nodiscard]] glm::dvec2 centre(int major, int minor) const {
+        return lanes_.alongX() ? lanes_.grid().centre(major, minor) : lanes_.grid().centre(minor, major);
+    }
+
+    void trace(const Packet& packet, LaneSources& sources, int into, std::vector<Occluder>& occluders) const {
+        if (packet.count == 0) return;
+        scene_.firstOccluders(std::span(packet.origins).first(std::size_t(packet.count)),
+                              glm::vec3(towardsSun_), nearestHitM_, sources.levels, occluders);
+        for (int i = 0; i < packet.count; ++i)
+            for (int level = 0; level < sources.levels; ++level) {
+                const Occluder& occluder = occluders[std::size_t(i * sources.levels + level)];
+                const auto [major, lane] = packet.places[std::size_t(i)];
+                const std::size_t line = sources.line(into, major, level);
+                sources.heightM[line].values[lane] = occluder.distanceM * float(towardsSun_.z);
+                sources.building[line].values[lane] =
+                    occluder.distanceM > 0 ? occluder.building : LaneSources::nobody;
+            }
+    }
+
+    const RayScene& scene_;
+    const Lanes& lanes_;
+    glm::dvec3 towardsSun_;
+    float nearestHitM_;
+};
+
+}  // namespace
 
 RaySourceFinder::RaySourceFinder(RayScene scene, const Grid& grid, int levels, float nearestHitM)
-    : scene_(std::move(scene)), grid_(grid), levels_(levels), nearestHitM_(nearestHitM) {
-    for (int row = 0; row < grid.rows; row += packetSide)
-        for (int column = 0; column < grid.columns; column += packetSide) {
-            Packet packet;
-            for (int y = row; y < std::min(row + packetSide, grid.rows); ++y)
-                for (int x = column; x < std::min(column + packetSide, grid.columns); ++x)
-                    packet.cells[std::size_t(packet.count++)] = std::uint32_t(grid.index(x, y));
-            packets_.push_back(packet);
-        }
-}
+    : scene_(std::move(scene)), cells_(grid.size()), levels_(levels), nearestHitM_(nearestHitM) {}
 
-void RaySourceFinder::find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) const {
-    sources.levels = levels_;
-    sources.steepestM = steepestOnASurface(towardsSun, grid_.cellM);
-    sources.heightM.assign(std::size_t(levels_) * grid_.size(), 0);
-    sources.building.assign(sources.heightM.size(), 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets_.size(), 64), [&](const auto& range) {
-        if (stop.stop_requested()) return;
-        const FlushDenormals flush;
-        std::vector<Occluder> occluders(std::size_t(16 * levels_));
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
-            find(packets_[i], towardsSun, sources, occluders);
-    });
-}
-
-void RaySourceFinder::find(const Packet& packet, glm::dvec3 towardsSun, ShadowSources& sources,
-                           std::vector<Occluder>& occluders) const {
-    std::array<glm::vec3, 16> origins;
-    for (int i = 0; i < packet.count; ++i) {
-        const std::uint32_t cell = packet.cells[std::size_t(i)];
-        const int column = int(cell % std::uint32_t(grid_.columns)),
-                  row = int(cell / std::uint32_t(grid_.columns));
-        origins[std::size_t(i)] = rayOrigin({glm::vec2(grid_.centre(column, row)), 0});
-    }
-    scene_.firstOccluders(std::span(origins).first(std::size_t(packet.count)), glm::vec3(towardsSun),
-                          nearestHitM_, levels_, occluders);
-    for (int i = 0; i < packet.count; ++i)
-        for (int level = 0; level < levels_; ++level) {
-            const Occluder& occluder = occluders[std::size_t(i * levels_ + level)];
-            const std::size_t at = std::size_t(level) * grid_.size() + packet.cells[std::size_t(i)];
-            sources.heightM[at] = occluder.distanceM * float(towardsSun.z);
-            sources.building[at] = occluder.building;
-        }
+std::unique_ptr<SourceInstant> RaySourceFinder::at(glm::dvec3 towardsSun, const Lanes& lanes) const {
+    return std::make_unique<TracedInstant>(scene_, lanes, towardsSun, nearestHitM_);
 }
 
 }  // namespace noonmark

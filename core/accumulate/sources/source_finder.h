@@ -4,26 +4,37 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <stop_token>
+#include <memory>
 
-#include "core/accumulate/shadow_lines.h"
+#include "core/accumulate/lane_sources.h"
+#include "core/accumulate/lanes.h"
 
 namespace noonmark {
 
-/// For ShadowSources::steepestM: walls up to 75 degrees off the sun's way count as one surface. Wider, and
-/// two walls of one building that stand behind each other would, too.
+/// For RunRule::steepestM: walls up to 75 degrees off the sun's way count as one surface. Wider, and two
+/// walls of one building that stand behind each other would, too.
 inline float steepestOnASurface(glm::dvec3 towardsSun, double cellM) {
     const double rise = towardsSun.z / std::max(1e-9, std::hypot(towardsSun.x, towardsSun.y));
     return float(4 * cellM * rise);
 }
 
-/// Finds what throws a shadow on the cells of a flat grid (z = 0) at one instant.
+/// What throws a shadow at one instant, found block by block of lanes.
+class SourceInstant {
+public:
+    virtual ~SourceInstant() = default;
+    /// Writes a block of the lanes into one of `sources`, which has its size already. Places beyond the grid
+    /// have no sources. May run for several blocks at a time; one core a block, some tenths of a millisecond.
+    virtual void fill(int block, LaneSources& sources, int into) const = 0;
+};
+
+/// Finds what throws a shadow on the cells of a flat grid (z = 0).
 class SourceFinder {
 public:
     virtual ~SourceFinder() = default;
-    /// `towardsSun`: unit vector, z > 0. Reuses the arrays of `sources`. All cores; incomplete after a stop
-    /// request.
-    virtual void find(glm::dvec3 towardsSun, ShadowSources& sources, const std::stop_token& stop) const = 0;
+    [[nodiscard]] virtual int levels() const = 0;
+    /// `towardsSun`: unit vector, z > 0. `lanes`: over the finder's grid. Both outlive what is returned.
+    [[nodiscard]] virtual std::unique_ptr<SourceInstant> at(glm::dvec3 towardsSun,
+                                                            const Lanes& lanes) const = 0;
     /// Rays that one instant costs; 0 where none are traced.
     [[nodiscard]] virtual std::uint64_t raysAnInstant() const = 0;
 };

@@ -13,6 +13,16 @@ namespace {
 
 constexpr CellBox everywhere{glm::dvec2(-1e30), glm::dvec2(1e30)};
 
+// Repaired footprints do not wind twice.
+bool turnsLeftOnly(const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const glm::dvec2 a(ring[i]), b(ring[(i + 1) % ring.size()]), c(ring[(i + 2) % ring.size()]);
+        const glm::dvec2 before = b - a, after = c - b;
+        if (before.x * after.y - before.y * after.x < 0) return false;
+    }
+    return true;
+}
+
 class FacetBuilder {
 public:
     FacetBuilder(const City& city, const Grid& grid, double nearestHitM)
@@ -49,14 +59,14 @@ private:
     void addWalls(const Ring& ring, double bottom, double top) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const glm::dvec2 a = place(ring[i]), b = place(ring[(i + 1) % ring.size()]);
-            begin({b.y - a.y, a.x - b.x, 0}, {a, bottom});
+            begin({b.y - a.y, a.x - b.x, 0}, {a, bottom}, true);
             addLoop(std::array{glm::dvec3(a, bottom), glm::dvec3(b, bottom), glm::dvec3(b, top),
                                glm::dvec3(a, top)});
         }
     }
 
     void addLevel(const Footprint& footprint, double z, double up) {
-        begin({0, 0, up}, {0, 0, z});
+        begin({0, 0, up}, {0, 0, z}, footprint.holes.empty() && turnsLeftOnly(footprint.outer));
         addRing(footprint.outer, z);
         for (const Ring& hole : footprint.holes) addRing(hole, z);
     }
@@ -73,16 +83,17 @@ private:
         for (const glm::uvec3 t : mesh.triangles) {
             const std::array corners{placed(mesh.vertices[t.x]), placed(mesh.vertices[t.y]),
                                      placed(mesh.vertices[t.z])};
-            begin(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), corners[0]);
+            begin(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), corners[0], true);
             addLoop(corners);
         }
     }
 
-    void begin(glm::dvec3 normal, glm::dvec3 point) {
+    void begin(glm::dvec3 normal, glm::dvec3 point, bool convex) {
         result_.facets.push_back({.normal = normal,
                                   .offset = glm::dot(normal, point),
                                   .firstEdge = std::uint32_t(result_.edges.size()),
                                   .building = building_,
+                                  .convex = convex,
                                   .fromBehind = fromBehind_});
     }
 

@@ -26,6 +26,7 @@ struct SurfaceFacet {
     std::uint32_t firstEdge = 0;  ///< into SurfaceFacets::edges
     std::uint32_t edgeCount = 0;
     std::uint32_t building = 0;  ///< index in City::buildings
+    bool convex = false;  ///< one loop that turns one way only: any line crosses it twice or not at all
     /// Who can see it from behind as the first thing of its building: those that start inside, or so close to
     /// the surface that the way in is left out. Empty: nobody.
     CellBox fromBehind;

@@ -19,10 +19,37 @@ std::vector<std::uint32_t> allOf(const City& city) {
     return indices;
 }
 
-ShadowSources found(const SourceFinder& finder, glm::vec3 sun) {
-    ShadowSources sources;
-    finder.find(glm::dvec3(sun), sources, {});
-    return sources;
+/// Levels x cells of the grid: heights, 0 where there is nothing, and buildings.
+struct Found {
+    std::vector<float> heightM;
+    std::vector<std::uint32_t> building;
+};
+
+/// By way of lanes in `direction`.
+Found found(const SourceFinder& finder, const Grid& grid, glm::vec3 sun, glm::dvec2 direction) {
+    const Lanes lanes(grid, direction);
+    const auto instant = finder.at(glm::dvec3(sun), lanes);
+    LaneSources block;
+    block.resize(finder.levels(), lanes.majors());
+    Found found{std::vector<float>(std::size_t(finder.levels()) * grid.size(), -1), {}};
+    found.building.resize(found.heightM.size());
+    for (int lane = 0; lane < lanes.count(); ++lane) {
+        if (lane % Lanes::perBlock == 0) instant->fill(lane / Lanes::perBlock, block, 0);
+        for (int at = 0; at < lanes.majors() * finder.levels(); ++at) {
+            const int major = at / finder.levels(), level = at % finder.levels();
+            const std::size_t from = block.line(0, major, level);
+            const float height = block.heightM[from].values[lane % Lanes::perBlock];
+            const std::uint32_t building = block.building[from].values[lane % Lanes::perBlock];
+            EXPECT_EQ(height == 0, building == LaneSources::nobody);
+            if (const int minor = lanes.minor(lane, major); lanes.onGrid(minor)) {
+                const std::size_t to = std::size_t(level) * grid.size() + lanes.cellAt(major, minor);
+                found.heightM[to] = height;
+                found.building[to] = building;
+            } else
+                EXPECT_EQ(height, 0) << "beyond the grid";
+        }
+    }
+    return found;
 }
 
 bool insideABuilding(const City& city, glm::dvec2 point) {
@@ -35,9 +62,11 @@ bool insideABuilding(const City& city, glm::dvec2 point) {
 // building, the way out through a party wall is the way into the next one: either may come first.
 double differing(const City& city, const Grid& grid, glm::vec3 sun, int levels, float nearestM) {
     const RaySourceFinder rays(RayScene::over(city).value(), grid, levels, nearestM);
-    const ProjectedSourceFinder polygons(surfaceFacets(city, allOf(city), grid, nearestM), grid, levels,
-                                         nearestM);
-    const ShadowSources expected = found(rays, sun), is = found(polygons, sun);
+    const ProjectedSourceFinder polygons(surfaceFacets(city, allOf(city), grid, nearestM), levels, nearestM);
+    // Along x and along y, bent and straight, whatever the sun.
+    const double angle = sun.x * 40;
+    const glm::dvec2 direction(std::cos(angle), std::sin(angle));
+    const Found expected = found(rays, grid, sun, {1, 0}), is = found(polygons, grid, sun, direction);
     std::size_t different = 0;
     for (std::size_t i = 0; i < expected.heightM.size(); ++i) {
         const int cell = int(i % grid.size());
@@ -99,8 +128,9 @@ TEST(SourceFinder, polygonsFindWhatRaysFindOnAMesh) {
 
 TEST(SourceFinder, anEmptyCityShadesNothing) {
     const Grid grid{0, 0, 1, 33, 17};
-    const ProjectedSourceFinder finder(surfaceFacets({}, {}, grid, 1), grid, 3, 1);
-    EXPECT_EQ(std::ranges::count(found(finder, towardsSun(120, 30)).heightM, 0.0F), 3 * 33 * 17);
+    const ProjectedSourceFinder finder(surfaceFacets({}, {}, grid, 1), 3, 1);
+    EXPECT_EQ(std::ranges::count(found(finder, grid, towardsSun(120, 30), {1, 0.4}).heightM, 0.0F),
+              3 * 33 * 17);
 }
 
 }  // namespace

@@ -1,0 +1,207 @@
+#include "core/accumulate/sources/thrown_facets.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+#include "core/accumulate/flush_denormals.h"
+#include "core/accumulate/projected/cell_coordinates.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+// The first whole position at or beyond one, 0 to `count`.
+int firstAtOrBeyond(double position, int count) {
+    const double held = std::clamp(position, 0.0, double(count));
+    const int below = int(held);
+    return below + int(held > below);
+}
+
+// Where between a and b the second coordinate passes `level`.
+double passes(glm::dvec2 a, glm::dvec2 b, double level) {
+    return a.x + (b.x - a.x) * ((level - a.y) / (b.y - a.y));
+}
+
+/// A strip across the second coordinate, and what was found to lie in it: a range of the first one.
+struct Strip {
+    double low, high;
+    double from = nowhere, to = -nowhere;
+
+    void add(glm::dvec2 a, glm::dvec2 b) {
+        if (a.y > b.y) std::swap(a, b);
+        if (b.y < low || a.y > high) return;
+        take(a.y < low ? passes(a, b, low) : a.x);
+        take(b.y > high ? passes(a, b, high) : b.x);
+    }
+    void take(double place) {
+        from = std::min(from, place);
+        to = std::max(to, place);
+    }
+};
+
+// A convex polygon's outline passes each major position of [first, end) twice or not at all.
+void findTwoCrossings(const auto& lines, int first, int end, std::vector<double>& low,
+                      std::vector<double>& high) {
+    std::fill(low.begin() + first, low.begin() + end, nowhere);
+    std::fill(high.begin() + first, high.begin() + end, -nowhere);
+    for (const auto& line : lines)
+        for (int major = line.majors.first; major < line.majors.end; ++major) {
+            const double crossing = line.minor + (major - line.majors.first) * line.slope;
+            low[std::size_t(major)] = std::min(low[std::size_t(major)], crossing);
+            high[std::size_t(major)] = std::max(high[std::size_t(major)], crossing);
+        }
+}
+
+void findCrossings(const auto& lines, int major, std::vector<double>& crossings) {
+    crossings.clear();
+    for (const auto& line : lines)
+        if (major >= line.majors.first && major < line.majors.end)
+            crossings.push_back(line.minor + (major - line.majors.first) * line.slope);
+    std::ranges::sort(crossings);
+}
+
+}  // namespace
+
+ThrownFacets::ThrownFacets(const SurfaceFacets& facets, const Lanes& lanes, glm::dvec3 towardsSun,
+                           float nearestHitM)
+    : facets_(facets),
+      lanes_(lanes),
+      throwCells_(throwInCells(towardsSun, lanes.grid().cellM)),
+      nearestM_(nearestHitM * float(towardsSun.z)),
+      throws_(facets.facets.size()) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, throws_.size(), 1024), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) throws_[i] = thrownBy(facets_.facets[i]);
+    });
+    sortIntoBlocks();
+}
+
+// Most facets reach few blocks, and few facets a block.
+void ThrownFacets::sortIntoBlocks() {
+    ofBlock_.resize(std::size_t(lanes_.blocks()));
+    for (std::uint32_t i = 0; i < throws_.size(); ++i)
+        for (int block = throws_[i].firstBlock; block < throws_[i].endBlock; ++block)
+            ofBlock_[std::size_t(block)].push_back(i);
+}
+
+// Major and minor position.
+glm::dvec2 ThrownFacets::thrown(glm::dvec3 point) const {
+    const glm::dvec2 place = glm::dvec2(point.x, point.y) + point.z * throwCells_;
+    return lanes_.alongX() ? place : glm::dvec2(place.y, place.x);
+}
+
+// From below the point h metres up on the way to the sun is p - h throw, so the facet's plane gives h.
+ThrownFacets::Throw ThrownFacets::thrownBy(const SurfaceFacet& facet) const {
+    const glm::dvec3 n = facet.normal;
+    const double facing = n.z - n.x * throwCells_.x - n.y * throwCells_.y;
+    const double grazing = 1e-9 * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    if (std::abs(facing) <= grazing) return {};
+    glm::dvec2 low(nowhere), high(-nowhere);
+    double lowLane = nowhere, highLane = -nowhere;  // before the bend is rounded
+    for (const auto& edge : facets_.edgesOf(facet)) {
+        const glm::dvec2 place = thrown(edge[0]);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+        const double lane = place.y - lanes_.slope() * place.x - lanes_.firstLane();
+        lowLane = std::min(lowLane, lane);
+        highLane = std::max(highLane, lane);
+    }
+    if (facing > 0) {
+        const CellBox& box = facet.fromBehind;
+        low = glm::max(low, lanes_.alongX() ? box.low : glm::dvec2(box.low.y, box.low.x));
+        high = glm::min(high, lanes_.alongX() ? box.high : glm::dvec2(box.high.y, box.high.x));
+    }
+    Throw cast{.firstMajor = firstAtOrBeyond(low.x, lanes_.majors()),
+               .endMajor = firstAtOrBeyond(high.x, lanes_.majors()),
+               .firstMinor = firstAtOrBeyond(low.y, lanes_.minors()),
+               .endMinor = firstAtOrBeyond(high.y, lanes_.minors()),
+               .atOriginM = facet.offset / facing,
+               .perMajorM = -(lanes_.alongX() ? n.x : n.y) / facing,
+               .perMinorM = -(lanes_.alongX() ? n.y : n.x) / facing};
+    if (cast.firstMajor >= cast.endMajor || cast.firstMinor >= cast.endMinor) return {};
+    const auto blockOf = [&](double lane) {
+        return int(std::clamp(lane, 0.0, double(lanes_.count() - 1))) / Lanes::perBlock;
+    };
+    cast.firstBlock = blockOf(lowLane - 1);
+    cast.endBlock = blockOf(highLane + 1) + 1;
+    return cast;
+}
+
+void ThrownFacets::fill(int block, LaneSources& sources, int into) const {
+    const FlushDenormals flush;
+    NearestLevels levels(sources, into);
+    Scratch scratch;
+    scratch.low.resize(std::size_t(lanes_.majors()));
+    scratch.high.resize(scratch.low.size());
+    for (const std::uint32_t i : ofBlock_[std::size_t(block)]) {
+        findSpans(i, block, scratch);
+        levels.add(scratch.spans, {float(throws_[i].perMinorM), nearestM_, facets_.facets[i].building});
+    }
+    levels.finish();
+}
+
+// Of the polygon's part in the block; a lane's places lie within half a cell of its straight line.
+ThrownFacets::Range ThrownFacets::majorsInBlock(std::uint32_t facet, int block) const {
+    const double firstLane = block * Lanes::perBlock + lanes_.firstLane();
+    Strip strip{firstLane - 0.75, firstLane + Lanes::perBlock - 0.25};
+    const auto sheared = [&](glm::dvec3 point) {
+        const glm::dvec2 place = thrown(point);
+        return glm::dvec2(place.x, place.y - lanes_.slope() * place.x);
+    };
+    for (const auto& [a, b] : facets_.edgesOf(facets_.facets[facet])) strip.add(sheared(a), sheared(b));
+    const Throw& cast = throws_[facet];
+    return {std::max(cast.firstMajor, firstAtOrBeyond(strip.from, lanes_.majors())),
+            std::min(cast.endMajor, firstAtOrBeyond(strip.to + 1e-6, lanes_.majors()))};
+}
+
+void ThrownFacets::findSpans(std::uint32_t facet, int block, Scratch& scratch) const {
+    scratch.spans.clear();
+    const Range majors = majorsInBlock(facet, block);
+    if (majors.first >= majors.end) return;
+    const Throw& cast = throws_[facet];
+    findLines(facets_.facets[facet], majors, scratch.lines);
+    if (facets_.facets[facet].convex) {
+        findTwoCrossings(scratch.lines, majors.first, majors.end, scratch.low, scratch.high);
+        for (int major = majors.first; major < majors.end; ++major)
+            addSpan(cast, major, scratch.low[std::size_t(major)], scratch.high[std::size_t(major)], block,
+                    scratch.spans);
+        return;
+    }
+    for (int major = majors.first; major < majors.end; ++major) {
+        findCrossings(scratch.lines, major, scratch.crossings);
+        for (std::size_t k = 0; k + 1 < scratch.crossings.size(); k += 2)
+            addSpan(cast, major, scratch.crossings[k], scratch.crossings[k + 1], block, scratch.spans);
+    }
+}
+
+// Half-open, as core/city/crossing.h.
+void ThrownFacets::findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const {
+    lines.clear();
+    for (const auto& [from, to] : facets_.edgesOf(facet)) {
+        glm::dvec2 a = thrown(from), b = thrown(to);
+        if (a.x > b.x) std::swap(a, b);
+        const int first = std::max(majors.first, firstAtOrBeyond(a.x, lanes_.majors()));
+        const int end = std::min(majors.end, firstAtOrBeyond(b.x, lanes_.majors()));
+        if (first >= end) continue;
+        const double slope = (b.y - a.y) / (b.x - a.x);
+        lines.push_back({{first, end}, a.y + (first - a.x) * slope, slope});
+    }
+}
+
+void ThrownFacets::addSpan(const Throw& cast, int major, double low, double high, int block,
+                           std::vector<NearestLevels::Span>& spans) const {
+    const int lane0 = lanes_.minor(block * Lanes::perBlock, major);
+    const int first = std::max(firstAtOrBeyond(low, lanes_.minors()), cast.firstMinor) - lane0;
+    const int end = std::min(firstAtOrBeyond(high, lanes_.minors()), cast.endMinor) - lane0;
+    if (std::max(first, 0) >= std::min(end, Lanes::perBlock)) return;
+    spans.push_back({major, std::max(first, 0), std::min(end, Lanes::perBlock),
+                     float(cast.atOriginM + major * cast.perMajorM + lane0 * cast.perMinorM)});
+}
+
+}  // namespace noonmark

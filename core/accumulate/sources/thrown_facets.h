@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "core/accumulate/sources/nearest_levels.h"
+#include "core/accumulate/sources/source_finder.h"
+#include "core/accumulate/sources/surface_facets.h"
+
+namespace noonmark {
+
+/// What the facets of a city throw on flat ground at one instant: a polygon each, over which the height of
+/// the occluding point is linear. Filled block by block of lanes, a major position at a time.
+class ThrownFacets final : public SourceInstant {
+public:
+    /// `facets` and `lanes` outlive this; `facets` are in cells of the lanes' grid.
+    ThrownFacets(const SurfaceFacets& facets, const Lanes& lanes, glm::dvec3 towardsSun, float nearestHitM);
+
+    void fill(int block, LaneSources& sources, int into) const override;
+
+private:
+    /// One facet's polygon: the positions that it may cover, and the height above them.
+    struct Throw {
+        int firstMajor = 0, endMajor = 0;  // empty: nothing
+        int firstMinor = 0, endMinor = 0;
+        // Height of the occluding point: atOrigin + major x perMajor + minor x perMinor.
+        double atOriginM = 0, perMajorM = 0, perMinorM = 0;
+        int firstBlock = 0, endBlock = 0;
+    };
+    struct Range {
+        int first = 0;
+        int end = 0;
+    };
+    /// An edge of the polygon: the major positions that it passes, and where.
+    struct EdgeLine {
+        Range majors;
+        double minor = 0;  // at the first of them
+        double slope = 0;
+    };
+    /// Memory that is used again, facet after facet.
+    struct Scratch {
+        std::vector<EdgeLine> lines;
+        std::vector<double> low, high;  // by major position, of the two crossings there
+        std::vector<double> crossings;
+        std::vector<NearestLevels::Span> spans;
+    };
+
+    void sortIntoBlocks();
+    [[nodiscard]] Throw thrownBy(const SurfaceFacet& facet) const;
+    [[nodiscard]] glm::dvec2 thrown(glm::dvec3 point) const;
+    [[nodiscard]] Range majorsInBlock(std::uint32_t facet, int block) const;
+    void findSpans(std::uint32_t facet, int block, Scratch& scratch) const;
+    void findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const;
+    void addSpan(const Throw& cast, int major, double low, double high, int block,
+                 std::vector<NearestLevels::Span>& spans) const;
+
+    const SurfaceFacets& facets_;
+    const Lanes& lanes_;
+    glm::dvec2 throwCells_;  // x and y of the grid
+    float nearestM_;         // lowest height that counts
+    std::vector<Throw> throws_;
+    std::vector<std::vector<std::uint32_t>> ofBlock_;  // facets, ascending
+};
+
+}  // namespace noonmark
