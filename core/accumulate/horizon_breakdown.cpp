@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <limits>
 #include <new>
 
-#include "core/accumulate/horizon/bin_sweep.h"
 #include "core/accumulate/horizon/horizon_case.h"
+#include "core/accumulate/horizon/step_sums.h"
 #include "core/accumulate/reach.h"
 
 namespace noonmark {
@@ -19,60 +18,40 @@ namespace {
 
 constexpr int tileSide = 512;
 
-/// Sums of steps: for each set one a number, and for each building one a set.
-struct StepSums {
-    std::vector<std::vector<std::uint32_t>> cells;
-    std::vector<std::uint64_t> attributed, sole;  // building x sets + set
-
-    void begin(std::size_t sets, std::size_t numbers, std::size_t buildings) {
-        cells.assign(sets, std::vector<std::uint32_t>(numbers));
-        attributed.resize(sets * buildings);
-        sole.resize(sets * buildings);
-    }
+/// The receivers of a tile, as walls and as hanging parts look at them.
+struct Tile {
+    Tile(const Receivers& receivers, const TileBox& box, double datumM)
+        : blocks(receivers, box), grounds(receivers, blocks, datumM), open(receivers, blocks, datumM) {}
+    ReceiverBlocks blocks;
+    BlockGrounds grounds;
+    OpenTile open;
 };
-
-/// The steps of one bin in one set.
-struct SetTable {
-    std::size_t set;
-    HiddenSuns hidden;
-};
-
-// Tables of each bin for the sets that have steps there.
-std::vector<std::vector<SetTable>> tablesOf(const BinnedSun& binned, const StepSets& sets) {
-    std::vector<std::vector<std::vector<HorizonCode>>> suns(binned.bins.size());
-    for (auto& bin : suns) bin.resize(sets.names.size());
-    for (std::size_t i = 0; i < binned.places.size(); ++i)
-        suns[binned.places[i].bin][sets.ofStep[i]].push_back(binned.places[i].sun);
-    std::vector<std::vector<SetTable>> tables(suns.size());
-    for (std::size_t bin = 0; bin < suns.size(); ++bin)
-        for (std::size_t set = 0; set < suns[bin].size(); ++set) {
-            std::ranges::sort(suns[bin][set]);
-            if (!suns[bin][set].empty()) tables[bin].push_back({set, HiddenSuns(suns[bin][set])});
-        }
-    return tables;
-}
 
 class Breakdown {
 public:
-    Breakdown(const WallList& walls, const Receivers& receivers, const BinnedSun& binned,
-              const StepSets& sets, bool byBuilding, Progress& progress, std::stop_token stop)
+    /// All must outlive it.
+    Breakdown(const WallList& walls, const OpenTriangles& open, const Receivers& receivers,
+              const BinnedSun& binned, const StepSets& sets, bool byBuilding, Progress& progress,
+              std::stop_token stop)
         : walls_(walls),
+          open_(open),
           casters_(byBuilding ? walls.terrainNumber + 1 : 0),
           receivers_(receivers),
           binned_(binned),
-          tables_(tablesOf(binned, sets)),
+          tables_(setTables(binned, sets)),
           progress_(progress),
           stop_(std::move(stop)) {}
 
     Result<void> run(ShadowBreakdown& breakdown, double stepMinutes) {
         for (const TileBox& box : tilesOf(receivers_.grid, tileSide)) {
-            const ReceiverBlocks blocks(receivers_, box);
-            if (blocks.receivers() == 0) continue;
-            for (StepSums& sums : sums_) sums.begin(breakdown.sets.names.size(), blocks.numbers(), casters_);
-            sweep(blocks, {receivers_, blocks, walls_.datumM}, breakdown.sets.names.size());
+            const Tile tile(receivers_, box, walls_.datumM);
+            if (tile.blocks.receivers() == 0) continue;
+            for (Work& work : works_)
+                work.sums.begin(breakdown.sets.names.size(), tile.blocks.numbers(), casters_);
+            sweep(tile, breakdown.sets.names.size());
             if (stop_.stop_requested()) return cancelled();
-            for (const StepSums& sums : sums_) addCells(blocks, sums, breakdown);
-            receiversDone_ += blocks.receivers();
+            for (const Work& work : works_) addCells(tile.blocks, work.sums, breakdown);
+            receiversDone_ += tile.blocks.receivers();
         }
         for (auto& minutes : breakdown.minutes)
             for (float& value : minutes) value = float(double(value) * stepMinutes);
@@ -81,64 +60,63 @@ public:
     }
 
 private:
-    void sweep(const ReceiverBlocks& blocks, const BlockGrounds& grounds, std::size_t sets) {
+    /// Of one thread.
+    struct Work {
+        StepSums sums;
+        SquareSweep squares;
+        std::vector<HorizonCode> codes;
+        OpenSweep open;
+        TileRanks ranks;
+        OwnedGaps owned;
+    };
+
+    void sweep(const Tile& tile, std::size_t sets) {
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t bin) {
             if (stop_.stop_requested()) return;
-            StepSums& sums = sums_.local();
-            if (sums.cells.empty()) sums.begin(sets, blocks.numbers(), casters_);
-            sweepBin(blocks, grounds, bin, sums);
+            Work& work = works_.local();
+            if (!work.sums.begun()) work.sums.begin(sets, tile.blocks.numbers(), casters_);
+            casters_ > 0 ? rank(tile, bin, work) : sweep(tile, bin, work);
             const double share = double(++done) / double(binned_.bins.size());
-            progress_.report((double(receiversDone_) + share * double(blocks.receivers())) /
+            progress_.report((double(receiversDone_) + share * double(tile.blocks.receivers())) /
                                  double(receivers_.cells.size()),
                              "sweeping horizons");
         });
     }
 
-    void sweepBin(const ReceiverBlocks& blocks, const BlockGrounds& grounds, std::size_t number,
-                  StepSums& sums) {
+    void sweep(const Tile& tile, std::size_t number, Work& work) {
         const AzimuthBin& bin = binned_.bins[number];
-        const ShadowAxes axes(bin.away);
-        SquareSweep& squares = squares_.local();
-        squares.beginAll(walls_, bin.away, extentOf(blocks.box(), axes), bin.lowest(), receivers_.grid.cellM,
-                         stop_);
-        for (std::size_t i = 0; i < blocks.blocks().size() && !stop_.stop_requested(); ++i) {
-            const ReceiverBlocks::Block& block = blocks.blocks()[i];
-            const ReceiverBlocks::Masks& masks = blocks.masks(i, axes.swapped);
-            const BlockGround ground = grounds.of(i, axes.swapped);
-            const std::uint8_t* places = blocks.places(block, axes.swapped);
-            if (casters_ > 0) {
-                if (const RankedCodes* ranked = squares.rankedCodes(block, masks, ground))
-                    add(block, places, *ranked, tables_[number], sums);
-            } else if (const HorizonCode* codes = squares.codes(block, masks, ground)) {
-                for (const SetTable& table : tables_[number])
-                    for (std::uint32_t n = 0; n < block.count; ++n)
-                        sums.cells[table.set][block.first + n] += table.hidden(codes[places[n]]);
-            }
-        }
+        work.codes.resize(tile.blocks.numbers());
+        sweepBin(work.squares, walls_, tile.blocks, tile.grounds, bin.away, bin.lowest(),
+                 receivers_.grid.cellM, work.codes, stop_);
+        if (stop_.stop_requested()) return;
+        work.sums.add(tables_[number], work.codes);
+        if (!open_.empty())
+            work.sums.add(tables_[number], work.codes,
+                          work.open.intervals(viewOf(tile, bin), work.codes, stop_));
     }
 
-    static void add(const ReceiverBlocks::Block& block, const std::uint8_t* places, const RankedCodes& ranked,
-                    const std::vector<SetTable>& tables, StepSums& sums) {
-        const std::size_t sets = sums.cells.size();
-        for (std::uint32_t n = 0; n < block.count; ++n) {
-            const std::size_t place = places[n];
-            if (ranked.codes[place] == noHorizon) continue;
-            const std::size_t of = std::size_t(ranked.buildings[place]) * sets;
-            for (const SetTable& table : tables) {
-                const std::uint32_t hidden = table.hidden(ranked.codes[place]);
-                sums.cells[table.set][block.first + n] += hidden;
-                sums.attributed[of + table.set] += hidden;
-                sums.sole[of + table.set] += hidden - table.hidden(ranked.others[place]);
-            }
-        }
+    // What hangs below the horizon counts too where its building may have that horizon.
+    void rank(const Tile& tile, std::size_t number, Work& work) {
+        const AzimuthBin& bin = binned_.bins[number];
+        rankBin(work.squares, walls_, tile.blocks, tile.grounds, bin.away, bin.lowest(),
+                receivers_.grid.cellM, work.ranks, stop_);
+        if (stop_.stop_requested()) return;
+        work.sums.add(tables_[number], work.ranks);
+        if (!open_.empty())
+            work.sums.add(tables_[number], work.ranks,
+                          work.owned.intervals(open_, viewOf(tile, bin), work.ranks.others, stop_));
+    }
+
+    [[nodiscard]] OpenView viewOf(const Tile& tile, const AzimuthBin& bin) const {
+        return {open_.all, tile.open, bin.away, bin.lowest(), receivers_.grid.cellM};
     }
 
     static void addCells(const ReceiverBlocks& blocks, const StepSums& sums, ShadowBreakdown& breakdown) {
-        for (std::size_t set = 0; set < sums.cells.size(); ++set)
+        for (std::size_t set = 0; set < sums.sets(); ++set)
             for (std::size_t n = 0; n < blocks.numbers(); ++n)
                 if (blocks.cell(n) != ReceiverBlocks::padding)
-                    breakdown.minutes[set][blocks.cell(n)] += float(sums.cells[set][n]);
+                    breakdown.minutes[set][blocks.cell(n)] += float(sums.cells(set)[n]);
     }
 
     void addCasters(ShadowBreakdown& breakdown, double minM2AStep) {
@@ -155,24 +133,24 @@ private:
 
     BuildingShadow shadowOf(std::uint32_t caster, std::size_t sets, double minM2AStep) {
         BuildingShadow shadow{caster, std::vector<double>(sets), std::vector<double>(sets)};
-        for (const StepSums& sums : sums_)
+        for (const Work& work : works_)
             for (std::size_t set = 0; set < sets; ++set) {
-                shadow.attributedMinM2[set] += double(sums.attributed[caster * sets + set]) * minM2AStep;
-                shadow.soleMinM2[set] += double(sums.sole[caster * sets + set]) * minM2AStep;
+                shadow.attributedMinM2[set] += double(work.sums.attributed(caster, set)) * minM2AStep;
+                shadow.soleMinM2[set] += double(work.sums.sole(caster, set)) * minM2AStep;
             }
         return shadow;
     }
 
     const WallList& walls_;
+    const OpenTriangles& open_;
     std::size_t casters_;  // buildings and the terrain; 0: nobody asks
     const Receivers& receivers_;
     const BinnedSun& binned_;
-    std::vector<std::vector<SetTable>> tables_;
+    std::vector<SetTables> tables_;
     Progress& progress_;
     std::stop_token stop_;
     std::size_t receiversDone_ = 0;
-    tbb::enumerable_thread_specific<SquareSweep> squares_;
-    tbb::enumerable_thread_specific<StepSums> sums_;
+    tbb::enumerable_thread_specific<Work> works_;
 };
 
 ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const StepSets& sets) {
@@ -192,12 +170,12 @@ Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& rece
         return tl::make_unexpected(able.error());
     OpenParts open;
     const WallList walls = standingIn(city, buildingsInReach(city, receivers, sun), receivers, open);
-    if (!open.empty())
-        return failure("Months and contributions are of what stands on the ground, and a part in reach hangs",
-                       open.front()->sourceId, "Leave it out, or use other engines without them");
+    const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
+    if (!triangles) return tl::make_unexpected(triangles.error());
     const BinnedSun binned = binnedSun(sun, settings.sweep.binDeg);
     ShadowBreakdown breakdown = blank(receivers, sun, sets);
-    Breakdown work(walls, receivers, binned, sets, settings.byBuilding, progress, std::move(stop));
+    Breakdown work(walls, *triangles, receivers, binned, sets, settings.byBuilding, progress,
+                   std::move(stop));
     if (const auto done = work.run(breakdown, sun.stepMinutes); !done)
         return tl::make_unexpected(done.error());
     return breakdown;

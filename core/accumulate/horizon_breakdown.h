@@ -10,8 +10,8 @@ namespace noonmark {
 /// What one building does to the receivers, in each set of steps, minutes x m2 of the whole period.
 struct BuildingShadow {
     std::uint32_t building = 0;  ///< index in City::buildings
-    /// Of the shaded cell-minutes, those whose horizon it makes: those of all buildings and the terrain add
-    /// up to the total. Where two buildings make the same horizon one of them has it.
+    /// Of the shaded cell-minutes, those below the horizon that it makes and those above that its hanging
+    /// parts hide; of several that hide the same one has it. All and the terrain's add up to the total.
     std::vector<double> attributedMinM2;
     /// Cell-minutes that would be lit if only this building were gone, over the same receivers.
     std::vector<double> soleMinM2;
@@ -33,7 +33,7 @@ struct BreakdownSettings {
     bool byBuilding = false;  ///< some twice the time
 };
 
-/// From one horizon sweep (horizon_sweep.h: the same errors and refusals; and parts in reach that hang).
+/// From one horizon sweep (horizon_sweep.h: the same errors and refusals).
 /// `sets.ofStep`: one a step. The sum over all sets is the sweep's gross shadow, exactly.
 Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& receivers, const SunSteps& sun,
                                          const StepSets& sets, const BreakdownSettings& settings,

@@ -15,20 +15,6 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t mostOpenTriangles = 50'000;
-
-// Open parts cost much more than walls: for each triangle every cell that it may shade is looked at.
-Result<std::vector<OpenTriangle>> trianglesOf(const OpenParts& open, const Grid& grid, double datumM) {
-    std::vector<OpenTriangle> triangles;
-    for (const Part* part : open) addTriangles(*part, grid, datumM, triangles);
-    if (triangles.size() <= mostOpenTriangles) return triangles;
-    return failure(
-        fmt::format("The horizon sweep takes what stands on the ground and up to {} triangles of parts that "
-                    "hang, and in reach there are {}",
-                    mostOpenTriangles, triangles.size()),
-        "engine", "Choose projected shadows or the ray reference");
-}
-
 Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 double binDeg, Progress& progress, const std::stop_token& stop) {
     ShadowField field = blankField(receivers, sun);
@@ -36,7 +22,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
     OpenParts open;
     const WallList walls = standingIn(city, used, receivers, open);
-    const auto triangles = trianglesOf(open, receivers.grid, walls.datumM);
+    const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
     if (!triangles) return tl::make_unexpected(triangles.error());
     const BinnedSun binned = binnedSun(sun, binDeg);
     field.engine = fmt::format(
@@ -47,7 +33,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
-    PeriodSweep sweep(walls, *triangles, receivers, sun, binned, progress, stop);
+    PeriodSweep sweep(walls, triangles->all, receivers, sun, binned, progress, stop);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms and solids whose shadow cannot reach a tile (each x azimuth bins)"] =

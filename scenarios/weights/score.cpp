@@ -54,8 +54,8 @@ private:
         const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine);
         if (sweep != nullptr && pieces_.size() <= mostPiecesInSweep &&
             pieces_.size() * receivers_.grid.size() <= mostCellsInSweep)
-            if (auto score = inOneSweep(sweep->settings()); score || isCancelled(score.error())) return score;
-        return pieceByPiece(engine);  // parts that hang, which only the whole engine takes, too
+            return inOneSweep(sweep->settings());
+        return pieceByPiece(engine);
     }
 
     Result<Score> inOneSweep(const HorizonSweepSettings& settings) {

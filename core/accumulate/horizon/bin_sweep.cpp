@@ -86,6 +86,27 @@ std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const Receiver
     return sweep.outOfReach();
 }
 
+void rankBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
+             const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM, TileRanks& ranks,
+             const std::stop_token& stop) {
+    const ShadowAxes axes(away);
+    ranks.codes.assign(blocks.numbers(), noHorizon);
+    ranks.others.assign(blocks.numbers(), noHorizon);
+    ranks.buildings.resize(blocks.numbers());
+    sweep.beginAll(walls, away, extentOf(blocks.box(), axes), lowest, cellM, stop);
+    for (std::size_t i = 0; i < blocks.blocks().size() && !stop.stop_requested(); ++i) {
+        const ReceiverBlocks::Block& block = blocks.blocks()[i];
+        const RankedCodes* square =
+            sweep.rankedCodes(block, blocks.masks(i, axes.swapped), grounds.of(i, axes.swapped));
+        const std::uint8_t* places = blocks.places(block, axes.swapped);
+        for (std::uint32_t n = 0; square != nullptr && n < block.count; ++n) {
+            ranks.codes[block.first + n] = square->codes[places[n]];
+            ranks.others[block.first + n] = square->others[places[n]];
+            ranks.buildings[block.first + n] = std::uint32_t(square->buildings[places[n]]);
+        }
+    }
+}
+
 void SquareSweep::begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
                         const ShadowExtent& extent, HorizonCode lowest, double cellM) {
     begin(axes, lowest, cellM, true);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
 #include "core/accumulate/horizon/bin_walls.h"
@@ -65,5 +66,16 @@ ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes);
 std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
                        const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM,
                        std::span<HorizonCode> codes, const std::stop_token& stop);
+
+/// The horizons of a tile with who makes them, one a number.
+struct TileRanks {
+    std::vector<HorizonCode> codes, others;  ///< as in RankedCodes
+    std::vector<std::uint32_t> buildings;    ///< of codes that are not noHorizon
+};
+
+/// The same with who makes them: sizes and fills `ranks`.
+void rankBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& blocks,
+             const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM, TileRanks& ranks,
+             const std::stop_token& stop);
 
 }  // namespace noonmark

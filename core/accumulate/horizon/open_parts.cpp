@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/accumulate/ray_reference.h"
-#include "core/city/city.h"
 
 namespace noonmark {
 
@@ -31,79 +30,67 @@ Crossing crossing(const Corner& a, const Corner& b, double q) {
 
 }  // namespace
 
-void addTriangles(const Part& part, const Grid& grid, double datumM, std::vector<OpenTriangle>& triangles) {
-    const TriangleMesh mesh = part.mesh ? *part.mesh : meshOf(part);
-    const auto corner = [&](std::uint32_t index) {
-        const glm::dvec3 point(mesh.vertices[index]);
-        return glm::dvec3((point.x - grid.westM) / grid.cellM - 0.5,
-                          (point.y - grid.southM) / grid.cellM - 0.5, point.z - datumM);
-    };
-    for (const glm::uvec3& triangle : mesh.triangles)
-        triangles.push_back({corner(triangle.x), corner(triangle.y), corner(triangle.z)});
-}
-
-std::vector<Gap> OpenSweep::sweep(glm::dvec2 away, HorizonCode lowest, double cellM,
-                                  std::span<HorizonCode> codes, const std::stop_token& stop) {
-    const ShadowAxes axes(away);
-    alongPerMetre_ = axes.alongPerDistance / cellM;
-    lowest_ = lowest;
-    codes_ = codes;
-    lowestTan_ = double(steepnessOf(lowest) / (1 - steepnessOf(lowest)));
+std::span<const Gap> OpenSweep::intervals(const OpenView& view, std::span<const HorizonCode> horizons,
+                                          const std::stop_token& stop) {
+    view_ = &view;
+    axes_ = ShadowAxes(view.away);
+    alongPerMetre_ = axes_.alongPerDistance / view.cellM;
+    lowestTan_ = double(steepnessOf(view.lowest) / (1 - steepnessOf(view.lowest)));
+    findLines();
+    horizons_ = horizons;
     gaps_.clear();
     merged_ = 0;
-    for (const OpenTriangle& triangle : triangles_) {
+    for (const OpenTriangle& triangle : view.triangles) {
         if (stop.stop_requested()) return {};
-        add(triangle, axes);
+        add(triangle);
     }
     merge();
-    std::vector<Gap> open;
-    for (const Gap& gap : gaps_) {
-        HorizonCode& horizon = codes[gap.number];
-        // What begins a level above ends there too: the two are one but for rounding. And below the lowest
-        // sun there is nothing to see.
-        if (int(gap.low) <= std::max(int(horizon) + 1, int(lowest)))
-            horizon = std::max(horizon, gap.high);
-        else if (gap.high > horizon)
-            open.push_back(gap);
-    }
-    return open;
+    return gaps_;
 }
 
-void OpenSweep::add(const OpenTriangle& triangle, const ShadowAxes& axes) {
+void OpenSweep::findLines() {
+    const TileBox& box = view_->tile.box;
+    const double from = axes_.swapped ? box.firstColumn : box.firstRow,
+                 to = from + (axes_.swapped ? box.columns : box.rows) - 1;
+    lines_ = {std::max(std::min(axes_.sign * from, axes_.sign * to), std::ceil(view_->within.lowAlong)),
+              std::min(std::max(axes_.sign * from, axes_.sign * to), std::floor(view_->within.highAlong))};
+}
+
+void OpenSweep::add(const OpenTriangle& triangle) {
     for (std::size_t i = 0; i < 3; ++i) {
-        const ShadowAxes::Point point = axes.from(glm::dvec2(triangle[i]));
+        const ShadowAxes::Point point = axes_.from(glm::dvec2(triangle[i]));
         corners_[i] = {point.q, point.along, triangle[i].z * alongPerMetre_};
     }
     std::ranges::sort(corners_, {}, &Corner::q);
     const auto [near, far] = std::minmax({corners_[0].along, corners_[1].along, corners_[2].along});
     const double rise = std::max({corners_[0].rise, corners_[1].rise, corners_[2].rise});
     if (rise <= 0 || corners_[0].q >= corners_[2].q) return;
-    const double from = axes.swapped ? tile_.box.firstColumn : tile_.box.firstRow,
-                 to = from + (axes.swapped ? tile_.box.columns : tile_.box.rows) - 1;
-    const double tileLow = std::min(axes.sign * from, axes.sign * to),
-                 tileHigh = std::max(axes.sign * from, axes.sign * to);
-    const double first = std::max(std::ceil(near), tileLow),
-                 last = std::min(std::floor(far + rise / lowestTan_ + 1), tileHigh);
+    if (corners_[2].q <= view_->within.lowQ || corners_[0].q >= view_->within.highQ) return;
+    const double first = std::max(std::ceil(near), lines_.first),
+                 last = std::min(std::floor(far + rise / lowestTan_ + 1), lines_.last);
     for (double along = first; along <= last; ++along)
-        addLine(int(along), along > far ? codeAt(rise, along - far) : codeAt(1, 0), axes);
+        addLine(int(along), along > far ? codeAt(rise, along - far) : codeAt(1, 0));
     if (gaps_.size() - merged_ > gapsAMerge) merge();
 }
 
 // The cells of one line across whose shadow line meets the triangle: lowest q <= q < highest q. None of them
 // can see it higher than `most`, but for a level of rounding.
-void OpenSweep::addLine(int along, HorizonCode most, const ShadowAxes& axes) {
-    const double shift = axes.k * along;
-    const int low = axes.swapped ? tile_.box.firstRow : tile_.box.firstColumn,
-              count = axes.swapped ? tile_.box.rows : tile_.box.columns;
-    const double first = std::max(std::ceil(corners_[0].q + shift), double(low)),
-                 end = std::min(std::ceil(corners_[2].q + shift), double(low + count));
-    const int line = int(axes.sign) * along;
+void OpenSweep::addLine(int along, HorizonCode most) {
+    const OpenTile& tile = view_->tile;
+    const double shift = axes_.k * along;
+    const int low = axes_.swapped ? tile.box.firstRow : tile.box.firstColumn,
+              count = axes_.swapped ? tile.box.rows : tile.box.columns;
+    const double lowQ = std::max(corners_[0].q, view_->within.lowQ),
+                 highQ = std::min(corners_[2].q, view_->within.highQ);
+    const double first = std::max(std::ceil(lowQ + shift), double(low)),
+                 end = std::min(std::ceil(highQ + shift), double(low + count));
+    const int line = int(axes_.sign) * along;
     for (int across = int(first); across < end; ++across) {
-        const int column = axes.swapped ? line : across, row = axes.swapped ? across : line;
+        const int column = axes_.swapped ? line : across, row = axes_.swapped ? across : line;
         const std::int32_t number =
-            tile_.numbers[std::size_t(row - tile_.box.firstRow) * std::size_t(tile_.box.columns) +
-                          std::size_t(column - tile_.box.firstColumn)];
-        if (number >= 0 && codes_[std::size_t(number)] <= most) addCell(number, across - shift, along);
+            tile.numbers[std::size_t(row - tile.box.firstRow) * std::size_t(tile.box.columns) +
+                         std::size_t(column - tile.box.firstColumn)];
+        if (number >= 0 && horizons_[std::size_t(number)] <= most) addCell(number, across - shift, along);
     }
 }
 
@@ -114,8 +101,8 @@ void OpenSweep::addCell(std::int32_t number, double q, double along) {
     const Crossing near = a.along > b.along ? a : b, far = a.along > b.along ? b : a;
     const double toNear = along - near.along, toFar = along - far.along;
     if (toFar <= onTheWall) return;
-    const double ground =
-        tile_.groundsM.empty() ? 0 : double(tile_.groundsM[std::size_t(number)]) * alongPerMetre_;
+    const std::vector<float>& grounds = view_->tile.groundsM;
+    const double ground = grounds.empty() ? 0 : double(grounds[std::size_t(number)]) * alongPerMetre_;
     // Over the receiver itself: everything up to the zenith.
     const bool over = toNear <= 0 && (near.rise * toFar - far.rise * toNear) / (toFar - toNear) > ground;
     const HorizonCode atNear = toNear > 0 ? codeAt(near.rise - ground, toNear)
@@ -124,25 +111,13 @@ void OpenSweep::addCell(std::int32_t number, double q, double along) {
                       atFar = codeAt(far.rise - ground, toFar);
     const HorizonCode low = std::min(atNear, atFar), high = std::max(atNear, atFar);
     // Below the horizon it changes nothing: what it would join begins at the horizon or below, too.
-    if (high > std::max(lowest_, codes_[std::size_t(number)]))
+    if (high > std::max(view_->lowest, horizons_[std::size_t(number)]))
         gaps_.push_back({std::uint32_t(number), low, high});
 }
 
-// By receiver and from below; those that meet become one.
 void OpenSweep::merge() {
-    std::ranges::sort(gaps_, [](const Gap& a, const Gap& b) {
-        return a.number != b.number ? a.number < b.number : a.low < b.low;
-    });
-    std::size_t kept = 0;
-    for (const Gap& gap : gaps_) {
-        Gap* last = kept > 0 ? &gaps_[kept - 1] : nullptr;
-        if (last != nullptr && last->number == gap.number && int(gap.low) <= int(last->high) + 1)
-            last->high = std::max(last->high, gap.high);
-        else
-            gaps_[kept++] = gap;
-    }
-    gaps_.resize(kept);
-    merged_ = kept;
+    merge_.run(gaps_, horizons_.size());
+    merged_ = gaps_.size();
 }
 
 OpenTile::OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)

@@ -19,11 +19,6 @@ void copyLanes(const BinCodes& codes, std::size_t first, std::vector<RunLanes>& 
     }
 }
 
-std::span<const Gap> of(std::uint32_t number, std::span<const Gap> gaps) {
-    const auto own = std::ranges::equal_range(gaps, number, {}, &Gap::number);
-    return {own.begin(), own.end()};
-}
-
 void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& visit) {
     const std::size_t first = part * lanesARun, end = std::min(first + lanesARun, blocks.numbers());
     for (std::size_t number = first; number < end; ++number)
@@ -59,7 +54,7 @@ void PeriodCount::writeOpenRuns(const ReceiverBlocks& blocks, const BinCodes& co
         if (stop.stop_requested()) return;
         const std::uint32_t number = numbers[i];
         std::vector<std::span<const Gap>> own;
-        for (const auto& bin : gaps) own.push_back(of(number, bin));
+        for (const auto& bin : gaps) own.push_back(gapsOf(number, bin));
         const int longest = runs_.ofOne([&](const StepPlace& place) {
             return codes[place.bin][number] > place.sun ||
                    std::ranges::any_of(own[place.bin], [&](const Gap& gap) {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/gaps.h"
 #include "core/accumulate/horizon/longest_runs.h"
-#include "core/accumulate/horizon/open_parts.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
 #include "core/accumulate/shadow_field.h"
 

@@ -106,7 +106,9 @@ void PeriodSweep::sweep(std::size_t bin, TileWork& work) {
     outOfReach_.local() += sweepBin(sweeps_.local(), walls_, work.blocks, work.grounds, of.away, of.lowest(),
                                     cellM, codes, stop_);
     if (!open_.empty())
-        gaps_[bin] = OpenSweep(open_, work.open).sweep(of.away, of.lowest(), cellM, codes, stop_);
+        gaps_[bin] = openAbove(
+            openSweeps_.local().intervals({open_, work.open, of.away, of.lowest(), cellM}, codes, stop_),
+            of.lowest(), count_.hidden(bin), codes);
     if (stop_.stop_requested()) return;
     count_.addHidden(bin, codes, work.sums.local());
     count_.addHidden(bin, gaps_[bin], work.sums.local());

@@ -60,7 +60,7 @@ Result<void> addStandingWalls(const Building& building, std::uint32_t number, co
         if (open == nullptr && part.mesh) return notStanding(building, part, "is a general mesh");
         if (open == nullptr && part.hangs) return notStanding(building, part, "has open air below it");
         if (part.hangs)
-            open->push_back(&part);
+            open->push_back({&part, number});
         else if (part.mesh)
             list.solids.push_back(standingSolid(*part.mesh, number, grid, list.datumM));
         else

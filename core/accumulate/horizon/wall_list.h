@@ -46,8 +46,12 @@ struct WallList {
     }
 };
 
-/// What walls cannot describe: parts that hang or are general meshes. Not owned.
-using OpenParts = std::vector<const Part*>;
+/// What walls cannot describe: a part that hangs.
+struct OpenPart {
+    const Part* part;        ///< not owned
+    std::uint32_t building;  ///< as its adder numbers them
+};
+using OpenParts = std::vector<OpenPart>;
 
 /// Adds the parts of a building, each taken from the ground up. A part that starts on another of its
 /// building is taken so too: what is below it is solid. Parts that hang go to `open`, general meshes that

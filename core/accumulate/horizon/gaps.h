@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/sort_by_number.h"
+
+namespace noonmark {
+
+/// Suns that a receiver does not see though they stand above its horizon: low <= code < high.
+struct Gap {
+    std::uint32_t number;  ///< of the receiver
+    HorizonCode low, high;
+};
+
+/// Those of one receiver, of gaps by number. O(log gaps).
+inline std::span<const Gap> gapsOf(std::uint32_t number, std::span<const Gap> gaps) {
+    const auto own = std::ranges::equal_range(gaps, number, {}, &Gap::number);
+    return {own.begin(), own.end()};
+}
+
+/// Makes gaps those of each receiver, by number and from below, joined where they meet.
+class GapMerge {
+public:
+    /// `numbers`: all are below.
+    void run(std::vector<Gap>& gaps, std::size_t numbers);
+
+private:
+    NumberSort<Gap> sort_;
+};
+
+/// Raises horizons where gaps hide all from there up, and returns the rest, without those that hold no sun of
+/// the bin. `gaps`: joined. `codes`: one a number.
+std::vector<Gap> openAbove(std::span<const Gap> gaps, HorizonCode lowest, const HiddenSuns& hidden,
+                           std::span<HorizonCode> codes);
+
+/// Calls visit(own) for the gaps of each receiver that has any. `gaps`: by number.
+template <class T, class Visit>
+void forEachReceiver(std::span<const T> gaps, const Visit& visit) {
+    for (std::size_t first = 0, end = 0; first < gaps.size(); first = end) {
+        while (end < gaps.size() && gaps[end].number == gaps[first].number) ++end;
+        visit(gaps.subspan(first, end - first));
+    }
+}
+
+/// Calls visit(gap, from) for each gap that reaches above all that the horizon and the gaps before it hide:
+/// it adds the levels [from, gap.high). What begins a level above something that hides begins where that
+/// ends: the two are one but for rounding. `gaps`: of one receiver, from below, joined or not; they may hold
+/// more than a horizon.
+template <class Gaps, class Visit>
+void forEachAdded(HorizonCode horizon, Gaps&& gaps, const Visit& visit) {
+    HorizonCode hidden = horizon;
+    for (const auto& gap : gaps) {
+        if (gap.high <= hidden) continue;
+        visit(gap, int(gap.low) <= int(hidden) + 1 ? hidden : gap.low);
+        hidden = gap.high;
+    }
+}
+
+/// How many suns gaps hide above the horizon. `hiddenBelow(code)`: suns below.
+template <class Gaps, class HiddenBelow>
+std::uint32_t hiddenIn(HorizonCode horizon, const Gaps& gaps, const HiddenBelow& hiddenBelow) {
+    std::uint32_t hidden = 0;
+    forEachAdded(horizon, gaps, [&](const auto& gap, HorizonCode from) {
+        hidden += hiddenBelow(gap.high) - hiddenBelow(from);
+    });
+    return hidden;
+}
+
+}  // namespace noonmark
