@@ -212,11 +212,11 @@ void KeptTile::writeRuns(const BinnedSun& binned, const PeriodCount& count, Shad
                          const std::stop_token& stop) {
     BinCodes codes;
     for (const AzimuthBin& bin : binned.bins) codes.push_back(bins_[bin.number].codes);
-    tbb::enumerable_thread_specific<std::vector<RunLanes>> lanes;
+    tbb::enumerable_thread_specific<RunMemory> memory;
     tbb::parallel_for(std::size_t{0}, partsOf(blocks_), [&](std::size_t part) {
         if (stop.stop_requested() || count_.runsAreOld[part] == 0) return;
         if (hasReceivers(blocks_, part))
-            noonmark::writeRuns(blocks_, part, count.longestRuns(codes, part, lanes.local()), field);
+            noonmark::writeRuns(blocks_, part, count.longestRuns(codes, {}, part, memory.local()), field);
         count_.runsAreOld[part] = 0;
     });
 }

@@ -1,7 +1,5 @@
 #include "core/accumulate/horizon/period_count.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 namespace noonmark {
@@ -16,6 +14,42 @@ void copyLanes(const BinCodes& codes, std::size_t first, std::vector<RunLanes>& 
         const HorizonCode* from = codes[bin].data() + first;
         std::copy(from, from + count, lanes[bin].values);
         std::fill(lanes[bin].values + count, lanes[bin].values + lanesARun, noHorizon);
+    }
+}
+
+// Gaps that begin at the horizon raise it; the others are listed, bin by bin.
+void addGaps(const BinGaps& gaps, std::size_t first, RunMemory& memory) {
+    memory.open.clear();
+    for (std::size_t bin = 0; bin < gaps.size(); ++bin) {
+        const auto from = std::ranges::lower_bound(gaps[bin], first, {}, &Gap::number);
+        const auto end = std::ranges::lower_bound(from, gaps[bin].end(), first + lanesARun, {}, &Gap::number);
+        forEachReceiver(std::span<const Gap>(from, end), [&](std::span<const Gap> own) {
+            const auto lane = std::uint32_t(own.front().number - first);
+            HorizonCode& horizon = memory.lanes[bin].values[lane];
+            forEachAdded(horizon, own, [&](const Gap& gap, HorizonCode low) {
+                if (low == horizon)
+                    horizon = gap.high;
+                else
+                    memory.open.push_back({std::uint16_t(bin), {lane, low, gap.high}});
+            });
+        });
+    }
+}
+
+// `open`: by lane.
+void forEachLane(std::span<const OpenGap> open, const auto& visit) {
+    for (std::size_t first = 0, end = 0; first < open.size(); first = end) {
+        while (end < open.size() && open[end].gap.number == open[first].gap.number) ++end;
+        visit(open[first].gap.number, open.subspan(first, end - first));
+    }
+}
+
+// `own`: by bin.
+void setBins(std::span<const OpenGap> own, std::vector<std::span<const OpenGap>>& ofBin) {
+    std::ranges::fill(ofBin, std::span<const OpenGap>());
+    for (std::size_t first = 0, end = 0; first < own.size(); first = end) {
+        while (end < own.size() && own[end].bin == own[first].bin) ++end;
+        ofBin[own[first].bin] = own.subspan(first, end - first);
     }
 }
 
@@ -42,33 +76,33 @@ void PeriodCount::addHidden(std::size_t bin, std::span<const Gap> gaps, std::spa
     for (const Gap& gap : gaps) sums[gap.number] += hidden_[bin](gap.high) - hidden_[bin](gap.low);
 }
 
-void PeriodCount::writeOpenRuns(const ReceiverBlocks& blocks, const BinCodes& codes,
-                                const std::vector<std::vector<Gap>>& gaps, ShadowField& field,
-                                const std::stop_token& stop) const {
-    std::vector<std::uint32_t> numbers;
-    for (const auto& bin : gaps)
-        for (const Gap& gap : bin) numbers.push_back(gap.number);
-    std::ranges::sort(numbers);
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    tbb::parallel_for(std::size_t{0}, numbers.size(), [&](std::size_t i) {
-        if (stop.stop_requested()) return;
-        const std::uint32_t number = numbers[i];
-        std::vector<std::span<const Gap>> own;
-        for (const auto& bin : gaps) own.push_back(gapsOf(number, bin));
-        const int longest = runs_.ofOne([&](const StepPlace& place) {
-            return codes[place.bin][number] > place.sun ||
-                   std::ranges::any_of(own[place.bin], [&](const Gap& gap) {
-                       return gap.low <= place.sun && place.sun < gap.high;
-                   });
-        });
-        field.continuousMin[blocks.cell(number)] = float(longest * field.stepMinutes);
-    });
+RunLanes PeriodCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                                  RunMemory& memory) const {
+    copyLanes(codes, part * lanesARun, memory.lanes);
+    addGaps(gaps, part * lanesARun, memory);
+    RunLanes longest = runs_.of(memory.lanes);
+    if (!memory.open.empty()) walkOpen(memory, longest);
+    return longest;
 }
 
-RunLanes PeriodCount::longestRuns(const BinCodes& codes, std::size_t part,
-                                  std::vector<RunLanes>& lanes) const {
-    copyLanes(codes, part * lanesARun, lanes);
-    return runs_.of(lanes);
+// Were all below the gaps hidden too, runs would be no shorter: where that changes nothing, gaps do not.
+void PeriodCount::walkOpen(RunMemory& memory, RunLanes& longest) const {
+    std::vector<RunLanes> filled = memory.lanes;
+    for (const auto& [bin, gap] : memory.open)
+        filled[bin].values[gap.number] = std::max(filled[bin].values[gap.number], gap.high);
+    const RunLanes most = runs_.of(filled);
+    std::ranges::stable_sort(memory.open, {}, [](const OpenGap& open) { return open.gap.number; });
+    std::vector<std::span<const OpenGap>> ofBin(memory.lanes.size());
+    forEachLane(memory.open, [&](std::size_t lane, std::span<const OpenGap> own) {
+        if (most.values[lane] == longest.values[lane]) return;
+        setBins(own, ofBin);
+        longest.values[lane] = std::int16_t(runs_.ofOne([&](const StepPlace& place) {
+            return memory.lanes[place.bin].values[lane] > place.sun ||
+                   std::ranges::any_of(ofBin[place.bin], [&](const OpenGap& open) {
+                       return open.gap.low <= place.sun && place.sun < open.gap.high;
+                   });
+        }));
+    });
 }
 
 void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,

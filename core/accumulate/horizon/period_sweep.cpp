@@ -137,13 +137,13 @@ void PeriodSweep::count(const ReceiverBlocks& blocks, const TileHorizons& horizo
                         ShadowField& field) {
     BinCodes codes;
     for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin) codes.push_back(horizons.of(bin));
+    const BinGaps gaps(gaps_.begin(), gaps_.end());
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, partsOf(blocks), [&](std::size_t part) {
         if (stop_.stop_requested()) return;
-        writeMinutes(blocks, part, hidden, count_.longestRuns(codes, part, lanes_.local()), field);
+        writeMinutes(blocks, part, hidden, count_.longestRuns(codes, gaps, part, runMemory_.local()), field);
         report(blocks, 0.8 + 0.2 * double(++done) / double(partsOf(blocks)));
     });
-    if (!open_.empty()) count_.writeOpenRuns(blocks, codes, gaps_, field, stop_);
 }
 
 void PeriodSweep::report(const ReceiverBlocks& blocks, double fraction) {

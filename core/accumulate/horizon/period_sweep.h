@@ -55,7 +55,7 @@ private:
     bool oneTile_ = true;
     tbb::enumerable_thread_specific<SquareSweep> sweeps_;
     tbb::enumerable_thread_specific<OpenSweep> openSweeps_;
-    tbb::enumerable_thread_specific<std::vector<RunLanes>> lanes_;
+    tbb::enumerable_thread_specific<RunMemory> runMemory_;
     tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};
 };
 
