@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "app/window/mesh_fields.h"
 #include "app/window/number_fields.h"
 
 namespace noonmark {
@@ -26,14 +27,6 @@ QLineEdit* textField(const QString& whenEmpty) {
 std::string textIn(const QLineEdit& field) { return field.text().trimmed().toStdString(); }
 
 void showText(QLineEdit& field, const std::string& text) { field.setText(QString::fromStdString(text)); }
-
-void addUnits(QComboBox& field) {
-    field.addItem(QObject::tr("metres"), int(LengthUnit::metres));
-    field.addItem(QObject::tr("feet"), int(LengthUnit::feet));
-    field.addItem(QObject::tr("US survey feet"), int(LengthUnit::usSurveyFeet));
-}
-
-void choose(QComboBox& field, int data) { field.setCurrentIndex(field.findData(data)); }
 
 }  // namespace
 
@@ -58,11 +51,8 @@ void ReadingForm::makeFields() {
     crs_ = textField(tr("as in the file (example: EPSG:2263)"));
     lod_ = textField(tr("the highest"));
     farAway_ = numberField(100, 200000, 0, 1000, tr(" m"));
-    upAxis_ = new QComboBox;
-    upAxis_->addItem(tr("Y"), int(UpAxis::y));
-    upAxis_->addItem(tr("Z"), int(UpAxis::z));
-    meshUnit_ = new QComboBox;
-    addUnits(*meshUnit_);
+    upAxis_ = upAxisField();
+    meshUnit_ = meshUnitField();
     meshNorth_ = numberField(-360, 360, 4, 1, tr("°"));
     anchored_ = new QCheckBox(tr("The origin stands at"));
     longitude_ = numberField(-180, 180, 7, 0.001, tr("° east"));
@@ -139,8 +129,6 @@ void ReadingForm::tell() {
     add(farAway_, "farAway",
         tr("What lies further from the middle of the data is left out, with a warning; metres, 100 to "
            "200000"));
-    add(upAxis_, "upAxis", tr("Y is usual in OBJ and glTF, Z in models from GIS and CAD"));
-    add(meshUnit_, "meshUnit", tr("Unit of the mesh's coordinates, which the file does not say"));
     add(meshNorth_, "meshNorth",
         tr("Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360"));
     add(anchored_, "anchored",

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFocusEvent>
@@ -271,6 +272,32 @@ TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
     tools.tower().begin(lots.front(), {});
     EXPECT_TRUE(tools.tower().active());
     EXPECT_FALSE(tools.mesh().active());
+}
+
+TEST_F(EditToolsTest, AMeshStandsUprightWithTheAxisAndUnitThatAreSaid) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("spire.obj"));
+    std::ofstream(file.toStdString()) << "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 100\n"
+                                         "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    tools.mesh().begin(file);
+    ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 10000));
+    tools.mesh().placeAt({0, 200});
+    const auto pick = [this](const char* name, int item) {
+        QComboBox& combo = field<QComboBox>(tools.dock(), name);
+        combo.setCurrentIndex(item);
+        Q_EMIT combo.activated(item);
+    };
+    const auto shownHeight = [this] {
+        const auto& built = tools.desk().preview.changes().added;
+        return built.empty() ? 0 : double(topM(*built.back()));
+    };
+    EXPECT_NEAR(shownHeight(), 10, 1e-3) << "Y is up";
+    pick("upAxis", 1);
+    ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 100) < 1e-3; }, 10000));
+    pick("meshUnit", 1);
+    ASSERT_TRUE(waitFor([&] { return std::abs(shownHeight() - 30.48) < 1e-3; }, 10000));
+    tools.mesh().build();
+    EXPECT_NEAR(double(topM(*lastEdit<ImportMesh>().shape)), 30.48, 1e-3);
 }
 
 TEST_F(EditToolsTest, AMassingThatCannotBeSaysItsLimitAndIsNotBuilt) {

@@ -23,27 +23,42 @@ std::string freeId(const City& city, const std::string& wanted) {
 MeshPlacing::MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent)
     : QObject(parent), desk_(desk), panel_(panel) {
     connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
+    connect(&panel_, &PlacingPanel::readingEdited, this, &MeshPlacing::read);
     connect(&panel_, &PlacingPanel::applied, this, &MeshPlacing::build);
     connect(&panel_, &PlacingPanel::cancelled, this, &MeshPlacing::cancel);
 }
 
 void MeshPlacing::begin(const QString& file) {
     if (!desk_.city) return;
-    const std::string id = freeId(desk_.city->city(), QFileInfo(file).completeBaseName().toStdString());
-    reading_.start<ImportMesh>(
-        tr("Reading %1").arg(QFileInfo(file).fileName()),
-        [file = file.toStdString(), id, frame = desk_.city->city().frame](Progress& progress,
-                                                                          std::stop_token stop) {
+    mesh_.reset();
+    place_.reset();
+    file_ = file;
+    read();
+}
+
+void MeshPlacing::read() {
+    const std::string id = freeId(desk_.city->city(), QFileInfo(file_).completeBaseName().toStdString());
+    reading_.start<Read>(
+        tr("Reading %1").arg(QFileInfo(file_).fileName()),
+        [file = file_.toStdString(), id, settings = panel_.reading(), frame = desk_.city->city().frame](
+            Progress& progress, std::stop_token stop) {
             Warnings warnings;
-            return readShape(file, id, {}, frame, warnings, progress, std::move(stop));
+            return readShape(file, id, settings, frame, warnings, progress, std::move(stop))
+                .map([&](ImportMesh mesh) {
+                    return Read{std::move(mesh), warnings};
+                });
         },
-        [this](Result<ImportMesh> mesh) {
-            if (!mesh) return Q_EMIT failed(mesh.error());
-            mesh_ = *std::move(mesh);
-            place_.reset();
-            Q_EMIT began();
-            panel_.begin(QString::fromStdString(mesh_->file));
-        });
+        [this](Result<Read> read) { take(std::move(read)); });
+}
+
+void MeshPlacing::take(Result<Read> read) {
+    if (!read) return Q_EMIT failed(read.error());
+    const bool first = !mesh_.has_value();
+    mesh_ = std::move(read->mesh);
+    if (first) Q_EMIT began();
+    if (first) panel_.begin(QString::fromStdString(mesh_->file));
+    panel_.showWarnings(read->warnings);
+    show();
 }
 
 void MeshPlacing::placeAt(glm::dvec2 ground) {

@@ -30,8 +30,16 @@ Q_SIGNALS:
     void failed(noonmark::Error error);
 
 private:
+    struct Read {
+        ImportMesh mesh;
+        Warnings warnings;
+    };
+    void read();
+    void take(Result<Read> read);
+
     EditDesk& desk_;
     PlacingPanel& panel_;
+    QString file_;
     std::optional<ImportMesh> mesh_;
     std::optional<glm::dvec2> place_;
     JobSlot reading_;

@@ -1,5 +1,6 @@
 #include "app/window/massing/placing_panel.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -7,6 +8,7 @@
 #include <QPushButton>
 
 #include "app/window/massing/figure_words.h"
+#include "app/window/mesh_fields.h"
 #include "app/window/number_fields.h"
 
 namespace noonmark {
@@ -14,11 +16,14 @@ namespace noonmark {
 PlacingPanel::PlacingPanel(QWidget* parent)
     : QWidget(parent),
       what_(new QLabel),
+      warnings_(new QLabel),
+      upAxis_(upAxisField()),
+      unit_(meshUnitField()),
       scale_(numberField(0.001, 1000, 3, 0.1, {})),
       turn_(numberField(-360, 360, 1, 5, QStringLiteral("°"))),
       apply_(new QPushButton(tr("Build"))) {
-    what_->setWordWrap(true);
-    scale_->setToolTip(tr("Of all three axes: 0.3048 for a mesh in feet"));
+    for (QLabel* words : {what_, warnings_}) words->setWordWrap(true);
+    scale_->setToolTip(tr("Of all three axes"));
     turn_->setToolTip(tr("Clockwise, seen from above"));
     apply_->setObjectName(QStringLiteral("applyMesh"));
     apply_->setToolTip(tr("Puts it into the scenario (Enter over the view)"));
@@ -29,9 +34,14 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(what_);
+    form->addRow(tr("Axis that points up"), upAxis_);
+    form->addRow(tr("Unit"), unit_);
     form->addRow(tr("Scale"), scale_);
     form->addRow(tr("Turned"), turn_);
+    form->addRow(warnings_);
     form->addRow(buttons);
+    for (QComboBox* field : {upAxis_, unit_})
+        connect(field, &QComboBox::activated, this, &PlacingPanel::readingEdited);
     for (QDoubleSpinBox* field : {scale_, turn_})
         connect(field, &QDoubleSpinBox::valueChanged, this, &PlacingPanel::edited);
     connect(apply_, &QPushButton::clicked, this, &PlacingPanel::applied);
@@ -49,6 +59,22 @@ void PlacingPanel::begin(const QString& file) {
 void PlacingPanel::showPlaced(double heightM) {
     apply_->setEnabled(true);
     what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, grouped(heightM, 1)));
+}
+
+void PlacingPanel::showWarnings(const Warnings& warnings) {
+    QStringList lines;
+    for (const WarningGroup& group : grouped(warnings)) lines << QString::fromStdString(lineOf(group));
+    warnings_->setText(lines.mid(0, 1).join(QString()) +
+                       (lines.size() > 1 ? tr(" (and %1 more)").arg(lines.size() - 1) : QString()));
+    warnings_->setToolTip(lines.join(QLatin1Char('\n')));
+    warnings_->setVisible(!lines.isEmpty());
+}
+
+ReadSettings PlacingPanel::reading() const {
+    ReadSettings settings;
+    settings.upAxis = UpAxis(upAxis_->currentData().toInt());
+    settings.meshUnit = LengthUnit(unit_->currentData().toInt());
+    return settings;
 }
 
 double PlacingPanel::scale() const { return scale_->value(); }

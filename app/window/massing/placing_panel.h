@@ -2,30 +2,39 @@
 
 #include <QWidget>
 
+#include "core/io/read_city.h"
+
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace noonmark {
 
-/// Scale and turn of a mesh that is being placed; the place itself is clicked in the view.
+/// How a mesh that is being placed is read, scaled and turned; the place itself is clicked in the view.
 class PlacingPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit PlacingPanel(QWidget* parent = nullptr);
 
     void begin(const QString& file);
-    void showPlaced(double heightM);  ///< it stands somewhere, so that it can be built
+    void showPlaced(double heightM);              ///< it stands somewhere, so that it can be built
+    void showWarnings(const Warnings& warnings);  ///< of reading it
+    [[nodiscard]] ReadSettings reading() const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double clockwiseDeg() const;
 
 Q_SIGNALS:
     void edited();
+    void readingEdited();
     void applied();
     void cancelled();
 
 private:
     QLabel* what_;
+    QLabel* warnings_;
+    QComboBox* upAxis_;
+    QComboBox* unit_;
     QDoubleSpinBox* scale_;
     QDoubleSpinBox* turn_;
     QPushButton* apply_;
