@@ -2,27 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <QPageLayout>
-#include <QPageSize>
 #include <QPdfWriter>
 #include <algorithm>
 
 #include "app/bench/comparison_painter.h"
 #include "app/bench/finding_block.h"
 #include "app/report/headline.h"
+#include "app/report/pdf_page.h"
 #include "app/report/study_words.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int dotsPerInch = 1200;
-constexpr double pageWidthPt = 595.28;  // A4
-constexpr double pageHeightPt = 841.89;
-constexpr double sidePt = 40;
-constexpr double topPt = 36;
 constexpr double bottomPt = 40;
-constexpr double contentPt = pageWidthPt - 2 * sidePt;
 constexpr double summaryPt = 7.8;
 constexpr double extentPt = 7;
 constexpr double gapPt = 18;  // between the blocks of a page
@@ -32,7 +25,7 @@ constexpr double highestChartPt = 330;
 class BenchPages {
 public:
     BenchPages(QPdfWriter& writer, QPainter& painter, const bench::BenchReport& report)
-        : writer_(writer), canvas_{painter, dotsPerInch / 72.0}, report_(report), inks_(report.findings) {}
+        : writer_(writer), canvas_(pdfCanvas(painter)), report_(report), inks_(report.findings) {}
 
     void paint() {
         paintFirst();
@@ -105,11 +98,7 @@ private:
 
 bool writeBenchPages(const bench::BenchReport& report, QIODevice& device) {
     QPdfWriter writer(&device);
-    writer.setResolution(dotsPerInch);
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer.setTitle(QString::fromStdString(report.title));
-    writer.setCreator(programWords());
+    beginPdf(writer, QString::fromStdString(report.title));
     QPainter painter;
     if (!painter.begin(&writer)) return false;
     BenchPages(writer, painter, report).paint();

@@ -1,7 +1,5 @@
 #include "app/report/study_report.h"
 
-#include <QPageLayout>
-#include <QPageSize>
 #include <QPdfWriter>
 #include <algorithm>
 #include <limits>
@@ -11,19 +9,14 @@
 #include "app/report/headline.h"
 #include "app/report/legend_painter.h"
 #include "app/report/map_painter.h"
+#include "app/report/pdf_page.h"
 #include "app/report/report_sections.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int dotsPerInch = 1200;
-constexpr double pageWidthPt = 595.28;  // A4
-constexpr double pageHeightPt = 841.89;
-constexpr double sidePt = 40;
-constexpr double topPt = 36;
 constexpr double bottomPt = 24;
-constexpr double contentPt = pageWidthPt - 2 * sidePt;
 constexpr double gutterPt = 18;
 constexpr double largeMapPt = 332;
 constexpr double sideColumnPt = contentPt - largeMapPt - gutterPt;
@@ -43,7 +36,7 @@ std::pair<TextBlocks, TextBlocks> parted(const std::vector<TextBlocks>& sections
 
 class ReportPage {
 public:
-    ReportPage(QPainter& painter, const Study& study) : canvas_{painter, dotsPerInch / 72.0}, study_(study) {}
+    ReportPage(QPainter& painter, const Study& study) : canvas_(pdfCanvas(painter)), study_(study) {}
 
     void paint() {
         paintHeadline(canvas_, area(sidePt, topPt, contentPt, headlineHeightPt),
@@ -155,12 +148,8 @@ private:
 
 bool writeReport(const Study& study, QIODevice& device) {
     QPdfWriter writer(&device);
-    writer.setResolution(dotsPerInch);
-    writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
     const Headline headline = headlineOf(study, QStringLiteral("Shadow study"));
-    writer.setTitle(headline.what + QStringLiteral(", ") + headline.when);
-    writer.setCreator(programWords());
+    beginPdf(writer, headline.what + QStringLiteral(", ") + headline.when);
     QPainter painter;
     if (!painter.begin(&writer)) return false;
     ReportPage(painter, study).paint();

@@ -9,6 +9,7 @@
 #include "core/io/write_city.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/shared/growing_progress.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark {
@@ -175,14 +176,7 @@ TEST_F(ReadCity, aFileThatCannotBeReadNamesItself) {
 }
 
 TEST_F(ReadCity, progressOfSeveralFilesOnlyGrows) {
-    struct Growing final : Progress {
-        double last = 0;
-        bool grew = true;
-        void report(double fraction, std::string_view) override {
-            grew = grew && fraction >= last && fraction <= 1;
-            last = fraction;
-        }
-    } progress;
+    tests::GrowingProgress progress;
     ASSERT_TRUE(readCity({osmFile("a.osm", 0), osmFile("b.osm", 100)}, settings, progress, {}));
     EXPECT_TRUE(progress.grew);
     EXPECT_DOUBLE_EQ(progress.last, 1);

@@ -10,6 +10,7 @@
 #include "core/io/read_part.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/shared/growing_progress.h"
 
 namespace noonmark {
 namespace {
@@ -360,14 +361,7 @@ TEST_F(ReadFootprints, canBeStopped) {
 }
 
 TEST_F(ReadFootprints, progressOnlyGrowsAndEndsAtOne) {
-    struct Growing final : Progress {
-        double last = 0;
-        bool grew = true;
-        void report(double fraction, std::string_view) override {
-            grew = grew && fraction >= last && fraction <= 1;
-            last = fraction;
-        }
-    } progress;
+    tests::GrowingProgress progress;
     std::string features;
     for (int i = 0; i < 1000; ++i)
         features +=

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/progress.h"
+
+namespace noonmark::tests {
+
+/// Notes whether a fraction ever fell or left 0 to 1.
+struct GrowingProgress final : Progress {
+    double last = 0;
+    bool grew = true;
+    void report(double fraction, std::string_view) override {
+        grew = grew && fraction >= last && fraction <= 1;
+        last = fraction;
+    }
+};
+
+}  // namespace noonmark::tests
