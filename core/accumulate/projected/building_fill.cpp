@@ -42,8 +42,7 @@ WordBox BuildingFill::fill(std::size_t building, const StepThrows& throws) {
     const WordBox box = boxOf(building, throws);
     if (box.empty()) return {};
     const std::span words(raster_.data()->words, raster_.size() * stepsTogether);
-    for (const std::uint32_t caster : buildings_.of(building))
-        caster_.fill(caster, throws, layout_, band_, words);
+    caster_.fill(buildings_.of(building), throws, layout_, band_, words);
     return box;
 }
 

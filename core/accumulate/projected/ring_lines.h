@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -16,11 +17,13 @@ struct RingEdge {
     glm::dvec2 along{};  ///< from its first point to its second
     double atRow0 = 0;   ///< the line that it lies on: column = atRow0 + row x slope
     double slope = 0;
+    double low = 0, high = 0;  ///< its rows
     Side side = Side::level;
 
+    RingEdge() = default;
     /// The same line whichever way the edge runs, so that neighbours that share it leave no gap and share no
     /// cell.
-    RingEdge(glm::dvec2 a, glm::dvec2 b) : along(b - a) {
+    RingEdge(glm::dvec2 a, glm::dvec2 b) : along(b - a), low(std::min(a.y, b.y)), high(std::max(a.y, b.y)) {
         if (isLevel(a, b)) return;
         side = b.y > a.y ? Side::eastern : Side::western;
         if (b.y < a.y) std::swap(a, b);

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "core/accumulate/projected/cell_coordinates.h"
+#include "core/accumulate/projected/convex_pieces.h"
 #include "core/accumulate/ray_reference.h"
 #include "core/city/mesh_topology.h"
 #include "core/city/triangulate.h"
@@ -53,8 +54,18 @@ private:
             return;
         else if (part.footprint.holes.empty() && isConvex(part.footprint.outer))
             addConvex(part, part.footprint.outer);
+        else if (stands(part))
+            addPieces(part);
         else
             addWallsAndUnderside(part);
+    }
+
+    static bool stands(const Part& part) { return !part.hangs && seen(part.bottomM) == 0; }
+
+    // Few pieces rather than many walls: each throws for all of its walls.
+    void addPieces(const Part& part) {
+        for (const Ring& piece : convexPieces(part.footprint, ShadowCaster::mostPoints))
+            addRing(piece.size() == 2 ? Kind::wall : Kind::prism, part, piece);
     }
 
     // Cut along chords where there are many points: each piece is convex and throws for itself.
@@ -96,7 +107,7 @@ private:
         ShadowCaster& caster = add(kind, ring);
         caster.bottomM = seen(part.bottomM);
         caster.topM = kind == Kind::flat ? caster.bottomM : seen(part.topM);
-        caster.stands = kind == Kind::prism && !part.hangs && caster.bottomM == 0;
+        caster.stands = kind == Kind::prism && stands(part);
         addEdges(caster);
     }
 

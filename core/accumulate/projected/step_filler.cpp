@@ -60,8 +60,7 @@ void StepFiller::fill(std::size_t first, std::span<std::uint64_t> rasters) {
     reach(throws, everInReach_, inReach_);
     for (std::size_t word = 0; word < noReceivers_.size(); ++word)
         std::fill_n(&rasters[word * stepsTogether], stepsTogether, noReceivers_[word]);
-    for (const std::uint32_t index : inReach_)
-        count_.rows += std::uint64_t(caster_.fill(index, throws, layout_, band_, rasters));
+    count_.rows += caster_.fill(inReach_, throws, layout_, band_, rasters);
     const std::size_t steps = std::min(stepsTogether, sun_.steps.size() - first);
     count_.outOfReach += (casters_.casters.size() - inReach_.size()) * steps;
 }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "core/accumulate/projected/ring_lines.h"
+
 namespace noonmark {
 
 /// Consecutive steps of the sun whose shadows are filled together, each in a lane of a vector: they differ so
@@ -14,8 +16,9 @@ struct alignas(64) StepWords {
     std::uint64_t words[stepsTogether];
 };
 
-/// The same, as a vector.
-using StepBits = std::uint64_t __attribute__((vector_size(64), may_alias));
+/// The same, as a vector. Aligned by word of mouth: left alone the alignment differs between instruction
+/// sets, and with it where a structure has its parts.
+using StepBits = std::uint64_t __attribute__((vector_size(64), may_alias, aligned(64)));
 
 /// Whether any bit is set.
 [[gnu::always_inline]] inline bool anySet(const StepBits& bits) {
@@ -27,7 +30,7 @@ using StepBits = std::uint64_t __attribute__((vector_size(64), may_alias));
     return (two[0] | two[1]) != 0;
 }
 
-using StepDoubles = double __attribute__((vector_size(64), may_alias));
+using StepDoubles = double __attribute__((vector_size(64), may_alias, aligned(64)));
 
 /// A point at each of these steps.
 struct StepPoints {
@@ -53,19 +56,34 @@ struct StepLine {
 
 /// Bounds of a shape on both sides: a row enters where it has crossed all western lines, and leaves at the
 /// first eastern one. A line that does not bound at some step lies far off there.
-template <std::size_t most>
 struct StepLines {
-    std::array<StepLine, most> western, eastern;
+    std::array<StepLine, 3> western, eastern;
     std::size_t westerns = 0, easterns = 0;
 };
 
-/// A convex shape at each of eight steps, in cells: some lines bound all its rows, the others matter only in
-/// rows [endLow, endHigh].
+/// Edges of a convex ring that bound a shape on one side, upwards, moved to `at`. Each matters in its own
+/// rows only.
+struct EdgeChain {
+    static constexpr std::size_t mostEdges = 62;
+    std::array<const RingEdge*, mostEdges> edges;
+    std::size_t count = 0;
+    StepPoints at;
+    double leastUp = 0, mostUp = 0;  ///< bounds of at.y, wide of rounding
+
+    void begin(const StepPoints& moved, double lowY, double highY) {
+        count = 0;
+        at = moved;
+        leastUp = lowY - 1e-6;
+        mostUp = highY + 1e-6;
+    }
+    void add(const RingEdge& edge) { edges[count++] = &edge; }
+};
+
+/// A convex shape at each of eight steps, in cells: lines that bound all its rows, and chains of edges at its
+/// far end and at its near one.
 struct StepShape {
-    static constexpr std::size_t mostEnds = 64;
-    StepLines<4> sides;
-    StepLines<mostEnds> ends;
-    double endLow = 0, endHigh = 0;
+    StepLines sides;
+    std::array<EdgeChain, 2> western, eastern;
     StepDoubles low{}, high{};       ///< bounds of its rows; where low > high there is no shape
     glm::dvec2 lowest{}, highest{};  ///< bounds of all steps, or more
 };

@@ -45,7 +45,8 @@ void fillPolygon(std::span<const glm::dvec2> polygon, const BitLayout& layout,
         casters.edges.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
     casters.casters.push_back(
         {.kind = ShadowCaster::Kind::flat, .pointCount = std::uint32_t(polygon.size())});
-    CasterFill(casters).fill(0, {}, layout, {0, layout.rows}, rasters);
+    const std::uint32_t only = 0;
+    CasterFill(casters).fill({&only, 1}, {}, layout, {0, layout.rows}, rasters);
 }
 
 TEST(CasterFill, fillsWhatTheRasteriserFills) {

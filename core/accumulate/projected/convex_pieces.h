@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "core/city/footprint.h"
+
+namespace noonmark {
+
+/// Convex pieces of a footprint that have each of its edges once: stretches of a ring that turn left all the
+/// way, closed by a chord that runs inside. What stands over all pieces shades what the footprint's walls
+/// shade. Points in ring order, at most `mostPoints`; two points are one edge by itself. Of a soundly
+/// repaired footprint; O(points x (points that turn right + points of holes)).
+std::vector<Ring> convexPieces(const Footprint& footprint, std::size_t mostPoints);
+
+}  // namespace noonmark
