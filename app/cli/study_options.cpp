@@ -78,7 +78,7 @@ void addPieceOptions(CLI::App& command, StudyOptions& options) {
     command
         .add_option_function<std::string>(
             "--by", [&settings](const std::string&) { settings.byMonth = true; },
-            "month: the shadow of each month, as bands and a table (engine horizon)")
+            "month: the shadow of each month, as bands and a table (engines horizon, projected)")
         ->check(CLI::IsMember({"month"}))
         ->type_name("SET");
     command.add_flag("--contributions", settings.contributions,

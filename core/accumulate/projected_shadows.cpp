@@ -1,12 +1,6 @@
 #include "core/accumulate/projected_shadows.h"
 
-#include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/combinable.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <new>
 
@@ -14,7 +8,7 @@
 #include "core/accumulate/day_sum.h"
 #include "core/accumulate/level_ground.h"
 #include "core/accumulate/partial_field.h"
-#include "core/accumulate/projected/shadow_events.h"
+#include "core/accumulate/projected/projection.h"
 #include "core/accumulate/projected/step_filler.h"
 #include "core/accumulate/reach.h"
 #include "core/accumulate/scattered_order.h"
@@ -29,66 +23,6 @@ namespace {
 Result<void> checkFlat(const City& city, const Receivers& receivers) {
     return checkLevelGround(city, receivers, "Projected shadows fall");
 }
-
-/// Fills and counts band after band of rows: its raster, and what its cells count, stay in cache.
-class Projection {
-public:
-    Projection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
-               Progress& progress, std::stop_token stop)
-        : casters_(casters),
-          receivers_(receivers),
-          sun_(sun),
-          where_(receivers),
-          starts_(startsOfRuns(sun)),
-          bands_(bandsOf(receivers.grid)),
-          progress_(progress),
-          stop_(std::move(stop)) {}
-
-    Result<FillCount> run(ShadowField& field) {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, bands_.size(), 1),
-            [&](const auto& range) {
-                for (std::size_t i = range.begin(); i < range.end(); ++i) count(bands_[i], field);
-            },
-            tbb::simple_partitioner());
-        if (stop_.stop_requested()) return cancelled();
-        return counts_.combine([](FillCount a, const FillCount& b) { return a += b; });
-    }
-
-private:
-    void count(const RowBand& band, ShadowField& field) {
-        if (stop_.stop_requested()) return;
-        StepFiller filler(casters_, where_, receivers_, sun_, band);
-        ShadowEvents events(filler.layout(), band, filler.noReceivers());
-        std::vector<StepWords> rasters(filler.layout().words());
-        const std::span words(rasters.data()->words, rasters.size() * stepsTogether);
-        for (std::size_t step = 0; step < sun_.steps.size(); step += stepsTogether) {
-            if (!goOn()) return;
-            filler.fill(step, words);
-            events.add(words, starts_[step / stepsTogether]);
-        }
-        events.finish(sun_.steps.size(), field);
-        counts_.local() += filler.count();
-    }
-
-    // Reports eight more steps of a band.
-    bool goOn() {
-        const double all = double(sun_.steps.size()) * double(bands_.size());
-        progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");
-        return !stop_.stop_requested();
-    }
-
-    const ShadowCasters& casters_;
-    const Receivers& receivers_;
-    const SunSteps& sun_;
-    ReceiverCount where_;
-    std::vector<RunStarts> starts_;
-    std::vector<RowBand> bands_;
-    Progress& progress_;
-    std::stop_token stop_;
-    std::atomic<std::size_t> done_{0};
-    tbb::combinable<FillCount> counts_;
-};
 
 using Shade = std::function<Result<FillCount>(const SunSteps&, ShadowField&, Progress&)>;
 

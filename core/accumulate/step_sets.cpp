@@ -10,6 +10,18 @@ std::vector<double> StepSets::sunlitMinutes(const SunSteps& sun) const {
     return minutes;
 }
 
+SunSteps StepSets::stepsOf(std::size_t set, const SunSteps& sun) const {
+    SunSteps own{.stepMinutes = sun.stepMinutes};
+    for (const SunDay& day : sun.days) {
+        SunDay some{.date = day.date, .first = std::uint32_t(own.steps.size())};
+        for (std::uint32_t i = day.first; i < day.first + day.count; ++i)
+            if (ofStep[i] == set) own.steps.push_back(sun.steps[i]);
+        some.count = std::uint32_t(own.steps.size()) - some.first;
+        if (some.count > 0) own.days.push_back(some);
+    }
+    return own;
+}
+
 StepSets oneSet(const SunSteps& sun) { return {{"all"}, std::vector<std::uint16_t>(sun.steps.size(), 0)}; }
 
 StepSets monthsOf(const SunSteps& sun) {

@@ -16,6 +16,9 @@ struct StepSets {
 
     /// Minutes of sunlit time in each set.
     [[nodiscard]] std::vector<double> sunlitMinutes(const SunSteps& sun) const;
+
+    /// The steps of one set as a period of its own, of those days that have some.
+    [[nodiscard]] SunSteps stepsOf(std::size_t set, const SunSteps& sun) const;
 };
 
 /// All steps in one set, "all".

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "core/accumulate/projected_breakdown.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/stopwatch.h"
 #include "core/study/memory_need.h"
@@ -43,19 +44,27 @@ Result<void> checkSun(const Study& study) {
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
 
 Result<void> checkBreakdown(const StudySettings& settings) {
-    if (!wantsBreakdown(settings) || settings.engine == "horizon" || settings.engine == "auto") return {};
-    return failure(
-        fmt::format("Months and contributions come from the horizon sweep, not from the engine '{}'",
-                    settings.engine),
-        "engine", "Choose --engine horizon");
+    const bool months = !settings.contributions && settings.engine == "projected";
+    if (!wantsBreakdown(settings) || months || settings.engine == "horizon" || settings.engine == "auto")
+        return {};
+    return failure(fmt::format("{} from the engine '{}'",
+                               settings.contributions ? "Contributions come from the horizon sweep, not"
+                                                      : "Months come from the horizon sweep or projected "
+                                                        "shadows, not",
+                               settings.engine),
+                   "engine", "Choose --engine horizon");
 }
 
+// Months by projected shadows where these made the field: both say the same then.
 Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
+    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : oneSet(study.sun);
+    const bool projected = settings.engine == "projected" || study.field.engineKey == "projected";
+    if (projected && !settings.contributions)
+        return projectedBreakdown(study.city, study.receivers, study.sun, sets, progress, std::move(stop));
     BreakdownSettings breakdown{.byBuilding = settings.contributions};
     if (const auto bin = settings.engineSettings.find("bin"); bin != settings.engineSettings.end())
         breakdown.sweep.binDeg = bin->second;
-    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : oneSet(study.sun);
     return horizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
                             std::move(stop));
 }

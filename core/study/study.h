@@ -36,7 +36,7 @@ struct StudySettings {
     Period period;
     std::string engine = "auto";
     EngineSettings engineSettings;  ///< what differs from the engine's usual settings
-    bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep only
+    bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep or projected shadows
     bool contributions = false;     ///< and what each building does; by the horizon sweep only
     ErrorSampleSettings errorSample;
     double pressureHPa = 1010;  ///< for refraction

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <new>
+#include <optional>
 
 #include "core/accumulate/auto_engine.h"
-#include "core/accumulate/horizon_breakdown.h"
+#include "core/accumulate/projected_breakdown.h"
+#include "core/accumulate/projected_shadows.h"
 #include "core/progress_share.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
@@ -18,9 +20,9 @@ namespace noonmark {
 
 namespace {
 
-// Beyond it the maps of a sweep take more memory (4 bytes a cell and piece) than it is worth.
-constexpr std::size_t mostCellsInSweep = std::size_t{1} << 27U;
-constexpr std::size_t mostPiecesInSweep = 40;
+// Beyond it the maps of all pieces take more memory (4 bytes a cell and piece) than it is worth.
+constexpr std::size_t mostCellsAtOnce = std::size_t{1} << 27U;
+constexpr std::size_t mostPiecesAtOnce = 40;
 
 // The same steps, added up with weights.
 class Scoring {
@@ -51,23 +53,37 @@ public:
 
 private:
     Result<Score> by(const Accumulator& engine) {
-        const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine);
-        if (sweep != nullptr && pieces_.size() <= mostPiecesInSweep &&
-            pieces_.size() * receivers_.grid.size() <= mostCellsInSweep)
-            return inOneSweep(sweep->settings());
+        if (pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce)
+            if (auto score = atOnce(engine)) return *std::move(score);
         return pieceByPiece(engine);
     }
 
-    Result<Score> inOneSweep(const HorizonSweepSettings& settings) {
-        const auto breakdown = horizonBreakdown(city_, receivers_, sun_, setsOf(pieces_, sun_),
-                                                {.sweep = settings}, progress_, stop_);
-        if (!breakdown) return tl::make_unexpected(breakdown.error());
+    // Nothing: by an engine that knows no pieces.
+    std::optional<Result<Score>> atOnce(const Accumulator& engine) {
+        const StepSets sets = setsOf(pieces_, sun_);
+        if (const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine))
+            return horizonBreakdown(city_, receivers_, sun_, sets, {.sweep = sweep->settings()}, progress_,
+                                    stop_)
+                .map([&](const ShadowBreakdown& breakdown) {
+                    return summed(breakdown,
+                                  fmt::format("Horizon sweep: azimuth bins of {:g} deg, one sweep for all "
+                                              "months and intervals",
+                                              sweep->settings().binDeg));
+                });
+        if (dynamic_cast<const ProjectedShadows*>(&engine) == nullptr) return std::nullopt;
+        return projectedBreakdown(city_, receivers_, sun_, sets, progress_, stop_)
+            .map([&](const ShadowBreakdown& breakdown) {
+                return summed(
+                    breakdown,
+                    "Projected shadows: exact on flat ground, one run for all months and intervals");
+            });
+    }
+
+    Score summed(const ShadowBreakdown& breakdown, std::string engine) const {
         ScoreSum sum(receivers_, weights_, pieces_);
-        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown->minutes[i]);
+        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown.minutes[i]);
         Score score = std::move(sum).finish();
-        score.engine =
-            fmt::format("Horizon sweep: azimuth bins of {:g} deg, one sweep for all months and intervals",
-                        settings.binDeg);
+        score.engine = std::move(engine);
         return score;
     }
 

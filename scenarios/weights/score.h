@@ -40,11 +40,10 @@ struct Score {
     Warnings warnings;
 };
 
-/// The score over steps that are made already. `zone`: of the steps' wall clock. The horizon sweep looks at
-/// the city once for all months and intervals, for twelve months of a year at the cost of one. Any other
-/// engine, and the sweep where parts of buildings hang, runs once for every part of the period that lies in
-/// one month and one interval. The engine auto is asked once, and what it chose is said in `engine`. Error: a
-/// table that is not sound, or the engine's.
+/// The score over steps that are made already. `zone`: of the steps' wall clock. The horizon sweep and
+/// projected shadows look at the city once for all months and intervals, at the cost of one field. Any other
+/// engine runs once for every part of the period that lies in one month and one interval. The engine auto is
+/// asked once, and what it chose is said in `engine`. Error: a table that is not sound, or the engine's.
 Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
                       const TimeWeights& weights, const Accumulator& engine, Progress& progress,
                       const std::stop_token& stop);
