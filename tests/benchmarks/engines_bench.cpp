@@ -1,7 +1,7 @@
-// Every engine of core against the ray reference on one day: the error first, then the time, in turn in one
-// run.
+// Every engine of core against the ray reference on some hours of one day: the error first, then the time, in
+// turn in one run.
 //
-//     engines_bench [FILE or number of buildings] [rounds] [engines other than ray, all if none]
+//     engines_bench [FILE or number of buildings] [rounds] [hours] [engines other than ray, all if none]
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,12 +24,13 @@ struct Scene {
     SunSteps sun;
 };
 
-/// 800 x 800 cells of 1 m in the middle of a city; 21 March 2026, 9:00 to 15:00 in New York, every minute.
-Scene dayScene(const std::string& cityName) {
+/// 800 x 800 cells of 1 m in the middle of a city; 21 March 2026, from 9:00 in New York, every minute.
+Scene dayScene(const std::string& cityName, double hours) {
     Scene scene;
     scene.city = cityFrom(cityName);
     scene.receivers = receiversOnGround(scene.city, middleOf(scene.city), {1}).value();
-    scene.sun = sunSteps({.zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
+    scene.sun =
+        sunSteps({.hours = hours, .zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
     return scene;
 }
 
@@ -78,9 +79,9 @@ double median(std::vector<double> values) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const Scene scene = dayScene(argc > 1 ? argv[1] : "43000");
     const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
-    const auto keys = engineKeys(std::span(argv, std::size_t(argc)).subspan(std::size_t(std::min(argc, 3))));
+    const Scene scene = dayScene(argc > 1 ? argv[1] : "43000", argc > 3 ? std::stod(argv[3]) : 6);
+    const auto keys = engineKeys(std::span(argv, std::size_t(argc)).subspan(std::size_t(std::min(argc, 4))));
     const ShadowField truth = run(scene, "ray");
     std::map<std::string_view, std::vector<double>> wall, processor;
     for (int round = 0; round < rounds; ++round)
