@@ -27,13 +27,4 @@ void LaneReceivers::find(const Lanes& lanes, int block, std::vector<Line<std::ui
     }
 }
 
-void askFor(const std::vector<Line<std::uint32_t>>& numbers, LaneMasks& masks, int block) {
-    Line<std::int32_t>* before = masks.wanted(block);
-    before[0] = {};
-    for (std::size_t major = 0; major < numbers.size(); ++major)
-        for (int lane = 0; lane < Lanes::perBlock; ++lane)
-            before[major + 1].values[lane] =
-                before[major].values[lane] + int(numbers[major].values[lane] != LaneReceivers::none);
-}
-
 }  // namespace noonmark

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/accumulate/lane_masks.h"
+#include "core/accumulate/horizon/lanes16.h"
 #include "core/accumulate/lanes.h"
 #include "core/receivers/receivers.h"
 
@@ -24,8 +24,5 @@ public:
 private:
     std::vector<std::uint32_t> ofCell_;  // of the wide grid
 };
-
-/// Asks for the places where receivers are.
-void askFor(const std::vector<Line<std::uint32_t>>& numbers, LaneMasks& masks, int block);
 
 }  // namespace noonmark

@@ -37,6 +37,8 @@ public:
     [[nodiscard]] int minor(int lane, int major) const {
         return lane + firstLane_ + bend_[std::size_t(major)];
     }
+    /// minor(lane, major) - lane - firstLane() by major position.
+    [[nodiscard]] const std::vector<int>& bend() const { return bend_; }
     [[nodiscard]] bool onGrid(int minor) const { return unsigned(minor) < unsigned(minors()); }
 
     /// Grid index of a cell.

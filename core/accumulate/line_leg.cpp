@@ -66,7 +66,9 @@ void LegDrawer::prepare(const LineLeg& leg, int block, int slot, BlockWork& work
     leg.atFirst.fill(block, work.first, slot);
     leg.atLast.fill(block, work.last, slot);
     receivers_.find(lanes_, block, work.numbers[std::size_t(slot)]);
-    askFor(work.numbers[std::size_t(slot)], work.masks, slot);
+    work.masks.ask(slot, [&numbers = work.numbers[std::size_t(slot)]](int major, int lane) {
+        return numbers[std::size_t(major)].values[lane] != LaneReceivers::none;
+    });
 }
 
 Result<void> LegDrawer::drawBatch(const LineLeg& leg, std::span<const int> blocks, BlockWork& work) const {

@@ -24,9 +24,23 @@ struct RunEnd {
     }
 };
 
-/// What a run shades in an interval: `count` cells from its first on, each at the steps that `rear` has come
-/// to and `front` has not passed. Each end reaches half a cell beyond its cell's centre. Where the surface
-/// folds over, whichever end is ahead, the steps between the ends in the other order too.
+/// Some cells of a run, counted from its first, each shaded at the steps that `rear` has come to and `front`
+/// has not passed.
+struct SweepPart {
+    RunEnd rear, front;
+    int first = 0, end = 0;  ///< cells that may be shaded
+    /// From this cell on `rear` is behind all the time; before this one `front` is ahead.
+    int rearBehindFrom = 0, frontAheadTo = 0;
+
+    [[nodiscard]] ShadowMask steps(int i, const StepTable& table) const {
+        if (i < first || i >= end) return 0;
+        return table.before[std::size_t(rear.entry(i))] & ~table.before[std::size_t(front.entry(i))];
+    }
+};
+
+/// What a run shades in an interval: `count` cells from its first on. Each of its ends reaches half a cell
+/// beyond its cell's centre. Where the surface folds over, whichever end is ahead, the steps between the ends
+/// in the other order too.
 struct RunSweep {
     /// How far each end reaches beyond its cell's centre, cells. The edge lies anywhere up to the next
     /// centre, in the mean at half of the way; but each line is drawn twice, from the first step and from the
@@ -34,43 +48,49 @@ struct RunSweep {
     static constexpr float reach = 0.5F - 1.0F / 6;
 
     int count = 0;
-    RunEnd rear, front;
-    /// Of these cells: from this one on `rear` is behind all the time; before this one `front` is ahead.
-    int rearBehindFrom = 0, frontAheadTo = 0;
     bool folds = false;
-    RunEnd foldedRear, foldedFront;
+    SweepPart plain, folded;
 
     /// `cells`: of the lane.
     RunSweep(const SourceRun& run, const RunRule& rule, int cells) {
-        const float firstLength = run.firstM * rule.cellsPerMetre,
-                    lastLength = run.lastM * rule.cellsPerMetre;
-        const auto width = float(run.last - run.first);
+        const float first = run.firstM * rule.cellsPerMetre, last = run.lastM * rule.cellsPerMetre;
         folds = run.first < run.last && rule.folds(run.firstM, run.lastM);
         count =
-            std::max(endOf(run.last, lastLength, cells), folds ? endOf(run.first, firstLength, cells) : 0) -
-            run.first;
-        rear = RunEnd::over(firstLength, reach);
-        front = RunEnd::over(lastLength, -width - reach);
-        rearBehindFrom = std::min(count, int(std::min(firstLength, 1e6F)) + 2);
-        frontAheadTo = std::min(count, run.last - run.first + 1);
-        foldedRear = RunEnd::over(lastLength, reach - width);
-        foldedFront = RunEnd::over(firstLength, -reach);
+            std::max(endOf(run.last, last, cells), folds ? endOf(run.first, first, cells) : 0) - run.first;
+        const int width = run.last - run.first;
+        plain = {RunEnd::over(first, reach),
+                 RunEnd::over(last, -float(width) - reach),
+                 0,
+                 count,
+                 cellsIn(first) + 2,
+                 width + 1};
+        if (folds) fold(first, last, float(width));
     }
 
     /// Steps at which cell i of `count` is shaded.
     [[nodiscard]] ShadowMask steps(int i, const StepTable& table) const {
-        ShadowMask mask = between(rear, front, i, table);
-        if (folds) mask |= between(foldedRear, foldedFront, i, table);
-        return mask;
+        return plain.steps(i, table) | (folds ? folded.steps(i, table) : 0);
     }
 
 private:
-    // A low sun draws lines past any int.
-    static int endOf(int cell, float length, int cells) {
-        return std::min(cell + 1 + int(std::min(length, 1e6F) + 0.5F), cells);
+    // The first end moves farther than the last, and catches up with it: from some cell on nothing is left
+    // between them, and what lies between them in the other order begins about there. A cell of doubt.
+    void fold(float first, float last, float width) {
+        const float parts = first - last;
+        plain.end = std::min(count, cellsIn((reach * last + (width + reach) * first) / parts) + 2);
+        folded = {RunEnd::over(last, reach - width),
+                  RunEnd::over(first, -reach),
+                  0,
+                  count,
+                  cellsIn(last + width) + 2,
+                  1};
+        folded.first = std::max(0, cellsIn(((width - reach) * first - reach * last) / parts) - 1);
     }
-    static ShadowMask between(const RunEnd& rear, const RunEnd& front, int i, const StepTable& table) {
-        return table.before[std::size_t(rear.entry(i))] & ~table.before[std::size_t(front.entry(i))];
+
+    // A low sun draws lines past any int.
+    static int cellsIn(float length) { return int(std::min(length, 1e6F)); }
+    static int endOf(int cell, float length, int cells) {
+        return std::min(cell + 1 + cellsIn(length + 0.5F), cells);
     }
 };
 

@@ -28,28 +28,24 @@ std::vector<double> fractions(const SunInterval& interval) {
     return result;
 }
 
-/// Where an end of a run stands, without what cannot be passed to several instruction sets.
-struct Way {
-    const ShadowMask* before;
-    RunEnd end;
-    [[nodiscard]] ShadowMask operator()(int cell) const { return before[end.entry(cell)]; }
+/// Cells of a run, counted from its first.
+struct Cells {
+    int first = 0;
+    int end = 0;
 };
 
-// Shades each cell of a run at the steps that `rear` has come to and `front` has not passed. Between where
-// the rear end comes to and where the front began nothing needs looking up.
-NOONMARK_EVERY_ISA void shadeSweep(const Way& rear, const Way& front, const RunSweep& sweep,
-                                   ShadowMask* row) {
-    const ShadowMask all = rear.before[StepTable::size + 2];
-    const int rearTo = sweep.rearBehindFrom, frontFrom = sweep.frontAheadTo;
-    const int near = std::min(rearTo, frontFrom), far = std::max(rearTo, frontFrom);
-    for (int i = 0; i < near; ++i) row[i] |= rear(i);
-    for (int i = rearTo; i < frontFrom; ++i) row[i] |= all;
-    for (int i = frontFrom; i < rearTo; ++i) row[i] |= rear(i) & ~front(i);
-    for (int i = far; i < sweep.count; ++i) row[i] |= all & ~front(i);
-}
-
-NOONMARK_EVERY_ISA void shadeFold(const Way& rear, const Way& front, int count, ShadowMask* row) {
-    for (int i = 0; i < count; ++i) row[i] |= rear(i) & ~front(i);
+// Where rear is behind all the time or front ahead, nothing needs looking up.
+NOONMARK_EVERY_ISA void shade(const ShadowMask* before, const SweepPart& part, const Cells& cells,
+                              ShadowMask* row) {
+    const RunEnd rear = part.rear, front = part.front;
+    const ShadowMask all = before[StepTable::size + 2];
+    const int rearTo = part.rearBehindFrom, frontFrom = part.frontAheadTo;
+    const int end = std::min(part.end, cells.end);
+    int i = std::max(part.first, cells.first);
+    for (; i < std::min({rearTo, frontFrom, end}); ++i) row[i] |= before[rear.entry(i)];
+    for (; i < std::min(frontFrom, end); ++i) row[i] |= all;
+    for (; i < std::min(rearTo, end); ++i) row[i] |= before[rear.entry(i)] & ~before[front.entry(i)];
+    for (; i < end; ++i) row[i] |= all & ~before[front.entry(i)];
 }
 
 constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -136,19 +132,27 @@ private:
 
     void drawRun(int lane, const SourceRun& run) {
         const RunSweep sweep(run, pass_.rule, masks_.majors);
-        if (!wanted(lane, run.first, run.first + sweep.count)) return;
+        const Cells cells = wanted(lane, run.first, sweep.count);
+        if (cells.first >= cells.end) return;
         ShadowMask* row = masks_.lane(block_, lane) + run.first;
         const ShadowMask* before = pass_.table.before.data();
-        shadeSweep({before, sweep.rear}, {before, sweep.front}, sweep, row);
-        if (sweep.folds) shadeFold({before, sweep.foldedRear}, {before, sweep.foldedFront}, sweep.count, row);
+        shade(before, sweep.plain, cells, row);
+        if (sweep.folds) shade(before, sweep.folded, cells, row);
     }
 
-    // Whether anybody asks for one of the places [first, end).
-    [[nodiscard]] bool wanted(int lane, int first, int end) const {
-        const Line<std::int32_t>* before = masks_.wanted(block_);
-        const int low = pass_.reversed ? masks_.majors - end : first,
-                  high = pass_.reversed ? masks_.majors - first : end;
-        return before[high].values[lane] != before[low].values[lane];
+    // Of `count` cells from the place `first` on, those from the first to the last that is asked for.
+    [[nodiscard]] Cells wanted(int lane, int first, int count) const {
+        const std::size_t line = masks_.firstLine(block_);
+        const auto next = [&](int major) {
+            return masks_.nextWanted[line + std::size_t(major)].values[lane];
+        };
+        const auto last = [&](int major) {
+            return masks_.lastWanted[line + std::size_t(major)].values[lane];
+        };
+        const int end = first + count, turned = masks_.majors - 1;
+        if (pass_.reversed)
+            return {turned - last(turned - first) - first, turned - next(turned + 1 - end) + 1 - first};
+        return {next(first) - first, last(end - 1) + 1 - first};
     }
 
     [[nodiscard]] int majorAt(int at) const { return pass_.reversed ? sources_.majors - 1 - at : at; }
@@ -167,8 +171,7 @@ private:
 class ProcessorDrawer final : public ShadowLineDrawer {
 public:
     Result<void> draw(const LinePass& pass, const LaneSources& sources, LaneMasks& masks) override {
-        const int blocks = int(masks.wantedBefore.size()) / (masks.majors + 1);
-        for (int block = 0; block < blocks; ++block) BlockDrawing(pass, sources, block, masks).draw();
+        for (int block = 0; block < masks.blocks(); ++block) BlockDrawing(pass, sources, block, masks).draw();
         return {};
     }
     [[nodiscard]] int blocksAtOnce(int) const override { return 1; }

@@ -36,6 +36,11 @@ struct Strip {
 
     void add(glm::dvec2 a, glm::dvec2 b) {
         if (a.y > b.y) std::swap(a, b);
+        if (a.y >= low && b.y <= high) {
+            from = std::min({from, a.x, b.x});
+            to = std::max({to, a.x, b.x});
+            return;
+        }
         if (b.y < low || a.y > high) return;
         take(a.y < low ? passes(a, b, low) : a.x);
         take(b.y > high ? passes(a, b, high) : b.x);
@@ -46,17 +51,28 @@ struct Strip {
     }
 };
 
-// A convex polygon's outline passes each major position of [first, end) twice or not at all.
-void findTwoCrossings(const auto& lines, int first, int end, std::vector<double>& low,
-                      std::vector<double>& high) {
-    std::fill(low.begin() + first, low.begin() + end, nowhere);
-    std::fill(high.begin() + first, high.begin() + end, -nowhere);
-    for (const auto& line : lines)
-        for (int major = line.majors.first; major < line.majors.end; ++major) {
-            const double crossing = line.minor + (major - line.majors.first) * line.slope;
-            low[std::size_t(major)] = std::min(low[std::size_t(major)], crossing);
-            high[std::size_t(major)] = std::max(high[std::size_t(major)], crossing);
-        }
+// Widens low to high by where a line passes one position after the other.
+NOONMARK_EVERY_ISA void widen(double minor, double slope, int count, double* __restrict low,
+                              double* __restrict high) {
+    for (int i = 0; i < count; ++i) {
+        const double crossing = minor + i * slope;
+        low[i] = std::min(low[i], crossing);
+        high[i] = std::max(high[i], crossing);
+    }
+}
+
+// The lanes of a block, 0 to 16, at whole positions from `low` on and before `high`, both held to [first,
+// end). Lane 0 is at from + bend.
+NOONMARK_EVERY_ISA void lanesBetween(const double* low, const double* high, const int* bend, int count,
+                                     int from, int first, int end, int* __restrict firstLane,
+                                     int* __restrict endLane) {
+    for (int i = 0; i < count; ++i) {
+        const double lowHeld = std::min(std::max(low[i], double(first)), double(end));
+        const double highHeld = std::min(std::max(high[i], double(first)), double(end));
+        const int lowBelow = int(lowHeld), highBelow = int(highHeld);
+        firstLane[i] = std::max(lowBelow + int(lowHeld > lowBelow) - from - bend[i], 0);
+        endLane[i] = std::min(highBelow + int(highHeld > highBelow) - from - bend[i], Lanes::perBlock);
+    }
 }
 
 void findCrossings(const auto& lines, int major, std::vector<double>& crossings) {
@@ -75,11 +91,24 @@ ThrownFacets::ThrownFacets(const SurfaceFacets& facets, const Lanes& lanes, glm:
       lanes_(lanes),
       throwCells_(throwInCells(towardsSun, lanes.grid().cellM)),
       nearestM_(nearestHitM * float(towardsSun.z)),
-      throws_(facets.facets.size()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, throws_.size(), 1024), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) throws_[i] = thrownBy(facets_.facets[i]);
+      throws_(facets.facets.size()),
+      edges_(facets.edges.size()) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, throws_.size(), 512), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            throws_[i] = thrownBy(facets_.facets[i]);
+            if (throws_[i].firstBlock < throws_[i].endBlock) throwEdges(facets_.facets[i]);
+        }
     });
     sortIntoBlocks();
+}
+
+void ThrownFacets::throwEdges(const SurfaceFacet& facet) {
+    const std::size_t first = facet.firstEdge;
+    for (std::size_t i = first; i < first + facet.edgeCount; ++i) {
+        glm::dvec2 a = thrown(facets_.edges[i][0]), b = thrown(facets_.edges[i][1]);
+        if (a.x > b.x) std::swap(a, b);
+        edges_[i] = {a, b, (b.y - a.y) / (b.x - a.x)};
+    }
 }
 
 // Most facets reach few blocks, and few facets a block.
@@ -139,6 +168,8 @@ void ThrownFacets::fill(int block, LaneSources& sources, int into) const {
     Scratch scratch;
     scratch.low.resize(std::size_t(lanes_.majors()));
     scratch.high.resize(scratch.low.size());
+    scratch.firstLane.resize(scratch.low.size());
+    scratch.end.resize(scratch.low.size());
     for (const std::uint32_t i : ofBlock_[std::size_t(block)]) {
         findSpans(i, block, scratch);
         levels.add(scratch.spans, {float(throws_[i].perMinorM), nearestM_, facets_.facets[i].building});
@@ -150,11 +181,10 @@ void ThrownFacets::fill(int block, LaneSources& sources, int into) const {
 ThrownFacets::Range ThrownFacets::majorsInBlock(std::uint32_t facet, int block) const {
     const double firstLane = block * Lanes::perBlock + lanes_.firstLane();
     Strip strip{firstLane - 0.75, firstLane + Lanes::perBlock - 0.25};
-    const auto sheared = [&](glm::dvec3 point) {
-        const glm::dvec2 place = thrown(point);
+    const auto sheared = [&](glm::dvec2 place) {
         return glm::dvec2(place.x, place.y - lanes_.slope() * place.x);
     };
-    for (const auto& [a, b] : facets_.edgesOf(facets_.facets[facet])) strip.add(sheared(a), sheared(b));
+    for (const Edge& edge : edgesOf(facets_.facets[facet])) strip.add(sheared(edge.low), sheared(edge.high));
     const Throw& cast = throws_[facet];
     return {std::max(cast.firstMajor, firstAtOrBeyond(strip.from, lanes_.majors())),
             std::min(cast.endMajor, firstAtOrBeyond(strip.to + 1e-6, lanes_.majors()))};
@@ -164,43 +194,60 @@ void ThrownFacets::findSpans(std::uint32_t facet, int block, Scratch& scratch) c
     scratch.spans.clear();
     const Range majors = majorsInBlock(facet, block);
     if (majors.first >= majors.end) return;
-    const Throw& cast = throws_[facet];
     findLines(facets_.facets[facet], majors, scratch.lines);
-    if (facets_.facets[facet].convex) {
-        findTwoCrossings(scratch.lines, majors.first, majors.end, scratch.low, scratch.high);
-        for (int major = majors.first; major < majors.end; ++major)
-            addSpan(cast, major, scratch.low[std::size_t(major)], scratch.high[std::size_t(major)], block,
-                    scratch.spans);
-        return;
-    }
-    for (int major = majors.first; major < majors.end; ++major) {
-        findCrossings(scratch.lines, major, scratch.crossings);
-        for (std::size_t k = 0; k + 1 < scratch.crossings.size(); k += 2)
-            addSpan(cast, major, scratch.crossings[k], scratch.crossings[k + 1], block, scratch.spans);
-    }
+    if (facets_.facets[facet].convex)
+        spansOfConvex(throws_[facet], majors, block, scratch);
+    else
+        spansOfAny(throws_[facet], majors, block, scratch);
 }
 
 // Half-open, as core/city/crossing.h.
 void ThrownFacets::findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const {
     lines.clear();
-    for (const auto& [from, to] : facets_.edgesOf(facet)) {
-        glm::dvec2 a = thrown(from), b = thrown(to);
-        if (a.x > b.x) std::swap(a, b);
-        const int first = std::max(majors.first, firstAtOrBeyond(a.x, lanes_.majors()));
-        const int end = std::min(majors.end, firstAtOrBeyond(b.x, lanes_.majors()));
+    for (const Edge& edge : edgesOf(facet)) {
+        const int first = std::max(majors.first, firstAtOrBeyond(edge.low.x, lanes_.majors()));
+        const int end = std::min(majors.end, firstAtOrBeyond(edge.high.x, lanes_.majors()));
         if (first >= end) continue;
-        const double slope = (b.y - a.y) / (b.x - a.x);
-        lines.push_back({{first, end}, a.y + (first - a.x) * slope, slope});
+        lines.push_back({{first, end}, edge.low.y + (first - edge.low.x) * edge.slope, edge.slope});
     }
 }
 
-void ThrownFacets::addSpan(const Throw& cast, int major, double low, double high, int block,
+// A convex polygon's outline passes each major position twice or not at all.
+void ThrownFacets::spansOfConvex(const Throw& cast, Range majors, int block, Scratch& scratch) const {
+    const int count = majors.end - majors.first;
+    std::fill_n(scratch.low.data(), count, nowhere);
+    std::fill_n(scratch.high.data(), count, -nowhere);
+    for (const EdgeLine& line : scratch.lines) {
+        const int from = line.majors.first - majors.first;
+        widen(line.minor, line.slope, line.majors.end - line.majors.first, &scratch.low[std::size_t(from)],
+              &scratch.high[std::size_t(from)]);
+    }
+    lanesBetween(scratch.low.data(), scratch.high.data(), &lanes_.bend()[std::size_t(majors.first)], count,
+                 block * Lanes::perBlock + lanes_.firstLane(), cast.firstMinor, cast.endMinor,
+                 scratch.firstLane.data(), scratch.end.data());
+    for (int i = 0; i < count; ++i)
+        addSpan(cast, majors.first + i, {scratch.firstLane[std::size_t(i)], scratch.end[std::size_t(i)]},
+                block, scratch.spans);
+}
+
+void ThrownFacets::spansOfAny(const Throw& cast, Range majors, int block, Scratch& scratch) const {
+    for (int major = majors.first; major < majors.end; ++major) {
+        findCrossings(scratch.lines, major, scratch.crossings);
+        for (std::size_t k = 0; k + 1 < scratch.crossings.size(); k += 2) {
+            Range lanes;
+            lanesBetween(&scratch.crossings[k], &scratch.crossings[k + 1], &lanes_.bend()[std::size_t(major)],
+                         1, block * Lanes::perBlock + lanes_.firstLane(), cast.firstMinor, cast.endMinor,
+                         &lanes.first, &lanes.end);
+            addSpan(cast, major, lanes, block, scratch.spans);
+        }
+    }
+}
+
+void ThrownFacets::addSpan(const Throw& cast, int major, Range lanes, int block,
                            std::vector<NearestLevels::Span>& spans) const {
+    if (lanes.first >= lanes.end) return;
     const int lane0 = lanes_.minor(block * Lanes::perBlock, major);
-    const int first = std::max(firstAtOrBeyond(low, lanes_.minors()), cast.firstMinor) - lane0;
-    const int end = std::min(firstAtOrBeyond(high, lanes_.minors()), cast.endMinor) - lane0;
-    if (std::max(first, 0) >= std::min(end, Lanes::perBlock)) return;
-    spans.push_back({major, std::max(first, 0), std::min(end, Lanes::perBlock),
+    spans.push_back({major, lanes.first, lanes.end,
                      float(cast.atOriginM + major * cast.perMajorM + lane0 * cast.perMinorM)});
 }
 

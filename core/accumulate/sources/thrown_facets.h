@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "core/accumulate/sources/nearest_levels.h"
@@ -33,7 +34,12 @@ private:
         int first = 0;
         int end = 0;
     };
-    /// An edge of the polygon: the major positions that it passes, and where.
+    /// An edge of the polygon, from its lower major position to the higher.
+    struct Edge {
+        glm::dvec2 low, high;  // major and minor position
+        double slope = 0;      // minor over major; anything where it runs across
+    };
+    /// The whole major positions that an edge passes, and where.
     struct EdgeLine {
         Range majors;
         double minor = 0;  // at the first of them
@@ -42,18 +48,25 @@ private:
     /// Memory that is used again, facet after facet.
     struct Scratch {
         std::vector<EdgeLine> lines;
-        std::vector<double> low, high;  // by major position, of the two crossings there
+        std::vector<double> low, high;    // by major position, of the two crossings there
+        std::vector<int> firstLane, end;  // by major position: lanes of the block between them
         std::vector<double> crossings;
         std::vector<NearestLevels::Span> spans;
     };
 
     void sortIntoBlocks();
+    void throwEdges(const SurfaceFacet& facet);
     [[nodiscard]] Throw thrownBy(const SurfaceFacet& facet) const;
     [[nodiscard]] glm::dvec2 thrown(glm::dvec3 point) const;
+    [[nodiscard]] std::span<const Edge> edgesOf(const SurfaceFacet& facet) const {
+        return std::span(edges_).subspan(facet.firstEdge, facet.edgeCount);
+    }
     [[nodiscard]] Range majorsInBlock(std::uint32_t facet, int block) const;
     void findSpans(std::uint32_t facet, int block, Scratch& scratch) const;
     void findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const;
-    void addSpan(const Throw& cast, int major, double low, double high, int block,
+    void spansOfConvex(const Throw& cast, Range majors, int block, Scratch& scratch) const;
+    void spansOfAny(const Throw& cast, Range majors, int block, Scratch& scratch) const;
+    void addSpan(const Throw& cast, int major, Range lanes, int block,
                  std::vector<NearestLevels::Span>& spans) const;
 
     const SurfaceFacets& facets_;
@@ -61,6 +74,7 @@ private:
     glm::dvec2 throwCells_;  // x and y of the grid
     float nearestM_;         // lowest height that counts
     std::vector<Throw> throws_;
+    std::vector<Edge> edges_;  // as SurfaceFacets::edges; of facets that throw something
     std::vector<std::vector<std::uint32_t>> ofBlock_;  // facets, ascending
 };
 

@@ -76,13 +76,11 @@ std::vector<ShadowMask> drawn(ShadowLineDrawer& drawer, const GridSources& sourc
     const Lanes lanes(sources.grid, motion.shift);
     LaneMasks masks;
     masks.resize(lanes.majors(), lanes.blocks());
-    GridSources::forEachPlace(lanes, [&](int block, int major, int lane, std::size_t cell) {
-        masks.wanted(block)[major + 1].values[lane] = int(asked.empty() || asked[cell]);
-    });
     for (int block = 0; block < lanes.blocks(); ++block)
-        for (int major = 0; major < lanes.majors(); ++major)
-            for (int lane = 0; lane < Lanes::perBlock; ++lane)
-                masks.wanted(block)[major + 1].values[lane] += masks.wanted(block)[major].values[lane];
+        masks.ask(block, [&](int major, int lane) {
+            const int minor = lanes.minor(block * Lanes::perBlock + lane, major);
+            return lanes.onGrid(minor) && (asked.empty() || asked[lanes.cellAt(major, minor)]);
+        });
     const auto done = drawer.draw(LinePass(lanes, motion, 4), sources.on(lanes), masks);
     EXPECT_TRUE(done.has_value()) << done.error().text();
     std::vector<ShadowMask> result(sources.grid.size());
