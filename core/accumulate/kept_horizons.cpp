@@ -7,11 +7,11 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/horizon/horizon_case.h"
 #include "core/accumulate/horizon/kept_tile.h"
-#include "core/accumulate/level_ground.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
@@ -27,11 +27,16 @@ int tileSide(std::uint64_t memoryBytes, std::size_t bins) {
 }
 
 Result<void> checkSame(const Receivers& before, const Receivers& now) {
-    const auto outside = [](CellKind kind) { return kind == CellKind::outside; };
-    const auto bothOutside = [&](CellKind a, CellKind b) { return outside(a) == outside(b); };
-    if (before.grid == now.grid && std::ranges::equal(before.kind, now.kind, bothOutside)) return {};
+    if (before.grid == now.grid) return {};
     return failure("The kept horizons are those of another region", "kept horizons",
                    "Make new ones for this region");
+}
+
+// Whether each cell keeps its number; of roofs alone those that come and go are outside of the region.
+bool sameCells(const Receivers& before, const Receivers& now) {
+    const auto outside = [](CellKind kind) { return kind == CellKind::outside; };
+    const auto bothOutside = [&](CellKind a, CellKind b) { return outside(a) == outside(b); };
+    return before.flat() == now.flat() && std::ranges::equal(before.kind, now.kind, bothOutside);
 }
 
 tl::unexpected<Error> noPeriod() {
@@ -52,6 +57,11 @@ struct KeptHorizons::Kept {
 
     Kept(const KeptHorizonsSettings& chosen, Receivers where, KeptWalls standing)
         : settings(chosen), receivers(std::move(where)), walls(std::move(standing)) {
+        makeTiles();
+    }
+
+    void makeTiles() {
+        tiles.clear();
         const auto bins = std::size_t(std::ceil(360 / settings.binDeg)) + 1;
         for (const TileBox& box : tilesOf(receivers.grid, tileSide(settings.memoryBytes, bins)))
             tiles.emplace_back(receivers, box, bins);
@@ -93,15 +103,28 @@ struct KeptHorizons::Kept {
 
     std::size_t sweep(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
         std::size_t swept = 0;
-        timed("sweep", [&] { swept = tile.retime(walls, receivers.grid.cellM, binned, stop); });
+        timed("sweep", [&] { swept = tile.retime(receivers, walls, binned, stop); });
         write(tile, counts, stop);
         return swept;
     }
 
-    void change(KeptTile& tile, const WallChange& change, KeptCounts counts, const std::stop_token& stop) {
+    /// Takes what is new and returns what changed of it. Where the ground did nothing stays: all is swept.
+    Result<WallChange> become(const City& city, const Receivers& now) {
+        if (walls.sameGround(city, now) && sameCells(receivers, now)) return walls.become(city);
+        auto others = KeptWalls::of(city, now);
+        if (!others) return tl::make_unexpected(others.error());
+        walls = std::move(*others);
+        receivers = now;
+        makeTiles();
+        return WallChange{};
+    }
+
+    void change(KeptTile& tile, std::span<const float> groundBeforeM, const WallChange& change,
+                KeptCounts counts, const std::stop_token& stop) {
         const bool dropped = tile.bytes() == 0;
-        timed("change",
-              [&] { tile.change(receivers, walls, change, binned, *count, settings.binDeg, stop); });
+        timed("change", [&] {
+            tile.change(receivers, groundBeforeM, walls, change, binned, *count, settings.binDeg, stop);
+        });
         if (dropped)
             sweep(tile, counts, stop);
         else
@@ -127,7 +150,7 @@ struct KeptHorizons::Kept {
     // Cells that are no receivers any more, or not yet, hold NaN.
     void mask() {
         for (std::size_t cell = 0; cell < receivers.kind.size(); ++cell)
-            if (receivers.kind[cell] != CellKind::ground)
+            if (!isReceiver(receivers.kind[cell]))
                 field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
     }
 
@@ -161,9 +184,7 @@ KeptHorizons::~KeptHorizons() = default;
 Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& receivers,
                                         KeptHorizonsSettings settings) {
     if (const auto able = checkBinWidth(settings.binDeg); !able) return tl::make_unexpected(able.error());
-    if (const auto able = checkLevelGround(city, receivers, "Kept horizons work"); !able)
-        return tl::make_unexpected(able.error());
-    auto walls = KeptWalls::of(city, receivers.grid);
+    auto walls = KeptWalls::of(city, receivers);
     if (!walls) return tl::make_unexpected(walls.error());
     return KeptHorizons(std::make_unique<Kept>(settings, receivers, std::move(*walls)));
 }
@@ -191,14 +212,12 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     if (!kept_->count) return noPeriod();
     if (const auto same = checkSame(kept_->receivers, receivers); !same)
         return tl::make_unexpected(same.error());
-    if (const auto able = checkLevelGround(city, receivers, "Kept horizons work"); !able)
-        return tl::make_unexpected(able.error());
-    const auto change = kept_->walls.become(city);
+    const auto change = kept_->become(city, receivers);
     if (!change) return tl::make_unexpected(change.error());
-    kept_->receivers = receivers;
+    const Receivers before = std::exchange(kept_->receivers, receivers);
     kept_->countCity();
     for (KeptTile& tile : kept_->tiles) {
-        kept_->change(tile, *change, counts, stop);
+        kept_->change(tile, before.groundM, *change, counts, stop);
         kept_->keepWithinMemory(tile);
     }
     kept_->mask();

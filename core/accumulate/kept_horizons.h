@@ -9,8 +9,8 @@ namespace noonmark {
 
 struct KeptHorizonsSettings {
     double binDeg = 0.5;  ///< width of an azimuth bin, degrees, 0.1 to 2
-    /// For horizons that stay: 2 bytes for each cell of the region's box and bin. Of a larger region some
-    /// tiles are swept anew each time.
+    /// For horizons that stay: 2 bytes for each cell of the region's box and bin, and 8 for each interval
+    /// that a part which hangs hides there. Of a larger region some tiles are swept anew each time.
     std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     bool operator==(const KeptHorizonsSettings&) const = default;
 };
@@ -23,8 +23,9 @@ enum class KeptCounts {
 
 /// A study by horizons that stay: other dates, hours, steps and weights are a walk through tables, and a city
 /// that changed by a few buildings is looked at only where these stand, stood or throw their shadow. A city
-/// and receivers as the horizon sweep takes them (horizon_sweep.h), with the same error; but each bin's suns
-/// are taken in its middle whatever the period, so that short periods are less exact there.
+/// and receivers as the horizon sweep takes them (horizon_sweep.h: terrain, roofs and parts that hang, too),
+/// with the same error; but each bin's suns are taken in its middle whatever the period, so that short
+/// periods are less exact there.
 ///
 /// Rounding: a horizon is kept as its level of 65,535, rounded down (horizon/horizon_code.h), which is what a
 /// fresh sweep counts with too. So after any changes the field is that of new KeptHorizons of the same city,
@@ -48,8 +49,9 @@ public:
                                KeptCounts counts = KeptCounts::grossAndRuns);
 
     /// The field of the present period in another city. `receivers`: the same grid and region. Buildings that
-    /// the cities share by address did not change. Error, and nothing changed: no period yet, another region,
-    /// or what the horizon sweep refuses.
+    /// the cities share by address did not change. Other terrain, receivers on roofs where there were none
+    /// and a lowest receiver in another 64 m of height make all anew. Error, and nothing changed: no period
+    /// yet, another grid, or what the horizon sweep refuses.
     Result<ShadowField> change(const City& city, const Receivers& receivers, Progress& progress,
                                std::stop_token stop, KeptCounts counts = KeptCounts::grossAndRuns);
 

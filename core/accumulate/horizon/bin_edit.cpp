@@ -33,34 +33,44 @@ std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, 
     const ShadowAxes axes(away);
     const ShadowExtent tile = noonmark::extentOf(edit.blocks.box(), axes);
     const WallList& list = edit.walls.list();
-    removed_.begin(list, edit.change.removed, axes, tile, lowest, edit.cellM);
-    added_.begin(list, edit.change.added, axes, tile, lowest, edit.cellM);
+    removed_.begin(list, edit.change.removed.standing(), away, tile, lowest, edit.cellM, edit.stop);
+    added_.begin(list, edit.change.added.standing(), away, tile, lowest, edit.cellM, edit.stop);
     findBlocks(edit, axes, lowest);
     lost_.clear();
     changes_.clear();
-    for (const std::uint32_t number : edit.newNumbers) codes[number] = noHorizon;
+    for (const std::uint32_t number : edit.cells.newNumbers) codes[number] = noHorizon;
     for (const std::size_t block : blocks_) look(edit, axes, block, codes);
-    if (!lost_.empty()) findAgain(edit, axes, lowest, codes);
+    if (!lost_.empty()) findAgain(edit, away, lowest, codes);
     return changes_;
 }
 
-// The squares that the prisms' bands of q meet, as far as their shadows are long.
+// As far as shadows of what went and came are long.
 void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest) {
     const double tan = double(steepnessOf(lowest)) / (1 - double(steepnessOf(lowest)));
     ShadowExtent extent;
-    for (const auto* prisms : {&edit.change.removed, &edit.change.added})
-        for (const StandingPrism& prism : *prisms) {
-            ShadowExtent own;
-            own.addBox(axes, prism.low, prism.high);
-            own.highAlong += double(prism.topM) * axes.alongPerDistance / (edit.cellM * tan) + 2;
-            extent.add({own.lowQ, own.lowAlong - 1});
-            extent.add({own.highQ, own.highAlong});
-        }
-    blocks_ = edit.newBlocks;
+    const auto add = [&](const auto& obstacle) {
+        ShadowExtent own;
+        own.addBox(axes, obstacle.low, obstacle.high);
+        own.highAlong += double(obstacle.topM) * axes.alongPerDistance / (edit.cellM * tan) + 2;
+        extent.add({own.lowQ, own.lowAlong - 1});
+        extent.add({own.highQ, own.highAlong});
+    };
+    for (const WallSet* set : {&edit.change.removed, &edit.change.added}) {
+        std::ranges::for_each(set->prisms, add);
+        std::ranges::for_each(set->solids, add);
+    }
+    blocks_ = edit.cells.newBlocks;
+    if (extent.lowQ <= extent.highQ) addSquares(edit, axes, extent);
+    std::ranges::sort(blocks_);
+    blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
+}
+
+// Those that meet the extent's band of q.
+void BinEdit::addSquares(const TileEdit& edit, const ShadowAxes& axes, const ShadowExtent& extent) {
     const TileBox& box = edit.blocks.box();
     const glm::ivec2 squares = edit.blocks.squares();
     const int alongs = axes.swapped ? squares.x : squares.y, acrosses = axes.swapped ? squares.y : squares.x;
-    for (int line = 0; line < alongs && extent.lowQ <= extent.highQ; ++line) {
+    for (int line = 0; line < alongs; ++line) {
         const int from = axes.swapped ? box.firstColumn : box.firstRow,
                   other = axes.swapped ? box.firstRow : box.firstColumn;
         const double one = axes.sign * (from + line * side), last = one + axes.sign * (side - 1);
@@ -75,8 +85,6 @@ void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes, HorizonCo
                 block >= 0)
                 blocks_.push_back(std::size_t(block));
     }
-    std::ranges::sort(blocks_);
-    blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
 }
 
 void BinEdit::put(std::span<HorizonCode> codes, std::uint32_t number, HorizonCode code) {
@@ -91,9 +99,10 @@ void BinEdit::look(const TileEdit& edit, const ShadowAxes& axes, std::size_t i,
     const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
     const ReceiverBlocks::Masks& receivers = edit.blocks.masks(i, axes.swapped);
     const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
-    const HorizonCode* gone = removed_.codes(block, receivers);
-    const HorizonCode* come = added_.codes(block, receivers);
-    Lost lost{i, axes.swapped ? edit.newColumns[i] : edit.newRows[i]};
+    const BlockGround ground = edit.grounds.of(i, axes.swapped);
+    const HorizonCode* gone = removed_.codes(block, receivers, ground);
+    const HorizonCode* come = added_.codes(block, receivers, ground);
+    Lost lost{i, axes.swapped ? edit.cells.newColumns[i] : edit.cells.newRows[i]};
     const bool anyNew = any(lost.masks);
     if (gone == nullptr && come == nullptr && !anyNew) return;
     for (std::uint32_t n = 0; n < block.count; ++n) {
@@ -109,16 +118,18 @@ void BinEdit::look(const TileEdit& edit, const ShadowAxes& axes, std::size_t i,
     if (any(lost.masks)) lost_.push_back(lost);
 }
 
-void BinEdit::findAgain(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest,
+void BinEdit::findAgain(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest,
                         std::span<HorizonCode> codes) {
+    const ShadowAxes axes(away);
+    const WallList& list = edit.walls.list();
     ShadowExtent extent;
     for (const Lost& lost : lost_) extent = extentOf(edit.blocks.blocks()[lost.block], axes, extent);
     edit.walls.across(axes, extent, prisms_);
-    all_.begin(edit.walls.list(), prisms_, axes, extent, lowest, edit.cellM);
+    all_.begin(list, {prisms_, list.solids, list.terrain.get()}, away, extent, lowest, edit.cellM, edit.stop);
     for (const Lost& lost : lost_) {
         const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
         const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
-        const HorizonCode* square = all_.codes(block, lost.masks);
+        const HorizonCode* square = all_.codes(block, lost.masks, edit.grounds.of(lost.block, axes.swapped));
         for (std::uint32_t n = 0; n < block.count; ++n)
             if (has(lost.masks, places[n]))
                 put(codes, block.first + n, square == nullptr ? noHorizon : square[places[n]]);

@@ -75,7 +75,7 @@ std::uint64_t sweepBin(SquareSweep& sweep, const WallList& walls, const Receiver
                        const BlockGrounds& grounds, glm::dvec2 away, HorizonCode lowest, double cellM,
                        std::span<HorizonCode> codes, const std::stop_token& stop) {
     const ShadowAxes axes(away);
-    sweep.beginAll(walls, away, extentOf(blocks.box(), axes), lowest, cellM, stop);
+    sweep.begin(walls, allOf(walls), away, extentOf(blocks.box(), axes), lowest, cellM, stop);
     for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
         if (i % 256 == 0 && stop.stop_requested()) break;
         const ReceiverBlocks::Block& block = blocks.blocks()[i];
@@ -93,7 +93,7 @@ void rankBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& bl
     ranks.codes.assign(blocks.numbers(), noHorizon);
     ranks.others.assign(blocks.numbers(), noHorizon);
     ranks.buildings.resize(blocks.numbers());
-    sweep.beginAll(walls, away, extentOf(blocks.box(), axes), lowest, cellM, stop);
+    sweep.begin(walls, allOf(walls), away, extentOf(blocks.box(), axes), lowest, cellM, stop);
     for (std::size_t i = 0; i < blocks.blocks().size() && !stop.stop_requested(); ++i) {
         const ReceiverBlocks::Block& block = blocks.blocks()[i];
         const RankedCodes* square =
@@ -107,24 +107,16 @@ void rankBin(SquareSweep& sweep, const WallList& walls, const ReceiverBlocks& bl
     }
 }
 
-void SquareSweep::begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
-                        const ShadowExtent& extent, HorizonCode lowest, double cellM) {
-    begin(axes, lowest, cellM, true);
-    walls_.find(walls, prisms, axes, extent, cellM, tanOf(lowest));
-}
-
-void SquareSweep::beginAll(const WallList& walls, glm::dvec2 away, const ShadowExtent& extent,
-                           HorizonCode lowest, double cellM, const std::stop_token& stop) {
-    begin(ShadowAxes(away), lowest, cellM, walls.even());
-    walls_.findAll(walls, away, extent, cellM, tanOf(lowest), stop);
-}
-
-void SquareSweep::begin(const ShadowAxes& axes, HorizonCode lowest, double cellM, bool even) {
+void SquareSweep::begin(const WallList& walls, const Obstacles& obstacles, glm::dvec2 away,
+                        const ShadowExtent& extent, HorizonCode lowest, double cellM,
+                        const std::stop_token& stop) {
+    const ShadowAxes axes(away);
     axes_ = axes;
     lines_ = BlockLines(axes.k, axes.sign);
     lowest_ = lowest;
-    even_ = even;
+    even_ = obstacles.even();
     risePerMetre_ = float(axes.alongPerDistance / cellM);
+    walls_.find(walls, obstacles, away, extent, cellM, tanOf(lowest), stop);
 }
 
 bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,

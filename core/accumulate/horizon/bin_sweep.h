@@ -16,14 +16,10 @@ namespace noonmark {
 /// Squares of a tile at one azimuth. Keeps its memory from one to the next; one for each thread.
 class SquareSweep {
 public:
-    /// From now on: these prisms' walls, for cells in `extent`; horizons that hide no sun of code `lowest`
-    /// are noHorizon. `cellM`: metres a cell.
-    void begin(const WallList& walls, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
-               const ShadowExtent& extent, HorizonCode lowest, double cellM);
-
-    /// From now on all that the list holds; less once stopped.
-    void beginAll(const WallList& walls, glm::dvec2 away, const ShadowExtent& extent, HorizonCode lowest,
-                  double cellM, const std::stop_token& stop);
+    /// From now on: these obstacles, for cells in `extent`; horizons that hide no sun of code `lowest` are
+    /// noHorizon. `cellM`: metres a cell. Less once stopped.
+    void begin(const WallList& walls, const Obstacles& obstacles, glm::dvec2 away, const ShadowExtent& extent,
+               HorizonCode lowest, double cellM, const std::stop_token& stop);
 
     /// Codes of the block's cells in `masks`, 16 a line (row, or column where swapped), noHorizon for the
     /// others; null where all are noHorizon. Valid until the next call.
@@ -38,7 +34,6 @@ public:
     [[nodiscard]] std::uint64_t outOfReach() const { return walls_.outOfReach(); }
 
 private:
-    void begin(const ShadowAxes& axes, HorizonCode lowest, double cellM, bool even);
     bool raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
                BlockHorizons& horizons);
     template <class Horizons>

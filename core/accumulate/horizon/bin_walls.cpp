@@ -25,20 +25,13 @@ float nearestOf(glm::vec3 outward) {
 
 }  // namespace
 
-void BinWalls::find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
-                    const ShadowExtent& tile, double cellM, float lowestTan) {
-    begin(axes, tile, cellM, lowestTan);
-    for (const StandingPrism& prism : prisms) addPrism(list, prism, axes);
-    sort();
-}
-
-void BinWalls::findAll(const WallList& list, glm::dvec2 away, const ShadowExtent& tile, double cellM,
-                       float lowestTan, const std::stop_token& stop) {
+void BinWalls::find(const WallList& list, const Obstacles& obstacles, glm::dvec2 away,
+                    const ShadowExtent& tile, double cellM, float lowestTan, const std::stop_token& stop) {
     const ShadowAxes axes(away);
     begin(axes, tile, cellM, lowestTan);
-    for (const StandingPrism& prism : list.prisms) addPrism(list, prism, axes);
-    for (const StandingSolid& solid : list.solids) addSolid(solid, axes, glm::vec2(away));
-    if (list.terrain) addTerrain(list, axes, away, stop);
+    for (const StandingPrism& prism : obstacles.prisms) addPrism(list, prism, axes);
+    for (const StandingSolid& solid : obstacles.solids) addSolid(solid, axes, glm::vec2(away));
+    if (obstacles.terrain != nullptr) addTerrain(*obstacles.terrain, list.terrainNumber, axes, away, stop);
     sort();
 }
 
@@ -96,9 +89,9 @@ void BinWalls::addEdge(const StandingSolid& solid, const SolidEdge& edge, const 
 }
 
 // Of all squares of the terrain; a receiver lies at the datum or above.
-void BinWalls::addTerrain(const WallList& list, const ShadowAxes& axes, glm::dvec2 away,
-                          const std::stop_token& stop) {
-    list.terrain->find(
+void BinWalls::addTerrain(const TerrainEdges& terrain, std::uint32_t number, const ShadowAxes& axes,
+                          glm::dvec2 away, const std::stop_token& stop) {
+    terrain.find(
         {.axes = axes, .away = away, .tile = tile_, .lowestTan = lowestTan_, .alongPerMetre = alongPerMetre_},
         edges_, stop);
     for (const TerrainEdges::Edge& edge : edges_) {
@@ -106,7 +99,7 @@ void BinWalls::addTerrain(const WallList& list, const ShadowAxes& axes, glm::dve
         reach_ = rise / lowestTan_ + 1;
         if (rise > 0)
             addPieces({edge.a, edge.aM * alongPerMetre_}, {edge.b, edge.bM * alongPerMetre_},
-                      {.nearest = onTheWall, .building = list.terrainNumber});
+                      {.nearest = onTheWall, .building = number});
     }
 }
 

@@ -31,13 +31,11 @@ public:
     static constexpr double bandWidth = 32;
     static constexpr double rowDepth = 16;
 
-    /// Replaces what is there by these prisms' walls. `tile`: cells that matter. `cellM`: metres a cell.
-    /// `lowestTan`: of the bin's suns.
-    void find(const WallList& list, std::span<const StandingPrism> prisms, const ShadowAxes& axes,
-              const ShadowExtent& tile, double cellM, float lowestTan);
-    /// The same of all that the list holds; less once stopped: a large terrain takes long to look through.
-    void findAll(const WallList& list, glm::dvec2 away, const ShadowExtent& tile, double cellM,
-                 float lowestTan, const std::stop_token& stop);
+    /// Replaces what is there by what these obstacles hide the sun with. `tile`: cells that matter. `cellM`:
+    /// metres a cell. `lowestTan`: of the bin's suns. Less once stopped: a large terrain takes long to look
+    /// through.
+    void find(const WallList& list, const Obstacles& obstacles, glm::dvec2 away, const ShadowExtent& tile,
+              double cellM, float lowestTan, const std::stop_token& stop);
 
     /// Row of the walls with the highest `along` up to this one; rows count towards the sun.
     [[nodiscard]] int rowOf(double along) const;
@@ -72,8 +70,8 @@ private:
     void addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes);
     void addSolid(const StandingSolid& solid, const ShadowAxes& axes, glm::vec2 away);
     void addEdge(const StandingSolid& solid, const SolidEdge& edge, const ShadowAxes& axes);
-    void addTerrain(const WallList& list, const ShadowAxes& axes, glm::dvec2 away,
-                    const std::stop_token& stop);
+    void addTerrain(const TerrainEdges& terrain, std::uint32_t number, const ShadowAxes& axes,
+                    glm::dvec2 away, const std::stop_token& stop);
     void addPieces(End a, End b, WallPiece piece);
     void sort();
     [[nodiscard]] float highest(const std::vector<float>& rises, int row, const Bands& bands) const;

@@ -4,33 +4,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
+#include <utility>
 
 namespace noonmark {
 
 namespace {
-
-std::vector<ReceiverBlocks::Masks> added(const ReceiverBlocks& now, const ReceiverBlocks& before,
-                                         bool columns) {
-    std::vector<ReceiverBlocks::Masks> masks(now.blocks().size());
-    for (std::size_t i = 0; i < masks.size(); ++i)
-        for (std::size_t line = 0; line < ReceiverBlocks::side; ++line)
-            masks[i][line] = std::uint16_t(now.masks(i, columns)[line] & ~before.masks(i, columns)[line]);
-    return masks;
-}
-
-void findNew(TileEdit& edit) {
-    for (std::size_t i = 0; i < edit.newRows.size(); ++i) {
-        if (edit.newRows[i] == ReceiverBlocks::Masks{}) continue;
-        edit.newBlocks.push_back(i);
-        const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
-        const std::uint8_t* places = edit.blocks.places(block, false);
-        for (std::uint32_t n = 0; n < block.count; ++n)
-            if ((edit.newRows[i][places[n] / ReceiverBlocks::side] >> (places[n] % ReceiverBlocks::side) &
-                 1U) != 0)
-                edit.newNumbers.push_back(block.first + n);
-    }
-}
 
 bool hasReceivers(const ReceiverBlocks& blocks, std::size_t part) {
     const std::size_t end = std::min((part + 1) * lanesARun, blocks.numbers());
@@ -44,15 +22,25 @@ constexpr std::size_t numbersATask = 65'536;
 // Stretches of receivers as close as this are counted as one.
 constexpr std::uint32_t smallGap = 4;
 
+// What hangs is looked at from receivers only.
+std::span<const HorizonCode> ofReceivers(const ReceiverBlocks& blocks, std::span<const HorizonCode> codes,
+                                         std::vector<HorizonCode>& memory) {
+    memory.assign(codes.begin(), codes.end());
+    for (std::size_t number = 0; number < memory.size(); ++number)
+        if (blocks.cell(number) == ReceiverBlocks::padding) memory[number] = OpenSweep::blind;
+    return memory;
+}
+
 }  // namespace
 
 KeptTile::KeptTile(const Receivers& receivers, const TileBox& box, std::size_t bins)
     : box_(box), blocks_(receivers, box, Numbering::cells), bins_(bins) {}
 
 std::size_t KeptTile::bytes() const {
-    std::size_t codes = 0;
-    for (const KeptBin& bin : bins_) codes += bin.codes.capacity();
-    return codes * sizeof(HorizonCode);
+    std::size_t bytes = 0;
+    for (const KeptBin& bin : bins_)
+        bytes += bin.codes.capacity() * sizeof(HorizonCode) + bin.gaps.capacity() * sizeof(Gap);
+    return bytes;
 }
 
 void KeptTile::drop() {
@@ -60,9 +48,9 @@ void KeptTile::drop() {
     count_ = {};
 }
 
-std::size_t KeptTile::retime(const KeptWalls& walls, double cellM, const BinnedSun& binned,
+std::size_t KeptTile::retime(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                              const std::stop_token& stop) {
-    const std::size_t swept = sweep(walls, cellM, binned, stop);
+    const std::size_t swept = sweep(receivers, walls, binned, stop);
     if (!stop.stop_requested()) addHidden(tablesFor(binned), stop);
     if (stop.stop_requested()) count_ = {};
     allOld();
@@ -74,21 +62,55 @@ void KeptTile::allOld() {
     count_.runsAreOld = count_.grossIsOld;
 }
 
-std::size_t KeptTile::sweep(const KeptWalls& walls, double cellM, const BinnedSun& binned,
+// `hung`: whether something that went did.
+void KeptTile::lookAtGround(const Receivers& receivers, const KeptWalls& walls, bool hung) {
+    const double datumM = walls.list().datumM;
+    grounds_ = BlockGrounds(receivers, blocks_, datumM);
+    if (walls.open().empty() && !hung) return;
+    if (open_.numbers.empty() || !receivers.flat()) open_ = OpenTile(receivers, blocks_, datumM);
+}
+
+struct KeptTile::Sweeping {
+    const KeptWalls& walls;
+    double cellM;
+    const std::stop_token& stop;
+    struct Memory {
+        SquareSweep squares;
+        OpenSweep open;
+        std::vector<HorizonCode> horizons;
+    };
+    tbb::enumerable_thread_specific<Memory> memory{};
+};
+
+std::size_t KeptTile::sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                             const std::stop_token& stop) {
-    std::atomic<std::size_t> swept{0};
-    tbb::enumerable_thread_specific<SquareSweep> sweeps;
-    tbb::parallel_for(std::size_t{0}, binned.bins.size(), [&](std::size_t i) {
-        const AzimuthBin& bin = binned.bins[i];
-        KeptBin& kept = bins_[bin.number];
-        if (stop.stop_requested() || kept.holds(bin)) return;
-        kept.lowest = kept.codes.empty() ? bin.lowest() : std::min(kept.lowest, bin.lowest());
-        kept.codes.resize(blocks_.numbers());
-        sweepBin(sweeps.local(), walls.list(), blocks_, {}, bin.away, kept.lowest, cellM, kept.codes, stop);
-        if (stop.stop_requested()) kept = {};
-        ++swept;
+    std::vector<const AzimuthBin*> missing;
+    for (const AzimuthBin& bin : binned.bins)
+        if (!bins_[bin.number].holds(bin)) missing.push_back(&bin);
+    if (missing.empty()) return 0;
+    lookAtGround(receivers, walls, false);
+    Sweeping sweeping{walls, receivers.grid.cellM, stop};
+    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+        if (!stop.stop_requested()) sweep(bins_[missing[i]->number], *missing[i], sweeping);
     });
-    return swept;
+    return missing.size();
+}
+
+void KeptTile::sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const {
+    const KeptWalls& walls = sweeping.walls;
+    Sweeping::Memory& memory = sweeping.memory.local();
+    const HorizonCode lowest = KeptBin::below(bin);
+    kept.lowest = kept.codes.empty() ? lowest : std::min(kept.lowest, lowest);
+    kept.codes.resize(blocks_.numbers());
+    sweepBin(memory.squares, walls.list(), blocks_, grounds_, bin.away, kept.lowest, sweeping.cellM,
+             kept.codes, sweeping.stop);
+    if (!walls.open().empty() && !sweeping.stop.stop_requested()) {
+        const auto gaps =
+            memory.open.intervals({walls.open().all(), open_, bin.away, kept.lowest, sweeping.cellM},
+                                  ofReceivers(blocks_, kept.codes, memory.horizons), sweeping.stop);
+        kept.gaps.assign(gaps.begin(), gaps.end());
+    }
+    if (sweeping.stop.stop_requested()) kept = {};
 }
 
 // What is to be added to the sums: of each bin the suns that came, less those that went; or, where that is
@@ -134,60 +156,88 @@ void KeptTile::addHidden(const std::vector<BinTable>& tables, const std::stop_to
                           for (const BinTable& table : tables) {
                               if (stop.stop_requested()) return;
                               table.hidden.addTo(bins_[table.number].codes.data(), own, count_.hidden.data());
+                              addGaps(table, task * numbersATask, (task + 1) * numbersATask);
                           }
                       });
 }
 
-void KeptTile::note(std::span<const CodeChange> changes, const HiddenSuns& hidden,
-                    std::span<std::uint32_t> more, std::span<std::uint8_t> parts) const {
-    for (const CodeChange& change : changes) {
-        const std::uint32_t added = hidden(change.after) - hidden(change.before);
-        if (added == 0) continue;
-        more[change.number] += added;
-        parts[change.number / lanesARun] = 1;
-    }
+// Of numbers [first, end).
+void KeptTile::addGaps(const BinTable& table, std::size_t first, std::size_t end) {
+    const KeptBin& bin = bins_[table.number];
+    const auto from = std::ranges::lower_bound(bin.gaps, first, {}, &Gap::number),
+               to = std::ranges::lower_bound(bin.gaps, end, {}, &Gap::number);
+    forEachReceiver(std::span<const Gap>(from, to), [&](std::span<const Gap> own) {
+        const std::uint32_t number = own.front().number;
+        count_.hidden[number] += hiddenIn(bin.codes[number], own, table.hidden);
+    });
 }
 
-void KeptTile::change(const Receivers& receivers, const KeptWalls& walls, const WallChange& change,
-                      const BinnedSun& binned, const PeriodCount& count, double binDeg,
-                      const std::stop_token& stop) {
-    ReceiverBlocks now(receivers, box_, Numbering::cells);
-    TileEdit edit{walls,
-                  change,
-                  now,
-                  added(now, blocks_, false),
-                  added(now, blocks_, true),
-                  {},
-                  {},
-                  receivers.grid.cellM};
-    findNew(edit);
+struct KeptTile::Editing {
+    TileEdit edit;
+    /// Of one thread: what is to be added to the sums.
+    struct Memory {
+        BinEdit codes;
+        GapEdit gaps;
+        std::vector<std::uint32_t> more;
+        std::vector<std::uint8_t> parts;
+
+        void add(std::uint32_t number, std::uint32_t steps) {
+            more[number] += steps;
+            parts[number / lanesARun] = 1;
+        }
+    };
+    tbb::enumerable_thread_specific<Memory> memory{};
+
+    [[nodiscard]] bool hangs() const {
+        return !edit.walls.open().empty() || !edit.change.removed.open.empty();
+    }
+};
+
+void KeptTile::change(const Receivers& receivers, std::span<const float> groundBeforeM,
+                      const KeptWalls& walls, const WallChange& change, const BinnedSun& binned,
+                      const PeriodCount& count, double binDeg, const std::stop_token& stop) {
+    const ReceiverBlocks before = std::exchange(blocks_, ReceiverBlocks(receivers, box_, Numbering::cells));
+    if (bytes() == 0) return;
+    const ChangedCells cells = changedCells(blocks_, before, receivers, groundBeforeM);
+    lookAtGround(receivers, walls, !change.removed.open.empty());
+    beginNew(cells);
+    std::vector<const HiddenSuns*> hidden(bins_.size(), nullptr);
+    for (std::size_t i = 0; i < binned.bins.size(); ++i) hidden[binned.bins[i].number] = &count.hidden(i);
+    Editing editing{
+        {walls, change, blocks_, grounds_, open_, cells, receivers.grid.columns, receivers.grid.cellM, stop}};
+    tbb::parallel_for(std::size_t{0}, bins_.size(), [&](std::size_t number) {
+        if (bins_[number].codes.empty() || stop.stop_requested()) return;
+        this->change(std::uint32_t(number), middleAway(std::uint32_t(number), binDeg), hidden[number],
+                     editing);
+    });
+    for (const Editing::Memory& memory : editing.memory) take(memory.more, memory.parts);
+    if (stop.stop_requested()) drop();
+}
+
+void KeptTile::beginNew(const ChangedCells& cells) {
     if (count_.grossIsOld.empty()) allOld();
-    for (const std::uint32_t number : edit.newNumbers) {
+    for (const std::uint32_t number : cells.newNumbers) {
         count_.grossIsOld[number / lanesARun] = count_.runsAreOld[number / lanesARun] = 1;
         if (!count_.hidden.empty()) count_.hidden[number] = 0;
     }
-    std::vector<const HiddenSuns*> hidden(bins_.size(), nullptr);
-    for (std::size_t i = 0; i < binned.bins.size(); ++i) hidden[binned.bins[i].number] = &count.hidden(i);
-    struct Work {
-        BinEdit edit;
-        std::vector<std::uint32_t> more;
-        std::vector<std::uint8_t> parts;
-    };
-    tbb::enumerable_thread_specific<Work> works{[&] {
-        return Work{{}, std::vector<std::uint32_t>(now.numbers()), std::vector<std::uint8_t>(partsOf(now))};
-    }};
-    tbb::parallel_for(std::size_t{0}, bins_.size(), [&](std::size_t number) {
-        KeptBin& bin = bins_[number];
-        if (bin.codes.empty() || stop.stop_requested()) return;
-        Work& work = works.local();
-        const auto changes =
-            work.edit.run(edit, middleAway(std::uint32_t(number), binDeg), bin.lowest, bin.codes);
-        // Of a bin that the period does not visit the sums know nothing.
-        if (hidden[number] != nullptr) note(changes, *hidden[number], work.more, work.parts);
-    });
-    for (const Work& work : works) take(work.more, work.parts);
-    blocks_ = std::move(now);
-    if (stop.stop_requested()) drop();
+}
+
+// Of a bin that the period does not visit the sums know nothing.
+void KeptTile::change(std::uint32_t number, glm::dvec2 away, const HiddenSuns* hidden, Editing& editing) {
+    KeptBin& bin = bins_[number];
+    Editing::Memory& memory = editing.memory.local();
+    memory.more.resize(blocks_.numbers());
+    memory.parts.resize(partsOf(blocks_));
+    const auto changes = memory.codes.run(editing.edit, away, bin.lowest, bin.codes);
+    for (const CodeChange& change : changes)
+        if (const std::uint32_t steps =
+                hidden == nullptr ? 0 : (*hidden)(change.after) - (*hidden)(change.before);
+            steps != 0)
+            memory.add(change.number, steps);
+    if (!editing.hangs()) return;
+    const GapEdit::Bin now{away, bin.lowest, bin.codes, changes, hidden};
+    for (const GapChange& change : memory.gaps.run(editing.edit, now, bin.gaps))
+        memory.add(change.number, change.added);
 }
 
 // Adds to the sums of some parts.
@@ -211,12 +261,16 @@ void KeptTile::writeGross(ShadowField& field, const std::stop_token& stop) {
 void KeptTile::writeRuns(const BinnedSun& binned, const PeriodCount& count, ShadowField& field,
                          const std::stop_token& stop) {
     BinCodes codes;
-    for (const AzimuthBin& bin : binned.bins) codes.push_back(bins_[bin.number].codes);
+    BinGaps gaps;
+    for (const AzimuthBin& bin : binned.bins) {
+        codes.push_back(bins_[bin.number].codes);
+        gaps.push_back(bins_[bin.number].gaps);
+    }
     tbb::enumerable_thread_specific<RunMemory> memory;
     tbb::parallel_for(std::size_t{0}, partsOf(blocks_), [&](std::size_t part) {
         if (stop.stop_requested() || count_.runsAreOld[part] == 0) return;
         if (hasReceivers(blocks_, part))
-            noonmark::writeRuns(blocks_, part, count.longestRuns(codes, {}, part, memory.local()), field);
+            noonmark::writeRuns(blocks_, part, count.longestRuns(codes, gaps, part, memory.local()), field);
         count_.runsAreOld[part] = 0;
     });
 }

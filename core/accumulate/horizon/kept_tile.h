@@ -3,17 +3,23 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accumulate/horizon/bin_edit.h"
+#include "core/accumulate/horizon/gap_edit.h"
 #include "core/accumulate/horizon/kept_walls.h"
 #include "core/accumulate/horizon/period_count.h"
 
 namespace noonmark {
 
-/// Horizons of a tile at one azimuth, exact for suns down to `lowest`.
+/// Horizons of a tile at one azimuth, exact for suns above `lowest`: what ends at a sun's own level is kept,
+/// since a gap that begins one level above is joined to it.
 struct KeptBin {
     HorizonCode lowest = 0;
-    std::vector<HorizonCode> codes;  ///< one a number; none: not there
-    [[nodiscard]] bool holds(const AzimuthBin& bin) const { return !codes.empty() && lowest <= bin.lowest(); }
+    std::vector<HorizonCode> codes;  ///< of what stands, one a number; none: not there
+    std::vector<Gap> gaps;  ///< of receivers, by number: all that hangs and reaches above the horizon
+
+    static HorizonCode below(const AzimuthBin& bin) {
+        return HorizonCode(std::max(int(noHorizon), int(bin.lowest()) - 1));
+    }
+    [[nodiscard]] bool holds(const AzimuthBin& bin) const { return !codes.empty() && lowest <= below(bin); }
 };
 
 /// The steps hidden in a tile in the period at hand, and what of the field is out of date.
@@ -34,13 +40,13 @@ public:
 
     /// Sweeps the bins that are not there or do not reach low enough, and counts; of bins whose suns are
     /// those of the period before nothing. Returns how many it swept.
-    std::size_t retime(const KeptWalls& walls, double cellM, const BinnedSun& binned,
+    std::size_t retime(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                        const std::stop_token& stop);
 
-    /// After the city changed: other receivers, prisms that went and came. Only horizons that may change are
-    /// looked at. After a stop the tile is empty.
-    void change(const Receivers& receivers, const KeptWalls& walls, const WallChange& change,
-                const BinnedSun& binned, const PeriodCount& count, double binDeg,
+    /// After the city changed: other receivers (their ground `groundBeforeM`, as in Receivers), buildings
+    /// that went and came. Only horizons that may change are looked at. After a stop the tile is empty.
+    void change(const Receivers& receivers, std::span<const float> groundBeforeM, const KeptWalls& walls,
+                const WallChange& change, const BinnedSun& binned, const PeriodCount& count, double binDeg,
                 const std::stop_token& stop);
 
     /// Writes the gross minutes that are out of date.
@@ -55,18 +61,25 @@ private:
         std::uint32_t number;
         HiddenSuns hidden;
     };
-    std::size_t sweep(const KeptWalls& walls, double cellM, const BinnedSun& binned,
+    struct Sweeping;  // what the threads share while bins are swept
+    struct Editing;   // or changed
+    std::size_t sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                       const std::stop_token& stop);
+    void sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const;
+    void lookAtGround(const Receivers& receivers, const KeptWalls& walls, bool hung);
     std::vector<BinTable> tablesFor(const BinnedSun& binned);
     void addHidden(const std::vector<BinTable>& tables, const std::stop_token& stop);
+    void addGaps(const BinTable& table, std::size_t first, std::size_t end);
     [[nodiscard]] std::vector<Stretch> stretchesOfReceivers() const;
-    void note(std::span<const CodeChange> changes, const HiddenSuns& hidden, std::span<std::uint32_t> more,
-              std::span<std::uint8_t> parts) const;
+    void beginNew(const ChangedCells& cells);
+    void change(std::uint32_t number, glm::dvec2 away, const HiddenSuns* hidden, Editing& editing);
     void take(std::span<const std::uint32_t> more, std::span<const std::uint8_t> parts);
     void allOld();
 
     TileBox box_;
     ReceiverBlocks blocks_;
+    BlockGrounds grounds_;
+    OpenTile open_;              // empty before anything hangs
     std::vector<KeptBin> bins_;  // by number
     TileCount count_;
 };

@@ -50,65 +50,95 @@ Buildings lacking(const Buildings& from, const Buildings& to) {
     return missing;
 }
 
+/// Moves out of `items` those of some owners.
+template <class T>
+std::vector<T> takeOut(std::vector<T>& items, std::vector<std::uint64_t>& ownerOf,
+                       const std::unordered_set<std::uint64_t>& owners) {
+    std::vector<T> taken;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (owners.contains(ownerOf[i])) {
+            taken.push_back(std::move(items[i]));
+            continue;
+        }
+        if (kept != i) items[kept] = std::move(items[i]);
+        ownerOf[kept++] = ownerOf[i];
+    }
+    items.resize(kept);
+    ownerOf.resize(kept);
+    return taken;
+}
+
+// Below all receivers, and seldom another when receivers come and go: what counts from it is rounded.
+double datumOf(const Receivers& receivers) {
+    constexpr double levelM = 64;
+    return std::floor(lowestGroundM(receivers) / levelM) * levelM;
+}
+
 }  // namespace
 
-Result<KeptWalls> KeptWalls::of(const City& city, const Grid& grid) {
-    KeptWalls walls(grid);
+Result<KeptWalls> KeptWalls::of(const City& city, const Receivers& receivers) {
+    KeptWalls walls(receivers.grid);
+    walls.list_.datumM = datumOf(receivers);
+    walls.terrain_ = city.terrain;
+    if (city.terrain)
+        walls.list_.terrain =
+            std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, walls.list_.datumM);
     if (const auto change = walls.become(city); !change) return tl::make_unexpected(change.error());
     return walls;
 }
 
+bool KeptWalls::sameGround(const City& city, const Receivers& receivers) const {
+    return city.terrain == terrain_ && datumOf(receivers) == list_.datumM;
+}
+
 Result<WallChange> KeptWalls::become(const City& city) {
+    const Buildings fresh = lacking(city.buildings, buildings_);
+    const Owners gone = ownersOf(lacking(buildings_, city.buildings));
+    WallList more{.datumM = list_.datumM};
+    OpenParts parts;
+    for (std::uint32_t i = 0; i < fresh.size(); ++i) addStandingWalls(*fresh[i], i, grid_, more, parts);
+    const std::size_t others = open_.all().size() - open_.sizeOf(gone);
+    const auto open = openTriangles(parts, grid_, list_.datumM, others);
+    if (!open) return tl::make_unexpected(open.error());
     dropLostWalls();
-    WallChange change;
-    auto added = add(lacking(city.buildings, buildings_));
-    if (!added) return tl::make_unexpected(added.error());
-    change.added = std::move(*added);
-    change.removed = remove(lacking(buildings_, city.buildings));
+    WallChange change{.removed = remove(gone), .added = add(std::move(more), *open)};
+    for (const auto& building : fresh) numbers_.emplace_back(building.get(), next_++);
     buildings_ = city.buildings;
     noteCircles();
     return change;
 }
 
-Result<std::vector<StandingPrism>> KeptWalls::add(const Buildings& buildings) {
-    WallList longer = {.walls = std::move(list_.walls)};
-    const std::size_t walls = longer.walls.size();
-    Result<void> state;
-    std::vector<std::uint64_t> owners;
+KeptWalls::Owners KeptWalls::ownersOf(const Buildings& buildings) const {
+    Owners owners;
     for (const auto& building : buildings) {
-        if (state) state = addStandingWalls(*building, 0, grid_, longer);
-        owners.resize(longer.prisms.size(), next_ + (&building - buildings.data()));
+        const auto own = [&](const auto& number) {
+            return number.first == building.get() && !owners.contains(number.second);
+        };
+        owners.insert(std::ranges::find_if(numbers_, own)->second);
     }
-    if (!state) longer.walls.resize(walls);
-    list_.walls = std::move(longer.walls);
-    if (!state) return tl::make_unexpected(state.error());
-    for (const auto& building : buildings) numbers_.emplace_back(building.get(), next_++);
-    list_.prisms.insert(list_.prisms.end(), longer.prisms.begin(), longer.prisms.end());
-    owners_.insert(owners_.end(), owners.begin(), owners.end());
-    return std::move(longer.prisms);
+    return owners;
 }
 
-std::vector<StandingPrism> KeptWalls::remove(const Buildings& buildings) {
-    std::unordered_set<std::uint64_t> gone;
-    for (const auto& building : buildings) {
-        const auto number =
-            std::ranges::find(numbers_, building.get(), [](const auto& n) { return n.first; });
-        gone.insert(number->second);
-        numbers_.erase(number);
+// Buildings in `more` and `open` count from the next one.
+WallSet KeptWalls::add(WallList more, const OpenTriangles& open) {
+    for (StandingPrism& prism : more.prisms) {
+        prism.firstWall += std::uint32_t(list_.walls.size());
+        owners_.push_back(next_ + prism.building);
     }
-    std::vector<StandingPrism> removed;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; !gone.empty() && i < owners_.size(); ++i) {
-        if (gone.contains(owners_[i])) {
-            removed.push_back(list_.prisms[i]);
-            continue;
-        }
-        list_.prisms[kept] = list_.prisms[i];
-        owners_[kept++] = owners_[i];
-    }
-    list_.prisms.resize(list_.prisms.size() - removed.size());
-    owners_.resize(list_.prisms.size());
-    return removed;
+    for (const StandingSolid& solid : more.solids) solidOwners_.push_back(next_ + solid.building);
+    for (const OpenTriangles::Owner& owner : open.owners) open_.add(open.of(owner), next_ + owner.building);
+    list_.walls.insert(list_.walls.end(), more.walls.begin(), more.walls.end());
+    list_.prisms.insert(list_.prisms.end(), more.prisms.begin(), more.prisms.end());
+    list_.solids.insert(list_.solids.end(), more.solids.begin(), more.solids.end());
+    return {std::move(more.prisms), std::move(more.solids), open.all};
+}
+
+WallSet KeptWalls::remove(const Owners& owners) {
+    if (owners.empty()) return {};
+    std::erase_if(numbers_, [&](const auto& number) { return owners.contains(number.second); });
+    return {takeOut(list_.prisms, owners_, owners), takeOut(list_.solids, solidOwners_, owners),
+            open_.remove(owners)};
 }
 
 // Walls of what was removed stay until they are half of all.

@@ -122,15 +122,18 @@ void OpenSweep::merge() {
 
 OpenTile::OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)
     : box(blocks.box()), numbers(std::size_t(box.columns) * std::size_t(box.rows), -1) {
-    const auto columns = std::uint32_t(receivers.grid.columns);
     if (!receivers.flat()) groundsM.resize(blocks.numbers());
-    for (std::size_t number = 0; number < blocks.numbers(); ++number) {
-        const std::uint32_t cell = blocks.cell(number);
-        if (cell == ReceiverBlocks::padding) continue;
-        const int column = int(cell % columns) - box.firstColumn, row = int(cell / columns) - box.firstRow;
-        numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)] = std::int32_t(number);
-        if (!receivers.flat())
-            groundsM[number] = float(double(rayOrigin(receivers.position(cell)).z) - datumM);
+    for (const ReceiverBlocks::Block& block : blocks.blocks()) {
+        const std::uint8_t* places = blocks.places(block, false);
+        for (std::uint32_t n = 0; n < block.count; ++n) {
+            const int column = block.column - box.firstColumn + places[n] % ReceiverBlocks::side,
+                      row = block.row - box.firstRow + places[n] / ReceiverBlocks::side;
+            if (column >= box.columns || row >= box.rows) continue;
+            const std::uint32_t number = block.first + n, cell = blocks.cell(number);
+            numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)] = std::int32_t(number);
+            if (!receivers.flat() && cell != ReceiverBlocks::padding)
+                groundsM[number] = float(double(rayOrigin(receivers.position(cell)).z) - datumM);
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -13,10 +14,10 @@
 
 namespace noonmark {
 
-/// The receivers of a tile, cell by cell.
+/// The cells of a tile that have numbers.
 struct OpenTile {
     TileBox box;
-    std::vector<std::int32_t> numbers;  ///< row by row; -1 where there is no receiver
+    std::vector<std::int32_t> numbers;  ///< row by row; -1: none
     std::vector<float> groundsM;        ///< of each number, above the datum; empty: all lie on it
 
     OpenTile() = default;
@@ -40,9 +41,11 @@ struct OpenView {
 /// those whose ray it would stop. Keeps its memory from one view to the next; one for each thread.
 class OpenSweep {
 public:
-    /// `horizons`: of what stands, one a number. Returns the intervals that reach above them, receiver by
-    /// receiver in ascending order, from below, disjoint and apart; none once stopped. Valid until the next
-    /// call. About 10 ns a triangle and shaded cell.
+    static constexpr HorizonCode blind = std::numeric_limits<HorizonCode>::max();  ///< no horizon is as high
+
+    /// `horizons`: of what stands, one a number; `blind` for those that do not matter. Returns the intervals
+    /// that reach above them, receiver by receiver in ascending order, from below, disjoint and apart; none
+    /// once stopped. Valid until the next call. About 10 ns a triangle and shaded cell.
     std::span<const Gap> intervals(const OpenView& view, std::span<const HorizonCode> horizons,
                                    const std::stop_token& stop);
 

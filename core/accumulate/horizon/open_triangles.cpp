@@ -17,7 +17,8 @@ void addTriangles(const Part& part, const Grid& grid, double datumM, std::vector
         triangles.push_back({corner(triangle.x), corner(triangle.y), corner(triangle.z)});
 }
 
-Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM) {
+Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM,
+                                    std::size_t others) {
     OpenTriangles triangles;
     for (const OpenPart& open : parts) {
         const auto first = std::uint32_t(triangles.all.size());
@@ -26,11 +27,11 @@ Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, do
             triangles.owners.push_back({open.building, first, first});
         triangles.owners.back().end = std::uint32_t(triangles.all.size());
     }
-    if (triangles.all.size() <= OpenTriangles::most) return triangles;
+    if (triangles.all.size() + others <= OpenTriangles::most) return triangles;
     return failure(
         fmt::format("The horizon sweep takes what stands on the ground and up to {} triangles of parts that "
                     "hang, and in reach there are {}",
-                    OpenTriangles::most, triangles.all.size()),
+                    OpenTriangles::most, triangles.all.size() + others),
         "engine", "Choose projected shadows or the ray reference");
 }
 

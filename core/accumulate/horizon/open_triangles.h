@@ -35,7 +35,8 @@ struct OpenTriangles {
     }
 };
 
-/// Error: more than `most`. `parts`: those of one building side by side.
-Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM);
+/// Error: more than `most` with the `others`. `parts`: those of one building side by side.
+Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM,
+                                    std::size_t others = 0);
 
 }  // namespace noonmark

@@ -1,7 +1,5 @@
 #include "core/accumulate/horizon/wall_list.h"
 
-#include <fmt/format.h>
-
 #include <glm/common.hpp>
 
 namespace noonmark {
@@ -43,37 +41,27 @@ private:
     WallList& list_;
 };
 
-tl::unexpected<Error> notStanding(const Building& building, const Part& part, std::string_view why) {
-    const std::string& where = part.sourceId.empty() ? building.sourceId : part.sourceId;
-    return failure(
-        fmt::format("The horizon sweep takes prisms that stand on the ground, and a part in reach {}", why),
-        where, "Choose projected shadows or the ray reference");
-}
-
 }  // namespace
 
-Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
-                              WallList& list, OpenParts* open) {
+void addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid, WallList& list,
+                      OpenParts& open) {
     WallBuilder builder(grid, list);
     for (const Part& part : building.parts) {
         if (double(part.topM) <= list.datumM) continue;
-        if (open == nullptr && part.mesh) return notStanding(building, part, "is a general mesh");
-        if (open == nullptr && part.hangs) return notStanding(building, part, "has open air below it");
         if (part.hangs)
-            open->push_back({&part, number});
+            open.push_back({&part, number});
         else if (part.mesh)
             list.solids.push_back(standingSolid(*part.mesh, number, grid, list.datumM));
         else
             builder.add(part, number);
     }
-    return {};
 }
 
 WallList standingIn(const City& city, std::span<const std::uint32_t> buildings, const Receivers& receivers,
                     OpenParts& open) {
     WallList list{.datumM = lowestGroundM(receivers), .terrainNumber = std::uint32_t(city.buildings.size())};
     for (const std::uint32_t index : buildings)
-        (void)addStandingWalls(*city.buildings[index], index, receivers.grid, list, &open);
+        addStandingWalls(*city.buildings[index], index, receivers.grid, list, open);
     if (city.terrain)
         list.terrain = std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, list.datumM);
     return list;

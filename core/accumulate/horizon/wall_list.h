@@ -10,7 +10,6 @@
 #include "core/accumulate/horizon/terrain_edges.h"
 #include "core/city/city.h"
 #include "core/receivers/receivers.h"
-#include "core/result.h"
 
 namespace noonmark {
 
@@ -38,13 +37,21 @@ struct WallList {
     std::shared_ptr<const TerrainEdges> terrain;  ///< null: flat
     std::uint32_t terrainNumber = 0;              ///< in the place of a building's
 
-    /// Whether all that stands there are prisms on level ground.
-    [[nodiscard]] bool even() const { return solids.empty() && !terrain; }
-
     [[nodiscard]] std::span<const StandingWall> wallsOf(const StandingPrism& prism) const {
         return std::span(walls).subspan(prism.firstWall, prism.wallCount);
     }
 };
+
+/// Some or all that a list holds, or held.
+struct Obstacles {
+    std::span<const StandingPrism> prisms;  ///< their walls are in the list
+    std::span<const StandingSolid> solids;
+    const TerrainEdges* terrain = nullptr;
+
+    /// Whether all are prisms on level ground.
+    [[nodiscard]] bool even() const { return solids.empty() && terrain == nullptr; }
+};
+inline Obstacles allOf(const WallList& list) { return {list.prisms, list.solids, list.terrain.get()}; }
 
 /// What walls cannot describe: a part that hangs.
 struct OpenPart {
@@ -55,9 +62,9 @@ using OpenParts = std::vector<OpenPart>;
 
 /// Adds the parts of a building, each taken from the ground up. A part that starts on another of its
 /// building is taken so too: what is below it is solid. Parts that hang go to `open`, general meshes that
-/// stand to the list's solids; where `open` is null both are an error.
-Result<void> addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid,
-                              WallList& list, OpenParts* open = nullptr);
+/// stand to the list's solids; what ends below the datum is left out.
+void addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid, WallList& list,
+                      OpenParts& open);
 
 /// What may hide the sun from receivers: what stands of some buildings, numbered by their index in the city,
 /// and its terrain, which has the number after the last building's. The datum is the lowest receiver's. Parts

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/accumulate/horizon/bin_edit.h"
+#include "core/accumulate/horizon/open_parts.h"
+
+namespace noonmark {
+
+/// A receiver whose gaps may be others now, or hide others.
+struct GapChange {
+    std::uint32_t number;
+    std::uint32_t added;  ///< suns that they hide more above the horizon, modulo 2^32
+};
+
+/// Brings the gaps of one azimuth up to date after the horizons there. They are found again where receivers
+/// are new, where the horizon fell (gaps below it are not kept) and where parts went or came; elsewhere they
+/// stay, but a horizon that rose hides more of them. One for each thread.
+class GapEdit {
+public:
+    /// One azimuth as it is kept.
+    struct Bin {
+        glm::dvec2 away;
+        HorizonCode lowest;
+        std::span<const HorizonCode> codes;   ///< as they are now
+        std::span<const CodeChange> changes;  ///< how they became so
+        const HiddenSuns* hidden;             ///< of the period; null: it does not visit the bin
+    };
+
+    /// Returns what may have changed, a number perhaps twice; of new receivers all that is there now. Valid
+    /// until the next call. Nothing where the period does not visit the bin.
+    std::span<const GapChange> run(const TileEdit& edit, const Bin& bin, std::vector<Gap>& gaps);
+
+private:
+    enum State : std::uint8_t {
+        untouched = 0,
+        touched = 1,  ///< the horizon is another
+        again = 2,    ///< to be found again
+        fresh = 4,    ///< a new receiver
+        gone = 8      ///< no receiver any more
+    };
+
+    void begin(const TileEdit& edit, const Bin& bin);
+    void mark(std::uint32_t number, State state);
+    void markHit(const TileEdit& edit, const Bin& bin, std::span<const OpenTriangle> triangles);
+    [[nodiscard]] static OpenView viewOf(const TileEdit& edit, const Bin& bin,
+                                         std::span<const OpenTriangle> triangles);
+    void add(const Bin& bin, std::span<const Gap> gaps, bool before);
+    void findAgain(const TileEdit& edit, const Bin& bin);
+    void merge(std::span<const Gap> gaps);
+    void replace(std::vector<Gap>& gaps, std::size_t first, std::size_t end) const;
+    void clear();
+
+    OpenSweep sweep_;
+    std::vector<std::uint8_t> states_;    // one a number
+    std::vector<HorizonCode> before_;     // codes, of those touched
+    std::vector<HorizonCode> horizons_;   // blind but for those found again
+    std::vector<std::uint32_t> numbers_;  // not untouched
+    std::vector<OpenTriangle> triangles_;
+    std::vector<Gap> found_, merged_;
+    std::vector<GapChange> changes_;
+};
+
+}  // namespace noonmark
