@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/gaps.h"
+
+namespace noonmark {
+
+/// Horizons of a tile at one azimuth, exact for suns above `lowest`: what ends at a sun's own level is kept,
+/// since a gap that begins one level above is joined to it.
+struct KeptBin {
+    HorizonCode lowest = 0;
+    std::vector<HorizonCode> codes;  ///< of what stands, one a number; none: not there
+    std::vector<Gap> gaps;  ///< of receivers, by number: all that hangs and reaches above the horizon
+
+    static HorizonCode below(const AzimuthBin& bin) {
+        return HorizonCode(std::max(int(noHorizon), int(bin.lowest()) - 1));
+    }
+    [[nodiscard]] bool holds(const AzimuthBin& bin) const { return !codes.empty() && lowest <= below(bin); }
+};
+
+}  // namespace noonmark
