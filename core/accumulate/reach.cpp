@@ -1,5 +1,8 @@
 #include "core/accumulate/reach.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -96,12 +99,17 @@ std::vector<std::uint32_t> buildingsInReach(const City& city, const Receivers& r
                                             const SunSteps& sun) {
     const ShadowReach reach(sun);
     const LowestGround lowest = lowestGround(receivers);
+    std::vector<std::uint8_t> touches(city.buildings.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, touches.size(), 1024), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const Building& building = *city.buildings[i];
+            const double heightM = double(topM(building)) - double(lowest.groundM);
+            touches[i] = reach.touches(bounds(building), heightM, lowest.box) ? 1 : 0;
+        }
+    });
     std::vector<std::uint32_t> indices;
-    for (std::uint32_t i = 0; i < city.buildings.size(); ++i) {
-        const Building& building = *city.buildings[i];
-        const double heightM = double(topM(building)) - double(lowest.groundM);
-        if (reach.touches(bounds(building), heightM, lowest.box)) indices.push_back(i);
-    }
+    for (std::uint32_t i = 0; i < touches.size(); ++i)
+        if (touches[i] != 0) indices.push_back(i);
     return indices;
 }
 

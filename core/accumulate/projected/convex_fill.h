@@ -25,8 +25,6 @@ struct Extent {
     int bottom = 0, top = 0;  ///< rows [bottom, top)
     int west = 0, east = 0;   ///< columns [west, east)
     [[nodiscard]] bool empty() const { return bottom >= top || west >= east; }
-    [[nodiscard]] int firstWord() const { return west >> 6; }
-    [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
 };
 
 inline int atOrBeyond(double position, int low, int high) {
@@ -77,28 +75,70 @@ private:
     std::size_t next_ = 0;
 };
 
-[[gnu::always_inline]] inline bool allSet(const StepBits* words, int count, std::ptrdiff_t stride) {
-    StepBits lit = ~words[0];
-    for (int i = 1; i < count; ++i) lit |= ~words[i * stride];
-    return !anySet(lit);
+[[gnu::always_inline]] inline double leastOf(const StepDoubles& of) {
+    StepDoubles at = of;
+    const auto keep = [&](const StepDoubles& other) __attribute__((always_inline)) {
+        at = at < other ? at : other;
+    };
+    keep(__builtin_shufflevector(at, at, 4, 5, 6, 7, 0, 1, 2, 3));
+    keep(__builtin_shufflevector(at, at, 2, 3, 0, 1, 6, 7, 4, 5));
+    keep(__builtin_shufflevector(at, at, 1, 0, 3, 2, 5, 4, 7, 6));
+    return at[0];
 }
 
-// Words that no step of this row reaches need not be looked at.
-[[gnu::always_inline]] inline void narrow(const StepSpans& spans, int firstWord, int& word, int& lastWord) {
-    StepDoubles west = spans.west, east = spans.east;
-    const auto spread = [&](const StepDoubles& a, const StepDoubles& b) __attribute__((always_inline)) {
-        west = west < a ? west : a;
-        east = east > b ? east : b;
-    };
-    spread(__builtin_shufflevector(west, west, 4, 5, 6, 7, 0, 1, 2, 3),
-           __builtin_shufflevector(east, east, 4, 5, 6, 7, 0, 1, 2, 3));
-    spread(__builtin_shufflevector(west, west, 2, 3, 0, 1, 6, 7, 4, 5),
-           __builtin_shufflevector(east, east, 2, 3, 0, 1, 6, 7, 4, 5));
-    spread(__builtin_shufflevector(west, west, 1, 0, 3, 2, 5, 4, 7, 6),
-           __builtin_shufflevector(east, east, 1, 0, 3, 2, 5, 4, 7, 6));
-    word = std::max(word, (int(west[0]) >> 6) - firstWord);
-    lastWord = std::min(lastWord, (int(east[0]) >> 6) - firstWord);
-}
+/// Columns that hold a shape's spans at all steps, from row to row: where the lines of a side are outermost
+/// at the first row and at the last, on the line between these places they are no farther out.
+class Reach {
+public:
+    [[gnu::always_inline]] inline Reach(const StepShape& shape, const Extent& extent) : extent_(extent) {
+        const double first = extent.bottom, last = extent.top - 1, rows = std::max(1.0, last - first);
+        const StepLine &western = shape.sides.western[0], &eastern = shape.sides.eastern[0];
+        if (shape.sides.westerns == 0) return;
+        const double west = leastOf(western.atRow0 + first * western.slope),
+                     toWest = leastOf(western.atRow0 + last * western.slope),
+                     east = -leastOf(-(eastern.atRow0 + first * eastern.slope)),
+                     toEast = -leastOf(-(eastern.atRow0 + last * eastern.slope));
+        west_ = fixedFrom(west) - margin;
+        east_ = fixedFrom(east) + margin;
+        westStep_ = std::int64_t(double(fixedFrom(toWest) - margin - west_) / rows);
+        eastStep_ = std::int64_t(double(fixedFrom(toEast) + margin - east_) / rows);
+    }
+
+    [[nodiscard]] int west() const { return std::max(extent_.west, int(west_ >> 32)); }
+    [[nodiscard]] int east() const { return std::min(extent_.east, int(east_ >> 32) + 1); }
+    void moveUp() {
+        west_ += westStep_;
+        east_ += eastStep_;
+    }
+
+private:
+    static constexpr double one = 4294967296.0;                      // 32.32 fixed point
+    static constexpr std::int64_t margin = std::int64_t(one) / 128;  // far above what rows round
+    static std::int64_t fixedFrom(double columns) {
+        return std::int64_t(std::clamp(columns, -1e9, 1e9) * one);
+    }
+    Extent extent_;
+    std::int64_t west_ = std::int64_t(-1e9 * one), east_ = std::int64_t(1e9 * one), westStep_ = 0,
+                 eastStep_ = 0;
+};
+
+/// Cells [west, east) of a row, in words; `words`: of its first one.
+struct RowCells {
+    int west, east;
+    [[nodiscard]] int firstWord() const { return west >> 6; }
+    [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
+
+    // Whether all are set at all steps.
+    [[gnu::always_inline]] inline bool allSet(const StepBits* words, std::ptrdiff_t stride) const {
+        const std::uint64_t from = ~std::uint64_t{0} << unsigned(west & 63),
+                            to = ~std::uint64_t{0} >> unsigned(63 - ((east - 1) & 63));
+        const int first = firstWord(), last = lastWord();
+        StepBits lit = ~words[first * stride] & (first == last ? from & to : from);
+        for (int word = first + 1; word < last; ++word) lit |= ~words[word * stride];
+        if (last > first) lit |= ~words[last * stride] & to;
+        return !anySet(lit);
+    }
+};
 
 /// Rows in which every step of a shape has a span: there its ends need not be looked at.
 struct SteadyRows {
@@ -120,8 +160,8 @@ struct SteadyRows {
 
 // Columns are rounded up as count - floor(count - x); shifts by 64 are made of two. One condition a choice:
 // the compiler takes others apart lane by lane (GCC 12).
-[[gnu::always_inline]] inline void setSpans(const StepSpans& spans, int columns, int firstWord, int word,
-                                            int lastWord, StepBits* words, std::ptrdiff_t stride) {
+[[gnu::always_inline]] inline void setSpans(const StepSpans& spans, const RowCells& cells, int columns,
+                                            StepBits* words, std::ptrdiff_t stride) {
     const StepDoubles all = double(columns) - StepDoubles{};
     const Longs8 zero{}, full = 64 - zero;
     const StepBits ones = ~StepBits{};
@@ -129,8 +169,8 @@ struct SteadyRows {
         columns - __builtin_convertvector(__builtin_convertvector(all - spans.west, Ints8), Longs8);
     const Longs8 end =
         columns - __builtin_convertvector(__builtin_convertvector(all - spans.east, Ints8), Longs8);
-    for (; word <= lastWord; ++word) {
-        Longs8 low = first - 64 * (firstWord + word), high = end - 64 * (firstWord + word);
+    for (int word = cells.firstWord(); word <= cells.lastWord(); ++word) {
+        Longs8 low = first - 64 * word, high = end - 64 * word;
         low = low > zero ? low : zero;
         low = low < full ? low : full;
         high = high > zero ? high : zero;
@@ -148,22 +188,24 @@ struct SteadyRows {
 /// cells lie together, in the order of the layout. The centre of cell (column, row) is at (column, row), so
 /// that it is filled by the same half-open rule as everywhere (core/city/crossing.h), to rounding in double.
 ///
-/// The shape lies within 10^8 of the raster; what lies off it is clipped. Rows where all words around it are
-/// set already are passed over. Returns the number of rows looked at. Cost: 10 ns, and up to 10 ns a row.
+/// The shape lies within 10^8 of the raster; what lies off it is clipped. Rows that are set already wherever
+/// a step may reach are passed over. Returns the number of rows looked at. Cost: 10 ns, and up to 10 ns a
+/// row.
 [[gnu::always_inline]] inline int fillShape(const StepShape& shape, const BitLayout& layout,
                                             const RowBand& band, std::span<std::uint64_t> rasters) {
     using namespace convex_fill;
     const Extent extent = extentOf(shape, layout, band);
     if (extent.empty()) return 0;
-    const std::size_t first = layout.word(extent.firstWord() * 64, extent.bottom - band.first);
-    auto* words = reinterpret_cast<StepBits*>(&rasters[first * stepsTogether]);
-    const int firstWord = extent.firstWord(), wordCount = extent.lastWord() - firstWord + 1;
+    auto* words =
+        reinterpret_cast<StepBits*>(&rasters[layout.word(0, extent.bottom - band.first) * stepsTogether]);
     const StepDoubles none{}, all = double(layout.columns) - none;
     const SteadyRows steady(shape);
     ChainWalk farWest(shape.western[0]), nearWest(shape.western[1]), farEast(shape.eastern[0]),
         nearEast(shape.eastern[1]);
-    for (int row = extent.bottom; row < extent.top; ++row, ++words) {
-        if (allSet(words, wordCount, layout.rows)) continue;
+    Reach reach(shape, extent);
+    for (int row = extent.bottom; row < extent.top; ++row, ++words, reach.moveUp()) {
+        const RowCells cells{reach.west(), reach.east()};
+        if (cells.west >= cells.east || cells.allSet(words, layout.rows)) continue;
         const double y = row;
         StepSpans spans{none, all};
         boundBy(shape.sides, y, spans);
@@ -180,9 +222,7 @@ struct SteadyRows {
         if (y < steady.first || y > steady.last) endRows(shape, y, spans);
         spans.west = spans.west < all ? spans.west : all;
         spans.east = spans.east > none ? spans.east : none;
-        int word = 0, lastWord = wordCount - 1;
-        if (lastWord > 0) narrow(spans, firstWord, word, lastWord);
-        setSpans(spans, layout.columns, firstWord, word, lastWord, words, layout.rows);
+        setSpans(spans, cells, layout.columns, words, layout.rows);
     }
     return extent.top - extent.bottom;
 }
