@@ -83,13 +83,13 @@ void EditPreview::prepareShadow() {
     const Box2 box = volumeOf(changes_).box;
     if (box.empty() || city_->city().terrain) return slot_.drop();
     const glm::dvec2 centre = glm::dvec2(box.low + box.high) / 2.0;
-    slot_.start<std::shared_ptr<const LiveShadow>>(
+    slot_.start<std::shared_ptr<LiveShadow>>(
         tr("Live shadow"),
         [city = without(city_->city(), changes_.removed), centre, half = halfWidthM(panel_.view().pose()),
          period = period_, observer = observer_](Progress& progress, const std::stop_token& stop) {
             return LiveShadow::around(city, centre, half, period, observer, progress, stop);
         },
-        [this](Result<std::shared_ptr<const LiveShadow>> shadow) {
+        [this](Result<std::shared_ptr<LiveShadow>> shadow) {
             if (!shadow) return;  // a night, or terrain: the bodies alone are shown
             shadow_ = *std::move(shadow);
             showShadow();
@@ -98,8 +98,9 @@ void EditPreview::prepareShadow() {
 
 void EditPreview::showShadow() {
     if (!shadow_ || !shown_) return;
-    const ShadowField field = shadow_->with(changes_.added);
-    panel_.results().setLive(&field, &shadow_->receivers(), noteOf(*shadow_));
+    const auto field = shadow_->with(changes_.added);
+    if (!field) return panel_.results().setLive(nullptr, nullptr, {});  // the bodies alone are shown
+    panel_.results().setLive(&*field, &shadow_->receivers(), noteOf(*shadow_));
 }
 
 }  // namespace noonmark

@@ -42,7 +42,7 @@ private:
     bool shown_ = false;
     Period period_;
     Observer observer_;
-    std::shared_ptr<const LiveShadow> shadow_;  ///< null: not there yet, or not for this city
+    std::shared_ptr<LiveShadow> shadow_;  ///< null: not there yet, or not for this city
     JobSlot slot_;
 };
 

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accumulate/shadow_field.h"
+#include "core/accumulate/kept_shadows.h"
 #include "core/city/city.h"
 #include "core/progress.h"
 #include "core/receivers/receivers.h"
@@ -13,36 +13,41 @@
 namespace noonmark {
 
 /// The shadow on level ground around a place while a building is being shaped: the city's own is computed
-/// once and kept bit by bit for some moments of the period, and each new shape costs its own polygons only.
-/// Exact at those moments (projected shadows). Immutable.
+/// once and kept at every step of a day, so that each new shape costs its own polygons only. Of longer
+/// periods it is kept at some moments. Exact at all of these (projected shadows). Not for several threads at
+/// a time.
 class LiveShadow {
 public:
-    /// Moments looked at, spread evenly over the period's: more cost time at every picture.
-    static constexpr std::size_t mostMoments = 120;
+    /// A period of so many steps is looked at in whole: twelve hours by the minute.
+    static constexpr std::size_t mostSteps = 720;
+    /// Moments of a longer one, spread evenly: far apart, each costs more.
+    static constexpr std::size_t someMoments = 120;
 
     /// `city` without what the shape takes the place of; a square of `halfM` metres to each side of `centre`
-    /// in 400 x 400 cells. Error: terrain, a sun that never rises, cancelled(). For 43,000 buildings some 0.1
+    /// in 400 x 400 cells. Error: terrain, a sun that never rises, cancelled(). For 43,000 buildings some 0.2
     /// s.
-    static Result<std::shared_ptr<const LiveShadow>> around(const City& city, glm::dvec2 centre, double halfM,
-                                                            const Period& period, const Observer& observer,
-                                                            Progress& progress, const std::stop_token& stop);
+    static Result<std::shared_ptr<LiveShadow>> around(const City& city, glm::dvec2 centre, double halfM,
+                                                      const Period& period, const Observer& observer,
+                                                      Progress& progress, const std::stop_token& stop);
 
-    /// Gross shadow of the city and these buildings; single moments know no runs: continuousMin is NaN. Some
-    /// ms.
-    [[nodiscard]] ShadowField with(const std::vector<std::shared_ptr<const Building>>& shape) const;
+    /// Shadow of the city and these buildings in place of those before. Single moments know no runs: then
+    /// continuousMin is NaN. Error: not enough memory. Some ms.
+    [[nodiscard]] Result<ShadowField> with(const std::vector<std::shared_ptr<const Building>>& shape);
 
     [[nodiscard]] const Receivers& receivers() const { return receivers_; }
-    [[nodiscard]] std::size_t moments() const { return sun_.steps.size(); }
+    [[nodiscard]] std::size_t moments() const { return moments_; }
     [[nodiscard]] std::size_t momentsOfPeriod() const { return all_; }
 
 private:
-    LiveShadow() = default;
+    LiveShadow(City around, Receivers receivers, KeptShadows kept)
+        : around_(std::move(around)), receivers_(std::move(receivers)), kept_(std::move(kept)) {}
 
+    City around_;  // of the city what shades the square
     Receivers receivers_;
-    SunSteps sun_;  // the moments
+    KeptShadows kept_;
+    std::size_t moments_ = 0;
     std::size_t all_ = 0;
-    ShadowField blank_;
-    std::vector<std::uint64_t> rasters_;
+    double sunlitMinutesPerDay_ = 0;
 };
 
 }  // namespace noonmark
