@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <limits>
 #include <new>
 
@@ -33,11 +34,29 @@ Box2 boxOf(const Grid& grid) {
     return box;
 }
 
-bool sameRegion(const std::vector<CellKind>& before, const std::vector<CellKind>& now) {
-    const auto both = [](CellKind a, CellKind b) {
-        return (a == CellKind::outside) == (b == CellKind::outside);
-    };
-    return before == now || std::ranges::equal(before, now, both);
+// Calls `row(first)` with the first cell of each row in which the kinds of some cells differ.
+void forRowsThatDiffer(const std::vector<CellKind>& a, const std::vector<CellKind>& b, const Grid& grid,
+                       const auto& row) {
+    const auto columns = std::size_t(grid.columns);
+    for (std::size_t first = 0; first < a.size(); first += columns)
+        if (std::memcmp(&a[first], &b[first], columns * sizeof(CellKind)) != 0) row(first);
+}
+
+bool sameRegion(const std::vector<CellKind>& before, const Receivers& now, const Grid& grid) {
+    if (!(grid == now.grid)) return false;
+    bool same = true;
+    forRowsThatDiffer(before, now.kind, grid, [&](std::size_t first) {
+        for (std::size_t cell = first; cell < first + std::size_t(grid.columns); ++cell)
+            same &= (before[cell] == CellKind::outside) == (now.kind[cell] == CellKind::outside);
+    });
+    return same;
+}
+
+// Counting who owns a building takes longer than all else that is done for it.
+void takeOver(Buildings& buildings, const Buildings& now) {
+    buildings.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (buildings[i] != now[i]) buildings[i] = now[i];
 }
 
 Error tooMuch(const Grid& grid, std::size_t steps, const KeptShadowsSettings& settings) {
@@ -100,20 +119,20 @@ struct KeptShadows::Kept {
     // Cells that are receivers from now on are to be counted; those that are none any more hold NaN.
     void remask(const std::vector<CellKind>& now) {
         const auto columns = std::size_t(field.grid.columns);
-        for (KeptBand& band : bands)
-            for (int row = band.band().first; row < band.band().end; ++row) {
-                const std::size_t first = std::size_t(row) * columns;
-                if (std::equal(&kinds[first], &kinds[first] + columns, &now[first])) continue;
-                for (std::size_t i = 0; i < columns; ++i) remask(band, first + i, now[first + i]);
-            }
+        forRowsThatDiffer(kinds, now, field.grid, [&](std::size_t first) {
+            for (std::size_t cell = first; cell < first + columns; ++cell)
+                if (kinds[cell] != now[cell]) remask(cell, now[cell]);
+        });
     }
 
-    void remask(KeptBand& band, std::size_t cell, CellKind now) {
-        if (kinds[cell] == now) return;
+    void remask(std::size_t cell, CellKind now) {
+        std::uint64_t& under = field.cost.skipped[cellsUnderBuildings];
+        under += std::uint64_t(now == CellKind::building) - std::uint64_t(kinds[cell] == CellKind::building);
         kinds[cell] = now;
-        const auto columns = std::size_t(field.grid.columns);
+        const int column = int(cell % std::size_t(field.grid.columns)),
+                  row = int(cell / std::size_t(field.grid.columns));
         if (now == CellKind::ground)
-            band.mark(int(cell % columns), int(cell / columns));
+            bands[std::size_t(row / KeptBand::rows)].mark(column, row);
         else
             field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
     }
@@ -124,11 +143,9 @@ struct KeptShadows::Kept {
         const BuildingCasters gone(reaching(changed.gone), field.grid),
             come(reaching(changed.come), field.grid);
         if (const auto done = change(gone, come, progress, stop); !done) return done;
-        buildings = now;
+        takeOver(buildings, now);
         field.cost.seconds["fill and count"] = watch.seconds();
         field.cost.buildingsUsed += std::uint32_t(come.buildings()) - std::uint32_t(gone.buildings());
-        field.cost.skipped[cellsUnderBuildings] =
-            std::uint64_t(std::ranges::count(kinds, CellKind::building));
         return {};
     }
 
@@ -185,7 +202,7 @@ Result<KeptShadows> KeptShadows::make(const City& city, const Receivers& receive
 
 Result<void> KeptShadows::change(const City& city, const Receivers& receivers, Progress& progress,
                                  const std::stop_token& stop) {
-    if (!(kept_->field.grid == receivers.grid) || !sameRegion(kept_->kinds, receivers.kind))
+    if (!sameRegion(kept_->kinds, receivers, kept_->field.grid))
         return failure("The kept shadows are those of another region", "kept shadows",
                        "Make new ones for this region");
     if (const auto able = checkLevelGround(city, receivers, "Kept shadows fall"); !able) return able;

@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/accumulate/horizon/lanes16.h"
+
 namespace noonmark {
-
-namespace {
-
-bool differ(const std::uint64_t* steps, std::uint64_t word) {
-    std::uint64_t difference = 0;
-    for (std::size_t k = 0; k < stepsTogether; ++k) difference |= steps[k] ^ word;
-    return difference != 0;
-}
-
-}  // namespace
 
 ShadowEvents::ShadowEvents(const BitLayout& layout, const RowBand& band,
                            std::span<const std::uint64_t> noReceivers)
@@ -23,11 +15,13 @@ ShadowEvents::ShadowEvents(const BitLayout& layout, const RowBand& band,
       shaded_(noReceivers_),
       cells_(layout.words() * 64) {}
 
-void ShadowEvents::add(std::span<const std::uint64_t> rasters, const RunStarts& startsRun) {
+NOONMARK_EVERY_ISA void ShadowEvents::add(std::span<const std::uint64_t> rasters,
+                                          const RunStarts& startsRun) {
     const bool anyStart = std::ranges::count(startsRun, true) > 0;
     for (std::size_t word = 0; word < shaded_.size(); ++word) {
         const std::uint64_t* steps = &rasters[word * stepsTogether];
-        if (differ(steps, shaded_[word]) || (anyStart && shaded_[word] != noReceivers_[word]))
+        const StepBits difference = reinterpret_cast<const StepBits&>(*steps) ^ shaded_[word];
+        if (anySet(difference) || (anyStart && shaded_[word] != noReceivers_[word]))
             passEight(&cells_[word * 64], shaded_[word], steps, startsRun, noReceivers_[word], step_);
     }
     step_ += stepsTogether;
