@@ -6,20 +6,36 @@
 #include <string_view>
 
 #include "core/accumulate/accumulator.h"
+#include "core/accumulate/horizon_sweep.h"
 
 namespace noonmark {
 
-/// Seconds that engines are expected to take on two cores: to compare them with each other, no more. Worked
-/// out from a dense city (the grid sample); other machines differ alike.
-struct ExpectedSeconds {
-    double ray = 0;        ///< receivers x steps x 10 ns
-    double projected = 0;  ///< steps x (buildings in reach x 0.2 us + rows x 0.5 us)
-    double horizon = 0;    ///< bins x (receivers x 5 ns + buildings in reach x 0.05 us), and 3 ps for each
-                           ///< receiver and step; where receivers have heights of their own 40 ns instead of
-                           ///< 5, and bins x terrain cells x 10 ns
+/// What engines have to do in a study.
+struct EngineLoad {
+    std::size_t receivers = 0;
+    std::size_t rows = 0;  ///< of the grid
+    double cellAreaM2 = 1;
+    std::size_t steps = 0;          ///< of the sun
+    std::size_t bins = 0;           ///< of azimuth, by the sweep's settings
+    std::size_t buildings = 0;      ///< in reach
+    std::size_t openTriangles = 0;  ///< of parts of these that hang
+    std::size_t terrainCells = 0;
+    bool level = true;  ///< no terrain, and receivers on the ground
 };
-ExpectedSeconds expectedSeconds(const Receivers& receivers, std::size_t buildingsInReach, const SunSteps& sun,
-                                double binDeg, std::size_t terrainCells = 0);
+
+/// Of some cities the most of each. Looks at every step and building: some ms.
+EngineLoad engineLoad(std::span<const City* const> cities, const Receivers& receivers, const SunSteps& sun,
+                      const HorizonSweepSettings& sweep);
+
+/// Seconds that engines are expected to take on two cores: to compare them with each other, no more; other
+/// machines differ alike. The constants (auto_engine.cpp) are fitted to times of a day, a month and a year on
+/// the grid sample and on Midtown.
+struct ExpectedSeconds {
+    double ray = 0;
+    double projected = 0;
+    double horizon = 0;
+};
+ExpectedSeconds expectedSeconds(const EngineLoad& load);
 
 /// An engine that was chosen, and why.
 struct EngineChoice {
@@ -42,7 +58,7 @@ EngineChoice raysSince(const EngineChoice& refused, const Error& error);
 /// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it.
 class AutoEngine final : public Accumulator {
 public:
-    explicit AutoEngine(double binDeg) : binDeg_(binDeg) {}
+    explicit AutoEngine(HorizonSweepSettings sweep = {}) : sweep_(sweep) {}
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const override;
@@ -53,7 +69,7 @@ public:
                                       const SunSteps& sun) const;
 
 private:
-    double binDeg_;
+    HorizonSweepSettings sweep_;
 };
 
 }  // namespace noonmark

@@ -9,6 +9,7 @@
 #include "core/accumulate/ray_reference.h"
 #include "core/accumulate/ray_scene.h"
 #include "core/accumulate/shadow_accrual_map.h"
+#include "core/accumulate/sweep_options.h"
 
 namespace noonmark {
 
@@ -26,18 +27,6 @@ EngineOption levelsOption() {
             usual,
             true,
             "How many occluders, nearest first, are followed from each cell"};
-}
-
-EngineOption binOption() {
-    return {
-        "bin",
-        "Azimuth bin",
-        "deg",
-        HorizonSweepSettings::minBinDeg,
-        HorizonSweepSettings::maxBinDeg,
-        HorizonSweepSettings{}.binDeg,
-        false,
-        "Suns whose azimuth is less than this apart share one horizon; half the width takes twice as long"};
 }
 
 EngineOption sourcesOption() {
@@ -86,26 +75,22 @@ Engine projectedShadows() {
 }
 
 Engine horizonSweep() {
-    return {{"horizon",
-             "Horizon sweep",
+    return {{"horizon", "Horizon sweep",
              "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and "
              "roofs too",
-             24,
-             {binOption()}},
+             24, sweepOptions()},
             [](const EngineSettings& settings) -> Made {
-                return std::make_unique<HorizonSweep>(HorizonSweepSettings{settings.at("bin")});
+                return std::make_unique<HorizonSweep>(sweepSettings(settings));
             }};
 }
 
 Engine autoEngine() {
-    return {{"auto",
-             "Automatic",
+    return {{"auto", "Automatic",
              "Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result "
              "says which and why",
-             24,
-             {binOption()}},
+             24, sweepOptions()},
             [](const EngineSettings& settings) -> Made {
-                return std::make_unique<AutoEngine>(settings.at("bin"));
+                return std::make_unique<AutoEngine>(sweepSettings(settings));
             }};
 }
 

@@ -153,8 +153,10 @@ private:
     tbb::enumerable_thread_specific<Work> works_;
 };
 
-ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const StepSets& sets) {
+ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const StepSets& sets,
+                      const BinnedSun& binned) {
     ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}};
+    breakdown.bins = textOf(binned);
     std::vector<float> none(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
     for (const std::uint32_t cell : receivers.cells) none[cell] = 0;
     breakdown.minutes.assign(sets.names.size(), none);
@@ -166,14 +168,13 @@ ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const Ste
 Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& receivers, const SunSteps& sun,
                                          const StepSets& sets, const BreakdownSettings& settings,
                                          Progress& progress, std::stop_token stop) try {
-    if (const auto able = checkBinWidth(settings.sweep.binDeg); !able)
-        return tl::make_unexpected(able.error());
+    if (const auto able = checkSweepSettings(settings.sweep); !able) return tl::make_unexpected(able.error());
     OpenParts open;
     const WallList walls = standingIn(city, buildingsInReach(city, receivers, sun), receivers, open);
     const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
     if (!triangles) return tl::make_unexpected(triangles.error());
-    const BinnedSun binned = binnedSun(sun, settings.sweep.binDeg);
-    ShadowBreakdown breakdown = blank(receivers, sun, sets);
+    const BinnedSun binned = binnedSun(sun, settings.sweep);
+    ShadowBreakdown breakdown = blank(receivers, sun, sets, binned);
     Breakdown work(walls, *triangles, receivers, binned, sets, settings.byBuilding, progress,
                    std::move(stop));
     if (const auto done = work.run(breakdown, sun.stepMinutes); !done)

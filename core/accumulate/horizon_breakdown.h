@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/accumulate/horizon_sweep.h"
 #include "core/accumulate/step_sets.h"
@@ -25,7 +26,8 @@ struct ShadowBreakdown {
     std::vector<std::vector<float>> minutes;  ///< of each set: in shadow, in all; grid order, NaN elsewhere
     std::vector<BuildingShadow> buildings;    ///< those that shade a receiver, ascending; or not asked for
     std::optional<BuildingShadow>
-        terrain;  ///< what the ground itself does, where there is terrain and it shades
+        terrain;       ///< what the ground itself does, where there is terrain and it shades
+    std::string bins;  ///< of a sweep's azimuths, in words
 };
 
 struct BreakdownSettings {

@@ -16,7 +16,8 @@ namespace noonmark {
 namespace {
 
 Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                double binDeg, Progress& progress, const std::stop_token& stop) {
+                                const HorizonSweepSettings& settings, Progress& progress,
+                                const std::stop_token& stop) {
     ShadowField field = blankField(receivers, sun);
     const Stopwatch watch;
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
@@ -24,12 +25,10 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     const WallList walls = standingIn(city, used, receivers, open);
     const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
     if (!triangles) return tl::make_unexpected(triangles.error());
-    const BinnedSun binned = binnedSun(sun, binDeg);
+    const BinnedSun binned = binnedSun(sun, settings);
     field.engine = fmt::format(
-        "Horizon sweep: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
-        "every day "
-        "counted",
-        binned.bins.size(), binDeg);
+        "Horizon sweep: the slope of each receiver's horizon in {}, every step of every day counted",
+        textOf(binned));
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
@@ -49,10 +48,10 @@ HorizonSweep::HorizonSweep(HorizonSweepSettings settings) : settings_(settings) 
 Result<ShadowField> HorizonSweep::accumulate(const City& city, const Receivers& receivers,
                                              const SunSteps& sun, Progress& progress,
                                              std::stop_token stop) const {
-    if (const auto able = checkBinWidth(settings_.binDeg); !able) return tl::make_unexpected(able.error());
+    if (const auto able = checkSweepSettings(settings_); !able) return tl::make_unexpected(able.error());
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     try {
-        return accumulated(city, receivers, sun, settings_.binDeg, progress, stop);
+        return accumulated(city, receivers, sun, settings_, progress, stop);
     } catch (const std::bad_alloc&) {
         return failure("There is not enough memory for this study", "horizon sweep",
                        "Choose a smaller region or larger cells");

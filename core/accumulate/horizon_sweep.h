@@ -5,11 +5,16 @@
 namespace noonmark {
 
 struct HorizonSweepSettings {
+    static constexpr double minErrorPercent = 0.005;
+    static constexpr double maxErrorPercent = 1;
     static constexpr double minBinDeg = 0.1;
     static constexpr double maxBinDeg = 2;
-    /// Width of an azimuth bin, degrees, 0.1 to 2. Half the width: twice the time, and about half the error
-    /// or less.
-    double binDeg = 0.5;
+    /// Mean error of a cell's gross shadow, percent of the period, 0.005 to 1: bins are as wide as it lets
+    /// them be in a dense city (horizon/bin_cuts.h), each as the period's own suns need. Half of it: twice
+    /// the time.
+    double errorTargetPercent = 0.05;
+    /// Width of all bins, degrees, 0.1 to 2, whatever the error; 0: as the error target asks.
+    double binDeg = 0;
     bool operator==(const HorizonSweepSettings&) const = default;
 };
 
@@ -20,10 +25,12 @@ struct HorizonSweepSettings {
 /// by step and day by day.
 ///
 /// Error: that all suns of a bin are taken at their mean azimuth, and their altitudes at the nearest of
-/// 65,535 levels (horizon/horizon_code.h: 0.0009 deg at most, too little to see beside the first). On a year
-/// of 8 h days in a dense city at 0.5 deg gross shadow is off by 0.04 % of the period in the mean and 0.22 %
-/// at most. The longest run is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of
-/// light is missed or seen two runs become one, or one two: single cells are off by up to a quarter
+/// 65,535 levels (horizon/horizon_code.h: 0.0009 deg at most, too little to see beside the first). Bins are
+/// as wide as the error target lets them be: at 0.05 % of the period a year of 8 h days needs some 380 of
+/// 0.4 to 0.9 deg and is off by 0.034 % in the mean and 0.2 % at most on the grid sample, 0.046 and 0.2 % on
+/// Midtown; a single day needs one for nearly each minute, and is then exact. The longest run has no target:
+/// it is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of light is missed or seen
+/// two runs become one, or one two: single cells are off by up to a quarter
 /// (tests/benchmarks/horizon_bench.cpp). The answer does not depend on the number of threads, on tiles or on
 /// the order of buildings.
 ///
@@ -36,7 +43,7 @@ struct HorizonSweepSettings {
 /// receivers that see the sun below such a part are counted step by step.
 ///
 /// Refused, with an error that names another engine: more than 50,000 triangles of parts that hang in reach
-/// (each is looked at from every cell that it may shade); a bin width out of range; days of more than 32,767
+/// (each is looked at from every cell that it may shade); a setting out of range; days of more than 32,767
 /// steps.
 ///
 /// Cost, each shared by all cores: some 3 ms for each bin of 800 x 800 cells in a dense city for the sweep,

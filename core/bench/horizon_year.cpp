@@ -12,9 +12,16 @@ namespace {
 
 constexpr double hoursADay = 8;
 
+// 0: as the error target asks.
 double binOf(const Contestant& contestant) {
-    return contestant.setting.empty() ? HorizonSweepSettings{}.binDeg
-                                      : std::stod(contestant.setting.substr(4));
+    return contestant.setting.empty() ? 0 : std::stod(contestant.setting.substr(4));
+}
+
+void addPoints(Finding& finding, double binDeg, const Placing& placing) {
+    finding.charts[0].series[0].points.push_back({binDeg, placing.error.cellMeanPct, {}});
+    finding.charts[0].series[1].points.push_back({binDeg, placing.error.cellP99Pct, {}});
+    finding.charts[0].series[2].points.push_back({binDeg, placing.error.cellMaxPct, {}});
+    finding.charts[1].series[0].points.push_back({1 / binDeg, placing.medianS, {}});
 }
 
 void addTo(Finding& finding, const Contestant& contestant, const Placing& placing, double raySeconds) {
@@ -23,18 +30,16 @@ void addTo(Finding& finding, const Contestant& contestant, const Placing& placin
     if (placing.timed()) {
         seconds = placing.medianS;
         ratio = raySeconds / placing.medianS;
-        finding.charts[0].series[0].points.push_back({binDeg, placing.error.cellMeanPct, {}});
-        finding.charts[0].series[1].points.push_back({binDeg, placing.error.cellP99Pct, {}});
-        finding.charts[0].series[2].points.push_back({binDeg, placing.error.cellMaxPct, {}});
-        finding.charts[1].series[0].points.push_back({1 / binDeg, placing.medianS, {}});
+        if (binDeg > 0) addPoints(finding, binDeg, placing);
     }
     finding.table.rows.push_back({binDeg, placing.error.cellMeanPct, placing.error.cellP99Pct,
                                   placing.error.cellMaxPct, seconds, double(placing.runs), ratio,
                                   placing.refusal});
-    finding.comparisons[0].rows.push_back(
-        {fmt::format("{:g}", binDeg), fmt::format("{:.4f}", placing.error.cellMeanPct),
-         fmt::format("{:.3f}", placing.error.cellMaxPct), placing.timed() ? threeDigits(placing.medianS) : "",
-         placing.timed() ? threeDigits(raySeconds / placing.medianS) : ""});
+    finding.comparisons[0].rows.push_back({binDeg > 0 ? fmt::format("{:g}", binDeg) : "by error",
+                                           fmt::format("{:.4f}", placing.error.cellMeanPct),
+                                           fmt::format("{:.3f}", placing.error.cellMaxPct),
+                                           placing.timed() ? threeDigits(placing.medianS) : "",
+                                           placing.timed() ? threeDigits(raySeconds / placing.medianS) : ""});
     if (!contestant.setting.empty() || !placing.timed()) return;
     finding.summary = {{"year_vs_ray", raySeconds / placing.medianS},
                        {"year_cell_error_mean_pct", placing.error.cellMeanPct},
@@ -50,10 +55,12 @@ Finding emptyFinding(const Extent& extent, double raySeconds) {
         "ray "
         "reference at {} receivers, of the sunlit time; the ray reference's time for all, {} s, is worked "
         "out "
-        "from them. Medians of {} runs. All suns of a bin are taken at their mean azimuth: cells whose "
+        "from them. Medians of {} runs. Bins of 0 deg are those of the usual error target, {:g} %. All suns "
+        "of a bin are taken at their mean azimuth: cells whose "
         "horizon "
         "ends within a bin, behind the corner of a tower, are farthest off.",
-        extent.sampleReceivers, threeDigits(raySeconds), extent.runs);
+        extent.sampleReceivers, threeDigits(raySeconds), extent.runs,
+        HorizonSweepSettings{}.errorTargetPercent);
     finding.table.columns = {"bin_deg",
                              "cell_error_mean_pct",
                              "cell_error_p99_pct",
@@ -84,7 +91,9 @@ Result<Finding> horizonYear(const BenchSite& site, const Extent& extent, const E
     const Scene scene{site.city, *receivers, *sun};
     const auto truth = truthOf(scene, sampleOf(*receivers, extent.sampleReceivers, site.seed), work);
     if (!truth) return tl::make_unexpected(truth.error());
-    const auto widths = ladderOf(engines, "horizon", "bin", extent.binsDeg);
+    std::vector<double> binsDeg = extent.binsDeg;
+    binsDeg.insert(binsDeg.begin(), HorizonSweepSettings{}.binDeg);
+    const auto widths = ladderOf(engines, "horizon", "bin", binsDeg);
     const auto placings = contest(scene, widths, *truth, extent, work);
     if (!placings) return tl::make_unexpected(placings.error());
     const double raySeconds = secondsForAll(*truth, *receivers);

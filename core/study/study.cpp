@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/accumulate/projected_breakdown.h"
+#include "core/accumulate/sweep_options.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/stopwatch.h"
 #include "core/study/memory_need.h"
@@ -62,9 +63,8 @@ Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std:
     const bool projected = settings.engine == "projected" || study.field.engineKey == "projected";
     if (projected && !settings.contributions)
         return projectedBreakdown(study.city, study.receivers, study.sun, sets, progress, std::move(stop));
-    BreakdownSettings breakdown{.byBuilding = settings.contributions};
-    if (const auto bin = settings.engineSettings.find("bin"); bin != settings.engineSettings.end())
-        breakdown.sweep.binDeg = bin->second;
+    const BreakdownSettings breakdown{.sweep = sweepSettings(settings.engineSettings),
+                                      .byBuilding = settings.contributions};
     return horizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
                             std::move(stop));
 }

@@ -66,9 +66,8 @@ private:
                                     stop_)
                 .map([&](const ShadowBreakdown& breakdown) {
                     return summed(breakdown,
-                                  fmt::format("Horizon sweep: azimuth bins of {:g} deg, one sweep for all "
-                                              "months and intervals",
-                                              sweep->settings().binDeg));
+                                  fmt::format("Horizon sweep: {}, one sweep for all months and intervals",
+                                              breakdown.bins));
                 });
         if (dynamic_cast<const ProjectedShadows*>(&engine) == nullptr) return std::nullopt;
         return projectedBreakdown(city_, receivers_, sun_, sets, progress_, stop_)

@@ -121,7 +121,8 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
         return taken(receiversOnGround(of, regionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
     };
     City now = withTower(city, middle, 0);
-    KeptHorizons kept = taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg}));
+    KeptHorizons kept =
+        taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}));
     const double full = secondsOf([&] { taken(kept.retime(sun, progress, {}, KeptCounts::gross)); });
     SunSteps day = sun;
     day.days = {sun.days[100]};
@@ -148,7 +149,8 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
                medianOf(again) / full, medianOf(ofDay) / full, medianOf(edits) / full, 1e3 * medianOf(edits));
     const ShadowField edited = taken(kept.retime(sun, progress, {}));
     const ShadowField fresh =
-        taken(taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg})).retime(sun, progress, {}));
+        taken(taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}))
+                  .retime(sun, progress, {}));
     for (const std::uint32_t cell : bare.cells)
         if (edited.grossMin[cell] != fresh.grossMin[cell] && fresh.grossMin[cell] == fresh.grossMin[cell])
             fmt::print("WRONG at {}\n", cell);
@@ -158,7 +160,8 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
 
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
-    const double binDeg = argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;
+    const double binDeg =
+        argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;  // 0: by error target
     const std::size_t sampleSize = argc > 2 ? std::stoul(argv[2]) : 300;
     const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
     const City city = taken(gridSample({.buildings = 43'000, .roundness = 7}));

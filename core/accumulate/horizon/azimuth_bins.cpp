@@ -1,5 +1,7 @@
 #include "core/accumulate/horizon/azimuth_bins.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,19 +18,17 @@ struct Place {
     HorizonCode sun;
 };
 
-// In line with the rays of the reference, which know only the direction.
-Place placeOf(const SunStep& step, std::uint32_t index, double widthDeg) {
-    const double east = step.direction.x, north = step.direction.y;
-    double azimuth = std::atan2(east, north) * 180 / std::numbers::pi;
-    if (azimuth < 0) azimuth += 360;
-    const double tan = double(step.direction.z) / std::max(std::hypot(east, north), 1e-9);
-    return {index, std::uint32_t(azimuth / widthDeg), codeOfSun(tan)};
+HorizonCode codeOf(const SunStep& step) {
+    const double across = std::hypot(double(step.direction.x), double(step.direction.y));
+    return codeOfSun(double(step.direction.z) / std::max(across, 1e-9));
 }
 
-std::vector<Place> sortedPlaces(const SunSteps& sun, double widthDeg) {
+template <class NumberOf>
+std::vector<Place> sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
     std::vector<Place> places;
     places.reserve(sun.steps.size());
-    for (std::uint32_t i = 0; i < sun.steps.size(); ++i) places.push_back(placeOf(sun.steps[i], i, widthDeg));
+    for (std::uint32_t i = 0; i < sun.steps.size(); ++i)
+        places.push_back({i, numberOf(azimuthDegOf(sun.steps[i])), codeOf(sun.steps[i])});
     std::ranges::sort(places, [](const Place& a, const Place& b) {
         return std::tie(a.bin, a.sun, a.step) < std::tie(b.bin, b.sun, b.step);
     });
@@ -54,6 +54,21 @@ void addBin(BinnedSun& binned, glm::dvec2 away, std::span<const Place> places) {
         bin.suns.push_back(place.sun);
     }
     binned.bins.push_back(std::move(bin));
+}
+
+template <class NumberOf, class AwayOf>
+BinnedSun binnedBy(const SunSteps& sun, const NumberOf& numberOf, const AwayOf& awayOf) {
+    const std::vector<Place> places = sortedPlaces(sun, numberOf);
+    BinnedSun binned;
+    binned.places.resize(places.size());
+    for (std::size_t first = 0; first < places.size();) {
+        std::size_t end = first;
+        while (end < places.size() && places[end].bin == places[first].bin) ++end;
+        const std::span<const Place> ofBin = std::span(places).subspan(first, end - first);
+        addBin(binned, awayOf(ofBin), ofBin);
+        first = end;
+    }
+    return binned;
 }
 
 }  // namespace
@@ -93,20 +108,44 @@ void HiddenSuns::addTo(const HorizonCode* horizons, std::span<const Stretch> of,
 }
 
 BinnedSun binnedSun(const SunSteps& sun, double widthDeg, BinDirection direction) {
-    const std::vector<Place> places = sortedPlaces(sun, widthDeg);
-    BinnedSun binned;
-    binned.places.resize(places.size());
-    for (std::size_t first = 0; first < places.size();) {
-        std::size_t end = first;
-        while (end < places.size() && places[end].bin == places[first].bin) ++end;
-        const std::span<const Place> ofBin = std::span(places).subspan(first, end - first);
-        addBin(binned,
-               direction == BinDirection::middle ? middleAway(ofBin.front().bin, widthDeg)
-                                                 : meanAway(sun, ofBin),
-               ofBin);
-        first = end;
-    }
+    const auto numberOf = [&](double azimuthDeg) { return std::uint32_t(azimuthDeg / widthDeg); };
+    const auto awayOf = [&](std::span<const Place> places) {
+        return direction == BinDirection::middle ? middleAway(places.front().bin, widthDeg)
+                                                 : meanAway(sun, places);
+    };
+    BinnedSun binned = binnedBy(sun, numberOf, awayOf);
+    binned.narrowestDeg = binned.widestDeg = widthDeg;
     return binned;
+}
+
+BinnedSun binnedSun(const SunSteps& sun, const BinCuts& cuts) {
+    const auto numberOf = [&](double azimuthDeg) {
+        return std::uint32_t(cuts.binOfSlot[std::size_t(slotOf(azimuthDeg))]);
+    };
+    BinnedSun binned =
+        binnedBy(sun, numberOf, [&](std::span<const Place> places) { return meanAway(sun, places); });
+    binned.narrowestDeg = cuts.narrowestDeg;
+    binned.widestDeg = cuts.widestDeg;
+    return binned;
+}
+
+BinnedSun binnedSun(const SunSteps& sun, const HorizonSweepSettings& settings) {
+    if (settings.binDeg > 0) return binnedSun(sun, settings.binDeg);
+    return binnedSun(sun, cutsFor(sun, settings.errorTargetPercent));
+}
+
+std::size_t binCount(const SunSteps& sun, const HorizonSweepSettings& settings) {
+    if (settings.binDeg <= 0) return cutsFor(sun, settings.errorTargetPercent).bins;
+    std::vector<std::uint8_t> visited(std::size_t(360 / settings.binDeg) + 2);
+    for (const SunStep& step : sun.steps) visited[std::size_t(azimuthDegOf(step) / settings.binDeg)] = 1;
+    return std::size_t(std::ranges::count(visited, 1));
+}
+
+std::string textOf(const BinnedSun& binned) {
+    const std::string narrowest = fmt::format("{:.2g}", binned.narrowestDeg),
+                      widest = fmt::format("{:.2g}", binned.widestDeg);
+    return fmt::format("{} azimuth bins of {}{}{} deg", binned.bins.size(), narrowest,
+                       narrowest == widest ? "" : " to ", narrowest == widest ? "" : widest);
 }
 
 }  // namespace noonmark

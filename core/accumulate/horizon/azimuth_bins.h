@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "core/accumulate/horizon/bin_cuts.h"
 #include "core/accumulate/horizon/horizon_code.h"
+#include "core/accumulate/horizon_sweep.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -55,9 +58,13 @@ struct StepPlace {
 
 /// A period as the horizon sweep sees it.
 struct BinnedSun {
-    std::vector<AzimuthBin> bins;   ///< only those that the sun visits
-    std::vector<StepPlace> places;  ///< one a step, in time order
+    std::vector<AzimuthBin> bins;            ///< only those that the sun visits
+    std::vector<StepPlace> places;           ///< one a step, in time order
+    double narrowestDeg = 0, widestDeg = 0;  ///< width of a bin
 };
+
+/// "361 azimuth bins of 0.5 deg", "330 azimuth bins of 0.31 to 1.2 deg"
+std::string textOf(const BinnedSun& binned);
 
 /// Where the suns of a bin are taken to stand.
 enum class BinDirection {
@@ -70,5 +77,14 @@ glm::dvec2 middleAway(std::uint32_t bin, double widthDeg);
 
 /// Bins of `widthDeg` from north clockwise. O(steps log steps).
 BinnedSun binnedSun(const SunSteps& sun, double widthDeg, BinDirection direction = BinDirection::meanOfSteps);
+
+/// Bins as cut for this period, each taken at the mean of its steps.
+BinnedSun binnedSun(const SunSteps& sun, const BinCuts& cuts);
+
+/// Bins as the settings ask: of their width, or else as their error target needs. A valid setting.
+BinnedSun binnedSun(const SunSteps& sun, const HorizonSweepSettings& settings);
+
+/// How many bins those of binnedSun(sun, settings) are.
+std::size_t binCount(const SunSteps& sun, const HorizonSweepSettings& settings);
 
 }  // namespace noonmark

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/accumulate/horizon_sweep.h"
-
 namespace noonmark {
 
 namespace {
@@ -13,7 +11,18 @@ constexpr std::uint32_t mostStepsADay = 32'767;  // runs are counted in 16 bits
 Result<void> checkBinWidth(double binDeg) {
     if (binDeg >= HorizonSweepSettings::minBinDeg && binDeg <= HorizonSweepSettings::maxBinDeg) return {};
     return failure(fmt::format("An azimuth bin of {} deg is out of range", binDeg), "bin width",
-                   "Choose 0.1 to 2 deg");
+                   fmt::format("Choose {:g} to {:g} deg", HorizonSweepSettings::minBinDeg,
+                               HorizonSweepSettings::maxBinDeg));
+}
+
+Result<void> checkSweepSettings(const HorizonSweepSettings& settings) {
+    if (settings.binDeg != 0) return checkBinWidth(settings.binDeg);
+    const double percent = settings.errorTargetPercent;
+    if (percent >= HorizonSweepSettings::minErrorPercent && percent <= HorizonSweepSettings::maxErrorPercent)
+        return {};
+    return failure(fmt::format("An error target of {} % is out of range", percent), "error target",
+                   fmt::format("Choose {:g} to {:g} %", HorizonSweepSettings::minErrorPercent,
+                               HorizonSweepSettings::maxErrorPercent));
 }
 
 Result<void> checkHorizonDays(const SunSteps& sun) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/accumulate/horizon_sweep.h"
 #include "core/result.h"
 #include "core/sun/sun_steps.h"
 
@@ -7,6 +8,9 @@ namespace noonmark {
 
 /// Error for a bin width out of range.
 Result<void> checkBinWidth(double binDeg);
+
+/// Error for a setting out of range.
+Result<void> checkSweepSettings(const HorizonSweepSettings& settings);
 
 /// Error for days of more steps than can be counted.
 Result<void> checkHorizonDays(const SunSteps& sun);

@@ -22,7 +22,7 @@ SunSteps days(int count, int stepsADay) {
 /// A strip from south to north: many rows, few receivers.
 ShadowField byAuto(const City& city, const SunSteps& sun, std::stop_token stop = {}) {
     NoProgress progress;
-    return AutoEngine(0.5)
+    return AutoEngine()
         .accumulate(city, receiversOver(city, 30, -200, 32, 200), sun, progress, std::move(stop))
         .value();
 }
@@ -35,7 +35,7 @@ TEST(AutoEngine, aDayOnFlatGroundGoesToProjectedShadows) {
 }
 
 TEST(AutoEngine, aLongPeriodGoesToTheHorizonSweep) {
-    const ShadowField field = byAuto(oneTower(), days(60, 480));
+    const ShadowField field = byAuto(oneTower(), days(150, 480));
     EXPECT_EQ(field.engineKey, "horizon");
     EXPECT_THAT(field.engine, HasSubstr("since the period is long"));
 }
@@ -57,16 +57,54 @@ TEST(AutoEngine, aLongPeriodOnTerrainGoesToTheHorizonSweep) {
     NoProgress progress;
     const City city = onTerrain();
     const auto field =
-        AutoEngine(0.5).accumulate(city, receiversOver(city, 30, -200, 60, 200), days(60, 480), progress, {});
+        AutoEngine().accumulate(city, receiversOver(city, 30, -200, 60, 200), days(60, 480), progress, {});
     ASSERT_TRUE(field);
     EXPECT_EQ(field->engineKey, "horizon");
 }
 
 TEST(AutoEngine, whatTheChosenOneRefusesGoesToRaysAndIsSaid) {
-    const ShadowField field = byAuto(oneTower(), days(1, 40'000));  // more than the sweep counts in a day
+    const ShadowField field = byAuto(oneTower(), days(1, 60'000));  // more than the sweep counts in a day
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("refused"));
-    EXPECT_THAT(field.engine, HasSubstr("40000 steps"));
+    EXPECT_THAT(field.engine, HasSubstr("60000 steps"));
+}
+
+// 800 x 800 m in a dense city: receivers, buildings and bins of the grid sample.
+EngineLoad denseYear() {
+    return {.receivers = 285'679, .rows = 800, .steps = 173'342, .bins = 390, .buildings = 3'000};
+}
+
+TEST(AutoEngine, expectsTheSweepToWinLongPeriodsInDenseCities) {
+    const ExpectedSeconds year = expectedSeconds(denseYear());
+    EXPECT_LT(year.horizon * 5, year.projected);
+    EXPECT_LT(year.projected, year.ray);
+    EngineLoad hour = denseYear();
+    hour.steps = hour.bins = 60;
+    EXPECT_LT(expectedSeconds(hour).projected, 2);
+}
+
+TEST(AutoEngine, expectsTheSweepToBeSlowBelowManyPartsThatHang) {
+    EngineLoad month = denseYear();
+    month.steps = 14'400;
+    month.bins = 590;
+    month.buildings = 950;
+    month.openTriangles = 1'796;  // of Midtown
+    const ExpectedSeconds seconds = expectedSeconds(month);
+    EXPECT_LT(seconds.projected, seconds.horizon);
+    month.openTriangles = 0;
+    EXPECT_LT(expectedSeconds(month).horizon * 2, seconds.horizon);
+}
+
+TEST(AutoEngine, looksAtPartsThatHangInReachOnly) {
+    const City city =
+        cityOf({{{0, 0, 0}, {10, 10, 10}}, {{30, 0, 5}, {40, 10, 10}}, {{9000, 0, 5}, {9010, 10, 10}}});
+    const Receivers receivers = receiversOver(city, -20, -20, 60, 40);
+    const City* const cities[]{&city};
+    const EngineLoad load = engineLoad(cities, receivers, oneDay(arc(60, 40)), {.binDeg = 1});
+    EXPECT_EQ(load.buildings, 2U);
+    EXPECT_EQ(load.openTriangles, 12U);
+    EXPECT_EQ(load.bins, 60U);
+    EXPECT_TRUE(load.level);
 }
 
 TEST(AutoEngine, aStopIsNoRefusal) {
@@ -74,8 +112,8 @@ TEST(AutoEngine, aStopIsNoRefusal) {
     stop.request_stop();
     NoProgress progress;
     const City city = oneTower();
-    const auto field = AutoEngine(0.5).accumulate(city, receiversOver(city, 0, 0, 40, 40), days(1, 9),
-                                                  progress, stop.get_token());
+    const auto field = AutoEngine().accumulate(city, receiversOver(city, 0, 0, 40, 40), days(1, 9), progress,
+                                               stop.get_token());
     ASSERT_FALSE(field);
     EXPECT_TRUE(isCancelled(field.error()));
 }

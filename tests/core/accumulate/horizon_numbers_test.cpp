@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <numbers>
 
-#include "core/accumulate/auto_engine.h"
 #include "core/accumulate/horizon_sweep.h"
 #include "core/accumulate/partial_field.h"
 #include "core/io/read_city.h"
@@ -19,7 +18,7 @@ using namespace tests;
 
 ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg = 0.5) {
     NoProgress progress;
-    return HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
+    return HorizonSweep({.binDeg = binDeg}).accumulate(city, receivers, sun, progress, {}).value();
 }
 
 std::vector<Box3> standing(std::uint32_t seed, int perSide, glm::dvec3 move = glm::dvec3(0)) {
@@ -137,7 +136,7 @@ TEST(HorizonNumbers, runningResultsGrowToTheWhole) {
     SunSteps sun = oneDay(arc(400, 30));
     addDay(sun, arc(400, 50));
     Collect collect;
-    const ShadowField whole = HorizonSweep().accumulate(city, receivers, sun, collect, {}).value();
+    const ShadowField whole = HorizonSweep({.binDeg = 0.5}).accumulate(city, receivers, sun, collect, {}).value();
     ASSERT_GT(collect.taken.size(), 5U);
     const ShadowField alone = swept(city, receivers, sun);
     double share = 0;
@@ -149,33 +148,6 @@ TEST(HorizonNumbers, runningResultsGrowToTheWhole) {
             ASSERT_LE(partial.field.grossMin[cell], whole.grossMin[cell]);
     }
     for (const std::uint32_t cell : receivers.cells) EXPECT_EQ(whole.grossMin[cell], alone.grossMin[cell]);
-}
-
-TEST(AutoEngine, saysWhichAndWhy) {
-    const City city = cityOf(standing(3, 3));
-    const Receivers receivers = receiversOver(city, -20, -20, 80, 80, 4);
-    NoProgress progress;
-    const SunSteps day = oneDay(arc(60, 40));
-    const ShadowField field = AutoEngine(0.5).accumulate(city, receivers, day, progress, {}).value();
-    EXPECT_NE(field.engine.find("chosen: projected shadows"), std::string::npos);
-    City hilly = city;
-    hilly.terrain = std::make_shared<const Terrain>(Terrain{{-50, -50, 100, 2, 2}, {0, 1, 2, 3}});
-    const Receivers onHills = receiversOver(hilly, -20, -20, 80, 80, 4);
-    EXPECT_NE(AutoEngine(0.5).accumulate(hilly, onHills, day, progress, {}).value().engine.find("terrain"),
-              std::string::npos);
-}
-
-TEST(AutoEngine, expectsTheSweepToWinLongPeriodsInDenseCities) {
-    const City city = cityOf(standing(3, 2));
-    Receivers receivers = receiversOver(city, 0, 0, 600, 600);
-    SunSteps year;
-    year.steps.resize(175'200);
-    const ExpectedSeconds seconds = expectedSeconds(receivers, 3000, year, 0.5);
-    EXPECT_LT(seconds.horizon * 5, seconds.projected);
-    EXPECT_LT(seconds.projected, seconds.ray);
-    year.steps.resize(60);
-    const ExpectedSeconds hour = expectedSeconds(receivers, 3000, year, 0.5);
-    EXPECT_LT(hour.projected, 2);
 }
 
 // 1,184 parts of Midtown have a min_height; those that hang and reach the region are open parts.
@@ -192,7 +164,8 @@ TEST(HorizonNumbers, midtownAgreesWithRays) {
     sun.stepMinutes = 5;
     for (int day = 0; day < 6; ++day) addDay(sun, arc(96, 26 + 9 * day));
     const ShadowField truth = traced(city, receivers, sun);
-    const ShadowField field = HorizonSweep({0.5}).accumulate(city, receivers, sun, progress, {}).value();
+    const ShadowField field =
+        HorizonSweep({.binDeg = 0.5}).accumulate(city, receivers, sun, progress, {}).value();
     double off = 0;
     for (const std::uint32_t cell : receivers.cells)
         off += double(std::abs(field.grossMin[cell] - truth.grossMin[cell]));

@@ -16,7 +16,7 @@ using namespace tests;
 
 ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun, double binDeg = 0.5) {
     NoProgress progress;
-    return HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
+    return HorizonSweep({.binDeg = binDeg}).accumulate(city, receivers, sun, progress, {}).value();
 }
 
 City standingBoxes(std::uint32_t seed, int perSide) {
@@ -247,7 +247,7 @@ TEST(HorizonSweep, noSunAndNoCityGiveZeros) {
 
 Error refusal(const City& city, const SunSteps& sun, double binDeg = 0.5) {
     NoProgress progress;
-    return HorizonSweep({binDeg})
+    return HorizonSweep({.binDeg = binDeg})
         .accumulate(city, receiversOver(city, -20, -20, 40, 40), sun, progress, {})
         .error();
 }
@@ -271,6 +271,18 @@ TEST(HorizonSweep, refusesWhatAHorizonCannotSay) {
     for (const double width : {0.09, 2.1, std::nan("")})
         EXPECT_NE(refusal(box, sun, width).text().find("0.1 to 2"), std::string::npos) << width;
     EXPECT_NE(refusal(box, oneDay(arc(32'768, 40))).text().find("step"), std::string::npos);
+}
+
+TEST(HorizonSweep, refusesErrorTargetsOutOfRange) {
+    const City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
+    NoProgress progress;
+    for (const double percent : {0.0, 0.0049, 1.01, std::nan("")}) {
+        const auto refused =
+            HorizonSweep({.errorTargetPercent = percent})
+                .accumulate(city, receiversOver(city, -20, -20, 40, 40), oneDay(arc(10, 40)), progress, {});
+        ASSERT_FALSE(refused) << percent;
+        EXPECT_NE(refused.error().text().find("0.005 to 1 %"), std::string::npos);
+    }
 }
 
 TEST(HorizonSweep, takesAHangingPartOutOfReach) {

@@ -67,7 +67,9 @@ TEST(KeptHorizons, agreeWithTheSweepAndWithRays) {
     const SunSteps sun = someDays(40, 4);
     NoProgress progress;
     const ShadowField kept = fresh(city, receivers, sun), truth = traced(city, receivers, sun),
-                      swept = HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
+                      swept = HorizonSweep({.binDeg = binDeg})
+                                  .accumulate(city, receivers, sun, progress, {})
+                                  .value();
     double ofSweep = 0, ofRays = 0;
     for (const std::uint32_t cell : receivers.cells) {
         ofSweep += double(std::abs(kept.grossMin[cell] - swept.grossMin[cell]));

@@ -9,7 +9,7 @@ namespace noonmark::tests {
 inline ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun,
                          double binDeg = 0.2) {
     NoProgress progress;
-    return HorizonSweep({binDeg}).accumulate(city, receivers, sun, progress, {}).value();
+    return HorizonSweep({.binDeg = binDeg}).accumulate(city, receivers, sun, progress, {}).value();
 }
 
 /// Winter, spring and summer in the middle latitudes.

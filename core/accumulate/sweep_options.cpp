@@ -1,0 +1,44 @@
+#include "core/accumulate/sweep_options.h"
+
+namespace noonmark {
+
+namespace {
+
+EngineOption errorOption() {
+    return {
+        "error",
+        "Error target",
+        "%",
+        HorizonSweepSettings::minErrorPercent,
+        HorizonSweepSettings::maxErrorPercent,
+        HorizonSweepSettings{}.errorTargetPercent,
+        false,
+        "Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets "
+        "them be; half of it takes twice as long"};
+}
+
+EngineOption binOption() {
+    return {"bin",
+            "Azimuth bin",
+            "deg",
+            0,
+            HorizonSweepSettings::maxBinDeg,
+            HorizonSweepSettings{}.binDeg,
+            false,
+            "Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks"};
+}
+
+double valueOf(const EngineSettings& settings, const EngineOption& option) {
+    const auto set = settings.find(option.key);
+    return set == settings.end() ? option.usual : set->second;
+}
+
+}  // namespace
+
+std::vector<EngineOption> sweepOptions() { return {errorOption(), binOption()}; }
+
+HorizonSweepSettings sweepSettings(const EngineSettings& settings) {
+    return {.errorTargetPercent = valueOf(settings, errorOption()), .binDeg = valueOf(settings, binOption())};
+}
+
+}  // namespace noonmark
