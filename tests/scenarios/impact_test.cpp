@@ -145,7 +145,7 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     empty.buildings.clear();
     ImpactSettings settings = morning("auto");
     settings.study.region = regionFromLocalBox({{0, 0}, {80, 160}});
-    settings.study.period.days = 60;  // for the empty city alone projected shadows would do
+    settings.study.period.days = 100;  // for the empty city alone projected shadows would do
     settings.study.period.hours = 8;
     settings.study.period.stepMinutes = 1;
     const ImpactStudy study = impactOf(empty, manyHouses(20, 20), settings);
@@ -159,7 +159,7 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
 
 TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     ImpactSettings settings = morning("auto");
-    settings.study.region = regionFromLocalBox({{0, -120}, {2, 40}});
+    settings.study.region = regionFromLocalBox({{0, -360}, {1, 140}});
     settings.study.receivers.cellM = 1;
     settings.study.period.from = std::chrono::hours(0);
     settings.study.period.hours = 24;
