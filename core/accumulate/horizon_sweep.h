@@ -26,11 +26,11 @@ struct HorizonSweepSettings {
 ///
 /// Error: that all suns of a bin are taken at their mean azimuth, and their altitudes at the nearest of
 /// 65,535 levels (horizon/horizon_code.h: 0.0009 deg at most, too little to see beside the first). Bins are
-/// as wide as the error target lets them be: at 0.05 % of the period a year of 8 h days needs some 380 of
-/// 0.4 to 0.9 deg and is off by 0.034 % in the mean and 0.2 % at most on the grid sample, 0.046 and 0.2 % on
-/// Midtown; a single day needs one for nearly each minute, and is then exact. The longest run has no target:
-/// it is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of light is missed or seen
-/// two runs become one, or one two: single cells are off by up to a quarter
+/// as wide as the error target lets them be: at 0.05 % of the period a year of 8 h days needs some 410 of
+/// 0.3 to 2 deg and is off by 0.03 % in the mean and 0.2 % at most on the grid sample, 0.05 and 0.2 % on
+/// Midtown; a single day needs one for nearly each minute, and is all but exact. The longest run has no
+/// target: it is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of light is missed
+/// or seen two runs become one, or one two: single cells are off by up to a quarter
 /// (tests/benchmarks/horizon_bench.cpp). The answer does not depend on the number of threads, on tiles or on
 /// the order of buildings.
 ///

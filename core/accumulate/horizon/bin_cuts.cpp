@@ -15,10 +15,10 @@ constexpr double widestBinDeg = 2;
 constexpr int bandDeg = 10, bands = 9;
 
 // Measured against rays on 800 x 800 m of Midtown, periods of a week to a year, bins of 0.25 to 2 deg: the
-// mean error, in percent of the steps, was 8.4 to 10 times the square root of the sum below, in degrees; on
+// mean error, in percent of the steps, was 8.4 to 11 times the square root of the sum below, in degrees; on
 // single days, whose edges are those of one season, 2 to 12 times. On the grid sample 7 and 3 to 10 times.
 double edgesOfACity(std::size_t days) {
-    return 10.4 + 1.6 / std::sqrt(double(std::max<std::size_t>(1, days)));
+    return 11.2 + 0.8 / std::sqrt(double(std::max<std::size_t>(1, days)));
 }
 
 /// A stretch of slots [first, end).
