@@ -12,9 +12,10 @@ FinishedTiles::FinishedTiles(const ReceiverTiles& tiles, const ShadowField& fiel
     : tiles_(tiles), field_(field), sink_(sink), done_(sink ? tiles.count() : 0) {
     if (!sink_) return;
     stride_ = scatteringStride(tiles.count());
-    nothing_ = field;
-    nothing_.grossMin.assign(field.grid.size(), std::numeric_limits<float>::quiet_NaN());
-    nothing_.continuousMin = nothing_.grossMin;
+    shown_ = field;
+    shown_.grossMin.assign(field.grid.size(), std::numeric_limits<float>::quiet_NaN());
+    shown_.continuousMin = shown_.grossMin;
+    isShown_.resize(tiles.count());
 }
 
 void FinishedTiles::finish(std::size_t tile) {
@@ -30,22 +31,21 @@ void FinishedTiles::finish(std::size_t tile) {
     sink_->take(finished());
 }
 
-PartialField FinishedTiles::finished() const {
-    PartialField partial{nothing_, 0, {}};
+PartialField FinishedTiles::finished() {
     std::vector<std::uint32_t> cells;
     std::size_t count = 0;
     for (std::size_t tile = 0; tile < done_.size(); ++tile) {
         if (!done_[tile].load(std::memory_order_acquire)) continue;
         ++count;
+        if (isShown_[tile]) continue;
+        isShown_[tile] = true;
         tiles_.cellsOf(tile, cells);
         for (const std::uint32_t cell : cells) {
-            partial.field.grossMin[cell] = field_.grossMin[cell];
-            partial.field.continuousMin[cell] = field_.continuousMin[cell];
+            shown_.grossMin[cell] = field_.grossMin[cell];
+            shown_.continuousMin[cell] = field_.continuousMin[cell];
         }
     }
-    partial.share = double(count) / double(done_.size());
-    partial.part = fmt::format("{} of {} tiles", count, done_.size());
-    return partial;
+    return {shown_, double(count) / double(done_.size()), fmt::format("{} of {} tiles", count, done_.size())};
 }
 
 }  // namespace noonmark

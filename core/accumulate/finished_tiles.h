@@ -25,13 +25,14 @@ public:
     void finish(std::size_t tile);
 
 private:
-    [[nodiscard]] PartialField finished() const;
+    [[nodiscard]] PartialField finished();
 
     const ReceiverTiles& tiles_;
     const ShadowField& field_;
     PartialSink* sink_;
     std::size_t stride_ = 1;
-    ShadowField nothing_;  // the field with all values unknown
+    ShadowField shown_;  // with the tiles that were handed out so far, the rest unknown
+    std::vector<bool> isShown_;
     std::vector<std::atomic<bool>> done_;
     std::atomic<std::size_t> count_{0};
     std::mutex handing_;

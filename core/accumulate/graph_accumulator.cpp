@@ -66,7 +66,7 @@ public:
             if (stop_.stop_requested()) return cancelled();
         }
         tally_.writeTo(field_, receivers_, {});
-        if (PartialSink* sink = progress_.partials()) sink->take(partial({}));
+        if (PartialSink* sink = progress_.partials()) sink->take(partial(tally_, {}));
         return {};
     }
 
@@ -78,7 +78,7 @@ private:
         for (const auto& leg : path) {
             const bool known = maps_.has(leg.edge);
             if (!known)
-                if (const auto done = shade(leg.edge); !done) return done;
+                if (const auto done = shade(leg, legs); !done) return done;
             legs.push_back({maps_.of(leg.edge), graph_.edges[leg.edge].sun.steps, leg.breaksRun});
             if (!known) show(legs);
         }
@@ -86,24 +86,51 @@ private:
         return {};
     }
 
-    Result<void> shade(std::uint32_t edge) {
+    // `before`: the legs of its day before this one.
+    Result<void> shade(const DirectionGraph::Leg& leg, const std::vector<PathLeg>& before) {
         progress_.report(double(shaded_++) / double(graph_.edges.size()), "shading intervals");
-        if (const auto done = scene_.shade(graph_.edges[edge].sun, masks_, stop_); !done) return done;
-        maps_.keep(edge, tally_.addEdge(masks_, graph_.edges[edge]));
+        const DirectionGraph::Edge& edge = graph_.edges[leg.edge];
+        PartialSink* sink = progress_.partials();
+        const auto done =
+            sink ? scene_.shadeWatched(
+                       edge.sun, masks_, stop_,
+                       {[sink] { return sink->wants(); },
+                        [&](int steps) { sink->take(partialOf(edge, steps, leg.breaksRun, before)); }})
+                 : scene_.shade(edge.sun, masks_, stop_);
+        if (!done) return done;
+        maps_.keep(leg.edge, tally_.addEdge(masks_, edge));
         return {};
     }
 
     // `path`: the legs so far of the day at work.
     void show(const std::vector<PathLeg>& path) {
         PartialSink* sink = progress_.partials();
-        if (sink && sink->wants()) sink->take(partial(path));
+        if (sink && sink->wants()) sink->take(partial(tally_, path));
     }
 
-    [[nodiscard]] PartialField partial(const std::vector<PathLeg>& path) const {
-        PartialField partial{field_, double(tally_.intervals()) / double(graph_.intervals), {}};
-        tally_.writeTo(partial.field, receivers_, path);
-        partial.field.sunlitMinutesPerDay = double(tally_.steps()) * field_.stepMinutes / field_.days;
-        partial.part = fmt::format("{} of {} sun intervals", tally_.intervals(), graph_.intervals);
+    // With the first few steps of an edge; `path`: the legs before it of the day at work.
+    [[nodiscard]] PartialField partialOf(const DirectionGraph::Edge& edge, int steps, bool breaksRun,
+                                         std::vector<PathLeg> path) const {
+        std::vector<ShadowMask> masks = masks_;
+        for (ShadowMask& mask : masks) mask &= fullMask(steps);
+        DirectionGraph::Edge some = edge;
+        some.sun.steps = steps;
+        IntervalTally tally = tally_;
+        const std::vector<MaskRuns> runs = tally.addEdge(masks, some);
+        path.push_back({runs, steps, breaksRun});
+        PartialField shown = partial(tally, path);
+        const double whole = double(tally_.intervals()), part = double(edge.weight) * steps / edge.sun.steps;
+        shown.share = (whole + part) / double(graph_.intervals);
+        shown.part = fmt::format("{} of {} sun intervals, {} of {} steps of the next", tally_.intervals(),
+                                 graph_.intervals, steps, edge.sun.steps);
+        return shown;
+    }
+
+    [[nodiscard]] PartialField partial(const IntervalTally& tally, const std::vector<PathLeg>& path) const {
+        PartialField partial{field_, double(tally.intervals()) / double(graph_.intervals), {}};
+        tally.writeTo(partial.field, receivers_, path);
+        partial.field.sunlitMinutesPerDay = double(tally.steps()) * field_.stepMinutes / field_.days;
+        partial.part = fmt::format("{} of {} sun intervals", tally.intervals(), graph_.intervals);
         return partial;
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <span>
@@ -29,6 +30,12 @@ struct SunInterval {
     [[nodiscard]] glm::dvec3 at(int step) const;
 };
 
+/// Who wants to see masks before their interval is finished. Called by the thread that shades.
+struct MaskWatcher {
+    std::function<bool()> wants;          ///< whether to be shown what is done by now; cheap
+    std::function<void(int steps)> show;  ///< in `masks` all steps before this one are final
+};
+
 /// City and receivers made ready to be shaded, one interval after the other.
 class IntervalScene {
 public:
@@ -38,6 +45,12 @@ public:
     /// cores; cancelled() within 0.2 s.
     [[nodiscard]] virtual Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                                              std::stop_token stop) = 0;
+
+    /// The same bits, shown on the way by engines that take the steps one after the other.
+    [[nodiscard]] virtual Result<void> shadeWatched(const SunInterval& interval, std::span<ShadowMask> masks,
+                                                    std::stop_token stop, const MaskWatcher& /*watcher*/) {
+        return shade(interval, masks, std::move(stop));
+    }
 
     /// Adds to cellSteps[building], one a building of the city, the steps of receivers at which that building
     /// is the first thing on the way to the sun; each shaded step of a receiver is one building's. Error

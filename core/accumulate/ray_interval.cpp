@@ -27,28 +27,61 @@ std::vector<DirectionPacket> packetsOf(const SunInterval& interval) {
     return packets;
 }
 
+/// The receivers tile by tile, each with where its rays begin.
+struct TiledReceivers {
+    std::vector<glm::vec3> origins;
+    std::vector<std::uint32_t> numbers;  ///< in Receivers::cells
+    std::vector<std::size_t> first{0};   ///< of each tile, and the end
+
+    explicit TiledReceivers(const Receivers& receivers) {
+        const ReceiverTiles tiles(receivers);
+        std::vector<std::uint32_t> cells;
+        for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
+            tiles.cellsOf(tile, cells);
+            for (const std::uint32_t cell : cells) add(receivers, cell);
+            first.push_back(origins.size());
+        }
+    }
+
+    [[nodiscard]] std::size_t tiles() const { return first.size() - 1; }
+    [[nodiscard]] std::span<const glm::vec3> originsOf(std::size_t tile) const {
+        return std::span(origins).subspan(first[tile], first[tile + 1] - first[tile]);
+    }
+
+private:
+    // The cells are ascending.
+    void add(const Receivers& receivers, std::uint32_t cell) {
+        origins.push_back(rayOrigin(receivers.position(cell)));
+        const auto at = std::ranges::lower_bound(receivers.cells, cell);
+        numbers.push_back(std::uint32_t(at - receivers.cells.begin()));
+    }
+};
+
 class RayIntervalScene final : public IntervalScene {
 public:
     RayIntervalScene(RayScene scene, const Receivers& receivers, std::uint32_t buildingsUsed)
-        : scene_(std::move(scene)), receivers_(receivers), tiles_(receivers) {
+        : scene_(std::move(scene)), receivers_(receivers) {
         cost_.buildingsUsed = buildingsUsed;
     }
 
     Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                        std::stop_token stop) override {
+        return shadeWatched(interval, masks, std::move(stop), {[] { return false; }, {}});
+    }
+
+    Result<void> shadeWatched(const SunInterval& interval, std::span<ShadowMask> masks, std::stop_token stop,
+                              const MaskWatcher& watcher) override {
         const Stopwatch watch;
-        const std::vector<DirectionPacket> packets = packetsOf(interval);
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count()), [&](const auto& range) {
-            const FlushDenormals flush;
-            std::vector<std::uint32_t> cells;
-            for (std::size_t tile = range.begin(); tile < range.end() && !stop.stop_requested(); ++tile) {
-                tiles_.cellsOf(tile, cells);
-                trace(cells, packets, masks);
-            }
-        });
-        if (stop.stop_requested()) return cancelled();
+        std::ranges::fill(masks, ShadowMask{0});
+        int steps = 0;
+        for (const DirectionPacket& packet : packetsOf(interval)) {
+            trace(packet, steps, masks, stop);
+            if (stop.stop_requested()) return cancelled();
+            steps += packet.count;
+            if (steps < interval.steps && watcher.wants()) watcher.show(steps);
+        }
         cost_.seconds["trace"] += watch.seconds();
-        cost_.rays += receivers_.cells.size() * std::size_t(interval.steps);
+        cost_.rays += masks.size() * std::size_t(interval.steps);
         return {};
     }
 
@@ -56,14 +89,11 @@ public:
                            std::stop_token stop) override {
         tbb::combinable<std::vector<std::uint64_t>> sums(
             [&] { return std::vector<std::uint64_t>(cellSteps.size()); });
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count()), [&](const auto& range) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers_.tiles()), [&](const auto& range) {
             const FlushDenormals flush;
-            std::vector<std::uint32_t> cells;
-            for (std::size_t tile = range.begin(); tile < range.end() && !stop.stop_requested(); ++tile) {
-                tiles_.cellsOf(tile, cells);
+            for (std::size_t tile = range.begin(); tile < range.end() && !stop.stop_requested(); ++tile)
                 for (int step = 0; step < interval.steps; ++step)
-                    countFirst(cells, glm::vec3(interval.at(step)), sums.local());
-            }
+                    countFirst(receivers_.originsOf(tile), glm::vec3(interval.at(step)), sums.local());
         });
         if (stop.stop_requested()) return cancelled();
         sums.combine_each([&](const std::vector<std::uint64_t>& sum) {
@@ -75,43 +105,38 @@ public:
     [[nodiscard]] Cost cost() const override { return cost_; }
 
 private:
-    void countFirst(const std::vector<std::uint32_t>& cells, glm::vec3 towardsSun,
+    void countFirst(std::span<const glm::vec3> origins, glm::vec3 towardsSun,
                     std::vector<std::uint64_t>& cellSteps) const {
         constexpr std::size_t packet = 16;
         std::array<Occluder, packet> found;
-        std::vector<glm::vec3> origins;
-        for (const std::uint32_t cell : cells) origins.push_back(rayOrigin(receivers_.position(cell)));
         for (std::size_t i = 0; i < origins.size(); i += packet) {
             const std::size_t count = std::min(packet, origins.size() - i);
-            scene_.firstOccluders(std::span(origins).subspan(i, count), towardsSun, RayScene::nearestM, 1,
+            scene_.firstOccluders(origins.subspan(i, count), towardsSun, RayScene::nearestM, 1,
                                   std::span(found).first(count));
             for (std::size_t k = 0; k < count; ++k)
                 if (found[k].distanceM > 0) ++cellSteps[found[k].building];
         }
     }
 
-    // The tiles' cells are looked up among all, which are ascending.
-    void trace(const std::vector<std::uint32_t>& cells, const std::vector<DirectionPacket>& packets,
-               std::span<ShadowMask> masks) const {
-        std::vector<glm::vec3> origins;
-        for (const std::uint32_t cell : cells) origins.push_back(rayOrigin(receivers_.position(cell)));
-        std::vector<ShadowMask> found(cells.size());
-        std::vector<std::uint32_t> blocked(cells.size());
-        for (std::size_t packet = 0; packet < packets.size(); ++packet) {
-            scene_.blockedLanes(origins, packets[packet], blocked);
-            for (std::size_t i = 0; i < cells.size(); ++i)
-                found[i] |= ShadowMask{blocked[i] & ((1U << unsigned(packets[packet].count)) - 1)}
-                            << (packet * DirectionPacket::capacity);
-        }
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const auto at = std::ranges::lower_bound(receivers_.cells, cells[i]);
-            masks[std::size_t(at - receivers_.cells.begin())] = found[i];
-        }
+    // The same sixteen suns for one receiver after the other: they cross the same boxes.
+    void trace(const DirectionPacket& packet, int firstStep, std::span<ShadowMask> masks,
+               const std::stop_token& stop) const {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers_.tiles()), [&](const auto& range) {
+            const FlushDenormals flush;
+            std::vector<std::uint32_t> blocked;
+            for (std::size_t tile = range.begin(); tile < range.end() && !stop.stop_requested(); ++tile) {
+                const auto origins = receivers_.originsOf(tile);
+                blocked.resize(origins.size());
+                scene_.blockedLanes(origins, packet, blocked);
+                for (std::size_t i = 0; i < origins.size(); ++i)
+                    masks[receivers_.numbers[receivers_.first[tile] + i]] |=
+                        (ShadowMask{blocked[i]} & fullMask(packet.count)) << firstStep;
+            }
+        });
     }
 
     RayScene scene_;
-    const Receivers& receivers_;
-    ReceiverTiles tiles_;
+    TiledReceivers receivers_;
     Cost cost_;
 };
 

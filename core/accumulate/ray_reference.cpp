@@ -49,7 +49,7 @@ public:
           field_(field),
           progress_(progress),
           stop_(stop),
-          tiles_(receivers),
+          tiles_(receivers, sideFor(packets.size(), progress.partials() != nullptr)),
           finished_(tiles_, field, progress.partials()) {}
 
     void run() {
@@ -63,6 +63,12 @@ public:
 
 private:
     static constexpr std::size_t packetsBetweenChecks = 16;  // x 64 receivers x 16 rays: under a millisecond
+
+    // A tile of a long period takes a fifth of a second: who looks on gets smaller ones.
+    static int sideFor(std::size_t packets, bool watched) {
+        constexpr std::size_t manyPackets = 2000;
+        return watched && packets > manyPackets ? ReceiverTiles::usualSide / 2 : ReceiverTiles::usualSide;
+    }
 
     void traceTile(std::size_t tile, Watchers& watchers) {
         tiles_.cellsOf(tile, watchers.cells);

@@ -4,18 +4,19 @@
 
 namespace noonmark {
 
-ReceiverTiles::ReceiverTiles(const Receivers& receivers)
+ReceiverTiles::ReceiverTiles(const Receivers& receivers, int side)
     : receivers_(receivers),
+      side_(side),
       columns_((receivers.grid.columns + side - 1) / side),
       rows_((receivers.grid.rows + side - 1) / side) {}
 
 // The cells are ascending: a tile's part of a row is found by bisection.
 void ReceiverTiles::cellsOf(std::size_t tile, std::vector<std::uint32_t>& cells) const {
     const Grid& grid = receivers_.grid;
-    const int firstColumn = int(tile % std::size_t(columns_)) * side;
-    const int firstRow = int(tile / std::size_t(columns_)) * side;
-    const int endColumn = std::min(firstColumn + side, grid.columns);
-    const int endRow = std::min(firstRow + side, grid.rows);
+    const int firstColumn = int(tile % std::size_t(columns_)) * side_;
+    const int firstRow = int(tile / std::size_t(columns_)) * side_;
+    const int endColumn = std::min(firstColumn + side_, grid.columns);
+    const int endRow = std::min(firstRow + side_, grid.rows);
     cells.clear();
     for (int row = firstRow; row < endRow; ++row) {
         const auto from =

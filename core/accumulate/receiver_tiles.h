@@ -12,9 +12,10 @@ namespace noonmark {
 /// the cache for the next. No memory of its own; holds a reference to the receivers.
 class ReceiverTiles {
 public:
-    static constexpr int side = 8;  ///< cells
+    static constexpr int usualSide = 8;
 
-    explicit ReceiverTiles(const Receivers& receivers);
+    /// `side`: cells.
+    explicit ReceiverTiles(const Receivers& receivers, int side = usualSide);
 
     [[nodiscard]] std::size_t count() const { return std::size_t(columns_) * std::size_t(rows_); }
 
@@ -24,6 +25,7 @@ public:
 
 private:
     const Receivers& receivers_;
+    int side_;
     int columns_ = 0;  ///< of tiles
     int rows_ = 0;
 };

@@ -29,9 +29,23 @@ public:
 
     Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                        std::stop_token stop) override {
+        return tried(interval, masks, stop, nullptr);
+    }
+
+    Result<void> shadeWatched(const SunInterval& interval, std::span<ShadowMask> masks, std::stop_token stop,
+                              const MaskWatcher& watcher) override {
+        return tried(interval, masks, stop, &watcher);
+    }
+
+    [[nodiscard]] Cost cost() const override { return cost_; }
+    void startWith(Cost cost) { cost_ = std::move(cost); }
+
+private:
+    Result<void> tried(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop,
+                       const MaskWatcher* watcher) {
         if (auto ok = checkSteps(interval.steps); !ok) return ok;
         try {
-            return shaded(interval, masks, stop);
+            return shaded(interval, masks, stop, watcher);
         } catch (const std::bad_alloc&) {
             return failure(fmt::format("There is not enough memory for maps of {} x {} texels",
                                        frame_.columns, frame_.rows),
@@ -39,12 +53,8 @@ public:
         }
     }
 
-    [[nodiscard]] Cost cost() const override { return cost_; }
-    void startWith(Cost cost) { cost_ = std::move(cost); }
-
-private:
-    Result<void> shaded(const SunInterval& interval, std::span<ShadowMask> masks,
-                        const std::stop_token& stop) {
+    Result<void> shaded(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop,
+                        const MaskWatcher* watcher) {
         const Stopwatch place;
         const IntervalCasters casters =
             castersOf(faces_, placed_, frame_, interval, settings_.side, extent());
@@ -56,7 +66,7 @@ private:
             [this](const DepthSlice& slice, int, std::span<std::uint64_t> bits) {
                 lookup_.look(slice, bits);
             },
-            masks, stop);
+            masks, stop, watcher);
         if (stop.stop_requested()) return cancelled();
         cost_.seconds["draw"] += draw.seconds();
         return {};

@@ -52,6 +52,19 @@ public:
 
     Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                        std::stop_token stop) override {
+        return shaded(interval, masks, stop, nullptr);
+    }
+
+    Result<void> shadeWatched(const SunInterval& interval, std::span<ShadowMask> masks, std::stop_token stop,
+                              const MaskWatcher& watcher) override {
+        return shaded(interval, masks, stop, &watcher);
+    }
+
+    [[nodiscard]] Cost cost() const override { return cost_; }
+
+private:
+    Result<void> shaded(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop,
+                        const MaskWatcher* watcher) {
         if (auto ok = checkSteps(interval.steps); !ok) return ok;
         const Stopwatch place;
         const MapFrame frame = surfaceFrame(points_, interval, settings_.mapSize, settings_.warp);
@@ -67,15 +80,12 @@ public:
             [&](const DepthSlice& slice, int step, std::span<std::uint64_t> bits) {
                 lookup.look(slice, interval.at(step), bits);
             },
-            masks, stop);
+            masks, stop, watcher);
         cost_.seconds["draw"] += draw.seconds();
         if (stop.stop_requested()) return cancelled();
         return {};
     }
 
-    [[nodiscard]] Cost cost() const override { return cost_; }
-
-private:
     CasterFaces faces_;
     const SurfacePoints& points_;
     AccrualSettings settings_;

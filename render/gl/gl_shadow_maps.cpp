@@ -51,6 +51,11 @@ public:
 
     Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
                        std::stop_token stop) override {
+        return shadeWatched(interval, masks, std::move(stop), {[] { return false; }, {}});
+    }
+
+    Result<void> shadeWatched(const SunInterval& interval, std::span<ShadowMask> masks, std::stop_token stop,
+                              const MaskWatcher& watcher) override {
         if (auto ok = checkSteps(interval.steps); !ok) return ok;
         const Stopwatch place;
         const IntervalCasters casters =
@@ -60,7 +65,7 @@ public:
         cost_.seconds["place"] += place.seconds();
         const Stopwatch draw;
         const GlContext::Current current(*context_);
-        if (auto ok = shadeOnDevice(casters, interval, masks, stop); !ok) return ok;
+        if (auto ok = shadeOnDevice(casters, interval, masks, stop, watcher); !ok) return ok;
         cost_.seconds["draw"] += draw.seconds();
         return {};
     }
@@ -75,7 +80,8 @@ private:
     }
 
     Result<void> shadeOnDevice(const IntervalCasters& casters, const SunInterval& interval,
-                               std::span<ShadowMask> masks, const std::stop_token& stop) {
+                               std::span<ShadowMask> masks, const std::stop_token& stop,
+                               const MaskWatcher& watcher) {
         const int layers = layersADraw(passes_, context_->limits(), interval.steps);
         if (auto ok = prepareMaps(layers); !ok) return ok;
         maps_->take(casters, interval);
@@ -85,6 +91,9 @@ private:
             maps_->draw(step, count);
             maps_->lookUp(step, count);
             if (context_->limits().software) maps_->wait();
+            if (step + count == interval.steps || !watcher.wants()) continue;
+            if (auto ok = maps_->read(masks); !ok) return ok;
+            watcher.show(step + count);
         }
         return maps_->read(masks);
     }

@@ -9,6 +9,10 @@
 
 namespace noonmark {
 
+namespace {
+constexpr int watchedSlices = 12;  // a fifth of an hour: each at the end waits for the slowest of few
+}
+
 SliceStack::SliceStack(int columns, int rows)
     : easels_([columns, rows] {
           return Easel{DepthSlice(columns, rows), {}, {}};
@@ -16,20 +20,27 @@ SliceStack::SliceStack(int columns, int rows)
 
 void SliceStack::shade(const IntervalCasters& casters, const MapFrame& frame, const SunInterval& interval,
                        CasterSide side, const LookUpStep& lookUp, std::span<ShadowMask> masks,
-                       const std::stop_token& stop) {
+                       const std::stop_token& stop, const MaskWatcher* watcher) {
     const std::size_t words = (masks.size() + 63) / 64;
     shaded_.resize(std::size_t(interval.steps) * words);
-    tbb::parallel_for(tbb::blocked_range<int>(0, interval.steps, 1), [&](const auto& range) {
-        Easel& easel = easels_.local();
-        for (int step = range.begin(); step < range.end() && !stop.stop_requested(); ++step) {
-            const SliceCost cost =
-                easel.drawer.draw(casters, frame, frame.shearOf(interval.at(step)), side, easel.slice);
-            easel.cost.faces += cost.faces;
-            easel.cost.rows += cost.rows;
-            lookUp(easel.slice, step, std::span(shaded_).subspan(std::size_t(step) * words, words));
-        }
-    });
-    takeMasks(interval.steps, words, masks);
+    const int atOnce = watcher ? watchedSlices : interval.steps;
+    for (int first = 0; first < interval.steps; first += atOnce) {
+        const int end = std::min(first + atOnce, interval.steps);
+        tbb::parallel_for(tbb::blocked_range<int>(first, end, 1), [&](const auto& range) {
+            Easel& easel = easels_.local();
+            for (int step = range.begin(); step < range.end() && !stop.stop_requested(); ++step) {
+                const SliceCost cost =
+                    easel.drawer.draw(casters, frame, frame.shearOf(interval.at(step)), side, easel.slice);
+                easel.cost.faces += cost.faces;
+                easel.cost.rows += cost.rows;
+                lookUp(easel.slice, step, std::span(shaded_).subspan(std::size_t(step) * words, words));
+            }
+        });
+        if (stop.stop_requested()) return;
+        const bool shown = end < interval.steps && watcher && watcher->wants();
+        if (shown || end == interval.steps) takeMasks(end, words, masks);
+        if (shown) watcher->show(end);
+    }
 }
 
 SliceCost SliceStack::cost() const {

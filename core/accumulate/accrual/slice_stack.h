@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/accumulate/accrual/slice_drawer.h"
+#include "core/accumulate/interval_engine.h"
 #include "core/accumulate/shadow_mask.h"
 
 namespace noonmark {
@@ -23,11 +24,11 @@ class SliceStack {
 public:
     SliceStack(int columns, int rows);
 
-    /// masks[i] of receiver i; what is in them before does not matter. Incomplete after a stop request.
-    /// Throws std::bad_alloc.
+    /// masks[i] of receiver i; what is in them before does not matter. Incomplete after a stop request. With
+    /// a watcher a few slices at a time. Throws std::bad_alloc.
     void shade(const IntervalCasters& casters, const MapFrame& frame, const SunInterval& interval,
                CasterSide side, const LookUpStep& lookUp, std::span<ShadowMask> masks,
-               const std::stop_token& stop);
+               const std::stop_token& stop, const MaskWatcher* watcher = nullptr);
 
     /// Faces drawn and rows filled by all slices so far.
     [[nodiscard]] SliceCost cost() const;

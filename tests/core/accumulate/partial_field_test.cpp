@@ -1,13 +1,17 @@
 #include "core/accumulate/partial_field.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
 #include "core/accumulate/graph_accumulator.h"
+#include "core/accumulate/graph_directions.h"
 #include "core/accumulate/inverse_accrual_map.h"
 #include "core/accumulate/projected_shadows.h"
+#include "core/accumulate/ray_interval.h"
+#include "core/accumulate/shadow_accrual_map.h"
 #include "core/sun/chosen_days.h"
 #include "tests/core/accumulate/scenes.h"
 
@@ -138,6 +142,36 @@ SunSteps beginningOf(const SunSteps& sun, std::size_t intervals) {
         day.count = std::min<std::uint32_t>(150, std::uint32_t(whole) * 60);
     }
     return part;
+}
+
+// On the way through an interval: the steps that its masks have by then, of one of three days.
+TEST_F(Partials, ofAnIntervalAreTrueForTheStepsDone) {
+    const DirectionGraphSettings apart{.merge = false};
+    const DirectionGraph graph = directionGraph(sun, apart).value();
+    const SunInterval first = graph.edges[graph.paths[0][0].edge].sun;
+    const auto accrual = ShadowAccrualMap::make({}).value();
+    for (const std::shared_ptr<const IntervalEngine>& engine :
+         {std::shared_ptr<const IntervalEngine>(std::make_shared<RayIntervals>()),
+          std::shared_ptr<const IntervalEngine>(accrual)}) {
+        const auto scene = engine->prepare(city, receivers, directionsOf(graph), {}).value();
+        std::vector<ShadowMask> masks(receivers.cells.size());
+        ASSERT_TRUE(scene->shade(first, masks, {}).has_value());
+        Onlooker onlooker;
+        NoProgress unwatched;
+        const ShadowField field = fieldOf(GraphAccumulator(engine, apart), onlooker);
+        expectSame(field.grossMin, fieldOf(GraphAccumulator(engine, apart), unwatched).grossMin);
+        const PartialField& early = onlooker.seen.front();
+        const int steps = int(std::lround(early.field.sunlitMinutesPerDay * 3));
+        EXPECT_GT(steps, 0);
+        EXPECT_LT(steps, 60);
+        EXPECT_EQ(early.part, fmt::format("0 of 9 sun intervals, {} of 60 steps of the next", steps));
+        EXPECT_NEAR(early.share, steps / 60.0 / 9, 1e-9);
+        for (std::size_t i = 0; i < masks.size(); ++i) {
+            const MaskRuns runs = runsOf(masks[i] & fullMask(steps), steps);
+            EXPECT_NEAR(early.field.grossMin[receivers.cells[i]], runs.gross / 3.0, 1e-4);
+            EXPECT_EQ(early.field.continuousMin[receivers.cells[i]], float(runs.longest));
+        }
+    }
 }
 
 TEST_F(Partials, ofADirectionGraphAreTrueForTheIntervalsDone) {
