@@ -1,10 +1,11 @@
 #include "app/cli/study_options.h"
 
-#include <map>
 #include <string>
+#include <vector>
 
 #include "app/cli/engine_options.h"
 #include "app/cli/number_range.h"
+#include "core/receivers/roof_receivers.h"
 
 namespace noonmark::cli {
 
@@ -25,12 +26,14 @@ void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
 }
 
 void addPlacesOption(CLI::App& command, StudySettings& settings) {
-    const std::map<std::string, ReceiverPlaces> places{
-        {"ground", ReceiverPlaces::ground}, {"roofs", ReceiverPlaces::roofs}, {"both", ReceiverPlaces::both}};
+    std::vector<std::string> names;
+    for (const ReceiverPlaces places : allReceiverPlaces) names.emplace_back(nameOf(places));
     command
-        .add_option("--receivers", settings.receivers.places,
-                    "Where shadow is measured: ground, roofs or both (roofs: engines horizon, ray, auto)")
-        ->transform(CLI::CheckedTransformer(places))
+        .add_option_function<std::string>(
+            "--receivers",
+            [&settings](const std::string& name) { settings.receivers.places = placesNamed(name).value(); },
+            "Where shadow is measured: ground, roofs or both (roofs: engines horizon, ray, auto)")
+        ->check(CLI::IsMember(names))
         ->default_str("ground")
         ->type_name("PLACES");
 }

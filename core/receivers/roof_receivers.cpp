@@ -74,6 +74,12 @@ std::string_view nameOf(ReceiverPlaces places) {
     return names[std::size_t(places)];
 }
 
+std::optional<ReceiverPlaces> placesNamed(std::string_view name) {
+    for (const ReceiverPlaces places : allReceiverPlaces)
+        if (nameOf(places) == name) return places;
+    return std::nullopt;
+}
+
 std::string_view wordsOf(ReceiverPlaces places) {
     constexpr std::string_view words[] = {"the ground", "roofs", "the ground and roofs"};
     return words[std::size_t(places)];

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string_view>
 
 #include "core/receivers/receivers.h"
@@ -8,6 +10,12 @@ namespace noonmark {
 
 /// "ground", "roofs" or "both": of the command line and files.
 std::string_view nameOf(ReceiverPlaces places);
+
+inline constexpr std::array allReceiverPlaces{ReceiverPlaces::ground, ReceiverPlaces::roofs,
+                                              ReceiverPlaces::both};
+
+/// The places that nameOf() gives this name; nothing where there are none.
+std::optional<ReceiverPlaces> placesNamed(std::string_view name);
 
 /// In words: "the ground", "roofs", "the ground and roofs".
 std::string_view wordsOf(ReceiverPlaces places);

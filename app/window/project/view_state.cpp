@@ -69,12 +69,6 @@ Period periodFrom(const Json& json) {
     return period;
 }
 
-ReceiverPlaces placesFrom(const std::string& name) {
-    for (const ReceiverPlaces places : {ReceiverPlaces::roofs, ReceiverPlaces::both})
-        if (name == nameOf(places)) return places;
-    return ReceiverPlaces::ground;
-}
-
 Json studyJson(const StudySettings& study) {
     Json options = Json::object();
     for (const auto& [key, value] : study.engineSettings) options[key] = value;
@@ -93,7 +87,8 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     StudySettings study;
     study.region = regionFrom(json.at("region"));
     study.receivers.cellM = json.at("cell_m");
-    if (json.contains("receivers_on")) study.receivers.places = placesFrom(json.at("receivers_on"));
+    if (json.contains("receivers_on"))
+        study.receivers.places = placesNamed(json.at("receivers_on").get<std::string>()).value();
     study.period = periodFrom(json.at("period"));
     study.engine = json.at("engine");
     for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
@@ -101,7 +96,7 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     study.contributions = json.at("contributions");
     if (!checked(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
     return study;
-} catch (const std::exception&) {  // JSON of another shape, a ring of two points
+} catch (const std::exception&) {  // JSON of another shape, a ring of two points, places without a name
     return std::nullopt;
 }
 

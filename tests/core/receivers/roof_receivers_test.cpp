@@ -33,6 +33,12 @@ TEST(RoofReceivers, aRoofIsTheHighestPartAtACell) {
     EXPECT_EQ(std::ranges::count(roofs.kind, CellKind::ground), 0);
 }
 
+TEST(RoofReceivers, everyPlaceIsFoundByItsName) {
+    for (const ReceiverPlaces places : allReceiverPlaces) EXPECT_EQ(placesNamed(nameOf(places)), places);
+    EXPECT_EQ(placesNamed("Roofs"), std::nullopt);
+    EXPECT_EQ(placesNamed(""), std::nullopt);
+}
+
 TEST(RoofReceivers, bothAreTheGroundAndTheRoofs) {
     const City city = tiered();
     const Receivers ground = receiversAt(city, ReceiverPlaces::ground),
