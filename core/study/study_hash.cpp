@@ -70,6 +70,12 @@ void addSettings(Sha256& sum, const StudySettings& settings) {
 
 }  // namespace
 
+std::string cityHash(const City& city) {
+    Sha256 sum;
+    addCity(sum, city);
+    return sum.hex();
+}
+
 std::string studyHash(const City& city, const StudySettings& settings) {
     Sha256 sum;
     sum.add(version());

@@ -55,6 +55,17 @@ std::string line(const std::string& id, const std::string& name, const ImpactFig
 
 }  // namespace
 
+ComparisonFigures figuresOf(const ImpactAnswer& answer) {
+    const Impact& total = answer.study.total;
+    ComparisonFigures figures{answer.from, answer.to, {}, {}, textOf(answer.settings.study.period),
+                              total.engine};
+    for (const double threshold : answer.thresholdsMin) figures.all.push_back(figuresOf(total, threshold));
+    for (const BuildingImpact& building : answer.study.byBuilding)
+        figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
+                                      figuresOf(building.impact, answer.thresholdsMin.front())});
+    return figures;
+}
+
 std::string impactJson(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
     Json json = settingsJson(answer.settings.study);

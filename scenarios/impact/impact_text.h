@@ -16,6 +16,21 @@ struct ImpactAnswer {
     ImpactStudy study;
 };
 
+/// The figures of an impact without its fields, as lists show them.
+struct ComparisonFigures {
+    struct NewBuilding {
+        std::string name;       ///< or its id
+        ImpactFigures figures;  ///< of the first threshold
+    };
+    std::string from;
+    std::string to;
+    std::vector<ImpactFigures> all;  ///< for every threshold
+    std::vector<NewBuilding> byBuilding;
+    std::string period;  ///< in words
+    std::string engine;
+};
+ComparisonFigures figuresOf(const ImpactAnswer& answer);
+
 /// Keys are stable, units in their names; figures for every threshold, of all and of each new building.
 std::string impactJson(const ImpactAnswer& answer);
 

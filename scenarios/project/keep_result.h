@@ -1,14 +1,25 @@
 #pragma once
 
+#include <chrono>
+
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/project/project.h"
 #include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
+inline std::chrono::sys_seconds timeNow() {
+    return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
 /// The project with a result in it; one of the same name is replaced. `scenario`: whose city the study is of.
-Project withResult(Project project, const std::string& name, const std::string& scenario, const Study& study);
-Project withResult(Project project, const std::string& name, const ImpactAnswer& answer);
-Project withResult(Project project, const std::string& name, const ScoreAnswer& answer);
+/// Beside the answer's own JSON its settings hold an object `kept`: when, and the hashes of the cities that
+/// the answer is of (kept_answer.h reads it back). Costs a hash of each city.
+Project withResult(Project project, const std::string& name, const std::string& scenario, const Study& study,
+                   std::chrono::sys_seconds at = timeNow());
+Project withResult(Project project, const std::string& name, const ImpactAnswer& answer,
+                   std::chrono::sys_seconds at = timeNow());
+Project withResult(Project project, const std::string& name, const ScoreAnswer& answer,
+                   std::chrono::sys_seconds at = timeNow());
 
 }  // namespace noonmark

@@ -1,0 +1,109 @@
+#include "scenarios/project/kept_answer.h"
+
+#include <fmt/format.h>
+
+#include "core/study/inputs_json.h"
+#include "core/study/study_hash.h"
+#include "scenarios/project/kept_figures_json.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::vector<float>& layerOf(const KeptResult& result, std::size_t number) {
+    if (number >= result.layers.size()) throw std::invalid_argument("a layer is missing");
+    const std::vector<float>& values = result.layers[number].values;
+    if (values.size() != result.grid.size()) throw std::invalid_argument("a layer has another size");
+    return values;
+}
+
+KeptOrigin originOf(const Json& json) {
+    const Json kept = json.value("kept", Json::object());
+    const Json& region = json.at("region");
+    return {kept.value("at", ""),
+            kept.value("city_sha256", ""),
+            kept.value("baseline_sha256", ""),
+            json.at("program"),
+            json.at("engine_settings"),
+            json.at("period").at("text"),
+            region.is_object() ? region.at("name").get<std::string>() : region.get<std::string>()};
+}
+
+KeptStudy studyOf(const KeptResult& result, const Json& json) {
+    KeptStudy study;
+    ShadowField& field = study.field;
+    field.grid = result.grid;
+    field.grossMin = layerOf(result, 0);
+    field.continuousMin = layerOf(result, 1);
+    field.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
+    field.stepMinutes = json.at("period").at("step_min");
+    field.days = json.at("period").at("days");
+    field.engine = json.at("engine_settings");
+    study.statistics = statisticsFrom(json);
+    study.steps = json.at("steps");
+    study.belowHorizon = json.at("steps_below_horizon");
+    study.seconds = json.at("seconds").value("accumulate", 0.0);
+    study.error = errorWordsFrom(json);
+    return study;
+}
+
+KeptImpact impactOf(const KeptResult& result, const Json& json) {
+    KeptImpact kept{{}, comparisonFrom(json)};
+    Impact& impact = kept.impact;
+    impact.grid = result.grid;
+    impact.grossMin = layerOf(result, 0);
+    impact.continuousMin = layerOf(result, 1);
+    impact.change.assign(result.grid.size(), CellChange::none);
+    impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
+    impact.stepMinutes = json.at("period").at("step_min");
+    impact.engine = kept.figures.engine;
+    return kept;
+}
+
+KeptScore scoreOf(const KeptResult& result, const Json& json) {
+    KeptScore kept{scoreFrom(json), json.at("weights")};
+    kept.score.grid = result.grid;
+    kept.score.score = layerOf(result, 0);
+    return kept;
+}
+
+void compareCity(std::vector<std::string>& changes, const Project& project, const std::string& scenario,
+                 const std::string& hash) {
+    const auto city = cityOf(project, scenario);
+    if (!city)
+        changes.push_back(fmt::format("There is no scenario '{}' any more.", scenario));
+    else if (!hash.empty() && cityHash(city->city) != hash)
+        changes.push_back(fmt::format("'{}' has changed since: its buildings or its terrain.", scenario));
+}
+
+}  // namespace
+
+Result<KeptAnswer> answerOf(const KeptResult& result) try {
+    const Json json = Json::parse(result.settings);
+    const KeptOrigin origin = originOf(json);
+    if (result.kind == "study") return KeptAnswer{origin, studyOf(result, json)};
+    if (result.kind == "impact") return KeptAnswer{origin, impactOf(result, json)};
+    if (result.kind == "score") return KeptAnswer{origin, scoreOf(result, json)};
+    return failure(fmt::format("'{}' is no kind of result that this version shows", result.kind), result.name,
+                   "Open the project with a newer Noonmark");
+} catch (const std::exception& problem) {  // JSON of another shape, layers that do not fit
+    return failure(fmt::format("The kept result cannot be shown ({})", problem.what()), result.name,
+                   "Measure it again and keep that");
+}
+
+std::vector<std::string> changesSince(const KeptResult& result, const KeptOrigin& origin,
+                                      const Project& project) {
+    std::vector<std::string> changes;
+    compareCity(changes, project, result.scenario, origin.citySha256);
+    if (!result.baseline.empty()) compareCity(changes, project, result.baseline, origin.baselineSha256);
+    if (result.inputs != inputsJson(project.inputs).dump())
+        changes.emplace_back("The city was read from other files then.");
+    if (origin.citySha256.empty())
+        changes.emplace_back(
+            "Whether buildings have changed since is not known: it was kept without a hash.");
+    return changes;
+}
+
+}  // namespace noonmark

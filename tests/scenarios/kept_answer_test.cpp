@@ -1,0 +1,183 @@
+#include "scenarios/project/kept_answer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/project/keep_result.h"
+#include "scenarios/project/project_file.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+namespace {
+
+using namespace std::chrono;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr sys_seconds keptAt = sys_days(2026y / March / 4) + hours(5) + minutes(6) + seconds(7);
+
+Project town() {
+    Project project;
+    project.city = std::make_shared<const City>(threeHouses());
+    project.inputs = {{"town.gpkg", 12, "ab"}};
+    project.scenarios = {{"Tower", "", {AddBuilding{shared(house("t", box(12, 0, 22, 10), 40))}}}};
+    return project;
+}
+
+StudySettings question() {
+    StudySettings settings;
+    settings.region = regionFromLocalBox({{-10, -10}, {60, 60}});
+    settings.region.name = "Square";
+    settings.receivers.cellM = 2;
+    settings.period = {
+        .start = 2026y / June / 1, .days = 2, .hours = 4, .stepMinutes = 10, .zone = "America/New_York"};
+    settings.engine = "ray";
+    return settings;
+}
+
+Study studied(const Project& project) {
+    NoProgress progress;
+    return runStudy(*project.city, question(), progress, {}).value();
+}
+
+ImpactAnswer compared(const Project& project) {
+    NoProgress progress;
+    ImpactAnswer answer{existingCity, "Tower", {question(), true}, {30, 60}, {}};
+    answer.study =
+        runImpact(*project.city, cityOf(project, "Tower")->city, answer.settings, progress, {}).value();
+    return answer;
+}
+
+ScoreAnswer scored(const Project& project) {
+    NoProgress progress;
+    return {existingCity, question(), monthlyWeights(),
+            runScore(*project.city, question(), monthlyWeights(), progress, {}).value()};
+}
+
+// As it comes back from the disk.
+Project saved(const Project& project) {
+    const TemporaryFolder folder;
+    const auto file = folder.path("kept.noonmark.gpkg");
+    EXPECT_TRUE(ProjectFile::create(file, project));
+    return ProjectFile::open(file)->project();
+}
+
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+    return std::ranges::equal(a, b,
+                              [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+TEST(KeptAnswers, aStudyComesBackWithItsFiguresAndOrigin) {
+    const Study study = studied(town());
+    const Project project = saved(withResult(town(), "June", existingCity, study, keptAt));
+    const auto result = project.results.at(0);
+    const KeptAnswer kept = answerOf(*result).value();
+    EXPECT_EQ(kept.origin.at, "2026-03-04T05:06:07Z");
+    EXPECT_EQ(kept.origin.engine, study.field.engine);
+    EXPECT_EQ(kept.origin.region, "Square");
+    EXPECT_EQ(kept.origin.period, textOf(question().period));
+    const auto& back = std::get<KeptStudy>(kept.answer);
+    EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
+    EXPECT_TRUE(same(back.field.continuousMin, study.field.continuousMin));
+    EXPECT_EQ(back.field.days, 2);
+    EXPECT_EQ(back.field.sunlitMinutesPerDay, study.field.sunlitMinutesPerDay);
+    EXPECT_EQ(back.statistics.shadowAreaM2, study.statistics.shadowAreaM2);
+    EXPECT_EQ(back.statistics.receivers, study.statistics.receivers);
+    EXPECT_EQ(back.steps, study.sun.steps.size());
+    EXPECT_THAT(back.error, HasSubstr("ray reference itself"));
+    EXPECT_THAT(changesSince(*result, kept.origin, project), IsEmpty());
+}
+
+TEST(KeptAnswers, anImpactComesBackWithThresholdsAndBuildings) {
+    const ImpactAnswer answer = compared(town());
+    const Project project = saved(withResult(town(), "Tower", answer, keptAt));
+    const auto result = project.results.at(0);
+    const KeptAnswer kept = answerOf(*result).value();
+    const auto& back = std::get<KeptImpact>(kept.answer);
+    const ComparisonFigures wanted = figuresOf(answer);
+    EXPECT_TRUE(same(back.impact.grossMin, answer.study.total.grossMin));
+    ASSERT_EQ(back.figures.all.size(), 2U);
+    EXPECT_EQ(back.figures.all[1].thresholdMin, 60);
+    EXPECT_EQ(back.figures.all[0].gross.gainedM2, wanted.all[0].gross.gainedM2);
+    EXPECT_EQ(back.figures.all[0].becameBuildingM2, 100);
+    ASSERT_EQ(back.figures.byBuilding.size(), 1U);
+    EXPECT_EQ(back.figures.byBuilding[0].name, "t");
+    EXPECT_EQ(back.figures.byBuilding[0].figures.gross.touchedM2,
+              wanted.byBuilding[0].figures.gross.touchedM2);
+    EXPECT_THAT(changesSince(*result, kept.origin, project), IsEmpty());
+}
+
+TEST(KeptAnswers, aScoreComesBackMonthByMonth) {
+    const ScoreAnswer answer = scored(town());
+    const Project project = saved(withResult(town(), "Score", answer, keptAt));
+    const auto result = project.results.at(0);
+    const KeptAnswer kept = answerOf(*result).value();
+    const auto& back = std::get<KeptScore>(kept.answer);
+    EXPECT_EQ(back.weights, "default");
+    EXPECT_EQ(back.score.scoreM2, answer.score.scoreM2);
+    ASSERT_EQ(back.score.months.size(), 1U);
+    EXPECT_EQ(back.score.months[0].month, 2026y / June);
+    EXPECT_EQ(back.score.months[0].shadowAreaM2, answer.score.months[0].shadowAreaM2);
+    EXPECT_EQ(back.score.intervals.size(), 12U);
+    EXPECT_TRUE(same(back.score.score, answer.score.score));
+}
+
+TEST(KeptAnswers, whatChangedSinceIsSaid) {
+    const Project project = withResult(town(), "Tower", compared(town()), keptAt);
+    const KeptResult& result = *project.results[0];
+    const KeptOrigin origin = answerOf(result)->origin;
+    Project higher = project;
+    higher.scenarios[0].edits.emplace_back(ChangeHeight{"t", 41});
+    EXPECT_THAT(changesSince(result, origin, higher), ElementsAre(HasSubstr("'Tower' has changed since")));
+    Project demolished = project;
+    City city = *project.city;
+    city.buildings.pop_back();
+    demolished.city = std::make_shared<const City>(city);
+    EXPECT_EQ(changesSince(result, origin, demolished).size(), 2U) << "the scenario and what it starts from";
+    Project gone = project;
+    gone.scenarios.clear();
+    EXPECT_THAT(changesSince(result, origin, gone), ElementsAre(HasSubstr("no scenario 'Tower'")));
+    Project other = project;
+    other.inputs[0].sha256 = "cd";
+    EXPECT_THAT(changesSince(result, origin, other), ElementsAre(HasSubstr("other files")));
+    Project named = project;
+    named.lots.push_back({"new", box(0, 0, 5, 5)});
+    EXPECT_THAT(changesSince(result, origin, named), IsEmpty()) << "lots shade nothing";
+}
+
+TEST(KeptAnswers, settingsOfAnotherShapeAreAnError) {
+    KeptResult result = *withResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
+    KeptResult broken = result;
+    broken.settings = "{";
+    EXPECT_THAT(answerOf(broken).error().text(), HasSubstr("June: The kept result cannot be shown"));
+    broken.settings = R"({"engine": "ray"})";
+    EXPECT_FALSE(answerOf(broken));
+    broken = result;
+    broken.layers.pop_back();
+    EXPECT_THAT(answerOf(broken).error().what, HasSubstr("a layer is missing"));
+    broken = result;
+    broken.layers[0].values.pop_back();
+    EXPECT_THAT(answerOf(broken).error().what, HasSubstr("another size"));
+    broken = result;
+    broken.kind = "dream";
+    EXPECT_THAT(answerOf(broken).error().advice, HasSubstr("newer Noonmark"));
+}
+
+TEST(KeptAnswers, aResultWithoutAHashSaysThatChangesAreNotKnown) {
+    KeptResult result = *withResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
+    auto json = nlohmann::ordered_json::parse(result.settings);
+    json.erase("kept");
+    result.settings = json.dump();
+    const KeptAnswer kept = answerOf(result).value();
+    EXPECT_EQ(kept.origin.at, "");
+    EXPECT_THAT(changesSince(result, kept.origin, town()), ElementsAre(HasSubstr("not known")));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
