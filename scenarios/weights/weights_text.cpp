@@ -7,7 +7,7 @@
 #include <array>
 #include <charconv>
 #include <fstream>
-#include <map>
+#include <optional>
 #include <vector>
 
 #include "core/io/fold_text.h"
@@ -39,8 +39,18 @@ std::string textOf(std::chrono::month_day date) {
     return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
 }
 
+// "Jun": where the interval begins its first day is meant, where it ends its last.
+std::optional<std::chrono::month_day> monthAsDay(const std::string& text, bool last) {
+    const std::string folded = foldedText(text);
+    if (folded.size() < 3) return std::nullopt;
+    for (const WeightedInterval& month : monthlyWeights().intervals)
+        if (foldedText(month.name).starts_with(folded)) return last ? month.last : month.first;
+    return std::nullopt;
+}
+
 Result<std::chrono::month_day> dayOf(const Row& row, const char* column) {
     const std::string text = row[column];
+    if (const auto month = monthAsDay(text, column == std::string_view("last"))) return *month;
     unsigned month = 0, day = 0;
     const char* const end = text.data() + text.size();
     const auto [dash, first] = std::from_chars(text.data(), end, month);
@@ -51,7 +61,7 @@ Result<std::chrono::month_day> dayOf(const Row& row, const char* column) {
         if (second == std::errc{} && last == end && month <= 12 && day <= 31 && date.ok()) return date;
     }
     return failure(fmt::format("'{}' is no day of the year", text), fmt::format("{}, {}", row.where, column),
-                   "Give month and day: 12-31");
+                   "Give month and day: 12-31, or a month: June");
 }
 
 Result<std::chrono::minutes> hourOf(const Row& row, const char* column, std::chrono::minutes usual) {
@@ -104,29 +114,41 @@ Result<TimeWeights> tableOf(const std::vector<Row>& rows, const std::string& nam
     return checked(table).map([&] { return table; });
 }
 
-Json entryOf(const WeightedInterval& interval) {
+}  // namespace
+
+std::map<std::string, std::string> textsOf(const WeightedInterval& interval) {
     return {{"name", interval.name},
             {"first", textOf(interval.first)},
             {"last", textOf(interval.last)},
             {"from", noonmark::textOf(interval.from)},
             {"to", noonmark::textOf(interval.to)},
-            {"weight", interval.weight}};
+            {"weight", fmt::to_string(interval.weight)}};
 }
 
-}  // namespace
+Result<WeightedInterval> intervalFrom(const std::map<std::string, std::string>& texts,
+                                      const std::string& where) {
+    return intervalOf(Row{where, texts});
+}
 
 std::string weightsCsv(const TimeWeights& weights) {
     std::string csv = fmt::format("{}\r\n", fmt::join(columns, ","));
-    for (const WeightedInterval& interval : weights.intervals)
-        csv += fmt::format("{},{},{},{},{},{}\r\n", csvField(interval.name), textOf(interval.first),
-                           textOf(interval.last), noonmark::textOf(interval.from),
-                           noonmark::textOf(interval.to), interval.weight);
+    for (const WeightedInterval& interval : weights.intervals) {
+        const auto texts = textsOf(interval);
+        std::vector<std::string> fields;
+        for (const char* column : columns) fields.push_back(csvField(texts.at(column)));
+        csv += fmt::format("{}\r\n", fmt::join(fields, ","));
+    }
     return csv;
 }
 
 std::string weightsJson(const TimeWeights& weights) {
     Json entries = Json::array();
-    for (const WeightedInterval& interval : weights.intervals) entries.push_back(entryOf(interval));
+    for (const WeightedInterval& interval : weights.intervals) {
+        const auto texts = textsOf(interval);
+        Json& entry = entries.emplace_back(Json::object());
+        for (const char* column : columns) entry[column] = texts.at(column);
+        entry["weight"] = interval.weight;
+    }
     return jsonText(entries);
 }
 
