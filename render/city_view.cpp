@@ -46,6 +46,29 @@ Qt3DRender::QTechniqueFilter* forwardFilter(Qt3DCore::QNode* parent) {
     return filter;
 }
 
+GroundPicture noPicture() {
+    GroundPicture nothing;
+    nothing.grid = {0, 0, 1, 1, 1};
+    nothing.pixels.resize(1);
+    return nothing;
+}
+
+// `texture` is the one that is laid there now; the one before goes.
+void lay(const GroundPicture& given, bool soFar, ShaderMaterial& material, Qt3DCore::QNode*& texture,
+         Qt3DCore::QNode* parent) {
+    const GroundPicture picture = fitted(given);
+    const Grid& grid = picture.grid;
+    Qt3DCore::QNode* const previous = texture;
+    Qt3DRender::QAbstractTexture* made = textureOf(picture, parent);
+    texture = made;
+    material.set(QStringLiteral("picture"), QVariant::fromValue(made));
+    material.set(QStringLiteral("pictureBox"),
+                 QVector4D(float(grid.westM), float(grid.southM), float(grid.eastM() - grid.westM),
+                           float(grid.northM() - grid.southM)));
+    material.set(QStringLiteral("pictureSoFar"), soFar ? 1.0F : 0.0F);
+    delete previous;
+}
+
 }  // namespace
 
 CityView::CityView()
@@ -99,6 +122,7 @@ void CityView::makeMaterials() {
     ribbon_->blend();
     ribbon_->alwaysVisible();
     ribbon_->bothSides();
+    lay(noPicture(), false, *building_, roofTexture_, root_);
     clearPicture();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
     overlay_ = std::make_unique<OverlayBodies>(root_);
@@ -159,26 +183,16 @@ void CityView::showFaces(bool shown) {
         if (bodies) bodies->showFaces(shown);
 }
 
-void CityView::showPicture(const GroundPicture& given, bool soFar) {
-    const GroundPicture picture = fitted(given);
-    const Grid& grid = picture.grid;
-    Qt3DCore::QNode* const previous = texture_;
-    Qt3DRender::QAbstractTexture* texture = textureOf(picture, root_);
-    texture_ = texture;
-    ground_->set(QStringLiteral("picture"), QVariant::fromValue(texture));
-    ground_->set(QStringLiteral("pictureBox"),
-                 QVector4D(float(grid.westM), float(grid.southM), float(grid.eastM() - grid.westM),
-                           float(grid.northM() - grid.southM)));
-    ground_->set(QStringLiteral("pictureSoFar"), soFar ? 1.0F : 0.0F);
-    delete previous;
+void CityView::showPicture(const GroundPicture& picture, bool soFar) {
+    lay(picture, soFar, *ground_, texture_, root_);
+    building_->set(QStringLiteral("pictureBox"), QVector4D());  // the texture stays until another comes
 }
 
-void CityView::clearPicture() {
-    GroundPicture nothing;
-    nothing.grid = {0, 0, 1, 1, 1};
-    nothing.pixels.resize(1);
-    showPicture(nothing);
+void CityView::showRoofPicture(const GroundPicture& picture) {
+    lay(picture, false, *building_, roofTexture_, root_);
 }
+
+void CityView::clearPicture() { showPicture(noPicture()); }
 
 void CityView::showLines(const std::vector<GroundLine>& lines) {
     delete lines_;

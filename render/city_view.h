@@ -40,6 +40,9 @@ public:
     [[nodiscard]] OverlayBodies& overlay() { return *overlay_; }
     /// On the ground. `soFar`: it shows a part of the period or region only, which stripes say.
     void showPicture(const GroundPicture& picture, bool soFar = false);
+    /// On what looks up of the buildings, with showPicture()'s on the ground; goes with clearPicture() and
+    /// the next showPicture().
+    void showRoofPicture(const GroundPicture& picture);
     void clearPicture();
     /// On ground, roofs and facades; over the ground's picture.
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
@@ -87,6 +90,7 @@ private:
     ShaderMaterial* ground_ = nullptr;
     ShaderMaterial* ribbon_ = nullptr;
     Qt3DCore::QNode* texture_ = nullptr;
+    Qt3DCore::QNode* roofTexture_ = nullptr;
     std::unique_ptr<SurfaceLayer> surfaces_;
     std::unique_ptr<OverlayBodies> overlay_;
     Qt3DRender::QRenderCapture* capture_ = nullptr;

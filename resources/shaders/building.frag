@@ -8,6 +8,7 @@ uniform vec3 baseColour;
 uniform vec3 haze;
 uniform float hazeDistance;
 #pragma include explored.inc
+#pragma include pictured.inc
 
 void main() {
     vec3 normal = mat3(inverseViewMatrix) * normalize(cross(dFdx(eyeSpace), dFdy(eyeSpace)));
@@ -15,6 +16,8 @@ void main() {
     float sky = 0.5 + 0.5 * normal.z;
     vec3 lit = baseColour * (vec3(0.59, 0.615, 0.66) + sky * vec3(0.23, 0.225, 0.215) + sun * vec3(0.31, 0.29, 0.255));
     vec3 bare = mix(lit, haze, 0.75 * smoothstep(0.4, 1.0, length(eyeSpace) / hazeDistance));
-    vec4 field = explored(place, normal);
-    colour = vec4(mix(bare, field.rgb, field.a), 1.0);
+    vec4 roof = pictured(place) * step(0.3, normal.z);  // walls have no receivers
+    vec3 shown = roof.rgb + bare * (1.0 - roof.a);
+    vec4 seen = explored(place, normal);
+    colour = vec4(mix(shown, seen.rgb, seen.a), 1.0);
 }
