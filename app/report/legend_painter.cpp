@@ -33,12 +33,17 @@ QRectF barOf(const Canvas& canvas, const QRectF& area) {
     return {area.left(), area.top() + barTopPt * canvas.point, area.width(), barHeightPt * canvas.point};
 }
 
-void paintBar(const Canvas& canvas, const QRectF& bar, bool change) {
+QColor colourAt(const Legend& legend, double share) {
+    if (!legend.change) return shadowColour(share);
+    return impactColour(legend.wanted ? 1 - 2 * share : 2 * share - 1);
+}
+
+void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     QLinearGradient gradient(bar.topLeft(), bar.topRight());
     constexpr int stops = 64;
     for (int i = 0; i <= stops; ++i) {
         const double share = double(i) / stops;
-        gradient.setColorAt(share, change ? impactColour(2 * share - 1) : shadowColour(share));
+        gradient.setColorAt(share, colourAt(legend, share));
     }
     canvas.painter.setBrush(gradient);
     canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
@@ -138,7 +143,7 @@ void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend)
     if (legend.instant) {
         paintMoment(canvas, bar, legend.change);
     } else {
-        paintBar(canvas, bar, legend.change);
+        paintBar(canvas, bar, legend);
         paintTicks(canvas, bar, legend);
     }
     canvas.painter.restore();

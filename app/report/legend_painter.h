@@ -23,6 +23,7 @@ struct Legend {
     bool instant = false;  ///< two patches, in the sun and in shadow, instead of a scale
     bool change = false;   ///< less and more shadow: impactColour(value / scale.top), from -top to top
     std::vector<LegendPatch> patches{};  ///< what has a colour of its own
+    bool wanted = false;                 ///< with `change`: more is wanted, impactColour(-value / scale.top)
 };
 
 /// The legend of a map of `measure`. O(cells). Colour a value with shadowColour(value / legend.scale.top).

@@ -15,6 +15,7 @@
 #include "app/window/project/scenario_bar.h"
 #include "app/window/project/scenario_table.h"
 #include "app/window/project/scenarios_dock.h"
+#include "app/window/project/weights_dock.h"
 #include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
@@ -26,7 +27,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 
 QString unsavedFolder(const QSettings& settings) {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -45,6 +46,7 @@ MainWindow::MainWindow(QSettings& settings)
              new StudyDock(workbench_.document()),
              new ResultsDock,
              new ScenariosDock(workbench_.session()),
+             new WeightsDock(workbench_.session()),
              new WarningsDock,
              tools_.dock(),
              tools_.massingDock()},
@@ -70,6 +72,7 @@ MainWindow::MainWindow(QSettings& settings)
     connectViewMenu();
     connectRegion();
     connectModes();
+    connectResults();
     connectProject();
     connectEditing();
     connectTime();
@@ -158,32 +161,10 @@ void MainWindow::showCity() {
     exploration_.setCity(workbench_.city());
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
     docks_.results->show({});
-    if (workbench_.comparison())
-        showComparison();
-    else
-        showStudy();
+    showAnswer();
     offerTime();
     showDocument();
     answerAnew();
-}
-
-void MainWindow::showStudy() {
-    docks_.scenarios->table().setStudies(workbench_.studies(), workbench_.document().settings());
-    const auto study = workbench_.study();
-    if (!study || workbench_.comparison()) return;
-    answered_ = study->settings;
-    answerShown_ = true;
-    panel_->results().setStudy(study);
-    docks_.results->show(resultRowsOf(*study));
-    docks_.warnings->show(study->warnings);
-    showDocument();
-}
-
-void MainWindow::showStopped(bool cancelled) {
-    panel_->results().setPartial(nullptr);
-    if (!cancelled) return;
-    panel_->messages().showNote(workbench_.study() ? tr("Cancelled. The study before is shown again.")
-                                                   : tr("Cancelled. There is no study yet."));
 }
 
 void MainWindow::showDocument() {
@@ -194,7 +175,7 @@ void MainWindow::showDocument() {
         exploration_.setPeriod(settings.period, observer);
         tools_.setPeriod(settings.period, observer);
     }
-    docks_.results->setOutdated(settings != answered_);
+    showOutdated();
     docks_.scenarios->table().setStudies(workbench_.studies(), settings);
 }
 

@@ -62,6 +62,7 @@ private:
     void connectViewMenu();
     void connectRegion();
     void connectModes();
+    void connectResults();
     void connectProject();
     void connectEditing();
     void connectTime();
@@ -73,6 +74,7 @@ private:
     void connectScenarios();
     void connectSaving();
     void whenSafe(std::function<void()> then);
+    void discardWork();
     void save();
     void saveAs();
     void showProject();
@@ -94,7 +96,11 @@ private:
     void readRegionFile();
     void showCity();
     void showOpenFailure(const Error& error);
+    void showAnswer();
     void showStudy();
+    void showScore();
+    void showKept();
+    void showOutdated();
     void showStopped(bool cancelled);
     void showDocument();
 

@@ -26,6 +26,7 @@ void MainWindow::connectJobs() {
     control(workbench_.opening(), *progress_);
     // Half way the view would show another scenario than the tree.
     show(workbench_.following(), *progress_, false);
+    control(workbench_.reading(), *progress_);
     control(workbench_.writing(), *progress_);
     control(saving_.writing(), *progress_);
     control(workbench_.running(), docks_.study->progress());
@@ -40,7 +41,6 @@ void MainWindow::connectJobs() {
 void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::cityShown, this, &MainWindow::showCity);
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
-    connect(&workbench_, &Workbench::comparisonDone, this, &MainWindow::showComparison);
     connect(&workbench_, &Workbench::studyDone, this, [this] {
         panel_->messages().dismiss();
         showStudy();
@@ -61,7 +61,7 @@ void MainWindow::connectFileMenu() {
     opens(menus_.openGrid, "sample:grid");
     for (QAction* action : {menus_.newProject, menus_.open})
         connect(action, &QAction::triggered, this, [this] { open(askForCity(this)); });
-    connect(&recent_, &RecentMenu::chosen, this, &MainWindow::open);
+    connect(&recent_, &RecentMenu::chosen, this, &MainWindow::openWith);
     connect(panel_, &ViewPanel::filesDropped, this, &MainWindow::open);
     connect(menus_.savePicture, &QAction::triggered, this, [this] { savePicture(askForPicture(this)); });
     connect(menus_.exportStudy, &QAction::triggered, this, [this] {

@@ -6,22 +6,17 @@
 #include "app/window/file_dialogs.h"
 #include "app/window/main_window.h"
 #include "app/window/open_options.h"
-#include "app/window/project/comparison_rows.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/project/scenario_table.h"
 #include "app/window/project/scenarios_dock.h"
-#include "app/window/results_dock.h"
+#include "app/window/project/weights_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
-#include "app/window/warnings_dock.h"
 
 // The part of MainWindow that joins the project to menus, tree and view: scenarios, saving, recovery.
 namespace noonmark {
 
 namespace {
-
-/// A quick answer is worked out again by itself when the buildings change, seconds.
-constexpr double quickSeconds = 10;
 
 // What the view opens with: the region and some of its neighbourhood.
 Box2 startView(const Region& region) {
@@ -55,6 +50,12 @@ void MainWindow::connectTree() {
     connect(tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {
         panel_->navigator().showSlanting(startView({lot.name, {lot.outline}}));
     });
+    connect(tree, &ProjectDock::resultChosen, &workbench_, &Workbench::showKept);
+    connect(tree, &ProjectDock::weightsChosen, this, [this](const std::string& table) {
+        docks_.weights->choose(table);
+        raiseDock(docks_.weights);
+    });
+    connect(docks_.weights, &WeightsDock::scoreRequested, &workbench_, &Workbench::runScore);
     connect(tree, &ProjectDock::keepRegionRequested, this, &MainWindow::keepRegion);
     connect(tree, &ProjectDock::keepPeriodRequested, this, &MainWindow::keepPeriod);
     connect(tree, &ProjectDock::keepResultRequested, this, &MainWindow::keepResult);
@@ -74,6 +75,7 @@ void MainWindow::connectScenarios() {
     connect(&session, &ProjectSession::changed, this, [this] {
         menus_.compare->setChecked(workbench_.session().baseline() == existingCity);
         docks_.scenarios->table().setStudies(workbench_.studies(), workbench_.document().settings());
+        showOutdated();
     });
 }
 
@@ -92,6 +94,7 @@ void MainWindow::connectSaving() {
         panel_->messages().showError(error);
         panel_->messages().offer(tr("Save as..."), [this] { saveAs(); });
     });
+    connect(&workbench_, &Workbench::tookUp, &saving_, &ProjectSaving::takeUp);
     connect(&saving_, &ProjectSaving::notKept, &panel_->messages(), &MessageBar::showError);
 }
 
@@ -104,8 +107,14 @@ void MainWindow::whenSafe(std::function<void()> then) {
         afterSave_ = std::move(then);
         return save();
     }
-    saving_.forgetUnsaved();
+    unsaved ? discardWork() : saving_.forgetUnsaved();
     then();
+}
+
+// What was taken up from an earlier run goes too, else it would be offered again.
+void MainWindow::discardWork() {
+    saving_.discardUnsaved();
+    if (std::exchange(leftTaken_, false)) place_.forgetLeft();
 }
 
 MainWindow::Unsaved MainWindow::askUnsaved() {
@@ -165,7 +174,7 @@ void MainWindow::showProject() {
         panel_->view().setPose(*view.camera);
     else
         panel_->navigator().showSlanting(startView(workbench_.document().settings().region));
-    if (!opening_.isEmpty()) recent_.add(opening_);
+    if (!opening_.isEmpty()) recent_.add(opening_, reading_);
     showTitle();
     offerRecovery();
 }
@@ -197,34 +206,6 @@ void MainWindow::offerLeftWork() {
     });
 }
 
-void MainWindow::compare() {
-    const bool comparing = !workbench_.session().baseline().empty();
-    panel_->results().setComparison(nullptr);
-    if (comparing && workbench_.session().baseline() != workbench_.session().scenario())
-        return workbench_.run();
-    showStudy();
-}
-
-// After another scenario or an edit: what was seen before is seen again, unless it takes long.
-void MainWindow::answerAnew() {
-    if (!answerShown_ || mode_.mode() == ViewMode::exploration) return;
-    const ProjectSession& session = workbench_.session();
-    const bool comparing = !session.baseline().empty() && session.baseline() != session.scenario();
-    if (comparing ? workbench_.comparison() != nullptr : workbench_.study() != nullptr) return;
-    if (workbench_.running().busy()) return;  // it was started after the change
-    if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
-}
-
-void MainWindow::showComparison() {
-    const auto comparison = workbench_.comparison();
-    answered_ = comparison->settings.study;
-    answerShown_ = true;
-    panel_->results().setComparison(comparison);
-    docks_.results->show(comparisonRowsOf(*comparison));
-    docks_.warnings->show(comparison->study.total.warnings);
-    showDocument();
-}
-
 void MainWindow::keepRegion() {
     Project next = workbench_.session().project();
     Region region = workbench_.document().settings().region;
@@ -240,14 +221,6 @@ void MainWindow::keepPeriod() {
     const std::string name = freeName(next, ProjectPart::period, textOf(period.start));
     next.periods.push_back({name, period});
     workbench_.session().change(std::move(next), tr("keep period %1").arg(QString::fromStdString(name)));
-}
-
-void MainWindow::keepResult() {
-    const auto comparison = workbench_.comparison();
-    const std::string scenario = workbench_.session().scenario();
-    const std::string name = comparison ? comparison->to + " against " + comparison->from : scenario;
-    workbench_.keepAnswer(tr("%1, %2").arg(QString::fromStdString(name),
-                                           QString::fromStdString(textOf(answered_.period.start))));
 }
 
 }  // namespace noonmark

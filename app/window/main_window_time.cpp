@@ -18,7 +18,8 @@ QString shareWords(const ShadowField& field) {
 
 void MainWindow::connectTime() {
     TimeStrip& strip = panel_->time();
-    for (auto signal : {&Workbench::studyDone, &Workbench::comparisonDone})
+    for (auto signal :
+         {&Workbench::studyDone, &Workbench::comparisonDone, &Workbench::scoreDone, &Workbench::keptShown})
         connect(&workbench_, signal, this, &MainWindow::offerTime);
     connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &MainWindow::offerTime);
     connect(&mode_, &ModeSwitch::changed, this, &MainWindow::offerTime);
@@ -32,7 +33,8 @@ void MainWindow::connectTime() {
 
 // Where a study of one scenario is shown.
 void MainWindow::offerTime() {
-    const bool shown = mode_.mode() != ViewMode::exploration && !workbench_.comparison();
+    const bool other = workbench_.comparison() || workbench_.score() || workbench_.kept();
+    const bool shown = mode_.mode() != ViewMode::exploration && !other;
     const auto study = shown ? workbench_.study() : nullptr;
     TimeStrip& strip = panel_->time();
     if (study) strip.setPeriod(study->settings.period);

@@ -2,12 +2,16 @@
 
 #include <QFileInfo>
 #include <QSettings>
+#include <QVariantMap>
+
+#include "app/window/reading_text.h"
 
 namespace noonmark {
 
 namespace {
 
 const QString key = QStringLiteral("recentFiles");
+const QString readingKey = QStringLiteral("recentReading");  // by entry; only what was not read as usual
 
 QString absolute(const QString& file) {
     return file.startsWith(QStringLiteral("sample:")) ? file : QFileInfo(file).absoluteFilePath();
@@ -19,17 +23,40 @@ RecentFiles::RecentFiles(QSettings& settings) : settings_(settings) {}
 
 QStringList RecentFiles::entries() const { return settings_.value(key).toStringList(); }
 
-void RecentFiles::add(const QStringList& files) {
+void RecentFiles::add(const QStringList& files, const ReadSettings& reading) {
     QStringList paths;
     for (const QString& file : files) paths << absolute(file);
     const QString entry = paths.join(QLatin1Char('\n'));
     QStringList list = entries();
     list.removeAll(entry);
     list.prepend(entry);
-    settings_.setValue(key, list.mid(0, most));
+    list = list.mid(0, most);
+    settings_.setValue(key, list);
+    keepReading(list, entry, reading);
 }
 
-void RecentFiles::clear() { settings_.remove(key); }
+void RecentFiles::keepReading(const QStringList& entries, const QString& newest,
+                              const ReadSettings& reading) {
+    QVariantMap kept;
+    for (const QString& entry : entries) {
+        const QString text = entry == newest ? textOf(reading) : readingTextOf(entry);
+        if (!text.isEmpty()) kept[entry] = text;
+    }
+    settings_.setValue(readingKey, kept);
+}
+
+QString RecentFiles::readingTextOf(const QString& entry) const {
+    return settings_.value(readingKey).toMap().value(entry).toString();
+}
+
+ReadSettings RecentFiles::readingOf(const QString& entry) const {
+    return readingFrom(readingTextOf(entry)).value_or(ReadSettings{});
+}
+
+void RecentFiles::clear() {
+    settings_.remove(key);
+    settings_.remove(readingKey);
+}
 
 QStringList RecentFiles::filesOf(const QString& entry) { return entry.split(QLatin1Char('\n')); }
 

@@ -8,15 +8,15 @@ class QMenu;
 
 namespace noonmark {
 
-/// The menu of what was opened lately.
+/// The menu of what was opened lately; what was read with settings of its own says so and gets them again.
 class RecentMenu final : public QObject {
     Q_OBJECT
 public:
     RecentMenu(QMenu& menu, QSettings& settings);  ///< both outlive it
-    void add(const QStringList& files);
+    void add(const QStringList& files, const ReadSettings& reading = {});
 
 Q_SIGNALS:
-    void chosen(QStringList files);
+    void chosen(QStringList files, noonmark::ReadSettings reading);
 
 private:
     void fill();

@@ -6,17 +6,10 @@
 #include "app/window/explored_picture.h"
 #include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
-#include "app/window/project/impact_picture.h"
 
 namespace noonmark {
 
 namespace {
-
-QString soFarWords(const PartialField& partial) {
-    return QObject::tr("So far: %1 (%2 %)")
-        .arg(QString::fromStdString(partial.part))
-        .arg(int(partial.share * 100));
-}
 
 QString noteOf(const ViewAnswer& answer, double distanceM) {
     const QString words = detailWords(answer.view, distanceM);
@@ -38,7 +31,7 @@ ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), str
 
 void ResultLayer::forget() {
     study_.reset();
-    comparison_.reset();
+    inFront_.reset();
     partial_.reset();
     time_.reset();
     explored_.reset();
@@ -51,27 +44,27 @@ void ResultLayer::setMode(ViewMode mode) {
 }
 
 void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
-    study_ = std::move(study);
+    study_ = study ? std::optional(groundAnswerOf(study)) : std::nullopt;
     partial_.reset();
     if (mode_ != ViewMode::exploration) show();
 }
 
-void ResultLayer::setComparison(std::shared_ptr<const ImpactAnswer> comparison) {
-    if (comparison == comparison_) return;
-    comparison_ = std::move(comparison);
+void ResultLayer::setInFront(std::optional<GroundAnswer> answer) {
+    if (!answer && !inFront_) return;
+    inFront_ = std::move(answer);
     partial_.reset();
     if (mode_ != ViewMode::exploration) show();
 }
 
 void ResultLayer::setPartial(std::shared_ptr<const PartialField> partial) {
     if (!partial && !partial_) return;
-    partial_ = std::move(partial);
+    partial_ = partial ? std::optional(groundAnswerOf(partial)) : std::nullopt;
     if (mode_ != ViewMode::exploration) show();
 }
 
-void ResultLayer::setTime(std::shared_ptr<const TimeAnswer> answer) {
-    if (answer == time_) return;
-    time_ = std::move(answer);
+void ResultLayer::setTime(const std::shared_ptr<const TimeAnswer>& answer) {
+    if (!answer && !time_) return;
+    time_ = answer ? std::optional(groundAnswerOf(answer)) : std::nullopt;
     if (mode_ != ViewMode::exploration) show();
 }
 
@@ -98,9 +91,14 @@ void ResultLayer::show() {
         return explored_ ? showExplored() : showNothing();
     }
     view_.surfaces().clear();
-    if (comparison_ && !partial_) return showComparison();
-    if (groundField()) return showGround();
-    showNothing();
+    ground() ? showGround() : showNothing();
+}
+
+// Null: nothing yet.
+const GroundAnswer* ResultLayer::ground() const {
+    for (const auto* answer : {&partial_, &inFront_, &time_, &study_})
+        if (*answer) return &**answer;
+    return nullptr;
 }
 
 void ResultLayer::showExplored() {
@@ -111,34 +109,14 @@ void ResultLayer::showExplored() {
     strip_.setNote(noteOf(*explored_, distance), isSoFar(explored_->view));
 }
 
-const ShadowField* ResultLayer::groundField() const {
-    if (partial_) return &partial_->field;
-    if (time_) return &time_->field;
-    return study_ ? &study_->field : nullptr;
-}
-
 void ResultLayer::showGround() {
-    const ShadowField& field = *groundField();
-    const bool part = partial_ != nullptr;
-    // Horizons that stay count no longest runs.
-    const ShadowMeasure measure = time_ && !part ? ShadowMeasure::gross : strip_.measure();
-    const Study* study = time_ ? time_->study.get() : study_.get();
-    const Legend legend = legendOf(field, measure);
-    view_.showPicture(fieldPicture(field, part ? nullptr : &study->receivers, measure, legend.scale.top),
-                      part);
+    const GroundAnswer& answer = *ground();
+    const Legend legend = legendOf(answer, strip_.measure());
+    view_.showPicture(pictureOf(answer, strip_.measure(), legend.scale.top), partial_.has_value());
+    if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
+        view_.showRoofPicture(*roofs);
     strip_.setLegend(legend);
-    strip_.setNote(part ? soFarWords(*partial_) : time_ ? wordsOf(time_->look) : QString(), part);
-}
-
-void ResultLayer::showComparison() {
-    const Impact& impact = comparison_->study.total;
-    const Legend legend = legendOf(impact, strip_.measure());
-    view_.showPicture(impactPicture(impact, strip_.measure(), legend.scale.top));
-    strip_.setLegend(legend);
-    strip_.setNote(
-        QObject::tr("%1 compared with %2")
-            .arg(QString::fromStdString(comparison_->to), QString::fromStdString(comparison_->from)),
-        false);
+    strip_.setNote(answer.note, answer.marked);
 }
 
 void ResultLayer::showNothing() {
@@ -158,11 +136,9 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
         return minutesText(shadow.grossMin[*point], shadow.continuousMin[*point],
                            legendOf(explored_->view, ShadowMeasure::gross).instant);
     }
-    if (pick.building) return {};
-    if (comparison_ && !partial_)
-        return changeText(comparison_->study.total, {pick.position.x, pick.position.y});
-    const ShadowField* field = groundField();
-    return field ? minutesText(*field, {pick.position.x, pick.position.y}) : QString();
+    const glm::dvec2 place{pick.position.x, pick.position.y};
+    if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
+    return textAt(*ground(), place);
 }
 
 std::optional<Legend> ResultLayer::legend() const {

@@ -4,7 +4,6 @@
 
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
-#include "core/study/error_words.h"
 
 namespace noonmark {
 
@@ -21,15 +20,14 @@ ResultRow minutes(const QString& name, double value, const QString& meaning) {
     return {name, amountWords(value) + QStringLiteral(" min"), meaning};
 }
 
-std::vector<ResultRow> shadowRows(const Study& study) {
-    const ShadowStatistics& s = study.statistics;
+std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
     const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
     std::vector<ResultRow> rows{
         {tr("Shadow area"), amountWords(s.shadowAreaM2, 0) + QStringLiteral(" m²"),
          tr("Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
         {tr("of the ground"), amountWords(share) + QStringLiteral(" %"),
          tr("Shadow area over the area of all receivers")}};
-    if (isInstant(study.field)) return rows;
+    if (instant) return rows;
     rows.push_back(minutes(tr("Mean gross"), s.meanGrossMin,
                            tr("Minutes in shadow a day, mean over days and receivers")));
     rows.push_back(minutes(tr("Mean continuous"), s.meanContinuousMin,
@@ -39,39 +37,48 @@ std::vector<ResultRow> shadowRows(const Study& study) {
     return rows;
 }
 
-void addErrorRows(std::vector<ResultRow>& rows, const Study& study) {
-    for (const ErrorLine& line : errorLines(study))
+void addErrorRows(std::vector<ResultRow>& rows, const std::vector<ErrorLine>& errors) {
+    for (const ErrorLine& line : errors)
         rows.push_back({QString::fromStdString(line.name).replace(0, 1, QChar(line.name[0]).toUpper()),
                         QString::fromStdString(line.value),
                         tr("Against the ray reference, on a sample of the receivers over the same steps")});
 }
 
-ResultRow speedRow(const Study& study) {
-    const double seconds = accumulateSeconds(study);
-    const double megaRays = seconds > 0 ? double(study.field.cost.rays) / seconds * 1e-6 : 0;
-    return {
-        tr("Speed"), amountWords(megaRays) + tr(" M rays/s"),
-        tr("%1 occlusion rays over the seconds that the engine took").arg(countWords(study.field.cost.rays))};
+void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
+    const double megaRays = figures.seconds > 0 ? double(figures.rays) / figures.seconds * 1e-6 : 0;
+    if (figures.rays > 0)
+        rows.push_back(
+            {tr("Speed"), amountWords(megaRays) + tr(" M rays/s"),
+             tr("%1 occlusion rays over the seconds that the engine took").arg(countWords(figures.rays))});
+    rows.push_back({tr("Time"), amountWords(figures.seconds, 2) + QStringLiteral(" s"),
+                    tr("Seconds that the engine took")});
+}
+
+StudyFigures figuresOfStudy(const Study& study) {
+    return {study.statistics,         isInstant(study.field),          study.sun.steps.size(),
+            study.sun.belowHorizon,   study.field.sunlitMinutesPerDay, study.field.cost.rays,
+            accumulateSeconds(study), textOf(study.settings.period),   errorLines(study),
+            study.field.engine};
 }
 
 }  // namespace
 
-std::vector<ResultRow> resultRowsOf(const Study& study) {
-    std::vector<ResultRow> rows = shadowRows(study);
+std::vector<ResultRow> rowsOf(const StudyFigures& figures) {
+    std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
     rows.push_back(
-        {tr("Receivers"), countWords(study.statistics.receivers), tr("Cells of open ground in the region")});
-    rows.push_back({tr("Steps of the sun"), countWords(study.sun.steps.size()),
+        {tr("Receivers"), countWords(figures.statistics.receivers), tr("Cells where shadow is measured")});
+    rows.push_back({tr("Steps of the sun"), countWords(figures.steps),
                     tr("Positions of the sun above the horizon; %1 below it were left out")
-                        .arg(countWords(study.sun.belowHorizon))});
-    rows.push_back({tr("Sunlit time"), amountWords(study.field.sunlitMinutesPerDay) + tr(" min/day"),
+                        .arg(countWords(figures.belowHorizon))});
+    rows.push_back({tr("Sunlit time"), amountWords(figures.sunlitMinutesPerDay) + tr(" min/day"),
                     tr("Mean minutes a day with the sun above the horizon: 100 % of the time")});
-    if (study.field.cost.rays > 0) rows.push_back(speedRow(study));
-    rows.push_back({tr("Time"), amountWords(accumulateSeconds(study), 2) + QStringLiteral(" s"),
-                    tr("Seconds that the engine took")});
-    rows.push_back({tr("Period"), QString::fromStdString(textOf(study.settings.period)), {}});
-    addErrorRows(rows, study);
-    rows.push_back({tr("Engine"), QString::fromStdString(study.field.engine), {}});
+    addTimeRows(rows, figures);
+    rows.push_back({tr("Period"), QString::fromStdString(figures.period), {}});
+    addErrorRows(rows, figures.errors);
+    rows.push_back({tr("Engine"), QString::fromStdString(figures.engine), {}});
     return rows;
 }
+
+std::vector<ResultRow> resultRowsOf(const Study& study) { return rowsOf(figuresOfStudy(study)); }
 
 }  // namespace noonmark

@@ -2,20 +2,35 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
+
+#include "app/window/project/month_chart.h"
+#include "app/window/push_button.h"
 
 namespace noonmark {
 
-ResultsDock::ResultsDock(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)), note_(new QLabel) {
+ResultsDock::ResultsDock(QWidget* parent)
+    : QWidget(parent),
+      note_(new QLabel),
+      back_(pushButton(tr("Show the study again"), "wayBack",
+                       tr("Instead of this result: the study or comparison of what is shown"))),
+      months_(new MonthChart),
+      form_(new QFormLayout(this)) {
+    note_->setObjectName(QStringLiteral("resultNote"));
     note_->setWordWrap(true);
-    form_->addRow(note_);
+    // One layout: in a nested one, words that wrap get too little height.
+    for (QWidget* whole : std::initializer_list<QWidget*>{note_, back_, months_}) form_->addRow(whole);
+    fixedRows_ = form_->rowCount();
+    connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
     show({});
 }
 
-void ResultsDock::show(const std::vector<ResultRow>& rows) {
-    while (form_->rowCount() > 1) form_->removeRow(1);
+void ResultsDock::show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months) {
+    while (form_->rowCount() > fixedRows_) form_->removeRow(fixedRows_);
     filled_ = !rows.empty();
-    note_->setText(tr("No study yet."));
-    note_->setVisible(!filled_);
+    setNote({});
+    offerWayBack(false);
+    months_->show(months);
     for (const ResultRow& row : rows) {
         auto* value = new QLabel(row.value);
         value->setWordWrap(true);
@@ -26,10 +41,14 @@ void ResultsDock::show(const std::vector<ResultRow>& rows) {
     }
 }
 
-void ResultsDock::setOutdated(bool outdated) {
-    if (!filled_) return;
-    note_->setText(tr("The settings have changed since: run again."));
-    note_->setVisible(outdated);
+void ResultsDock::setNote(const QString& note, bool warns) {
+    const bool amber = filled_ && warns;
+    note_->setStyleSheet(amber ? QStringLiteral("background: #ffd58a; color: #1d2027; padding: 4px;")
+                               : QString());
+    note_->setText(filled_ ? note : tr("No study yet."));
+    note_->setVisible(!note_->text().isEmpty());
 }
+
+void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }
 
 }  // namespace noonmark

@@ -3,24 +3,37 @@
 #include <QWidget>
 
 #include "app/window/result_rows.h"
+#include "scenarios/weights/score.h"
 
 class QFormLayout;
 class QLabel;
+class QPushButton;
 
 namespace noonmark {
 
-/// The figures of the latest study or comparison.
+class MonthChart;
+
+/// The figures of the latest study, comparison or score, or of a kept result.
 class ResultsDock final : public QWidget {
     Q_OBJECT
 public:
     explicit ResultsDock(QWidget* parent = nullptr);
 
-    void show(const std::vector<ResultRow>& rows);  ///< none: no result yet
-    void setOutdated(bool outdated);                ///< the question has changed since
+    /// None: no result yet. `months`: of a score, as charts. Takes the note and the way back away.
+    void show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months = {});
+    /// Above the figures; empty: nothing. `warns`: in amber.
+    void setNote(const QString& note, bool warns = true);
+    void offerWayBack(bool offered);  ///< to the study that these figures stand before
+
+Q_SIGNALS:
+    void studyWanted();
 
 private:
-    QFormLayout* form_;
     QLabel* note_;
+    QPushButton* back_;
+    MonthChart* months_;
+    QFormLayout* form_;
+    int fixedRows_ = 0;  // the figures follow
     bool filled_ = false;
 };
 

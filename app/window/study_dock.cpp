@@ -1,11 +1,13 @@
 #include "app/window/study_dock.h"
 
+#include <QComboBox>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/input/all_engines.h"
 #include "app/window/accuracy_form.h"
@@ -13,6 +15,7 @@
 #include "app/window/progress_strip.h"
 #include "app/window/region_words.h"
 #include "app/window/study_document.h"
+#include "core/receivers/roof_receivers.h"
 
 namespace noonmark {
 
@@ -74,16 +77,37 @@ QWidget* StudyDock::makeRegionGroup() {
     auto* column = new QVBoxLayout(group);
     column->addWidget(region_);
     column->addLayout(buttons);
+    column->addWidget(makePlaces());
     connect(draw_, &QPushButton::toggled, this, &StudyDock::drawRequested);
     connect(view, &QPushButton::clicked, this, &StudyDock::viewRegionRequested);
     connect(whole, &QPushButton::clicked, this, &StudyDock::wholeCityRequested);
     return group;
 }
 
+QWidget* StudyDock::makePlaces() {
+    places_ = new QComboBox;
+    places_->setObjectName(QStringLiteral("places"));
+    places_->setToolTip(tr(
+        "Where shadow is measured.\nRoofs: by the engines horizon sweep, ray reference and the one picked by "
+        "itself;\ncomparisons and scores are of the ground."));
+    for (const ReceiverPlaces places : allReceiverPlaces) {
+        const std::string_view words = wordsOf(places);
+        places_->addItem(tr("On %1").arg(QString::fromUtf8(words.data(), qsizetype(words.size()))));
+    }
+    connect(places_, &QComboBox::activated, this, [this](int chosen) {
+        StudySettings settings = document_.settings();
+        settings.receivers.places = allReceiverPlaces[std::size_t(chosen)];
+        document_.change(settings, tr("receivers"));
+    });
+    return places_;
+}
+
 void StudyDock::showDocument() {
     const StudySettings& settings = document_.settings();
     period_->show(settings.period);
     accuracy_->show(settings);
+    places_->setCurrentIndex(
+        int(std::ranges::find(allReceiverPlaces, settings.receivers.places) - allReceiverPlaces.begin()));
     region_->setText(regionWords(settings.region, settings.receivers.cellM));
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/study/study.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 
@@ -33,12 +34,14 @@ Q_SIGNALS:
 
 private:
     QWidget* makeRegionGroup();
+    QWidget* makePlaces();
     void showDocument();
 
     StudyDocument& document_;
     PeriodForm* period_;
     AccuracyForm* accuracy_;
     QLabel* region_;
+    QComboBox* places_;
     QPushButton* draw_;
     QPushButton* run_;
     ProgressStrip* progress_;

@@ -7,6 +7,7 @@
 
 #include "app/window/project/project_dock.h"
 #include "app/window/project/scenarios_dock.h"
+#include "app/window/project/weights_dock.h"
 #include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/warnings_dock.h"
@@ -44,6 +45,7 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
     QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
     QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
+    QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", docks.weights);
     QDockWidget* building =
         dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
     QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
@@ -52,11 +54,11 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     study->raise();
     window.addDockWidget(Qt::RightDockWidgetArea, project);
     window.addDockWidget(Qt::RightDockWidgetArea, results);
-    window.tabifyDockWidget(results, scenarios);
+    for (QDockWidget* beside : {scenarios, weights}) window.tabifyDockWidget(results, beside);
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
     window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
-    for (QDockWidget* dock : {project, study, results, scenarios, building, tower, warnings})
+    for (QDockWidget* dock : {project, study, results, scenarios, weights, building, tower, warnings})
         menu.addAction(dock->toggleViewAction());
 }
 

@@ -11,6 +11,7 @@ class ResultsDock;
 class ScenariosDock;
 class StudyDock;
 class WarningsDock;
+class WeightsDock;
 
 /// What stands around the view. Belongs to the window.
 struct WindowDocks {
@@ -18,6 +19,7 @@ struct WindowDocks {
     StudyDock* study;
     ResultsDock* results;
     ScenariosDock* scenarios;
+    WeightsDock* weights;
     WarningsDock* warnings;
     QWidget* building;  ///< the selected one
     QWidget* tower;     ///< lots, and the tower that is designed

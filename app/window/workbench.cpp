@@ -3,11 +3,7 @@
 #include <QFileInfo>
 #include <limits>
 
-#include "app/input/all_engines.h"
 #include "app/report/study_files.h"
-#include "core/progress_share.h"
-#include "core/stopwatch.h"
-#include "scenarios/project/keep_result.h"
 
 namespace noonmark {
 
@@ -28,6 +24,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
             [this](const Job& job) { connect(&job, &Job::partial, this, &Workbench::studyPartial); });
     connect(&session_, &ProjectSession::cityChanged, this, &Workbench::follow);
     connect(&session_, &ProjectSession::baselineChanged, this, [this] { comparison_.reset(); });
+    connect(&session_, &ProjectSession::renamed, this, &Workbench::rename);
     connect(&session_, &ProjectSession::refused, this, &Workbench::tell);
 }
 
@@ -85,6 +82,7 @@ void Workbench::takeRecovered(Result<ProjectFile> kept) {
     if (!kept) return tell(kept.error());
     const ViewState view = viewStateFrom(kept->project().view);
     if (!session_.change(kept->project(), tr("recovered work"), view.scenario)) return;
+    Q_EMIT tookUp();
     Q_EMIT noted(tr("The unsaved work is back. Save keeps it, Undo takes it away again."));
 }
 
@@ -106,8 +104,11 @@ void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
 // Answers about the scenario's buildings before are no answers any more.
 void Workbench::forgetAnswers() {
     running_.drop();
+    reading_.drop();
     study_.reset();
     comparison_.reset();
+    score_.reset();
+    kept_.reset();
 }
 
 // The answers go at once: a run that is started before the city is shown is already of the new one.
@@ -127,119 +128,6 @@ void Workbench::takeCity(Result<OpenCity> city) {
     city_ = std::make_shared<const OpenCity>(*std::move(city));
     takeKnown();
     Q_EMIT cityShown();
-}
-
-std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
-    std::map<std::string, std::shared_ptr<const Study>> valid;
-    for (const auto& [scenario, known] : known_)
-        if (const auto city = session_.cityOf(scenario); city && *city == known.city)
-            valid[scenario] = known.study;
-    return valid;
-}
-
-void Workbench::run() {
-    if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
-    if (!session_.baseline().empty() && session_.baseline() != session_.scenario()) return runComparison();
-    comparison_.reset();
-    measure(tr("Study"), {{session_.scenario(), session_.city(), nullptr}});
-}
-
-void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted) {
-    using Made = std::vector<KnownStudy>;
-    running_.start<Made>(
-        what,
-        [wanted = std::move(wanted), shown = city_, settings = document_.settings()](
-            Progress& progress, std::stop_token stop) -> Result<Made> {
-            Made made = wanted;
-            for (std::size_t i = 0; i < made.size(); ++i) {
-                ProgressShare share(progress, i, made.size());
-                auto study = studyOf(withCity(shown->loaded, *made[i].city), settings,
-                                     made.size() > 1 ? share : progress, stop);
-                if (!study) return tl::make_unexpected(study.error());
-                made[i].study = std::make_shared<const Study>(*std::move(study));
-            }
-            return made;
-        },
-        [this](Result<Made> made) { takeStudies(std::move(made)); });
-}
-
-void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
-    if (!made) {
-        Q_EMIT studyStopped(isCancelled(made.error()));
-        return tell(made.error());
-    }
-    for (const KnownStudy& one : *made) known_[one.scenario] = one;
-    if (!made->empty()) answerSeconds_ = made->back().study->seconds.at("total");
-    takeKnown();
-    Q_EMIT studyDone();
-}
-
-// The study that is known of the scenario that is shown.
-void Workbench::takeKnown() {
-    const auto known = studies();
-    const auto study = known.find(session_.scenario());
-    study_ = study == known.end() ? nullptr : study->second;
-}
-
-std::vector<Workbench::KnownStudy> Workbench::wanted() {
-    std::vector<KnownStudy> wanted;
-    const auto known = studies();
-    const auto want = [&](const std::string& name) {
-        const auto study = known.find(name);
-        if (study != known.end() && study->second->settings == document_.settings()) return;
-        if (const auto city = session_.cityOf(name)) wanted.push_back({name, *city, nullptr});
-    };
-    want(existingCity);
-    for (const Scenario& scenario : session_.project().scenarios) want(scenario.name);
-    return wanted;
-}
-
-void Workbench::measureAll() {
-    if (city_) measure(tr("All scenarios"), wanted());
-}
-
-void Workbench::runComparison() {
-    const auto before = session_.cityOf(session_.baseline());
-    if (!before) return tell(before.error());
-    ImpactAnswer question{
-        session_.baseline(), session_.scenario(), {document_.settings(), true}, {30, 60}, {}};
-    running_.start<ImpactAnswer>(
-        tr("Comparison"),
-        [question, before = *before, after = session_.city()](Progress& progress, std::stop_token stop) {
-            return runImpact(*before, *after, question.settings, progress, std::move(stop),
-                             enginesWith(question.settings.study.engine))
-                .map([&](ImpactStudy study) {
-                    ImpactAnswer answer = question;
-                    answer.study = std::move(study);
-                    return answer;
-                });
-        },
-        [this, watch = Stopwatch(), before = *before, after = session_.city()](Result<ImpactAnswer> answer) {
-            const auto still = session_.cityOf(session_.baseline());
-            if (after != session_.city() || !still || *still != before) return Q_EMIT studyStopped(false);
-            if (answer) answerSeconds_ = watch.seconds();
-            takeComparison(std::move(answer));
-        });
-}
-
-void Workbench::takeComparison(Result<ImpactAnswer> answer) {
-    if (!answer) {
-        Q_EMIT studyStopped(isCancelled(answer.error()));
-        return tell(answer.error());
-    }
-    comparison_ = std::make_shared<const ImpactAnswer>(*std::move(answer));
-    Q_EMIT comparisonDone();
-}
-
-void Workbench::keepAnswer(const QString& name) {
-    const std::string wanted = freeName(session_.project(), ProjectPart::result, name.toStdString());
-    const QString what = tr("result %1").arg(QString::fromStdString(wanted));
-    if (comparison_)
-        session_.change(withResult(session_.project(), wanted, *comparison_), what);
-    else if (study_)
-        session_.change(withResult(session_.project(), wanted, session_.scenario(), *study_), what);
-    else
-        tell({"There is no result to keep yet", {}, "Press Run first"});
 }
 
 void Workbench::exportStudy(const std::filesystem::path& folder) {

@@ -9,8 +9,10 @@
 #include "app/window/open_city.h"
 #include "app/window/project/open_project.h"
 #include "app/window/project/project_session.h"
+#include "app/window/project/shown_result.h"
 #include "app/window/study_document.h"
 #include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score_text.h"
 
 namespace noonmark {
 
@@ -36,6 +38,12 @@ public:
     void measureAll();
     /// Writes the files of the command line into a folder.
     void exportStudy(const std::filesystem::path& folder);
+    /// Scores the scenario that is shown with a weight table of the project, by the document's question. The
+    /// answer before stays until then.
+    void runScore(const std::string& weights);
+    /// Shows a kept result again, on its scenario where that is still there.
+    void showKept(const std::string& name);
+    void showStudyAgain();  ///< in place of a score or a kept result
     /// The answer that is shown becomes a result of the project.
     void keepAnswer(const QString& name);
 
@@ -45,6 +53,10 @@ public:
     [[nodiscard]] std::shared_ptr<const Study> study() const { return study_; }
     /// The latest difference of the two that are compared; null: none, or buildings changed since.
     [[nodiscard]] std::shared_ptr<const ImpactAnswer> comparison() const { return comparison_; }
+    /// The score that stands before the study; null: none, or another answer came.
+    [[nodiscard]] std::shared_ptr<const ScoreAnswer> score() const { return score_; }
+    /// The kept result that stands before all; likewise.
+    [[nodiscard]] std::shared_ptr<const ShownResult> kept() const { return kept_; }
     /// Studies of scenarios whose buildings have not changed since, by name.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const Study>> studies();
     /// How long the latest answer took to work out, seconds.
@@ -56,6 +68,7 @@ public:
     [[nodiscard]] JobSlot& opening() { return opening_; }
     [[nodiscard]] JobSlot& following() { return following_; }  ///< works a change into what is shown
     [[nodiscard]] JobSlot& running() { return running_; }
+    [[nodiscard]] JobSlot& reading() { return reading_; }  ///< makes a kept result ready
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
 Q_SIGNALS:
@@ -63,16 +76,18 @@ Q_SIGNALS:
     void projectOpened();  ///< another project, after its first city was shown
     void studyDone();
     void comparisonDone();
+    void scoreDone();
+    void keptShown();
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
     void studyStopped(bool cancelled);       ///< without a result; the answer before is still there
     void failed(noonmark::Error error);      ///< work that was cancelled does not fail
     void openFailed(noonmark::Error error);  ///< what was open stays
+    void tookUp();                           ///< recover() has done it
     void noted(QString text);
 
 private:
     struct KnownStudy {
-        std::string scenario;
-        std::shared_ptr<const City> city;    ///< what it is of
+        std::shared_ptr<const City> city;    ///< what it is of: scenarios change their names
         std::shared_ptr<const Study> study;  ///< null: still to be made
     };
     void takeProject(Result<OpenProject> opened, int version);
@@ -85,7 +100,10 @@ private:
     void runComparison();
     void takeStudies(Result<std::vector<KnownStudy>> made);
     void takeKnown();
+    void rename(ProjectPart part, const std::string& from, const std::string& to);
     void takeComparison(Result<ImpactAnswer> answer);
+    void takeScore(Result<ScoreAnswer> answer);
+    void standBack();
     std::vector<KnownStudy> wanted();
     void tell(const Error& error);
 
@@ -93,13 +111,16 @@ private:
     ProjectSession session_{document_.undoStack()};
     ViewState openedView_;
     std::shared_ptr<const OpenCity> city_;
-    std::map<std::string, KnownStudy> known_;  // by scenario
+    std::vector<KnownStudy> known_;
     std::shared_ptr<const Study> study_;
     std::shared_ptr<const ImpactAnswer> comparison_;
+    std::shared_ptr<const ScoreAnswer> score_;
+    std::shared_ptr<const ShownResult> kept_;
     double answerSeconds_ = 0;
     JobSlot opening_;
     JobSlot following_;
     JobSlot running_;
+    JobSlot reading_;
     JobSlot writing_;
 };
 

@@ -5,6 +5,7 @@
 #include "app/report/palette.h"
 #include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
+#include "app/window/project/score_picture.h"
 #include "app/window/warnings_dock.h"
 #include "tests/gui/small_city.h"
 
@@ -37,6 +38,36 @@ TEST_F(FieldShown, PictureHasTheReportsColours) {
     EXPECT_EQ(picture.pixels[2], pixelOf(1)) << "under a building: the colour of the ground beside it";
     EXPECT_EQ(picture.pixels[3].a, 0) << "outside the region the ground keeps its own colour";
     EXPECT_EQ(fieldPicture(field, &receivers, ShadowMeasure::continuous, 60).pixels[1], pixelOf(0.5));
+}
+
+TEST_F(FieldShown, RoofsHaveAPictureOfTheirOwn) {
+    EXPECT_FALSE(roofPicture(field, receivers, ShadowMeasure::gross, 60)) << "no receiver is on a roof";
+    field.grossMin[2] = 30;
+    receivers.kind[2] = CellKind::roof;
+    const auto roofs = roofPicture(field, receivers, ShadowMeasure::gross, 60);
+    ASSERT_TRUE(roofs);
+    EXPECT_EQ(roofs->pixels[0].a, 0);
+    EXPECT_EQ(roofs->pixels[1], pixelOf(0.5)) << "the roof's edge ends within this cell";
+    EXPECT_EQ(roofs->pixels[2], pixelOf(0.5));
+    const GroundPicture ground = fieldPicture(field, &receivers, ShadowMeasure::gross, 60);
+    EXPECT_EQ(ground.pixels[1], pixelOf(1));
+    EXPECT_EQ(ground.pixels[2], pixelOf(1)) << "the ground beside, not the roof";
+}
+
+TEST(ScoreShown, WantedShadeHasTheColourOfLessShadow) {
+    Score score;
+    score.grid = {0, 0, 10, 3, 1};
+    score.score = {1, -1, std::numeric_limits<float>::quiet_NaN()};
+    const Legend legend = legendOf(score);
+    EXPECT_EQ(legend.scale.top, 1);
+    EXPECT_TRUE(legend.wanted);
+    const GroundPicture picture = scorePicture(score, legend.scale.top);
+    EXPECT_EQ(picture.pixels[0], pixelOf(impactColour(-1)));
+    EXPECT_EQ(picture.pixels[1], pixelOf(impactColour(1)));
+    EXPECT_EQ(picture.pixels[2].a, 0);
+    EXPECT_EQ(scoreText(score, {5, 5}), QStringLiteral("score +1.000 m² a m²"));
+    EXPECT_EQ(scoreText(score, {25, 5}), QStringLiteral("not measured here"));
+    EXPECT_EQ(scoreText(score, {95, 5}), QString());
 }
 
 TEST_F(FieldShown, HoverSaysMinutesAndPlace) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QPushButton>
 #include <QSettings>
@@ -167,6 +168,57 @@ TEST_F(ProjectWindow, WorkThatNeverHadAFileIsOfferedAgain) {
     EXPECT_FALSE(session().file());
 }
 
+TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
+    const QString sample = QStringLiteral("sample:central-park-south");
+    open(sample);
+    ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
+    window->saving().keepUnsaved();
+    const QDir unsaved(folder.filePath(QStringLiteral("unsaved")));
+    const auto kept = [&] {
+        return unsaved.entryList({QStringLiteral("*.gpkg")}, QDir::Files | QDir::Hidden);
+    };
+    ASSERT_TRUE(waitFor([&] { return !kept().isEmpty() && !window->saving().writing().busy(); }));
+    kill();
+    makeWindow();
+    open(sample);
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    takeOffer();
+    ASSERT_TRUE(waitFor([this] { return session().recovered(); }));
+    open(sample);  // the question is answered by Discard
+    EXPECT_EQ(message(), QString());
+    kill();
+    EXPECT_EQ(kept(), QStringList());
+    makeWindow();
+    open(sample);
+    EXPECT_EQ(message(), QString());
+}
+
+TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain) {
+    build();
+    window->saving().keepUnsaved();
+    const std::filesystem::path kept = recoveryPath(file.toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    for (const bool keptAgain : {false, true}) {
+        kill();
+        makeWindow();
+        open(file);
+        takeOffer();
+        ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
+        const auto older = ProjectSaving::olderRecovery(file.toStdString());
+        if (keptAgain) window->saving().keepUnsaved();
+        if (keptAgain) {
+            ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+            EXPECT_TRUE(std::filesystem::exists(older));
+        }
+        const auto copy = kept.string() + ".copy";
+        std::filesystem::copy_file(keptAgain ? older : kept, copy);
+        window->close();
+        ASSERT_TRUE(waitFor([&] { return !std::filesystem::exists(kept); }));
+        EXPECT_FALSE(std::filesystem::exists(older));
+        std::filesystem::rename(copy, kept);  // for the next round
+    }
+}
+
 TEST_F(ProjectWindow, ADamagedFileIsSaidAndLeftAsItIs) {
     const QString damaged = folder.filePath(QStringLiteral("damaged.noonmark.gpkg"));
     const QByteArray half = bytesOf(file).left(5000);
@@ -293,6 +345,63 @@ TEST_F(ProjectWindow, ARunRightAfterAnEditAnswersForTheEditedCity) {
     ASSERT_TRUE(waitFor([this] { return !workbench().following().busy() && !workbench().running().busy(); }));
     EXPECT_TRUE(workbench().study());
     EXPECT_EQ(workbench().studies().count("Proposal A"), 1U);
+}
+
+TEST_F(ProjectWindow, ARunningComparisonOutlivesAnotherNameOfEitherSide) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    ASSERT_TRUE(session().change(withScenario(session().project(), "Other", {}), QStringLiteral("new")));
+    session().compareWith("Other");
+    ASSERT_TRUE(workbench().running().busy());
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, "Other", "Base"));
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, "Proposal A", "Tall"));
+    EXPECT_TRUE(workbench().running().busy());
+    EXPECT_EQ(session().baseline(), "Base");
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(workbench().comparison()->from, "Base");
+    EXPECT_EQ(workbench().comparison()->to, "Tall");
+    workbench().document().undoStack().undo();
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(workbench().comparison()) << "undoing a name does not end it either";
+    EXPECT_EQ(session().baseline(), "Other");
+    EXPECT_EQ(workbench().comparison()->from, "Other");
+    EXPECT_EQ(workbench().comparison()->to, "Proposal A");
+}
+
+TEST_F(ProjectWindow, AStudyOutlivesAnotherNameOfItsScenario) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    workbench().run();
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, "Proposal A", "Tall"));
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    EXPECT_TRUE(workbench().study());
+    EXPECT_EQ(workbench().studies().count("Tall"), 1U);
+}
+
+TEST(UnsavedPlaces, WhatManyRunsLeftDoesNotGrowForEver) {
+    const QTemporaryDir folder;
+    const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
+    const int runs = UnsavedPlace::mostLeft + 3;
+    for (int i = 0; i < runs; ++i) {
+        QFile file(QString::fromStdString(recovery.string()));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::number(i));
+        file.close();
+        const UnsavedPlace place(folder.path());
+        EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
+    }
+    for (int i = runs - 1; i >= runs - UnsavedPlace::mostLeft; --i) {
+        UnsavedPlace place(folder.path());
+        EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
+        place.forgetLeft();
+    }
+    EXPECT_FALSE(UnsavedPlace(folder.path()).left());
 }
 
 TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QMenu>
 #include <QSettings>
 #include <QTemporaryDir>
+
+#include "app/window/reading_text.h"
+#include "app/window/recent_menu.h"
 
 namespace noonmark {
 namespace {
@@ -32,6 +37,66 @@ TEST_F(RecentFilesTest, FilesOpenedTogetherStayTogether) {
     recent.add(files);
     EXPECT_EQ(RecentFiles::filesOf(recent.entries().front()), files);
     EXPECT_EQ(RecentFiles::nameOf(recent.entries().front()), QStringLiteral("city.gpkg and 1 more"));
+}
+
+ReadSettings everyOption() {
+    ReadSettings reading;
+    reading.heightField = "ROOF";
+    reading.heightUnit = LengthUnit::feet;
+    reading.metresPerLevel = 3.5;
+    reading.defaultHeightM = 12;
+    reading.layer = "buildings";
+    reading.crs = "EPSG:2263";
+    reading.lod = "2.2";
+    reading.farAwayM = 5000;
+    reading.upAxis = UpAxis::z;
+    reading.meshUnit = LengthUnit::usSurveyFeet;
+    reading.meshNorthDeg = -29.1;
+    reading.meshAnchor = LonLat{-73.98, 40.76};
+    return reading;
+}
+
+TEST_F(RecentFilesTest, HowAFileWasReadComesBackWithIt) {
+    const ReadSettings every = everyOption();
+    recent.add({QStringLiteral("/mesh.obj")}, every);
+    recent.add({QStringLiteral("/plain.gpkg")});
+    const ReadSettings back = recent.readingOf(QStringLiteral("/mesh.obj"));
+    EXPECT_EQ(textOf(back), textOf(every));
+    EXPECT_EQ(back.crs, every.crs);
+    EXPECT_EQ(back.heightUnit, every.heightUnit);
+    EXPECT_EQ(back.meshUnit, every.meshUnit);
+    EXPECT_EQ(back.meshNorthDeg, every.meshNorthDeg);
+    EXPECT_EQ(back.meshAnchor->lonDeg, every.meshAnchor->lonDeg);
+    EXPECT_EQ(back.upAxis, UpAxis::z);
+    EXPECT_EQ(recent.readingTextOf(QStringLiteral("/plain.gpkg")), QString());
+    EXPECT_FALSE(recent.readingOf(QStringLiteral("/plain.gpkg")).crs);
+}
+
+TEST_F(RecentFilesTest, TheLastWayOfReadingCounts) {
+    recent.add({QStringLiteral("/mesh.obj")}, everyOption());
+    recent.add({QStringLiteral("/mesh.obj")});
+    EXPECT_EQ(recent.readingTextOf(QStringLiteral("/mesh.obj")), QString());
+}
+
+TEST_F(RecentFilesTest, TheMenuHandsTheSettingsOn) {
+    QMenu menu;
+    RecentMenu entries(menu, settings);
+    entries.add({QStringLiteral("/mesh.obj")}, everyOption());
+    ASSERT_EQ(menu.actions().size(), 1);
+    EXPECT_EQ(menu.actions()[0]->text(), QStringLiteral("mesh.obj, with options"));
+    std::optional<ReadSettings> chosen;
+    QObject::connect(&entries, &RecentMenu::chosen,
+                     [&](const QStringList&, const ReadSettings& reading) { chosen = reading; });
+    menu.actions()[0]->trigger();
+    ASSERT_TRUE(chosen);
+    EXPECT_EQ(chosen->crs, "EPSG:2263");
+}
+
+TEST(ReadingText, OtherTextIsNoSettings) {
+    EXPECT_FALSE(readingFrom(QStringLiteral("crs")));
+    EXPECT_FALSE(readingFrom(QStringLiteral(R"({"mesh_unit": 9})")));
+    EXPECT_FALSE(readingFrom(QStringLiteral(R"({"crs": 4326})")));
+    EXPECT_TRUE(readingFrom(QString()));
 }
 
 TEST_F(RecentFilesTest, SamplesStayNames) {

@@ -16,23 +16,20 @@ QString signedWords(double value, int decimals, const QString& unit) {
 }
 
 // The thresholds' lines of one measure.
-void addThresholds(std::vector<ResultRow>& rows, const ImpactAnswer& answer, const QString& name,
+void addThresholds(std::vector<ResultRow>& rows, const ComparisonFigures& figures, const QString& name,
                    ChangeFigures ImpactFigures::*measure, const QString& meaning) {
-    for (const double threshold : answer.thresholdsMin) {
-        const ChangeFigures figures = figuresOf(answer.study.total, threshold).*measure;
-        rows.push_back({tr("%1 > %2 min").arg(name).arg(threshold), changedAreaWords(figures), meaning});
-    }
+    for (const ImpactFigures& one : figures.all)
+        rows.push_back(
+            {tr("%1 > %2 min").arg(name).arg(one.thresholdMin), changedAreaWords(one.*measure), meaning});
 }
 
-void addBuildings(std::vector<ResultRow>& rows, const ImpactAnswer& answer) {
-    const double threshold = answer.thresholdsMin.front();
-    for (const BuildingImpact& building : answer.study.byBuilding)
+void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures) {
+    for (const auto& building : figures.byBuilding)
         rows.push_back(
-            {QString::fromStdString(building.name.empty() ? building.id : building.name),
-             changedAreaWords(figuresOf(building.impact, threshold).gross),
+            {QString::fromStdString(building.name), changedAreaWords(building.figures.gross),
              tr("What this new building does by itself: ground with over %1 min a day more gross shadow than "
                 "without it")
-                 .arg(threshold)});
+                 .arg(building.figures.thresholdMin)});
 }
 
 }  // namespace
@@ -45,16 +42,15 @@ QString changedAreaWords(const ChangeFigures& figures) {
     return words.join(QLatin1Char('\n'));
 }
 
-std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer) {
-    const Impact& impact = answer.study.total;
-    const ImpactFigures all = figuresOf(impact, 0);
+std::vector<ResultRow> comparisonRowsOf(const ComparisonFigures& figures) {
+    const ImpactFigures& all = figures.all.front();
     std::vector<ResultRow> rows{
         {tr("Compared"),
-         tr("%1\nwith %2").arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)),
+         tr("%1\nwith %2").arg(QString::fromStdString(figures.to), QString::fromStdString(figures.from)),
          tr("Minutes of the first less minutes of the second: same engine, steps and cells")}};
-    addThresholds(rows, answer, tr("Gross"), &ImpactFigures::gross,
+    addThresholds(rows, figures, tr("Gross"), &ImpactFigures::gross,
                   tr("Ground whose minutes of shadow a day rise or fall by more than that"));
-    addThresholds(rows, answer, tr("Continuous"), &ImpactFigures::continuous,
+    addThresholds(rows, figures, tr("Continuous"), &ImpactFigures::continuous,
                   tr("Ground whose longest unbroken shadow grows or shrinks by more than that"));
     rows.push_back({tr("Touched at all"),
                     tr("%1 more\n%2 less").arg(areaWords(all.gross.touchedM2), areaWords(all.gross.easedM2)),
@@ -72,10 +68,10 @@ std::vector<ResultRow> comparisonRowsOf(const ImpactAnswer& answer) {
                     tr("Ground before, building now: in neither figure above")});
     rows.push_back({tr("Now ground"), areaWords(all.becameGroundM2),
                     tr("Building before, ground now: in neither figure above")});
-    addBuildings(rows, answer);
+    addBuildings(rows, figures);
     rows.push_back({tr("Ground compared"), areaWords(all.receiverAreaM2), tr("Open ground in both")});
-    rows.push_back({tr("Period"), QString::fromStdString(textOf(answer.settings.study.period)), {}});
-    rows.push_back({tr("Engine"), QString::fromStdString(impact.engine), tr("Of both")});
+    rows.push_back({tr("Period"), QString::fromStdString(figures.period), {}});
+    rows.push_back({tr("Engine"), QString::fromStdString(figures.engine), tr("Of both")});
     return rows;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/change_scale.h"
+#include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
 
 namespace noonmark {
@@ -13,19 +15,7 @@ namespace {
 using Pixel = GroundPicture::Pixel;
 constexpr float noChangeMin = 1e-3F;  // float32 rounding
 
-Pixel pixelOf(const QColor& colour) {
-    return {std::uint8_t(colour.red()), std::uint8_t(colour.green()), std::uint8_t(colour.blue()), 255};
-}
-
 bool isInstant(const Impact& impact) { return impact.sunlitMinutesPerDay <= 1; }
-
-std::vector<float> amountsOf(const std::vector<float>& values) {
-    std::vector<float> amounts;
-    for (const float value : values)
-        if (std::abs(value) > noChangeMin) amounts.push_back(std::abs(value));  // NaN is not above anything
-    std::ranges::sort(amounts);
-    return amounts;
-}
 
 void addPatch(Legend& legend, const Impact& impact, CellChange change, const QColor& colour,
               const QString& label) {
@@ -54,12 +44,10 @@ const std::vector<float>& valuesOf(const Impact& impact, ShadowMeasure measure) 
 Legend legendOf(const Impact& impact, ShadowMeasure measure) {
     Legend legend{
         QObject::tr("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
-    const std::vector<float> amounts = amountsOf(valuesOf(impact, measure));
-    const double most = amounts.empty() ? 0 : double(amounts.back());
-    const double usual = amounts.empty() ? 0 : double(amounts[(amounts.size() - 1) * 98 / 100]);
-    legend.scale = legendScale(std::max(usual, 1.0));
+    const ChangeScale found = changeScaleOf(valuesOf(impact, measure), noChangeMin);
+    legend.scale = legendScale(std::max(found.usual, 1.0));
     legend.unit = measure == ShadowMeasure::gross ? QObject::tr("min a day") : QObject::tr("min");
-    if (most > legend.scale.top) legend.unit += QObject::tr(", most %1").arg(most, 0, 'f', 0);
+    if (found.most > legend.scale.top) legend.unit += QObject::tr(", most %1").arg(found.most, 0, 'f', 0);
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));
     addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QObject::tr("now ground"));
     return legend;

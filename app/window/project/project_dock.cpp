@@ -32,9 +32,12 @@ QString useWords(ProjectPart part) {
             return QObject::tr("&Measure here");
         case ProjectPart::period:
             return QObject::tr("&Measure then");
-        default:
-            return {};
+        case ProjectPart::weights:
+            return QObject::tr("&Edit and score");
+        case ProjectPart::result:
+            return QObject::tr("&Show");
     }
+    return {};
 }
 
 }  // namespace
@@ -89,14 +92,17 @@ void ProjectDock::use(const QModelIndex& index) {
     if (node == nullptr || !node->part || node->kind == Kind::group)
         return tree_->setExpanded(index, !tree_->isExpanded(index));
     const Project& project = session_.project();
-    if (node->part == ProjectPart::scenario) return session_.goTo(std::string(node->name));
+    const std::string name = node->name;  // the line may go with what is done
+    if (node->part == ProjectPart::scenario) return session_.goTo(name);
+    if (node->part == ProjectPart::result) return Q_EMIT resultChosen(name);
+    if (node->part == ProjectPart::weights) return Q_EMIT weightsChosen(name);
     if (node->part == ProjectPart::region)
-        if (const auto region = regionNamed(project, node->name)) return Q_EMIT regionChosen(*region);
+        if (const auto region = regionNamed(project, name)) return Q_EMIT regionChosen(*region);
     if (node->part == ProjectPart::lot)
-        if (const auto lot = lotNamed(project, node->name)) return Q_EMIT lotChosen(*lot);
+        if (const auto lot = lotNamed(project, name)) return Q_EMIT lotChosen(*lot);
     if (node->part == ProjectPart::period)
         for (const NamedPeriod& period : project.periods)
-            if (period.name == node->name) return Q_EMIT periodChosen(period.period);
+            if (period.name == name) return Q_EMIT periodChosen(period.period);
 }
 
 void ProjectDock::remove(const QModelIndex& index) {
@@ -151,8 +157,7 @@ void ProjectDock::showMenu(QPoint at) {
 
 // The project may change while the menu is open.
 void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node) {
-    if (node.kind == Kind::part && !useWords(*node.part).isEmpty())
-        menu.addAction(useWords(*node.part), this, [this, index] { use(index); });
+    if (node.kind == Kind::part) menu.addAction(useWords(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
     if (node.kind == Kind::part)
         menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });

@@ -24,7 +24,8 @@ public:
     [[nodiscard]] QTreeView& tree() { return *tree_; }
     [[nodiscard]] ProjectModel& model() { return *model_; }
 
-    /// What Enter and a double click do: go to a scenario, use a region or period, go to a lot.
+    /// What Enter and a double click do: go to a scenario, use a region or period, go to a lot, edit a weight
+    /// table, show a kept result.
     void use(const QModelIndex& index);
     void remove(const QModelIndex& index);      ///< a part, or an edit of a scenario
     void duplicate(const QModelIndex& index);   ///< a scenario, lot, region, period or weight table
@@ -34,6 +35,8 @@ Q_SIGNALS:
     void regionChosen(noonmark::Region region);
     void periodChosen(noonmark::Period period);
     void lotChosen(noonmark::NamedLot lot);
+    void resultChosen(const std::string& name);
+    void weightsChosen(const std::string& name);
     void keepRegionRequested();  ///< the study's region shall become one of the project's
     void keepPeriodRequested();
     void keepResultRequested();

@@ -140,15 +140,7 @@ bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int 
     const std::string name = value.toString().trimmed().toStdString();
     if (node == nullptr || role != Qt::EditRole || !canRename(*node) || name.empty()) return false;
     if (name == node->name) return true;
-    const std::string from = node->name;
-    const std::string shown =
-        session_.scenario() == from && node->part == ProjectPart::scenario ? name : std::string();
-    auto next = renamed(session_.project(), *node->part, from, name);
-    if (!next) {
-        Q_EMIT session_.refused(next.error());
-        return false;
-    }
-    return session_.change(*std::move(next), tr("rename %1").arg(QString::fromStdString(from)), shown);
+    return session_.rename(*node->part, std::string(node->name), name);
 }
 
 Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {

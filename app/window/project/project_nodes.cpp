@@ -110,7 +110,8 @@ void addWeights(ProjectNode& root, const Project& project) {
         addGroup(root, ProjectPart::weights, tr("Weight tables"), project.weights.size(),
                  tr("How much shade is wanted (1) or shadow unwanted (-1), by time of the year"));
     for (const TimeWeights& table : project.weights) {
-        ProjectNode& node = addPart(group, table.name);
+        ProjectNode& node =
+            addPart(group, table.name, {}, tr("Enter or double click: edit it, and score by it"));
         for (const WeightedInterval& interval : table.intervals)
             addFact(node, QStringLiteral("%1   %2").arg(textOf(interval.name)).arg(interval.weight));
     }
@@ -123,7 +124,8 @@ void addResults(ProjectNode& root, const Project& project) {
         const QString of = result->baseline.empty()
                                ? textOf(result->scenario)
                                : tr("%1 against %2").arg(textOf(result->scenario), textOf(result->baseline));
-        addPart(group, result->name, {}, tr("%1 of %2").arg(textOf(result->kind), of));
+        addPart(group, result->name, {},
+                tr("%1 of %2\nEnter or double click shows it again").arg(textOf(result->kind), of));
     }
 }
 

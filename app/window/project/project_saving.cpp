@@ -90,6 +90,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
         return Q_EMIT failed(written.error());
     }
     forgetUnsaved();
+    takenUp_ = false;
     session_.setSaved(*std::move(written), version);
     std::error_code none;
     fs::remove(olderRecovery(session_.file()->path()), none);  // what was saved later than it counts
@@ -128,8 +129,20 @@ void ProjectSaving::forgetUnsaved() {
     startOver();
 }
 
+// Where this run has kept something, the earlier file was moved aside for it.
+void ProjectSaving::discardUnsaved() {
+    std::error_code none;
+    if (takenUp_ && session_.file()) {
+        const fs::path& file = session_.file()->path();
+        fs::remove(kept_ ? olderRecovery(file) : recoveryPath(file), none);
+    }
+    takenUp_ = false;
+    forgetUnsaved();
+}
+
 void ProjectSaving::projectReplaced() {
     next_ = nullptr;
+    takenUp_ = false;
     writing_.drop();
     startOver();
     if (session_.hasUnsavedWork()) timer_.start();

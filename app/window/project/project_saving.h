@@ -31,15 +31,22 @@ public:
     /// What is not saved, now; as the timer does `autosaveMs` after a change. A recovery file of an earlier
     /// run is moved aside, not written over.
     void keepUnsaved();
-    /// The work was saved or is not wanted: the recovery file goes.
+    /// Nothing is unsaved any more: this run's recovery file goes.
     void forgetUnsaved();
+    /// The session has taken up what the recovery file of an earlier run holds.
+    void takeUp() { takenUp_ = true; }
+    /// The user does not want the unsaved work: this run's recovery file goes, and the one that the work was
+    /// taken up from. One that was offered and not taken up stays.
+    void discardUnsaved();
     /// Another project was opened: what was kept of the one before stays. A save of that one still ends on
     /// the disk, unheard; one that waited is left out.
     void projectReplaced();
 
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
-    /// Where the recovery file lies that was there before this one's was written; see keepUnsaved().
+    /// Where the recovery file lies that was there before this one's was written; see keepUnsaved(). One for
+    /// each project, in place of an older one; nobody is offered it at a later start, and the next save or
+    /// discardUnsaved() after takeUp() removes it.
     [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);
 
     static constexpr int autosaveMs = 15000;
@@ -62,6 +69,7 @@ private:
     std::shared_ptr<KeptWork> kept_;   // null: nothing was kept since the last save
     std::weak_ptr<KeptWork> leaving_;  // still being written when it was discarded
     std::function<void()> next_;       // a save that was asked for while another wrote
+    bool takenUp_ = false;
     QTimer timer_;
     JobSlot writing_;
     JobSlot keeping_;

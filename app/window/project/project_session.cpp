@@ -7,16 +7,22 @@ namespace noonmark {
 // Keeps the values before and after: they share all that did not change.
 class ProjectCommand final : public QUndoCommand {
 public:
-    ProjectCommand(ProjectSession& session, ProjectSession::State to, const QString& what)
-        : QUndoCommand(what), session_(session), from_(session.now_), to_(std::move(to)) {}
+    ProjectCommand(ProjectSession& session, ProjectSession::State to, const QString& what,
+                   ProjectSession::Renaming renaming)
+        : QUndoCommand(what),
+          session_(session),
+          from_(session.now_),
+          to_(std::move(to)),
+          renaming_(std::move(renaming)) {}
 
-    void undo() override { session_.apply(from_); }
-    void redo() override { session_.apply(to_); }
+    void undo() override { session_.apply(from_, {renaming_.part, renaming_.to, renaming_.from}); }
+    void redo() override { session_.apply(to_, renaming_); }
 
 private:
     ProjectSession& session_;
     ProjectSession::State from_;
     ProjectSession::State to_;
+    ProjectSession::Renaming renaming_;
 };
 
 ProjectSession::ProjectSession(QUndoStack& undo, QObject* parent)
@@ -54,10 +60,24 @@ bool ProjectSession::isSound(const Project& project) {
 }
 
 bool ProjectSession::change(Project next, const QString& what, const std::string& goTo) {
-    if (!isSound(next)) return false;
-    undo_.push(new ProjectCommand(
-        *this, {std::move(next), goTo.empty() ? now_.scenario : goTo, now_.baseline}, what));
+    return push({std::move(next), goTo.empty() ? now_.scenario : goTo, now_.baseline}, what, {});
+}
+
+bool ProjectSession::push(State to, const QString& what, const Renaming& renaming) {
+    if (!isSound(to.project)) return false;
+    undo_.push(new ProjectCommand(*this, std::move(to), what, renaming));
     return true;
+}
+
+bool ProjectSession::rename(ProjectPart part, const std::string& from, const std::string& to) {
+    auto next = noonmark::renamed(now_.project, part, from, to);
+    if (!next) {
+        Q_EMIT refused(next.error());
+        return false;
+    }
+    const bool shown = part == ProjectPart::scenario && now_.scenario == from;
+    return push({*std::move(next), shown ? to : now_.scenario, now_.baseline},
+                tr("rename %1").arg(QString::fromStdString(from)), {part, from, to});
 }
 
 bool ProjectSession::addEdits(std::vector<Edit> edits, const QString& what) {
@@ -86,7 +106,7 @@ void ProjectSession::goTo(const std::string& scenario) {
     if (const auto city = cityOf(scenario); !city) return Q_EMIT refused(city.error());
     State state = now_;
     state.scenario = scenario;
-    apply(state);
+    apply(state, {});
 }
 
 void ProjectSession::compareWith(const std::string& scenario) {
@@ -98,15 +118,17 @@ void ProjectSession::compareWith(const std::string& scenario) {
     Q_EMIT baselineChanged();
 }
 
-// A scenario that is gone (undone, deleted, renamed) is left for the existing city, a baseline for none.
-void ProjectSession::apply(const State& state) {
-    const std::string baseline = now_.baseline;
-    const auto before = cityOf(baseline).value_or(nullptr);
+// A scenario that is gone (undone, deleted) is left for the existing city, a baseline for none.
+void ProjectSession::apply(const State& state, const Renaming& renaming) {
+    const auto before = cityOf(now_.baseline).value_or(nullptr);
+    const bool follows = renaming.part == ProjectPart::scenario && now_.baseline == renaming.from;
+    const std::string baseline = follows ? renaming.to : now_.baseline;
     now_ = state;
     now_.baseline = baseline;
     if (!cityOf(now_.scenario)) now_.scenario = existingCity;
     const auto after = cityOf(baseline).value_or(nullptr);
     if (!after) now_.baseline.clear();
+    if (renaming.part) Q_EMIT renamed(*renaming.part, renaming.from, renaming.to);
     takeCity();
     Q_EMIT changed();
     if (after != before) Q_EMIT baselineChanged();

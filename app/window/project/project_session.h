@@ -42,6 +42,10 @@ public:
     bool addEdits(std::vector<Edit> edits, const QString& what);
     bool addLot(NamedLot lot);  ///< an empty or used name gets a number
 
+    /// Another name for a part, one step of undo. The scenario that is shown and the one it is compared with
+    /// stay the same under their new names. What is not sound is refused, and nothing changes.
+    bool rename(ProjectPart part, const std::string& from, const std::string& to);
+
     void goTo(const std::string& scenario);         ///< no step of undo; unknown names are refused
     void compareWith(const std::string& scenario);  ///< empty: with nothing
 
@@ -63,6 +67,8 @@ Q_SIGNALS:
     void unsavedChanged();   ///< hasUnsavedWork() or file() may be another
     void cityChanged();      ///< another scenario, or other buildings in it
     void baselineChanged();  ///< another baseline, or other buildings in it
+    /// Done, undone or redone; before changed().
+    void renamed(noonmark::ProjectPart part, const std::string& from, const std::string& to);
     void refused(noonmark::Error error);
 
 private:
@@ -72,7 +78,14 @@ private:
         std::string scenario = existingCity;
         std::string baseline;
     };
-    void apply(const State& state);
+    /// What a step of undo gave another name, if anything.
+    struct Renaming {
+        std::optional<ProjectPart> part;
+        std::string from;
+        std::string to;
+    };
+    bool push(State to, const QString& what, const Renaming& renaming);
+    void apply(const State& state, const Renaming& renaming);
     void takeCity();
     bool isSound(const Project& project);
     [[nodiscard]] bool projectChanged() const;

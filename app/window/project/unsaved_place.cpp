@@ -17,16 +17,30 @@ fs::path asideName(const fs::path& recovery, int number) {
     return recovery.string() + ".left" + (number > 1 ? std::to_string(number) : "") + projectEnding;
 }
 
+// The oldest has the number 1, and there are no gaps.
+int countAside(const fs::path& recovery) {
+    std::error_code none;
+    int count = 0;
+    while (fs::exists(asideName(recovery, count + 1), none)) ++count;
+    return count;
+}
+
+void dropOldest(const fs::path& recovery, int count) {
+    std::error_code none;
+    fs::remove(asideName(recovery, 1), none);
+    for (int i = 1; i < count; ++i) fs::rename(asideName(recovery, i + 1), asideName(recovery, i), none);
+}
+
 // Out of the way of this run's own recovery file and beside what was put aside before; the newest of all.
 std::optional<fs::path> putAside(const fs::path& recovery) {
     std::error_code error;
-    int unused = 1;
-    while (fs::exists(asideName(recovery, unused), error)) ++unused;
     if (fs::exists(recovery, error)) {
-        fs::rename(recovery, asideName(recovery, unused), error);
-        if (!error) ++unused;
+        for (int count = countAside(recovery); count >= UnsavedPlace::mostLeft; --count)
+            dropOldest(recovery, count);
+        fs::rename(recovery, asideName(recovery, countAside(recovery) + 1), error);
     }
-    return unused > 1 ? std::optional(asideName(recovery, unused - 1)) : std::nullopt;
+    const int count = countAside(recovery);
+    return count > 0 ? std::optional(asideName(recovery, count)) : std::nullopt;
 }
 
 }  // namespace

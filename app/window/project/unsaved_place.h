@@ -9,9 +9,13 @@
 namespace noonmark {
 
 /// Where the recovery file of a project that was never saved lies: a name in a folder that no other running
-/// window uses. Work that an earlier run left under that name is put aside, to be taken up again.
+/// window uses. Work that an earlier run left under that name is put aside, to be taken up again: the newest
+/// first, then the one before. Of `mostLeft` the oldest makes way for a newer one. What was taken up and then
+/// saved or discarded is forgotten: the file goes, and is never offered again.
 class UnsavedPlace {
 public:
+    static constexpr int mostLeft = 5;
+
     explicit UnsavedPlace(const QString& folder);  ///< made where it is not there
 
     /// The name that the project would have (Autosave knows the recovery file's); empty where the folder

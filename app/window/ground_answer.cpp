@@ -1,0 +1,96 @@
+#include "app/window/ground_answer.h"
+
+#include <QObject>
+
+#include "app/window/field_picture.h"
+#include "app/window/hover_text.h"
+#include "app/window/project/impact_picture.h"
+#include "app/window/project/score_picture.h"
+
+namespace noonmark {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+template <class... Cases>
+auto over(const GroundAnswer::Map& map, Cases... cases) {
+    return std::visit([visitor = Overloaded{cases...}](const auto& shared) { return visitor(*shared); }, map);
+}
+
+ShadowMeasure shown(const GroundAnswer& answer, ShadowMeasure wanted) {
+    return answer.grossOnly ? ShadowMeasure::gross : wanted;
+}
+
+QString nameOf(const std::string& name) { return QString::fromStdString(name); }
+
+}  // namespace
+
+GroundAnswer groundAnswerOf(const std::shared_ptr<const Study>& study) {
+    return {std::shared_ptr<const ShadowField>(study, &study->field),
+            std::shared_ptr<const Receivers>(study, &study->receivers),
+            {}};
+}
+
+GroundAnswer groundAnswerOf(const std::shared_ptr<const PartialField>& partial) {
+    return {std::shared_ptr<const ShadowField>(partial, &partial->field), nullptr,
+            QObject::tr("So far: %1 (%2 %)").arg(nameOf(partial->part)).arg(int(partial->share * 100)), true};
+}
+
+// Horizons that stay count no longest runs.
+GroundAnswer groundAnswerOf(const std::shared_ptr<const TimeAnswer>& time) {
+    return {std::shared_ptr<const ShadowField>(time, &time->field),
+            std::shared_ptr<const Receivers>(time, &time->study->receivers), wordsOf(time->look), false,
+            true};
+}
+
+GroundAnswer groundAnswerOf(const std::shared_ptr<const ImpactAnswer>& comparison) {
+    return {std::shared_ptr<const Impact>(comparison, &comparison->study.total), nullptr,
+            QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from))};
+}
+
+GroundAnswer groundAnswerOf(const std::shared_ptr<const ScoreAnswer>& score) {
+    return {std::shared_ptr<const Score>(score, &score->score), nullptr,
+            QObject::tr("%1 by the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
+}
+
+Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure) {
+    return over(
+        answer.map, [&](const Score& score) { return legendOf(score); },
+        [&](const auto& map) { return legendOf(map, shown(answer, measure)); });
+}
+
+GroundPicture pictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {
+    return over(
+        answer.map, [&](const Score& score) { return scorePicture(score, top); },
+        [&](const Impact& impact) { return impactPicture(impact, measure, top); },
+        [&](const ShadowField& field) {
+            return fieldPicture(field, answer.receivers.get(), shown(answer, measure), top);
+        });
+}
+
+std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {
+    const auto* field = std::get_if<std::shared_ptr<const ShadowField>>(&answer.map);
+    if (!field || !answer.receivers) return std::nullopt;
+    return roofPicture(**field, *answer.receivers, shown(answer, measure), top);
+}
+
+bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point) {
+    if (!answer.receivers) return false;
+    const auto cell = cellAt(answer.receivers->grid, point);
+    return cell && answer.receivers->kind[*cell] == CellKind::roof;
+}
+
+QString textAt(const GroundAnswer& answer, glm::dvec2 point) {
+    return over(
+        answer.map, [&](const Score& score) { return scoreText(score, point); },
+        [&](const Impact& impact) { return changeText(impact, point); },
+        [&](const ShadowField& field) { return minutesText(field, point); });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "app/report/legend_painter.h"
+#include "app/window/time/time_looking.h"
+#include "core/accumulate/partial_field.h"
+#include "render/ground_picture.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score_text.h"
+
+namespace noonmark {
+
+/// A result that lies on the ground, whatever it measures. A value; what it shows is shared.
+struct GroundAnswer {
+    using Map = std::variant<std::shared_ptr<const ShadowField>, std::shared_ptr<const Impact>,
+                             std::shared_ptr<const Score>>;
+    Map map;  ///< not null
+    /// Of a field, where they are known: then cells under buildings have colours too.
+    std::shared_ptr<const Receivers> receivers;
+    QString note;            ///< what it is, beside the legend
+    bool marked = false;     ///< the note is a warning
+    bool grossOnly = false;  ///< of a field that counts no longest runs: gross stands for both measures
+};
+
+/// Each shares the answer it is made from.
+GroundAnswer groundAnswerOf(const std::shared_ptr<const Study>& study);
+GroundAnswer groundAnswerOf(const std::shared_ptr<const PartialField>& partial);
+GroundAnswer groundAnswerOf(const std::shared_ptr<const TimeAnswer>& time);
+GroundAnswer groundAnswerOf(const std::shared_ptr<const ImpactAnswer>& comparison);
+GroundAnswer groundAnswerOf(const std::shared_ptr<const ScoreAnswer>& score);
+
+/// A score has no measure: it is the same for both.
+Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure);
+GroundPicture pictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top);
+
+/// Of receivers on roofs; nothing where there are none, or they are not known.
+std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top);
+
+/// Whether a receiver on a roof is there: then textAt() tells of it.
+bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point);
+
+/// What the cell holds that a point lies in, in words; empty outside.
+QString textAt(const GroundAnswer& answer, glm::dvec2 point);
+
+}  // namespace noonmark

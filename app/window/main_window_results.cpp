@@ -1,0 +1,136 @@
+#include "app/window/main_window.h"
+#include "app/window/project/comparison_rows.h"
+#include "app/window/project/scenario_table.h"
+#include "app/window/project/scenarios_dock.h"
+#include "app/window/project/score_rows.h"
+#include "app/window/results_dock.h"
+#include "app/window/view_panel.h"
+#include "app/window/warnings_dock.h"
+
+// The part of MainWindow that shows answers: studies, comparisons, scores, kept results.
+namespace noonmark {
+
+namespace {
+
+/// A quick answer is worked out again by itself when the buildings change, seconds.
+constexpr double quickSeconds = 10;
+
+QString text(const std::string& name) { return QString::fromStdString(name); }
+
+}  // namespace
+
+void MainWindow::connectResults() {
+    connect(&workbench_, &Workbench::comparisonDone, this, &MainWindow::showComparison);
+    connect(&workbench_, &Workbench::scoreDone, this, &MainWindow::showScore);
+    connect(&workbench_, &Workbench::keptShown, this, [this] {
+        mode_.showStudies();
+        showKept();
+    });
+    connect(docks_.results, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
+}
+
+// What stands before the others first.
+void MainWindow::showAnswer() {
+    if (workbench_.kept()) return showKept();
+    if (workbench_.score()) return showScore();
+    workbench_.comparison() ? showComparison() : showStudy();
+}
+
+void MainWindow::showStudy() {
+    docks_.scenarios->table().setStudies(workbench_.studies(), workbench_.document().settings());
+    if (workbench_.comparison() || workbench_.score() || workbench_.kept()) return;
+    const auto study = workbench_.study();
+    panel_->results().setInFront(std::nullopt);
+    if (!study) return docks_.results->show({});
+    answered_ = study->settings;
+    answerShown_ = true;
+    panel_->results().setStudy(study);
+    docks_.results->show(resultRowsOf(*study));
+    docks_.warnings->show(study->warnings);
+    showDocument();
+}
+
+void MainWindow::showComparison() {
+    const auto comparison = workbench_.comparison();
+    if (workbench_.score() || workbench_.kept()) return;
+    answered_ = comparison->settings.study;
+    answerShown_ = true;
+    panel_->results().setInFront(groundAnswerOf(comparison));
+    docks_.results->show(comparisonRowsOf(figuresOf(*comparison)));
+    docks_.warnings->show(comparison->study.total.warnings);
+    showDocument();
+}
+
+void MainWindow::showScore() {
+    const auto score = workbench_.score();
+    answered_ = score->settings;
+    panel_->results().setInFront(groundAnswerOf(score));
+    docks_.results->show(
+        scoreRowsOf(score->score, score->scenario, score->weights.name, textOf(score->settings.period)),
+        score->score.months);
+    docks_.warnings->show(score->score.warnings);
+    raiseDock(docks_.results);
+    showDocument();
+}
+
+void MainWindow::showKept() {
+    const auto kept = workbench_.kept();
+    panel_->results().setInFront(groundAnswerOf(*kept));
+    docks_.results->show(rowsOf(*kept), monthsOf(*kept));
+    raiseDock(docks_.results);
+    showDocument();
+}
+
+// Whether the figures still answer the question.
+void MainWindow::showOutdated() {
+    const auto kept = workbench_.kept();
+    const auto score = workbench_.score();
+    docks_.results->offerWayBack(kept || score);
+    if (kept) return docks_.results->setNote(keptWords(*kept), !kept->changes.empty());
+    if (workbench_.document().settings() != answered_)
+        return docks_.results->setNote(tr("The settings have changed since: run again."));
+    const auto weights =
+        score ? weightsNamed(workbench_.session().project(), score->weights.name) : Result<TimeWeights>();
+    const bool other = score && (!weights || *weights != score->weights);
+    docks_.results->setNote(other ? tr("The weight table has changed since: score again.") : QString());
+}
+
+void MainWindow::showStopped(bool cancelled) {
+    panel_->results().setPartial(nullptr);
+    if (!cancelled) return;
+    panel_->messages().showNote(workbench_.study() ? tr("Cancelled. The study before is shown again.")
+                                                   : tr("Cancelled. There is no study yet."));
+}
+
+void MainWindow::compare() {
+    const bool comparing = !workbench_.session().baseline().empty();
+    panel_->results().setInFront(std::nullopt);
+    if (comparing && workbench_.session().baseline() != workbench_.session().scenario())
+        return workbench_.run();
+    showAnswer();
+}
+
+// After another scenario or an edit: what was seen before is seen again, unless it takes long.
+void MainWindow::answerAnew() {
+    if (!answerShown_ || mode_.mode() == ViewMode::exploration) return;
+    const ProjectSession& session = workbench_.session();
+    const bool comparing = !session.baseline().empty() && session.baseline() != session.scenario();
+    if (comparing ? workbench_.comparison() != nullptr : workbench_.study() != nullptr) return;
+    if (workbench_.kept() || workbench_.reading().busy()) return;
+    if (workbench_.running().busy()) return;  // it was started after the change
+    if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
+}
+
+void MainWindow::keepResult() {
+    const auto comparison = workbench_.comparison();
+    const auto score = workbench_.score();
+    const std::string& scenario = workbench_.session().scenario();
+    QString name = text(scenario);
+    if (score)
+        name = tr("Score of %1 by %2").arg(text(scenario), text(score->weights.name));
+    else if (comparison)
+        name = tr("%1 against %2").arg(text(comparison->to), text(comparison->from));
+    workbench_.keepAnswer(tr("%1, %2").arg(name, text(textOf(answered_.period.start))));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+
+#include "app/window/project/project_changes.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace noonmark {
+
+class ProjectSession;
+class WeightsModel;
+
+/// The weight tables of the project: one of them is edited, and scored by.
+class WeightsDock final : public QWidget {
+    Q_OBJECT
+public:
+    explicit WeightsDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` outlives it
+
+    void choose(const std::string& table);  ///< shows and edits this one
+    [[nodiscard]] WeightsModel& model() { return *model_; }
+
+Q_SIGNALS:
+    void scoreRequested(const std::string& table);
+
+private:
+    void makeView();
+    QWidget* makeButtons();
+    void follow();
+    void addTable();
+    void addInterval();
+    void removeInterval();
+    void tell(const QString& text);
+
+    ProjectSession& session_;
+    WeightsModel* model_;
+    QComboBox* tables_;
+    QTableView* view_;
+    QLabel* refusal_;
+    QPushButton* score_;
+};
+
+}  // namespace noonmark

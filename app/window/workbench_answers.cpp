@@ -1,0 +1,217 @@
+#include <algorithm>
+
+#include "app/input/all_engines.h"
+#include "app/window/workbench.h"
+#include "core/progress_share.h"
+#include "core/stopwatch.h"
+#include "scenarios/project/keep_result.h"
+
+// The answers of Workbench: studies, comparisons, scores, and kept results that are shown again.
+namespace noonmark {
+
+namespace {
+
+constexpr std::ptrdiff_t mostKnown = 64;  // studies kept; ScenarioCities keeps as many cities
+
+}  // namespace
+
+std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
+    std::map<std::string, std::shared_ptr<const Study>> valid;
+    const auto look = [&](const std::string& scenario) {
+        const auto city = session_.cityOf(scenario).value_or(nullptr);
+        const auto known = std::ranges::find(known_, city, &KnownStudy::city);
+        if (known != known_.end()) valid[scenario] = known->study;
+    };
+    look(existingCity);
+    for (const Scenario& scenario : session_.project().scenarios) look(scenario.name);
+    return valid;
+}
+
+void Workbench::run() {
+    if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
+    if (!session_.baseline().empty() && session_.baseline() != session_.scenario()) return runComparison();
+    comparison_.reset();
+    measure(tr("Study"), {{session_.city(), nullptr}});
+}
+
+void Workbench::measure(const QString& what, std::vector<KnownStudy> wanted) {
+    using Made = std::vector<KnownStudy>;
+    running_.start<Made>(
+        what,
+        [wanted = std::move(wanted), shown = city_, settings = document_.settings()](
+            Progress& progress, std::stop_token stop) -> Result<Made> {
+            Made made = wanted;
+            for (std::size_t i = 0; i < made.size(); ++i) {
+                ProgressShare share(progress, i, made.size());
+                auto study = studyOf(withCity(shown->loaded, *made[i].city), settings,
+                                     made.size() > 1 ? share : progress, stop);
+                if (!study) return tl::make_unexpected(study.error());
+                made[i].study = std::make_shared<const Study>(*std::move(study));
+            }
+            return made;
+        },
+        [this](Result<Made> made) { takeStudies(std::move(made)); });
+}
+
+void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
+    if (!made) {
+        Q_EMIT studyStopped(isCancelled(made.error()));
+        return tell(made.error());
+    }
+    for (const KnownStudy& one : *made) {
+        std::erase_if(known_, [&](const KnownStudy& old) { return old.city == one.city; });
+        known_.push_back(one);
+    }
+    if (std::ssize(known_) > mostKnown) known_.erase(known_.begin(), known_.end() - mostKnown);
+    if (!made->empty()) answerSeconds_ = made->back().study->seconds.at("total");
+    takeKnown();
+    standBack();
+    Q_EMIT studyDone();
+}
+
+// The study that is known of the scenario that is shown.
+void Workbench::takeKnown() {
+    const auto known = studies();
+    const auto study = known.find(session_.scenario());
+    study_ = study == known.end() ? nullptr : study->second;
+}
+
+std::vector<Workbench::KnownStudy> Workbench::wanted() {
+    std::vector<KnownStudy> wanted;
+    const auto known = studies();
+    const auto want = [&](const std::string& name) {
+        const auto study = known.find(name);
+        if (study != known.end() && study->second->settings == document_.settings()) return;
+        if (const auto city = session_.cityOf(name)) wanted.push_back({*city, nullptr});
+    };
+    want(existingCity);
+    for (const Scenario& scenario : session_.project().scenarios) want(scenario.name);
+    return wanted;
+}
+
+void Workbench::measureAll() {
+    if (city_) measure(tr("All scenarios"), wanted());
+}
+
+void Workbench::runComparison() {
+    const auto before = session_.cityOf(session_.baseline());
+    if (!before) return tell(before.error());
+    ImpactAnswer question{
+        session_.baseline(), session_.scenario(), {document_.settings(), true}, {30, 60}, {}};
+    running_.start<ImpactAnswer>(
+        tr("Comparison"),
+        [question, before = *before, after = session_.city()](Progress& progress, std::stop_token stop) {
+            return runImpact(*before, *after, question.settings, progress, std::move(stop),
+                             enginesWith(question.settings.study.engine))
+                .map([&](ImpactStudy study) {
+                    ImpactAnswer answer = question;
+                    answer.study = std::move(study);
+                    return answer;
+                });
+        },
+        [this, watch = Stopwatch(), before = *before, after = session_.city()](Result<ImpactAnswer> answer) {
+            const auto still = session_.cityOf(session_.baseline());
+            if (after != session_.city() || !still || *still != before) return Q_EMIT studyStopped(false);
+            if (answer) answerSeconds_ = watch.seconds();
+            takeComparison(std::move(answer));
+        });
+}
+
+void Workbench::takeComparison(Result<ImpactAnswer> answer) {
+    if (!answer) {
+        Q_EMIT studyStopped(isCancelled(answer.error()));
+        return tell(answer.error());
+    }
+    answer->from = session_.baseline();  // they may bear other names by now
+    answer->to = session_.scenario();
+    comparison_ = std::make_shared<const ImpactAnswer>(*std::move(answer));
+    standBack();
+    Q_EMIT comparisonDone();
+}
+
+// What is compared stays the same under another name.
+void Workbench::rename(ProjectPart part, const std::string& from, const std::string& to) {
+    if (part != ProjectPart::scenario || !comparison_) return;
+    if (comparison_->from != from && comparison_->to != from) return;
+    auto renamed = std::make_shared<ImpactAnswer>(*comparison_);
+    for (std::string* name : {&renamed->from, &renamed->to})
+        if (*name == from) *name = to;
+    comparison_ = std::move(renamed);
+    Q_EMIT comparisonDone();
+}
+
+void Workbench::runScore(const std::string& weights) {
+    if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
+    const auto table = weightsNamed(session_.project(), weights);
+    if (!table) return tell(table.error());
+    running_.start<ScoreAnswer>(
+        tr("Score"),
+        [question = ScoreAnswer{session_.scenario(), document_.settings(), *table, {}},
+         city = session_.city()](Progress& progress, const std::stop_token& stop) {
+            ProgressShare whole(progress, 0, 1);  // hands on no running results: they would be a month's
+            return noonmark::runScore(*city, question.settings, question.weights, whole, stop,
+                                      enginesWith(question.settings.engine))
+                .map([&](Score score) {
+                    ScoreAnswer answer = question;
+                    answer.score = std::move(score);
+                    return answer;
+                });
+        },
+        [this](Result<ScoreAnswer> answer) { takeScore(std::move(answer)); });
+}
+
+void Workbench::takeScore(Result<ScoreAnswer> answer) {
+    if (!answer) {
+        Q_EMIT studyStopped(isCancelled(answer.error()));
+        return tell(answer.error());
+    }
+    answer->scenario = session_.scenario();  // it may bear another name by now
+    standBack();
+    score_ = std::make_shared<const ScoreAnswer>(*std::move(answer));
+    Q_EMIT scoreDone();
+}
+
+// The buildings that a result is of are those to see it on, where they are still there.
+void Workbench::showKept(const std::string& name) {
+    const auto result = resultNamed(session_.project(), name);
+    if (!result) return tell(result.error());
+    if (session_.cityOf((*result)->scenario)) session_.goTo((*result)->scenario);
+    reading_.start<ShownResult>(
+        tr("Showing %1").arg(QString::fromStdString(name)),
+        [result = *result, project = session_.project()](Progress&, const std::stop_token&) {
+            return shownResult(*result, project);
+        },
+        [this](Result<ShownResult> shown) {
+            if (!shown) return tell(shown.error());
+            kept_ = std::make_shared<const ShownResult>(*std::move(shown));
+            Q_EMIT keptShown();
+        });
+}
+
+// What stands before the study makes way for a new answer.
+void Workbench::standBack() {
+    reading_.drop();
+    score_.reset();
+    kept_.reset();
+}
+
+void Workbench::showStudyAgain() {
+    standBack();
+    Q_EMIT comparison_ ? comparisonDone() : studyDone();
+}
+
+void Workbench::keepAnswer(const QString& name) {
+    if (kept_) return tell({"This result is kept already", kept_->name, {}});
+    const std::string wanted = freeName(session_.project(), ProjectPart::result, name.toStdString());
+    const QString what = tr("result %1").arg(QString::fromStdString(wanted));
+    if (score_)
+        session_.change(withResult(session_.project(), wanted, *score_), what);
+    else if (comparison_)
+        session_.change(withResult(session_.project(), wanted, *comparison_), what);
+    else if (study_)
+        session_.change(withResult(session_.project(), wanted, session_.scenario(), *study_), what);
+    else
+        tell({"There is no result to keep yet", {}, "Press Run first"});
+}
+
+}  // namespace noonmark

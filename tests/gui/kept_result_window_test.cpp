@@ -1,0 +1,186 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QTreeView>
+#include <cmath>
+
+#include "app/window/main_window.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/project/project_model.h"
+#include "app/window/results_dock.h"
+#include "app/window/view_panel.h"
+#include "scenarios/project/keep_result.h"
+#include "tests/gui/small_project.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+/// The window with a small project, a scenario in it, and a quick question.
+struct AnswersWindow : ::testing::Test {
+    QTemporaryDir folder;
+    QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    std::unique_ptr<MainWindow> window;
+
+    void SetUp() override {
+        settings.setValue(QStringLiteral("unsavedFolder"), folder.filePath(QStringLiteral("unsaved")));
+        const QString file = folder.filePath(QStringLiteral("small.noonmark.gpkg"));
+        Project project = test::smallProject();
+        project.scenarios.push_back({"Tower", "", {test::newTower("New", 70)}});
+        ASSERT_TRUE(ProjectFile::create(file.toStdString(), project));
+        window = std::make_unique<MainWindow>(settings);
+        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->resize(900, 600);
+        window->show();
+        window->open({file});
+        ASSERT_TRUE(waitFor([&] { return workbench().city() != nullptr; }));
+        StudySettings question = workbench().document().settings();
+        question.receivers.cellM = 4;
+        question.period.stepMinutes = 10;
+        question.period.days = 40;
+        question.region = session().project().regions[0];
+        workbench().document().change(question, QStringLiteral("test"));
+    }
+
+    Workbench& workbench() { return window->workbench(); }
+    ProjectSession& session() { return workbench().session(); }
+    QString note() { return window->findChild<QLabel*>(QStringLiteral("resultNote"))->text(); }
+    QStringList figures() {
+        QStringList texts;
+        for (const QLabel* label : window->findChild<ResultsDock*>()->findChildren<QLabel*>())
+            texts << label->text();
+        return texts;
+    }
+    void study() {
+        workbench().run();
+        ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }));
+    }
+    void enter(ProjectPart part, const std::string& name) {
+        auto* dock = window->findChild<ProjectDock*>();
+        dock->use(dock->model().indexOf(part, name));
+    }
+    void showKept(const std::string& name) {
+        enter(ProjectPart::result, name);
+        ASSERT_TRUE(waitFor([this] { return workbench().kept() && !workbench().following().busy(); }));
+    }
+};
+
+TEST_F(AnswersWindow, AKeptStudyIsShownAgainWithFiguresAndLegend) {
+    study();
+    const auto before = window->panel().legend().legend();
+    workbench().keepAnswer(QStringLiteral("June"));
+    const QString area = figures()[figures().indexOf(QStringLiteral("Shadow area")) + 1];
+    window->mode().setMode(ViewMode::exploration);
+    showKept("June");
+    EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
+    ASSERT_TRUE(window->panel().legend().legend());
+    EXPECT_EQ(window->panel().legend().legend()->scale.top, before->scale.top);
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Kept 2")))
+        << window->panel().legend().note().toStdString();
+    EXPECT_TRUE(figures().contains(area));
+    EXPECT_TRUE(figures().join(QLatin1Char('\n')).contains(QStringLiteral("Square\ncells of 4 m")));
+    EXPECT_TRUE(note().contains(QStringLiteral("Nothing it rests on has changed"))) << note().toStdString();
+    EXPECT_EQ(session().project().results.size(), 1U);
+    window->findChild<QPushButton*>(QStringLiteral("wayBack"))->click();
+    EXPECT_EQ(workbench().kept(), nullptr);
+    EXPECT_EQ(window->panel().legend().note(), QString());
+}
+
+TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    window->mode().setMode(ViewMode::analysis);
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    workbench().keepAnswer(QStringLiteral("Impact"));
+    session().compareWith({});
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    session().goTo(existingCity);
+    showKept("Impact");
+    EXPECT_EQ(session().scenario(), "Tower");
+    EXPECT_TRUE(window->panel().legend().legend()->change);
+    EXPECT_TRUE(note().contains(QStringLiteral("'Tower' has changed since"))) << note().toStdString();
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("Out of date")));
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(workbench().kept(), nullptr) << "it was shown on other buildings";
+    showKept("Impact");
+    EXPECT_FALSE(note().contains(QStringLiteral("changed since:"))) << note().toStdString();
+}
+
+TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
+    study();
+    workbench().keepAnswer(QStringLiteral("June"));
+    Project next = session().project();
+    auto broken = std::make_shared<KeptResult>(*next.results[0]);
+    broken->settings = "{}";
+    next.results[0] = broken;
+    ASSERT_TRUE(session().change(next, QStringLiteral("break")));
+    enter(ProjectPart::result, "June");
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("cannot be shown")));
+    EXPECT_EQ(workbench().kept(), nullptr);
+    EXPECT_NE(workbench().study(), nullptr);
+}
+
+TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    const Score& score = workbench().score()->score;
+    EXPECT_GE(score.months.size(), 2U);
+    NoProgress progress;
+    const Score again =
+        runScore(*session().city(), workbench().document().settings(), monthlyWeights(), progress, {})
+            .value();
+    EXPECT_EQ(score.scoreM2, again.scoreM2) << "as the command line has it";
+    EXPECT_TRUE(window->panel().legend().legend()->wanted);
+    EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
+    EXPECT_EQ(note(), QString());
+    workbench().keepAnswer(QStringLiteral("Score"));
+    EXPECT_EQ(session().project().results.at(0)->kind, "score");
+    Project next = session().project();
+    next.weights[0].intervals[0].weight = 0.5;
+    ASSERT_TRUE(session().change(next, QStringLiteral("weights")));
+    EXPECT_TRUE(note().contains(QStringLiteral("weight table has changed"))) << note().toStdString();
+    showKept("Score");
+    EXPECT_TRUE(window->panel().legend().legend()->wanted);
+    EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
+    study();
+    EXPECT_EQ(workbench().kept(), nullptr) << "another answer takes its place";
+    EXPECT_FALSE(figures().contains(QStringLiteral("Shadow score")));
+}
+
+TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {
+    auto* places = window->findChild<QComboBox*>(QStringLiteral("places"));
+    places->setCurrentIndex(2);
+    Q_EMIT places->activated(2);
+    EXPECT_EQ(workbench().document().settings().receivers.places, ReceiverPlaces::both);
+    study();
+    const Study& study = *workbench().study();
+    const auto roof = std::ranges::find(study.receivers.kind, CellKind::roof);
+    ASSERT_NE(roof, study.receivers.kind.end());
+    const auto cell = int(roof - study.receivers.kind.begin());
+    const Grid& grid = study.receivers.grid;
+    const glm::dvec2 centre = grid.centre(cell % grid.columns, cell / grid.columns);
+    const Pick onRoof{.position = {centre, 10}, .building = 0};
+    EXPECT_TRUE(window->panel().results().minutesAt(onRoof).startsWith(QStringLiteral("gross")));
+    for (const auto measure : {ShadowMeasure::continuous, ShadowMeasure::gross}) {
+        window->panel().legend().setMeasure(measure);
+        QImage image;
+        window->panel().view().capture([&image](const QImage& made) { image = made; });
+        ASSERT_TRUE(waitFor([&image] { return !image.isNull(); }, 20000)) << "pictures of both are drawn";
+    }
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("ground only")));
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(places->currentIndex(), 0);
+}
+
+}  // namespace
+}  // namespace noonmark
