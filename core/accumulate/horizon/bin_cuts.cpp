@@ -12,6 +12,10 @@ namespace {
 constexpr double slotDeg = 360.0 / BinCuts::slots;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double widestBinDeg = 2;
+// A gap of light that is missed between two bins joins two runs: the longest runs want narrow bins even where
+// gross shadow does not. In a year on the grid sample the worst run was 3.75 % of a day off with bins of 0.5
+// deg, 20.6 % with bins of up to 2 deg.
+constexpr double widthOfAPercentDeg = 10;
 constexpr int bandDeg = 10, bands = 9;
 
 // Measured against rays on 800 x 800 m of Midtown, periods of a week to a year, bins of 0.25 to 2 deg: the
@@ -105,9 +109,10 @@ private:
 
 using Bins = std::vector<Slots>;
 
-// The longest bin from here on whose suns are off their mean by no more than this in all.
-Slots binFrom(const SunsByAzimuth& suns, int first, double mostOff) {
-    int end = first + 1, beyond = std::min(first + int(widestBinDeg / slotDeg), BinCuts::slots) + 1;
+// The longest bin from here on, of so many slots at most, whose suns are off their mean by no more than this
+// in all.
+Slots binFrom(const SunsByAzimuth& suns, int first, int widest, double mostOff) {
+    int end = first + 1, beyond = std::min(first + widest, BinCuts::slots) + 1;
     while (beyond - end > 1) {
         const int middle = (end + beyond) / 2;
         (suns.off({first, middle}) <= mostOff ? end : beyond) = middle;
@@ -115,10 +120,10 @@ Slots binFrom(const SunsByAzimuth& suns, int first, double mostOff) {
     return {first, end};
 }
 
-Bins binsOf(const SunsByAzimuth& suns, double mostOff) {
+Bins binsOf(const SunsByAzimuth& suns, int widest, double mostOff) {
     Bins bins;
     for (int first = suns.nextSun(0); first < BinCuts::slots; first = suns.nextSun(bins.back().end))
-        bins.push_back(binFrom(suns, first, mostOff));
+        bins.push_back(binFrom(suns, first, widest, mostOff));
     return bins;
 }
 
@@ -169,13 +174,15 @@ double expectedErrorPercent(const SunSteps& sun, const BinCuts& cuts) {
 BinCuts cutsFor(const SunSteps& sun, double targetPercent) {
     constexpr double finest = 1.01;
     const SunsByAzimuth suns(sun);
+    const double widestDeg = std::min(widestBinDeg, widthOfAPercentDeg * targetPercent);
+    const int widest = std::max(1, int(std::lround(widestDeg / slotDeg)));
     double within = 0, beyond = std::max(1.0, suns.count()) * BinCuts::slots;
     while (beyond > finest * std::max(within, slotDeg)) {
         const double middle = std::sqrt(std::max(within, slotDeg) * beyond);
-        const double expected = expectedPercent(suns, binsOf(suns, middle), sun.dayCount());
+        const double expected = expectedPercent(suns, binsOf(suns, widest, middle), sun.dayCount());
         (expected <= targetPercent ? within : beyond) = middle;
     }
-    return cutsOf(binsOf(suns, within));
+    return cutsOf(binsOf(suns, widest, within));
 }
 
 }  // namespace noonmark

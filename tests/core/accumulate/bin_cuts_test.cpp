@@ -65,6 +65,8 @@ TEST(BinCuts, fewBinsWhereTheTargetAllowsAndManyWhereItAsks) {
             before = cuts.bins;
         }
     }
+    EXPECT_LE(cutsFor(year, 0.05).widestDeg, 0.5) << "for the longest runs";
+    EXPECT_GT(cutsFor(year, 0.2).widestDeg, 0.5);
     EXPECT_EQ(cutsFor(day, 0.005).bins, day.steps.size());  // a bin for each sun
 }
 
