@@ -133,13 +133,13 @@ double expectedPercent(const SunsByAzimuth& suns, const Bins& bins, std::size_t 
     return edgesOfACity(days) * std::sqrt(wrong * slotDeg) / std::max(1.0, suns.count());
 }
 
-BinCuts cutsOf(const Bins& bins) {
+BinCuts cutsOf(const Bins& bins, double widestDeg) {
     BinCuts cuts{std::vector<std::uint16_t>(BinCuts::slots, BinCuts::none), bins.size()};
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const auto [first, end] = bins[i];
         std::fill(cuts.binOfSlot.begin() + first, cuts.binOfSlot.begin() + end, std::uint16_t(i));
         const int next = i + 1 < bins.size() ? bins[i + 1].first : end;
-        const double wide = std::min((next - first) * slotDeg, widestBinDeg);
+        const double wide = std::min((next - first) * slotDeg, widestDeg);
         cuts.narrowestDeg = i == 0 ? wide : std::min(cuts.narrowestDeg, wide);
         cuts.widestDeg = std::max(cuts.widestDeg, wide);
     }
@@ -182,7 +182,7 @@ BinCuts cutsFor(const SunSteps& sun, double targetPercent) {
         const double expected = expectedPercent(suns, binsOf(suns, widest, middle), sun.dayCount());
         (expected <= targetPercent ? within : beyond) = middle;
     }
-    return cutsOf(binsOf(suns, widest, within));
+    return cutsOf(binsOf(suns, widest, within), widestDeg);
 }
 
 }  // namespace noonmark

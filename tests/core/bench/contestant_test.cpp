@@ -20,7 +20,7 @@ TEST(BenchContestants, settingsAreTriedOnceEach) {
     for (const Contestant& contestant : list.contestants)
         EXPECT_TRUE(titles.insert(titleOf(contestant)).second) << titleOf(contestant);
     EXPECT_TRUE(titles.contains("Horizon sweep"));
-    EXPECT_TRUE(titles.contains("Horizon sweep, bin 0.25 deg"));
+    EXPECT_TRUE(titles.contains("Horizon sweep, error 0.1 %"));
     EXPECT_TRUE(titles.contains("Inverse accrual map, levels 6"));
     EXPECT_TRUE(titles.contains("Inverse accrual map, levels 8"));  // 12 clamped
 }

@@ -73,7 +73,7 @@ TEST_F(PaperBenchTest, anHourAndADayHaveEverySetting) {
     for (const auto& row : finding("time_against_error").table.rows)
         if (std::get<std::string>(row[0]) == "a day") settings.insert(std::get<std::string>(row[2]));
     EXPECT_TRUE(settings.contains("levels 6"));
-    EXPECT_TRUE(settings.contains("bin 1 deg"));
+    EXPECT_TRUE(settings.contains("error 0.1 %"));
     EXPECT_TRUE(settings.contains("no graph"));
 }
 
