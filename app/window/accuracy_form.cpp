@@ -38,11 +38,14 @@ int decimalsOf(const EngineOption& option) {
 
 QDoubleSpinBox* fieldOf(const EngineOption& option) {
     const QString unit = option.unit.empty() ? QString() : QLatin1Char(' ') + text(option.unit);
-    const double step = option.whole ? 1 : option.usual / 10;
+    // Nothing is the usual value: the engine chooses.
+    const bool byItself = option.usual == 0 && option.lowest == 0;
+    const double step = option.whole ? 1 : byItself ? option.highest / 20 : option.usual / 10;
     QDoubleSpinBox* box = numberField(option.lowest, option.highest, decimalsOf(option), step, unit);
     box->setObjectName(QStringLiteral("option_") + text(option.key));
     box->setToolTip(tipOf(option));
     box->setValue(option.usual);
+    if (byItself) box->setSpecialValueText(QObject::tr("automatic"));
     return box;
 }
 

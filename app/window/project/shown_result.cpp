@@ -86,7 +86,7 @@ std::vector<ResultRow> rowsOf(const ShownResult& result) {
 }
 
 QString keptWords(const ShownResult& result) {
-    QStringList words{tr("A kept result, of %1.").arg(keptAt(result.answer->origin))};
+    QStringList words{tr("A result kept %1.").arg(keptAt(result.answer->origin))};
     for (const std::string& change : result.changes) words << textOf(change);
     if (result.changes.empty()) words << tr("Nothing it rests on has changed since.");
     return words.join(QLatin1Char('\n'));
