@@ -1,16 +1,14 @@
 #include "core/accumulate/changed_buildings.h"
 
 #include <algorithm>
-#include <span>
 #include <unordered_map>
 
 namespace noonmark {
 
 namespace {
 
-using Stretch = std::span<const std::shared_ptr<const Building>>;
-
-Buildings lacking(Stretch from, Stretch to) {
+Buildings lacking(const Buildings& from, const Buildings& to) {
+    if (to.empty()) return from;
     std::unordered_map<const Building*, int> there;
     for (const auto& building : to) ++there[building.get()];
     Buildings missing;
@@ -19,16 +17,36 @@ Buildings lacking(Stretch from, Stretch to) {
     return missing;
 }
 
+// Walks both: what one city left out or put in between is passed over.
+ChangedBuildings outOfStep(const Buildings& before, const Buildings& after) {
+    ChangedBuildings changed;
+    const auto [first, firstAfter] = std::ranges::mismatch(before, after);
+    auto a = first, b = Buildings::const_iterator(firstAfter);
+    while (a != before.end() && b != after.end()) {
+        const bool same = *a == *b, left = !same && a + 1 != before.end() && *(a + 1) == *b,
+                   put = !same && !left && b + 1 != after.end() && *a == *(b + 1);
+        if (!same && !put) changed.gone.push_back(*a);
+        if (!same && !left) changed.come.push_back(*b);
+        if (!put) ++a;
+        if (!left) ++b;
+    }
+    changed.gone.insert(changed.gone.end(), a, before.end());
+    changed.come.insert(changed.come.end(), b, after.end());
+    return changed;
+}
+
 }  // namespace
 
 ChangedBuildings changedBuildings(const Buildings& before, const Buildings& after) {
-    const auto [first, firstAfter] = std::ranges::mismatch(before, after);
-    Stretch gone(first, before.end()), come(firstAfter, after.end());
-    while (!gone.empty() && !come.empty() && gone.back() == come.back()) {
-        gone = gone.first(gone.size() - 1);
-        come = come.first(come.size() - 1);
-    }
-    return {lacking(gone, come), lacking(come, gone)};
+    const ChangedBuildings changed = outOfStep(before, after);
+    return {lacking(changed.gone, changed.come), lacking(changed.come, changed.gone)};
+}
+
+// Counting who owns a building takes longer than all else that is done for it.
+void takeOver(Buildings& buildings, const Buildings& now) {
+    buildings.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (buildings[i] != now[i]) buildings[i] = now[i];
 }
 
 }  // namespace noonmark

@@ -15,7 +15,11 @@ struct ChangedBuildings {
     Buildings gone, come;  ///< each as often as the other city lacks it, in the order of its own city
 };
 
-/// O(buildings) where some follow on each other that did not stay in place; else one comparison each.
+/// One comparison each where buildings stay in place or move up or down by one at a time; else O(buildings)
+/// in a table.
 ChangedBuildings changedBuildings(const Buildings& before, const Buildings& after);
+
+/// From now on those of another city. Costs something only for those that are not in place.
+void takeOver(Buildings& buildings, const Buildings& now);
 
 }  // namespace noonmark

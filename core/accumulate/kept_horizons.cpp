@@ -33,10 +33,11 @@ Result<void> checkSame(const Receivers& before, const Receivers& now) {
 }
 
 // Whether each cell keeps its number; of roofs alone those that come and go are outside of the region.
-bool sameCells(const Receivers& before, const Receivers& now) {
+bool sameCells(const Receivers& before, const Receivers& now, std::span<const std::uint32_t> changed) {
     const auto outside = [](CellKind kind) { return kind == CellKind::outside; };
-    const auto bothOutside = [&](CellKind a, CellKind b) { return outside(a) == outside(b); };
-    return before.flat() == now.flat() && std::ranges::equal(before.kind, now.kind, bothOutside);
+    return before.flat() == now.flat() && std::ranges::all_of(changed, [&](std::uint32_t cell) {
+               return outside(before.kind[cell]) == outside(now.kind[cell]);
+           });
 }
 
 tl::unexpected<Error> noPeriod() {
@@ -51,8 +52,7 @@ struct KeptHorizons::Kept {
     Receivers receivers;
     KeptWalls walls;
     std::vector<KeptTile> tiles;
-    BinnedSun binned;
-    std::optional<PeriodCount> count;  // none before the first period
+    std::optional<CountedPeriod> period;  // none before the first one
     ShadowField field;
 
     Kept(const KeptHorizonsSettings& chosen, Receivers where, KeptWalls standing)
@@ -60,11 +60,13 @@ struct KeptHorizons::Kept {
         makeTiles();
     }
 
+    // Numbers that bins may have.
+    [[nodiscard]] std::size_t bins() const { return std::size_t(std::ceil(360 / settings.binDeg)) + 1; }
+
     void makeTiles() {
         tiles.clear();
-        const auto bins = std::size_t(std::ceil(360 / settings.binDeg)) + 1;
-        for (const TileBox& box : tilesOf(receivers.grid, tileSide(settings.memoryBytes, bins)))
-            tiles.emplace_back(receivers, box, bins);
+        for (const TileBox& box : tilesOf(receivers.grid, tileSide(settings.memoryBytes, bins())))
+            tiles.emplace_back(receivers, box, bins());
     }
 
     void countCity() {
@@ -75,14 +77,12 @@ struct KeptHorizons::Kept {
     }
 
     void begin(const SunSteps& sun) {
-        count.reset();
-        binned = binnedSun(sun, settings.binDeg, BinDirection::middle);
-        count.emplace(sun, binned);
+        period.emplace(sun, settings.binDeg);
         field = blankField(receivers, sun);
         field.engine = fmt::format(
             "Kept horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
             "every day counted",
-            binned.bins.size(), settings.binDeg);
+            period->binned().bins.size(), settings.binDeg);
         field.cost.buildingsUsed = std::uint32_t(walls.buildings());
     }
 
@@ -96,21 +96,22 @@ struct KeptHorizons::Kept {
     // What is half done holds nothing that can be trusted.
     Error outOfMemory() {
         for (KeptTile& tile : tiles) tile.drop();
-        count.reset();
+        period.reset();
         return {"There is not enough memory for this study", "kept horizons",
                 "Choose a smaller region or larger cells"};
     }
 
     std::size_t sweep(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
         std::size_t swept = 0;
-        timed("sweep", [&] { swept = tile.retime(receivers, walls, binned, stop); });
+        timed("sweep", [&] { swept = tile.retime(receivers, walls, period->binned(), stop); });
         write(tile, counts, stop);
         return swept;
     }
 
     /// Takes what is new and returns what changed of it. Where the ground did nothing stays: all is swept.
-    Result<WallChange> become(const City& city, const Receivers& now) {
-        if (walls.sameGround(city, now) && sameCells(receivers, now)) return walls.become(city);
+    Result<WallChange> become(const City& city, const Receivers& now,
+                              std::span<const std::uint32_t> changed) {
+        if (walls.sameGround(city, now) && sameCells(receivers, now, changed)) return walls.become(city);
         auto others = KeptWalls::of(city, now);
         if (!others) return tl::make_unexpected(others.error());
         walls = std::move(*others);
@@ -119,11 +120,11 @@ struct KeptHorizons::Kept {
         return WallChange{};
     }
 
-    void change(KeptTile& tile, std::span<const float> groundBeforeM, const WallChange& change,
+    void change(KeptTile& tile, std::span<const std::uint32_t> cells, const WallChange& change,
                 KeptCounts counts, const std::stop_token& stop) {
         const bool dropped = tile.bytes() == 0;
         timed("change", [&] {
-            tile.change(receivers, groundBeforeM, walls, change, binned, *count, settings.binDeg, stop);
+            tile.change(receivers, cells, walls, change, period->hidden(bins()), settings.binDeg, stop);
         });
         if (dropped)
             sweep(tile, counts, stop);
@@ -135,7 +136,7 @@ struct KeptHorizons::Kept {
         if (stop.stop_requested()) return;
         timed("count", [&] { tile.writeGross(field, stop); });
         if (counts == KeptCounts::grossAndRuns)
-            timed("runs", [&] { tile.writeRuns(binned, *count, field, stop); });
+            timed("runs", [&] { tile.writeRuns(period->binned(), period->runs(), field, stop); });
     }
 
     // Sweeps again what did not stay.
@@ -147,9 +148,9 @@ struct KeptHorizons::Kept {
         keepWithinMemory(tile);
     }
 
-    // Cells that are no receivers any more, or not yet, hold NaN.
-    void mask() {
-        for (std::size_t cell = 0; cell < receivers.kind.size(); ++cell)
+    // Cells that are no receivers any more hold NaN.
+    void mask(std::span<const std::uint32_t> changed) {
+        for (const std::uint32_t cell : changed)
             if (!isReceiver(receivers.kind[cell]))
                 field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
     }
@@ -161,12 +162,13 @@ struct KeptHorizons::Kept {
     }
 
     void keepWithinMemory(KeptTile& latest) {
+        if (bytes() > settings.memoryBytes) latest.dropPages();
         if (bytes() > settings.memoryBytes) latest.drop();
     }
 
     Result<ShadowField> result(KeptCounts counts, const std::stop_token& stop) {
         if (stop.stop_requested()) {
-            count.reset();
+            period.reset();
             return cancelled();
         }
         if (counts == KeptCounts::grossAndRuns) return field;
@@ -201,7 +203,7 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
         progress.report(double(++done) / double(kept_->tiles.size()), "sweeping horizons");
     }
     kept_->field.cost.skipped["azimuth bins kept from before (bins x tiles)"] =
-        kept_->tiles.size() * kept_->binned.bins.size() - swept;
+        kept_->tiles.size() * kept_->period->binned().bins.size() - swept;
     return kept_->result(counts, stop);
 } catch (const std::bad_alloc&) {
     return tl::make_unexpected(kept_->outOfMemory());
@@ -209,18 +211,19 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
 
 Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& receivers, Progress& progress,
                                          std::stop_token stop, KeptCounts counts) try {
-    if (!kept_->count) return noPeriod();
+    if (!kept_->period) return noPeriod();
     if (const auto same = checkSame(kept_->receivers, receivers); !same)
         return tl::make_unexpected(same.error());
-    const auto change = kept_->become(city, receivers);
+    const std::vector<std::uint32_t> cells = changedReceivers(kept_->receivers, receivers);
+    const auto change = kept_->become(city, receivers, cells);
     if (!change) return tl::make_unexpected(change.error());
-    const Receivers before = std::exchange(kept_->receivers, receivers);
+    kept_->receivers = receivers;
     kept_->countCity();
     for (KeptTile& tile : kept_->tiles) {
-        kept_->change(tile, before.groundM, *change, counts, stop);
+        kept_->change(tile, cells, *change, counts, stop);
         kept_->keepWithinMemory(tile);
     }
-    kept_->mask();
+    kept_->mask(cells);
     progress.report(1, "sweeping horizons");
     return kept_->result(counts, stop);
 } catch (const std::bad_alloc&) {
@@ -228,9 +231,8 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
 }
 
 Result<ShadowField> KeptHorizons::withRuns(Progress& progress, std::stop_token stop) try {
-    if (!kept_->count) return noPeriod();
+    if (!kept_->period) return noPeriod();
     for (KeptTile& tile : kept_->tiles) kept_->writeRuns(tile, stop);
-    kept_->mask();
     progress.report(1, "sweeping horizons");
     return kept_->result(KeptCounts::grossAndRuns, stop);
 } catch (const std::bad_alloc&) {

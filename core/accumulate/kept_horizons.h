@@ -9,8 +9,9 @@ namespace noonmark {
 
 struct KeptHorizonsSettings {
     double binDeg = 0.5;  ///< width of an azimuth bin, degrees, 0.1 to 2
-    /// For horizons that stay: 2 bytes for each cell of the region's box and bin, and 8 for each interval
-    /// that a part which hangs hides there. Of a larger region some tiles are swept anew each time.
+    /// For horizons that stay: 2 bytes for each cell of the region's box and bin, 8 for each interval that a
+    /// part which hangs hides there, and another 2 where the buildings that came last raise horizons. Of a
+    /// larger region some tiles are swept anew each time.
     std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     bool operator==(const KeptHorizonsSettings&) const = default;
 };
@@ -49,9 +50,10 @@ public:
                                KeptCounts counts = KeptCounts::grossAndRuns);
 
     /// The field of the present period in another city. `receivers`: the same grid and region. Buildings that
-    /// the cities share by address did not change. Other terrain, receivers on roofs where there were none
-    /// and a lowest receiver in another 64 m of height make all anew. Error, and nothing changed: no period
-    /// yet, another grid, or what the horizon sweep refuses.
+    /// the cities share by address did not change. Cost: of the shadows that came and went; where what goes
+    /// is what came with the change before, as while a building is dragged, nothing is found again. Other
+    /// terrain, receivers on roofs where there were none and a lowest receiver in another 64 m of height make
+    /// all anew. Error, and nothing changed: no period yet, another grid, or what the horizon sweep refuses.
     Result<ShadowField> change(const City& city, const Receivers& receivers, Progress& progress,
                                std::stop_token stop, KeptCounts counts = KeptCounts::grossAndRuns);
 

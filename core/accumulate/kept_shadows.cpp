@@ -52,13 +52,6 @@ bool sameRegion(const std::vector<CellKind>& before, const Receivers& now, const
     return same;
 }
 
-// Counting who owns a building takes longer than all else that is done for it.
-void takeOver(Buildings& buildings, const Buildings& now) {
-    buildings.resize(now.size());
-    for (std::size_t i = 0; i < now.size(); ++i)
-        if (buildings[i] != now[i]) buildings[i] = now[i];
-}
-
 Error tooMuch(const Grid& grid, std::size_t steps, const KeptShadowsSettings& settings) {
     return {fmt::format("The shadows of {} steps over {} x {} cells need more than {:.0f} MB to be kept",
                         steps, grid.columns, grid.rows, double(settings.memoryBytes) * 1e-6),

@@ -1,6 +1,8 @@
 #include "core/accumulate/horizon/azimuth_bins.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +26,40 @@ HorizonCode codeOf(const SunStep& step) {
 }
 
 template <class NumberOf>
-std::vector<Place> sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
-    std::vector<Place> places;
-    places.reserve(sun.steps.size());
-    for (std::uint32_t i = 0; i < sun.steps.size(); ++i)
-        places.push_back({i, numberOf(azimuthDegOf(sun.steps[i])), codeOf(sun.steps[i])});
-    std::ranges::sort(places, [](const Place& a, const Place& b) {
-        return std::tie(a.bin, a.sun, a.step) < std::tie(b.bin, b.sun, b.step);
-    });
+std::vector<Place> placesOf(const SunSteps& sun, const NumberOf& numberOf) {
+    std::vector<Place> places(sun.steps.size());
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, std::uint32_t(places.size()), 4096),
+                      [&](const auto& range) {
+                          for (std::uint32_t i = range.begin(); i < range.end(); ++i)
+                              places[i] = {i, numberOf(azimuthDegOf(sun.steps[i])), codeOf(sun.steps[i])};
+                      });
     return places;
+}
+
+/// Places bin by bin, in each by sun and step.
+struct BinPlaces {
+    std::vector<Place> places;
+    std::vector<std::size_t> ends;  ///< of each number, and one more
+};
+
+// By counting, then bin by bin.
+template <class NumberOf>
+BinPlaces sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
+    const std::vector<Place> inTime = placesOf(sun, numberOf);
+    BinPlaces sorted{std::vector<Place>(inTime.size()), {0, 0}};
+    for (const Place& place : inTime) {
+        if (place.bin + 2 >= sorted.ends.size()) sorted.ends.resize(place.bin + 3);
+        ++sorted.ends[place.bin + 2];
+    }
+    for (std::size_t i = 2; i < sorted.ends.size(); ++i) sorted.ends[i] += sorted.ends[i - 1];
+    for (const Place& place : inTime) sorted.places[sorted.ends[place.bin + 1]++] = place;
+    tbb::parallel_for(std::size_t{1}, sorted.ends.size(), [&](std::size_t i) {
+        const auto from = sorted.places.begin();
+        std::sort(
+            from + std::ptrdiff_t(sorted.ends[i - 1]), from + std::ptrdiff_t(sorted.ends[i]),
+            [](const Place& a, const Place& b) { return a.sun != b.sun ? a.sun < b.sun : a.step < b.step; });
+    });
+    return sorted;
 }
 
 // Mean of the steps' horizontal directions, each of length 1.
@@ -49,6 +76,7 @@ glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
 
 void addBin(BinnedSun& binned, glm::dvec2 away, std::span<const Place> places) {
     AzimuthBin bin{places.front().bin, away, {}};
+    bin.suns.reserve(places.size());
     for (const Place& place : places) {
         binned.places[place.step] = {std::uint16_t(binned.bins.size()), place.sun};
         bin.suns.push_back(place.sun);
@@ -58,15 +86,12 @@ void addBin(BinnedSun& binned, glm::dvec2 away, std::span<const Place> places) {
 
 template <class NumberOf, class AwayOf>
 BinnedSun binnedBy(const SunSteps& sun, const NumberOf& numberOf, const AwayOf& awayOf) {
-    const std::vector<Place> places = sortedPlaces(sun, numberOf);
+    const auto [places, ends] = sortedPlaces(sun, numberOf);
     BinnedSun binned;
     binned.places.resize(places.size());
-    for (std::size_t first = 0; first < places.size();) {
-        std::size_t end = first;
-        while (end < places.size() && places[end].bin == places[first].bin) ++end;
-        const std::span<const Place> ofBin = std::span(places).subspan(first, end - first);
-        addBin(binned, awayOf(ofBin), ofBin);
-        first = end;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const auto ofBin = std::span(places).subspan(ends[i - 1], ends[i] - ends[i - 1]);
+        if (!ofBin.empty()) addBin(binned, awayOf(ofBin), ofBin);
     }
     return binned;
 }

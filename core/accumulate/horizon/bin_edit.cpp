@@ -1,6 +1,7 @@
 #include "core/accumulate/horizon/bin_edit.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace noonmark {
 
@@ -12,128 +13,168 @@ bool any(const ReceiverBlocks::Masks& masks) {
     return std::ranges::any_of(masks, [](std::uint16_t mask) { return mask != 0; });
 }
 
-bool has(const ReceiverBlocks::Masks& masks, std::uint8_t place) {
-    return (masks[std::size_t(place / side)] >> unsigned(place % side) & 1U) != 0;
+void forEachPlace(const ReceiverBlocks::Masks& masks, const auto& visit) {
+    for (std::size_t line = 0; line < masks.size(); ++line)
+        for (unsigned mask = masks[line]; mask != 0; mask &= mask - 1)
+            visit(std::uint32_t(line), std::uint32_t(std::countr_zero(mask)));
 }
 
-void add(ReceiverBlocks::Masks& masks, std::uint8_t place) {
-    masks[std::size_t(place / side)] |= std::uint16_t(1U << unsigned(place % side));
-}
-
-ShadowExtent extentOf(const ReceiverBlocks::Block& block, const ShadowAxes& axes, ShadowExtent extent) {
-    const glm::dvec2 low(block.column, block.row);
-    extent.addBox(axes, low - 1.0, low + double(side));
-    return extent;
+double tanOf(HorizonCode lowest) {
+    const double steepness = double(steepnessOf(lowest));
+    return steepness / (1 - steepness);
 }
 
 }  // namespace
 
-std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest,
-                                         std::span<HorizonCode> codes) {
-    const ShadowAxes axes(away);
-    const ShadowExtent tile = noonmark::extentOf(edit.blocks.box(), axes);
-    const WallList& list = edit.walls.list();
-    removed_.begin(list, edit.change.removed.standing(), away, tile, lowest, edit.cellM, edit.stop);
-    added_.begin(list, edit.change.added.standing(), away, tile, lowest, edit.cellM, edit.stop);
-    findBlocks(edit, axes, lowest);
+std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin) {
+    bin_ = &bin;
+    away_ = away;
+    axes_ = ShadowAxes(away);
     lost_.clear();
     changes_.clear();
-    for (const std::uint32_t number : edit.cells.newNumbers) codes[number] = noHorizon;
-    for (const std::size_t block : blocks_) look(edit, axes, block, codes);
-    if (!lost_.empty()) findAgain(edit, away, lowest, codes);
+    begin(edit, added_, addedSweep_, edit.change.added);
+    begin(edit, removed_, removedSweep_, edit.again ? WallSet{} : edit.change.removed);
+    findBlocks(edit);
+    for (const std::size_t block : blocks_) look(edit, block);
+    if (!lost_.empty()) findAgain(edit);
     return changes_;
 }
 
-// As far as shadows of what went and came are long.
-void BinEdit::findBlocks(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest) {
-    const double tan = double(steepnessOf(lowest)) / (1 - double(steepnessOf(lowest)));
-    ShadowExtent extent;
-    const auto add = [&](const auto& obstacle) {
-        ShadowExtent own;
-        own.addBox(axes, obstacle.low, obstacle.high);
-        own.highAlong += double(obstacle.topM) * axes.alongPerDistance / (edit.cellM * tan) + 2;
-        extent.add({own.lowQ, own.lowAlong - 1});
-        extent.add({own.highQ, own.highAlong});
+void BinEdit::begin(const TileEdit& edit, ShadedBlocks& shaded, SquareSweep& sweep, const WallSet& set) {
+    shaded.begin(set, axes_, tanOf(bin_->lowest), edit.cellM);
+    if (shaded.empty()) return;
+    const ShadowExtent extent = shaded.extentIn(extentOf(edit.blocks.box(), axes_));
+    sweep.begin(edit.walls.list(), set.standing(), away_, extent, bin_->lowest, edit.cellM, edit.stop);
+}
+
+void BinEdit::findBlocks(const TileEdit& edit) {
+    marks_.begin(edit.blocks.blocks().size());
+    blocks_.clear();
+    const auto add = [&](std::size_t block) {
+        if (marks_.mark(block)) blocks_.push_back(block);
     };
-    for (const WallSet* set : {&edit.change.removed, &edit.change.added}) {
-        std::ranges::for_each(set->prisms, add);
-        std::ranges::for_each(set->solids, add);
+    std::ranges::for_each(edit.cells.newBlocks, add);
+    std::ranges::for_each(bin_->base.blocks(), add);
+    added_.find(edit.blocks, axes_, marks_, blocks_);
+    removed_.find(edit.blocks, axes_, marks_, blocks_);
+}
+
+void BinEdit::look(const TileEdit& edit, std::size_t block) {
+    Lost lost{block, (axes_.swapped ? edit.cells.unknownColumns : edit.cells.unknownRows)[block]};
+    addLost(edit, lost);
+    if (any(lost.masks))
+        lost_.push_back(lost);
+    else
+        raise(edit, block, nullptr);
+}
+
+// Where what was removed gives the code that is there.
+void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
+    if (removed_.empty()) return;
+    const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
+    const HorizonCode* now = bin_->codes.data() + block.first;
+    if (edit.level) {
+        const int below = int(lowestIn(edit, lost.block, now)) - 1;
+        if (!removed_.mayRaise(block, axes_, HorizonCode(std::max(int(bin_->lowest), below)))) return;
     }
-    blocks_ = edit.cells.newBlocks;
-    if (extent.lowQ <= extent.highQ) addSquares(edit, axes, extent);
-    std::ranges::sort(blocks_);
-    blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
-}
-
-// Those that meet the extent's band of q.
-void BinEdit::addSquares(const TileEdit& edit, const ShadowAxes& axes, const ShadowExtent& extent) {
-    const TileBox& box = edit.blocks.box();
-    const glm::ivec2 squares = edit.blocks.squares();
-    const int alongs = axes.swapped ? squares.x : squares.y, acrosses = axes.swapped ? squares.y : squares.x;
-    for (int line = 0; line < alongs; ++line) {
-        const int from = axes.swapped ? box.firstColumn : box.firstRow,
-                  other = axes.swapped ? box.firstRow : box.firstColumn;
-        const double one = axes.sign * (from + line * side), last = one + axes.sign * (side - 1);
-        if (std::max(one, last) < extent.lowAlong || std::min(one, last) > extent.highAlong) continue;
-        const double a = axes.k * axes.sign * (from + line * side), b = a + axes.k * axes.sign * side;
-        const double low = extent.lowQ + std::min(a, b) - other - 1,
-                     high = extent.highQ + std::max(a, b) - other + 1;
-        const int first = int(std::clamp(std::floor(low / side), 0.0, double(acrosses))),
-                  end = int(std::clamp(std::floor(high / side) + 1, 0.0, double(acrosses)));
-        for (int i = first; i < end; ++i)
-            if (const int block = axes.swapped ? edit.blocks.blockAt(line, i) : edit.blocks.blockAt(i, line);
-                block >= 0)
-                blocks_.push_back(std::size_t(block));
+    const ReceiverBlocks::Masks& known = edit.known.masks(lost.block, axes_.swapped);
+    const HorizonCode* gone = removedSweep_.codes(block, known, edit.grounds.of(lost.block, axes_.swapped));
+    if (gone == nullptr) return;
+    if (axes_.swapped) {
+        transpose(now, turned_);
+        now = turned_.values;
     }
+    ReceiverBlocks::Masks equal;
+    findEqual(gone, now, known, equal);
+    for (std::size_t line = 0; line < equal.size(); ++line) lost.masks[line] |= equal[line];
 }
 
-void BinEdit::put(std::span<HorizonCode> codes, std::uint32_t number, HorizonCode code) {
-    if (codes[number] == code) return;
-    changes_.push_back({number, codes[number], code});
-    codes[number] = code;
-}
-
-// Where nothing is lost the horizon is the higher one of the old and what was added.
-void BinEdit::look(const TileEdit& edit, const ShadowAxes& axes, std::size_t i,
-                   std::span<HorizonCode> codes) {
-    const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
-    const ReceiverBlocks::Masks& receivers = edit.blocks.masks(i, axes.swapped);
-    const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
-    const BlockGround ground = edit.grounds.of(i, axes.swapped);
-    const HorizonCode* gone = removed_.codes(block, receivers, ground);
-    const HorizonCode* come = added_.codes(block, receivers, ground);
-    Lost lost{i, axes.swapped ? edit.cells.newColumns[i] : edit.cells.newRows[i]};
-    const bool anyNew = any(lost.masks);
-    if (gone == nullptr && come == nullptr && !anyNew) return;
-    for (std::uint32_t n = 0; n < block.count; ++n) {
-        const std::uint8_t place = places[n];
-        const HorizonCode now = codes[block.first + n], raised = come == nullptr ? noHorizon : come[place];
-        if (anyNew && has(lost.masks, place)) continue;
-        if (raised >= now) {
-            put(codes, block.first + n, raised);
-        } else if (gone != nullptr && gone[place] == now) {
-            add(lost.masks, place);
-        }
-    }
-    if (any(lost.masks)) lost_.push_back(lost);
-}
-
-void BinEdit::findAgain(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest,
-                        std::span<HorizonCode> codes) {
-    const ShadowAxes axes(away);
-    const WallList& list = edit.walls.list();
+void BinEdit::findAgain(const TileEdit& edit) {
     ShadowExtent extent;
-    for (const Lost& lost : lost_) extent = extentOf(edit.blocks.blocks()[lost.block], axes, extent);
-    edit.walls.across(axes, extent, prisms_);
-    all_.begin(list, {prisms_, list.solids, list.terrain.get()}, away, extent, lowest, edit.cellM, edit.stop);
     for (const Lost& lost : lost_) {
         const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
-        const std::uint8_t* places = edit.blocks.places(block, axes.swapped);
-        const HorizonCode* square = all_.codes(block, lost.masks, edit.grounds.of(lost.block, axes.swapped));
-        for (std::uint32_t n = 0; n < block.count; ++n)
-            if (has(lost.masks, places[n]))
-                put(codes, block.first + n, square == nullptr ? noHorizon : square[places[n]]);
+        const glm::dvec2 low(block.column, block.row);
+        extent.addBox(axes_, low - 1.0, low + double(side));
     }
+    edit.walls.across(axes_, extent, prisms_);
+    allSweep_.begin(edit.walls.list(), edit.walls.before(prisms_), away_, extent, bin_->lowest, edit.cellM,
+                    edit.stop);
+    for (const Lost& lost : lost_) findAgain(edit, lost);
+}
+
+void BinEdit::findAgain(const TileEdit& edit, const Lost& lost) {
+    const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
+    const HorizonCode* square =
+        allSweep_.codes(block, lost.masks, edit.grounds.of(lost.block, axes_.swapped));
+    const HorizonCode* page = bin_->base.page(lost.block);
+    BlockCodes base;
+    std::copy_n(page != nullptr ? page : bin_->codes.data() + block.first, ReceiverBlocks::cells,
+                base.values);
+    forEachPlace(lost.masks, [&](std::uint32_t line, std::uint32_t place) {
+        const std::uint32_t cell = axes_.swapped ? place * side + line : line * side + place;
+        base.values[cell] = square == nullptr ? noHorizon : square[line * side + place];
+    });
+    bin_->base.setLowest(lost.block, edit.blocks.blocks().size(), BaseCodes::unknown);
+    raise(edit, lost.block, &base);
+}
+
+// From the horizons without what came last: those found just now, of the page, or those that are there.
+void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* found) {
+    const std::uint32_t first = edit.blocks.blocks()[block].first;
+    HorizonCode* page = bin_->base.page(block);
+    const HorizonCode* base = found != nullptr  ? found->values
+                              : page != nullptr ? page
+                                                : bin_->codes.data() + first;
+    const HorizonCode* come = comingCodes(edit, block, base);
+    if (come == nullptr && page == nullptr && found == nullptr && !any(edit.cells.newRows[block])) return;
+    BlockCodes codes;
+    std::copy_n(base, ReceiverBlocks::cells, codes.values);
+    if (come != nullptr) {
+        if (edit.level && page == nullptr) page = bin_->base.add(block, edit.blocks.blocks().size());
+        if (page != nullptr) std::ranges::copy(codes.values, page);
+        noonmark::raise(come, codes);
+    } else if (page != nullptr) {
+        bin_->base.remove(block);
+    }
+    write(edit, block, codes);
+}
+
+// Row by row; null where they raise nothing.
+const HorizonCode* BinEdit::comingCodes(const TileEdit& edit, std::size_t i, const HorizonCode* base) {
+    if (added_.empty()) return nullptr;
+    const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
+    if (edit.level && !added_.mayRaise(block, axes_, std::max(bin_->lowest, lowestIn(edit, i, base))))
+        return nullptr;
+    const HorizonCode* square =
+        addedSweep_.codes(block, edit.known.masks(i, axes_.swapped), edit.grounds.of(i, axes_.swapped));
+    if (square == nullptr || !axes_.swapped) return square;
+    transpose(square, turned_);
+    return turned_.values;
+}
+
+HorizonCode BinEdit::lowestIn(const TileEdit& edit, std::size_t block, const HorizonCode* base) {
+    HorizonCode lowest = bin_->base.lowest(block);
+    if (lowest != BaseCodes::unknown) return lowest;
+    lowest = lowestOf(base, edit.known.masks(block, false));
+    bin_->base.setLowest(block, edit.blocks.blocks().size(), lowest);
+    return lowest;
+}
+
+void BinEdit::write(const TileEdit& edit, std::size_t block, const BlockCodes& codes) {
+    const std::uint32_t first = edit.blocks.blocks()[block].first;
+    HorizonCode* now = bin_->codes.data() + first;
+    const ReceiverBlocks::Masks& fresh = edit.cells.newRows[block];
+    const ReceiverBlocks::Masks& receivers = edit.blocks.masks(block, false);
+    ReceiverBlocks::Masks others;
+    findDifferences(codes.values, now, edit.known.masks(block, false), others);
+    for (std::size_t row = 0; row < others.size(); ++row) others[row] |= fresh[row];
+    forEachPlace(others, [&](std::uint32_t row, std::uint32_t x) {
+        const std::uint32_t cell = row * side + x;
+        const bool isNew = (fresh[row] >> x & 1U) != 0, counts = (receivers[row] >> x & 1U) != 0;
+        const HorizonCode before = isNew ? noHorizon : now[cell], after = codes.values[cell];
+        now[cell] = after;
+        if (counts && before != after) changes_.push_back({first + cell, before, after});
+    });
 }
 
 }  // namespace noonmark

@@ -4,8 +4,11 @@
 
 #include "core/accumulate/horizon/bin_sweep.h"
 #include "core/accumulate/horizon/changed_cells.h"
+#include "core/accumulate/horizon/edit_block.h"
+#include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/kept_walls.h"
 #include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/shaded_blocks.h"
 
 namespace noonmark {
 
@@ -14,9 +17,12 @@ struct TileEdit {
     const KeptWalls& walls;  ///< of the city as it is now
     const WallChange& change;
     const ReceiverBlocks& blocks;  ///< as they are now, all cells numbered
+    const KnownCells& known;
     const BlockGrounds& grounds;
     const OpenTile& open;       ///< nothing where nothing hangs nor hung
-    const ChangedCells& cells;  ///< codes of new ones say nothing
+    const ChangedCells& cells;  ///< codes of unknown ones say nothing
+    bool again;                 ///< the pages of the bins are without what was removed
+    bool level;                 ///< all receivers lie on one level: bins may have pages
     int columns;                ///< of the grid
     double cellM;
     const std::stop_token& stop;
@@ -28,32 +34,43 @@ struct CodeChange {
     HorizonCode before, after;
 };
 
-/// Brings the horizons of one azimuth up to date. What is gone made a horizon just where it alone
-/// gives the same code; there, and where receivers are new, it is found again from all that stands, unless
-/// something new gives at least as much. What is new raises horizons. The codes are those of a sweep of the
-/// whole, bit for bit. One for each thread.
+/// Brings the horizons of one azimuth up to date. In each block horizons are brought back to what they are
+/// without what came last: they are kept (BaseCodes), or else what is gone made a horizon just where it alone
+/// gives the same code, and there, and where nothing is known, it is found again from all that stands. Then
+/// what is new raises them. The codes are those of a sweep of the whole, bit for bit. One for each thread.
 class BinEdit {
 public:
-    /// Returns what changed, of each number once; valid until the next call. Less once stopped.
-    std::span<const CodeChange> run(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest,
-                                    std::span<HorizonCode> codes);
+    /// Returns what changed of receivers, of each number once; of new ones what is there now. Valid until the
+    /// next call. Less once stopped.
+    std::span<const CodeChange> run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin);
 
 private:
     struct Lost {
         std::size_t block;
-        ReceiverBlocks::Masks masks;
+        ReceiverBlocks::Masks masks;  // of its lines
     };
-    void findBlocks(const TileEdit& edit, const ShadowAxes& axes, HorizonCode lowest);
-    void addSquares(const TileEdit& edit, const ShadowAxes& axes, const ShadowExtent& extent);
-    void look(const TileEdit& edit, const ShadowAxes& axes, std::size_t block, std::span<HorizonCode> codes);
-    void findAgain(const TileEdit& edit, glm::dvec2 away, HorizonCode lowest, std::span<HorizonCode> codes);
-    void put(std::span<HorizonCode> codes, std::uint32_t number, HorizonCode code);
+    void begin(const TileEdit& edit, ShadedBlocks& shaded, SquareSweep& sweep, const WallSet& set);
+    void findBlocks(const TileEdit& edit);
+    void look(const TileEdit& edit, std::size_t block);
+    void addLost(const TileEdit& edit, Lost& lost);
+    void findAgain(const TileEdit& edit);
+    void findAgain(const TileEdit& edit, const Lost& lost);
+    void raise(const TileEdit& edit, std::size_t block, const BlockCodes* found);
+    const HorizonCode* comingCodes(const TileEdit& edit, std::size_t block, const HorizonCode* base);
+    HorizonCode lowestIn(const TileEdit& edit, std::size_t block, const HorizonCode* base);
+    void write(const TileEdit& edit, std::size_t block, const BlockCodes& codes);
 
-    SquareSweep removed_, added_, all_;
-    std::vector<std::size_t> blocks_;  // that may lie in the shadow of what went or came
+    KeptBin* bin_ = nullptr;
+    glm::dvec2 away_{};
+    ShadowAxes axes_{{0, 1}};
+    SquareSweep removedSweep_, addedSweep_, allSweep_;
+    ShadedBlocks removed_, added_;
+    BlockMarks marks_;
+    std::vector<std::size_t> blocks_;  // to be looked at
     std::vector<Lost> lost_;
     std::vector<StandingPrism> prisms_;
     std::vector<CodeChange> changes_;
+    BlockCodes turned_;
 };
 
 }  // namespace noonmark

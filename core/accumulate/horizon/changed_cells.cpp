@@ -1,40 +1,92 @@
 #include "core/accumulate/horizon/changed_cells.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace noonmark {
 
 namespace {
 
-constexpr int side = ReceiverBlocks::side;
+/// Two states of the same cells.
+struct Comparison {
+    const Receivers &before, &now;
+    bool heights = !before.flat() && !now.flat();
 
-void addCell(ChangedCells& cells, std::size_t block, std::uint8_t place) {
-    const int x = place % side, y = place / side;
-    cells.newRows[block][std::size_t(y)] |= std::uint16_t(1U << unsigned(x));
-    cells.newColumns[block][std::size_t(x)] |= std::uint16_t(1U << unsigned(y));
+    [[nodiscard]] bool differs(std::size_t cell) const {
+        const bool is = isReceiver(now.kind[cell]);
+        if (is != isReceiver(before.kind[cell])) return true;
+        return is && heights && now.groundM[cell] != before.groundM[cell];
+    }
+
+    // Whether a stretch of cells has the same bits.
+    [[nodiscard]] bool same(std::size_t first, std::size_t count) const {
+        const auto equal = [&](const auto& a, const auto& b) {
+            return std::memcmp(&a[first], &b[first], count * sizeof(a[first])) == 0;
+        };
+        return equal(before.kind, now.kind) && (!heights || equal(before.groundM, now.groundM));
+    }
+};
+
+void add(ReceiverBlocks::Masks& masks, int line, int place) {
+    masks[std::size_t(line)] |= std::uint16_t(1U << unsigned(place));
 }
+
+/// Changes one cell after the other.
+struct CellChange {
+    ReceiverBlocks& blocks;
+    KnownCells& known;
+    ChangedCells& cells;
+
+    void become(const ReceiverBlocks::Seat& seat, std::uint32_t cell, bool receiver, bool heightStays) {
+        const bool was = blocks.cell(seat.number) != ReceiverBlocks::padding;
+        blocks.become(seat, cell, receiver);
+        if (!receiver) {
+            if (was) cells.goneNumbers.push_back(seat.number);
+            return;
+        }
+        cells.newNumbers.push_back(seat.number);
+        cells.newBlocks.push_back(seat.block);
+        add(cells.newRows[seat.block], seat.y, seat.x);
+        if (heightStays && known.has(seat)) return;
+        known.add(seat);
+        add(cells.unknownRows[seat.block], seat.y, seat.x);
+        add(cells.unknownColumns[seat.block], seat.x, seat.y);
+    }
+};
 
 }  // namespace
 
-ChangedCells changedCells(const ReceiverBlocks& now, const ReceiverBlocks& before, const Receivers& receivers,
-                          std::span<const float> groundBeforeM) {
-    ChangedCells cells;
-    cells.newRows.resize(now.blocks().size());
-    cells.newColumns.resize(now.blocks().size());
-    for (std::size_t i = 0; i < now.blocks().size(); ++i) {
-        const ReceiverBlocks::Block& block = now.blocks()[i];
-        if (receivers.flat() && now.masks(i, false) == before.masks(i, false)) continue;
-        const std::size_t known = cells.newNumbers.size();
-        for (std::uint32_t number = block.first; number < block.first + block.count; ++number) {
-            const std::uint32_t cell = now.cell(number), old = before.cell(number);
-            const bool is = cell != ReceiverBlocks::padding, was = old != ReceiverBlocks::padding;
-            if (was && !is) cells.goneNumbers.push_back(number);
-            if (!is || (was && (receivers.flat() || receivers.groundM[cell] == groundBeforeM[cell])))
-                continue;
-            cells.newNumbers.push_back(number);
-            addCell(cells, i, now.places(block, false)[number - block.first]);
-        }
-        if (cells.newNumbers.size() > known) cells.newBlocks.push_back(i);
+std::vector<std::uint32_t> changedReceivers(const Receivers& before, const Receivers& now) {
+    std::vector<std::uint32_t> cells;
+    const Comparison comparison{before, now};
+    const auto columns = std::size_t(now.grid.columns);
+    for (std::size_t first = 0; first < now.kind.size(); first += columns) {
+        if (comparison.same(first, columns)) continue;
+        for (std::size_t cell = first; cell < first + columns; ++cell)
+            if (comparison.differs(cell)) cells.push_back(std::uint32_t(cell));
     }
     return cells;
+}
+
+ChangedCells become(ReceiverBlocks& blocks, KnownCells& known, const Receivers& now,
+                    std::span<const std::uint32_t> cells) {
+    ChangedCells changed;
+    for (auto* masks : {&changed.newRows, &changed.unknownRows, &changed.unknownColumns})
+        masks->resize(blocks.blocks().size());
+    CellChange change{blocks, known, changed};
+    const TileBox& box = blocks.box();
+    for (const std::uint32_t cell : cells) {
+        const int column = int(cell % std::uint32_t(now.grid.columns)),
+                  row = int(cell / std::uint32_t(now.grid.columns));
+        if (column < box.firstColumn || column >= box.firstColumn + box.columns || row < box.firstRow ||
+            row >= box.firstRow + box.rows)
+            continue;
+        change.become(blocks.seatOf(column, row), cell, isReceiver(now.kind[cell]), now.flat());
+    }
+    std::ranges::sort(changed.newBlocks);
+    changed.newBlocks.erase(std::unique(changed.newBlocks.begin(), changed.newBlocks.end()),
+                            changed.newBlocks.end());
+    return changed;
 }
 
 }  // namespace noonmark

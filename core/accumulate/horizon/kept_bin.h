@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
+#include "core/accumulate/horizon/base_codes.h"
 #include "core/accumulate/horizon/gaps.h"
 
 namespace noonmark {
@@ -14,9 +15,13 @@ struct KeptBin {
     HorizonCode lowest = 0;
     std::vector<HorizonCode> codes;  ///< of what stands, one a number; none: not there
     std::vector<Gap> gaps;  ///< of receivers, by number: all that hangs and reaches above the horizon
+    BaseCodes base;         ///< where buildings came last
 
     static HorizonCode below(const AzimuthBin& bin) {
         return HorizonCode(std::max(int(noHorizon), int(bin.lowest()) - 1));
+    }
+    [[nodiscard]] std::size_t bytes() const {
+        return codes.capacity() * sizeof(HorizonCode) + gaps.capacity() * sizeof(Gap) + base.bytes();
     }
     [[nodiscard]] bool holds(const AzimuthBin& bin) const { return !codes.empty() && lowest <= below(bin); }
 };

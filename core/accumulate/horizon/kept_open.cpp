@@ -5,10 +5,10 @@
 
 namespace noonmark {
 
-std::size_t KeptOpen::sizeOf(const std::unordered_set<std::uint64_t>& owners) const {
+std::size_t KeptOpen::sizeOf(std::span<const std::uint64_t> owners) const {
     std::size_t size = 0;
     for (const Group& group : groups_)
-        if (owners.contains(group.owner)) size += group.end - group.first;
+        if (std::ranges::binary_search(owners, group.owner)) size += group.end - group.first;
     return size;
 }
 
@@ -27,19 +27,19 @@ void KeptOpen::add(std::span<const OpenTriangle> triangles, std::uint64_t owner)
     groups_.push_back(group);
 }
 
-std::vector<OpenTriangle> KeptOpen::remove(const std::unordered_set<std::uint64_t>& owners) {
+std::vector<OpenTriangle> KeptOpen::remove(std::span<const std::uint64_t> owners) {
     std::vector<OpenTriangle> removed, kept;
+    if (sizeOf(owners) == 0) return removed;
     std::vector<Group> groups;
     for (Group group : groups_) {
         const auto triangles = of(group);
-        const bool gone = owners.contains(group.owner);
+        const bool gone = std::ranges::binary_search(owners, group.owner);
         group.first = std::uint32_t(kept.size());
         std::vector<OpenTriangle>& to = gone ? removed : kept;
         to.insert(to.end(), triangles.begin(), triangles.end());
         group.end = std::uint32_t(kept.size());
         if (!gone) groups.push_back(group);
     }
-    if (removed.empty()) return removed;
     triangles_ = std::move(kept);
     groups_ = std::move(groups);
     return removed;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 #include "core/accumulate/horizon/open_triangles.h"
@@ -17,10 +16,10 @@ public:
     [[nodiscard]] std::span<const OpenTriangle> all() const { return triangles_; }
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
 
-    /// Those that buildings of these owners have.
-    [[nodiscard]] std::size_t sizeOf(const std::unordered_set<std::uint64_t>& owners) const;
+    /// Those that buildings of these owners have. `owners`: ascending.
+    [[nodiscard]] std::size_t sizeOf(std::span<const std::uint64_t> owners) const;
     void add(std::span<const OpenTriangle> triangles, std::uint64_t owner);
-    std::vector<OpenTriangle> remove(const std::unordered_set<std::uint64_t>& owners);
+    std::vector<OpenTriangle> remove(std::span<const std::uint64_t> owners);
 
     /// Those of buildings that may shade cells in an extent from suns of this tangent and higher. Replaces
     /// what is in `triangles`. `alongPerMetre`: cells along a metre of distance.

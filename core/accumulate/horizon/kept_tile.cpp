@@ -22,18 +22,24 @@ std::span<const HorizonCode> ofReceivers(const ReceiverBlocks& blocks, std::span
 }  // namespace
 
 KeptTile::KeptTile(const Receivers& receivers, const TileBox& box, std::size_t bins)
-    : box_(box), blocks_(receivers, box, Numbering::cells), bins_(bins) {}
+    : box_(box), blocks_(receivers, box, Numbering::cells), known_(blocks_), bins_(bins) {}
 
 std::size_t KeptTile::bytes() const {
     std::size_t bytes = 0;
-    for (const KeptBin& bin : bins_)
-        bytes += bin.codes.capacity() * sizeof(HorizonCode) + bin.gaps.capacity() * sizeof(Gap);
+    for (const KeptBin& bin : bins_) bytes += bin.bytes();
     return bytes;
 }
 
 void KeptTile::drop() {
     for (KeptBin& bin : bins_) bin = {};
     count_ = {};
+    paged_ = false;
+    memory_.reset();
+}
+
+void KeptTile::dropPages() {
+    for (KeptBin& bin : bins_) bin.base.clear();
+    paged_ = false;
 }
 
 std::size_t KeptTile::retime(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
@@ -69,6 +75,8 @@ std::size_t KeptTile::sweep(const Receivers& receivers, const KeptWalls& walls, 
     for (const AzimuthBin& bin : binned.bins)
         if (!bins_[bin.number].holds(bin)) missing.push_back(&bin);
     if (missing.empty()) return 0;
+    dropPages();
+    known_ = KnownCells(blocks_);
     lookAtGround(receivers, walls, false);
     Sweeping sweeping{walls, receivers.grid.cellM, stop};
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
@@ -94,47 +102,65 @@ void KeptTile::sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) c
     if (sweeping.stop.stop_requested()) kept = {};
 }
 
-struct KeptTile::Editing {
-    TileEdit edit;
-    /// Of one thread.
-    struct Memory {
+/// Of each thread.
+struct KeptTile::EditMemory {
+    struct Own {
         BinEdit codes;
         GapEdit gaps;
         TileSteps steps;
     };
-    tbb::enumerable_thread_specific<Memory> memory{[this] { return Memory{{}, {}, TileSteps(edit.blocks)}; }};
+    explicit EditMemory(std::size_t numbers) : own([numbers] { return Own{{}, {}, TileSteps(numbers)}; }) {}
+    tbb::enumerable_thread_specific<Own> own;
+};
+
+struct KeptTile::Editing {
+    TileEdit edit;
+    EditMemory& memory;
 
     [[nodiscard]] bool hangs() const {
         return !edit.walls.open().empty() || !edit.change.removed.open.empty();
     }
 };
 
-void KeptTile::change(const Receivers& receivers, std::span<const float> groundBeforeM,
-                      const KeptWalls& walls, const WallChange& change, const BinnedSun& binned,
-                      const PeriodCount& count, double binDeg, const std::stop_token& stop) {
-    const ReceiverBlocks before = std::exchange(blocks_, ReceiverBlocks(receivers, box_, Numbering::cells));
+KeptTile::KeptTile(KeptTile&&) noexcept = default;
+KeptTile& KeptTile::operator=(KeptTile&&) noexcept = default;
+KeptTile::~KeptTile() = default;
+
+// Where pages say nothing of these buildings what lies below them is not known.
+ChangedCells KeptTile::become(const Receivers& receivers, std::span<const std::uint32_t> cells, bool again) {
+    if (!again) known_ = KnownCells(blocks_);
+    return noonmark::become(blocks_, known_, receivers, cells);
+}
+
+void KeptTile::change(const Receivers& receivers, std::span<const std::uint32_t> cells,
+                      const KeptWalls& walls, const WallChange& change, const HiddenByNumber& hidden,
+                      double binDeg, const std::stop_token& stop) {
+    const bool again = change.again && paged_ && receivers.flat();
+    const ChangedCells changed = become(receivers, cells, again);
     if (bytes() == 0) return;
-    const ChangedCells cells = changedCells(blocks_, before, receivers, groundBeforeM);
-    lookAtGround(receivers, walls, !change.removed.open.empty());
-    count_.beginNew(blocks_, cells.newNumbers);
-    std::vector<const HiddenSuns*> hidden(bins_.size(), nullptr);
-    for (std::size_t i = 0; i < binned.bins.size(); ++i) hidden[binned.bins[i].number] = &count.hidden(i);
-    Editing editing{
-        {walls, change, blocks_, grounds_, open_, cells, receivers.grid.columns, receivers.grid.cellM, stop}};
+    if (!again) dropPages();
+    if (!receivers.flat() || !walls.open().empty() || !change.removed.open.empty())
+        lookAtGround(receivers, walls, !change.removed.open.empty());
+    count_.beginNew(blocks_, changed.newNumbers);
+    if (!memory_) memory_ = std::make_unique<EditMemory>(blocks_.numbers());
+    Editing editing{{walls, change, blocks_, known_, grounds_, open_, changed, again, receivers.flat(),
+                     receivers.grid.columns, receivers.grid.cellM, stop},
+                    *memory_};
     tbb::parallel_for(std::size_t{0}, bins_.size(), [&](std::size_t number) {
         if (bins_[number].codes.empty() || stop.stop_requested()) return;
         this->change(std::uint32_t(number), middleAway(std::uint32_t(number), binDeg), hidden[number],
                      editing);
     });
-    for (const Editing::Memory& memory : editing.memory) count_.take(memory.steps);
+    for (EditMemory::Own& own : memory_->own) count_.take(own.steps);
+    paged_ = receivers.flat();
     if (stop.stop_requested()) drop();
 }
 
 // Of a bin that the period does not visit the sums know nothing.
 void KeptTile::change(std::uint32_t number, glm::dvec2 away, const HiddenSuns* hidden, Editing& editing) {
     KeptBin& bin = bins_[number];
-    Editing::Memory& memory = editing.memory.local();
-    const auto changes = memory.codes.run(editing.edit, away, bin.lowest, bin.codes);
+    EditMemory::Own& memory = editing.memory.own.local();
+    const auto changes = memory.codes.run(editing.edit, away, bin);
     for (const CodeChange& change : changes)
         if (const std::uint32_t steps =
                 hidden == nullptr ? 0 : (*hidden)(change.after) - (*hidden)(change.before);
@@ -150,7 +176,7 @@ void KeptTile::writeGross(ShadowField& field, const std::stop_token& stop) {
     count_.writeGross(blocks_, field, stop);
 }
 
-void KeptTile::writeRuns(const BinnedSun& binned, const PeriodCount& count, ShadowField& field,
+void KeptTile::writeRuns(const BinnedSun& binned, const RunCount& count, ShadowField& field,
                          const std::stop_token& stop) {
     count_.writeRuns(blocks_, bins_, binned, count, field, stop);
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <stop_token>
 #include <vector>
 
+#include "core/accumulate/horizon/counted_period.h"
 #include "core/accumulate/horizon/gap_edit.h"
 #include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/kept_walls.h"
@@ -14,6 +16,9 @@ namespace noonmark {
 class KeptTile {
 public:
     KeptTile(const Receivers& receivers, const TileBox& box, std::size_t bins);
+    KeptTile(KeptTile&&) noexcept;
+    KeptTile& operator=(KeptTile&&) noexcept;
+    ~KeptTile();
 
     [[nodiscard]] const ReceiverBlocks& blocks() const { return blocks_; }
     [[nodiscard]] std::size_t bytes() const;
@@ -24,34 +29,42 @@ public:
     std::size_t retime(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                        const std::stop_token& stop);
 
-    /// After the city changed: other receivers (their ground `groundBeforeM`, as in Receivers), buildings
-    /// that went and came. Only horizons that may change are looked at. After a stop the tile is empty.
-    void change(const Receivers& receivers, std::span<const float> groundBeforeM, const KeptWalls& walls,
-                const WallChange& change, const BinnedSun& binned, const PeriodCount& count, double binDeg,
+    /// After the city changed: buildings that went and came, `cells` that have become receivers or none, or
+    /// lie at another height. Only horizons that may change are looked at. After a stop the tile is empty.
+    void change(const Receivers& receivers, std::span<const std::uint32_t> cells, const KeptWalls& walls,
+                const WallChange& change, const HiddenByNumber& hidden, double binDeg,
                 const std::stop_token& stop);
+
+    /// Forgets what horizons are without the buildings that came last: these take longer to go, then.
+    void dropPages();
 
     /// Writes the gross minutes that are out of date.
     void writeGross(ShadowField& field, const std::stop_token& stop);
 
     /// Writes the longest runs that are out of date.
-    void writeRuns(const BinnedSun& binned, const PeriodCount& count, ShadowField& field,
+    void writeRuns(const BinnedSun& binned, const RunCount& count, ShadowField& field,
                    const std::stop_token& stop);
 
 private:
     struct Sweeping;  // what the threads share while bins are swept
     struct Editing;   // or changed
+    struct EditMemory;
     std::size_t sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                       const std::stop_token& stop);
     void sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const;
     void lookAtGround(const Receivers& receivers, const KeptWalls& walls, bool hung);
+    ChangedCells become(const Receivers& receivers, std::span<const std::uint32_t> cells, bool again);
     void change(std::uint32_t number, glm::dvec2 away, const HiddenSuns* hidden, Editing& editing);
 
     TileBox box_;
     ReceiverBlocks blocks_;
+    KnownCells known_;
+    bool paged_ = false;  // the bins' pages are without the buildings that came last
     BlockGrounds grounds_;
     OpenTile open_;              // empty before anything hangs
     std::vector<KeptBin> bins_;  // by number
     TileCount count_;
+    std::unique_ptr<EditMemory> memory_;  // kept from one change to the next
 };
 
 }  // namespace noonmark

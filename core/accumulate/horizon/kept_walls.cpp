@@ -4,14 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <unordered_map>
-#include <unordered_set>
 
 namespace noonmark {
 
 namespace {
-
-using Buildings = std::vector<std::shared_ptr<const Building>>;
 
 /// Squares over some prisms' middles: 128 cells a side, or more where that makes too many.
 struct SquareGrid {
@@ -38,26 +34,16 @@ struct SquareGrid {
     std::size_t columns = 0, rows = 0;
 };
 
-/// Buildings of `from` that are not in `to`, each as often as it lacks there.
-Buildings lacking(const Buildings& from, const Buildings& to) {
-    const std::size_t common = std::min(from.size(), to.size());
-    std::unordered_map<const Building*, int> there;
-    for (std::size_t i = 0; i < to.size(); ++i)
-        if (i >= common || from[i] != to[i]) ++there[to[i].get()];
-    Buildings missing;
-    for (std::size_t i = 0; i < from.size(); ++i)
-        if ((i >= common || from[i] != to[i]) && there[from[i].get()]-- <= 0) missing.push_back(from[i]);
-    return missing;
-}
-
-/// Moves out of `items` those of some owners.
+/// Moves out of `items` those of some owners. Both ascend.
 template <class T>
 std::vector<T> takeOut(std::vector<T>& items, std::vector<std::uint64_t>& ownerOf,
-                       const std::unordered_set<std::uint64_t>& owners) {
+                       std::span<const std::uint64_t> owners) {
     std::vector<T> taken;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (owners.contains(ownerOf[i])) {
+    if (owners.empty()) return taken;
+    auto kept = std::size_t(std::ranges::lower_bound(ownerOf, owners.front()) - ownerOf.begin());
+    for (std::size_t i = kept; i < items.size(); ++i) {
+        while (!owners.empty() && owners.front() < ownerOf[i]) owners = owners.subspan(1);
+        if (!owners.empty() && owners.front() == ownerOf[i]) {
             taken.push_back(std::move(items[i]));
             continue;
         }
@@ -85,6 +71,8 @@ Result<KeptWalls> KeptWalls::of(const City& city, const Receivers& receivers) {
         walls.list_.terrain =
             std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, walls.list_.datumM);
     if (const auto change = walls.become(city); !change) return tl::make_unexpected(change.error());
+    walls.firstOfLast_ = walls.next_;
+    walls.noteBefore(false);
     return walls;
 }
 
@@ -93,31 +81,54 @@ bool KeptWalls::sameGround(const City& city, const Receivers& receivers) const {
 }
 
 Result<WallChange> KeptWalls::become(const City& city) {
-    const Buildings fresh = lacking(city.buildings, buildings_);
-    const Owners gone = ownersOf(lacking(buildings_, city.buildings));
+    const ChangedBuildings changed = changedBuildings(buildings_, city.buildings);
+    const Owners gone = ownersOf(changed.gone);
     WallList more{.datumM = list_.datumM};
     OpenParts parts;
-    for (std::uint32_t i = 0; i < fresh.size(); ++i) addStandingWalls(*fresh[i], i, grid_, more, parts);
+    for (std::uint32_t i = 0; i < changed.come.size(); ++i)
+        addStandingWalls(*changed.come[i], i, grid_, more, parts);
     const std::size_t others = open_.all().size() - open_.sizeOf(gone);
     const auto open = openTriangles(parts, grid_, list_.datumM, others);
     if (!open) return tl::make_unexpected(open.error());
     dropLostWalls();
-    WallChange change{.removed = remove(gone), .added = add(std::move(more), *open)};
-    for (const auto& building : fresh) numbers_.emplace_back(building.get(), next_++);
-    buildings_ = city.buildings;
-    noteCircles();
+    const bool again = cameLast(gone);
+    for (const auto& building : changed.gone) forget(building.get(), gone);
+    WallChange change{.removed = remove(gone), .added = {}, .again = again};
+    noteBefore(again);
+    change.added = add(std::move(more), *open);
+    firstOfLast_ = next_;
+    for (const auto& building : changed.come) numbers_.emplace(building.get(), next_++);
+    takeOver(buildings_, city.buildings);
     return change;
+}
+
+// What is there now was there before all that comes.
+void KeptWalls::noteBefore(bool again) {
+    solidsBefore_ = list_.solids.size();
+    if (!again) noteCircles();
 }
 
 KeptWalls::Owners KeptWalls::ownersOf(const Buildings& buildings) const {
     Owners owners;
     for (const auto& building : buildings) {
-        const auto own = [&](const auto& number) {
-            return number.first == building.get() && !owners.contains(number.second);
-        };
-        owners.insert(std::ranges::find_if(numbers_, own)->second);
+        auto own = numbers_.equal_range(building.get()).first;
+        while (std::ranges::find(owners, own->second) != owners.end()) ++own;
+        owners.push_back(own->second);
     }
+    std::ranges::sort(owners);
     return owners;
+}
+
+// These are all of them, and no others.
+bool KeptWalls::cameLast(const Owners& owners) const {
+    if (owners.size() != next_ - firstOfLast_) return false;
+    return owners.empty() || owners.front() == firstOfLast_;
+}
+
+void KeptWalls::forget(const Building* building, const Owners& owners) {
+    const auto [first, end] = numbers_.equal_range(building);
+    for (auto own = first; own != end;)
+        own = std::ranges::binary_search(owners, own->second) ? numbers_.erase(own) : std::next(own);
 }
 
 // Buildings in `more` and `open` count from the next one.
@@ -129,23 +140,22 @@ WallSet KeptWalls::add(WallList more, const OpenTriangles& open) {
     for (const StandingSolid& solid : more.solids) solidOwners_.push_back(next_ + solid.building);
     for (const OpenTriangles::Owner& owner : open.owners) open_.add(open.of(owner), next_ + owner.building);
     list_.walls.insert(list_.walls.end(), more.walls.begin(), more.walls.end());
+    wallsUsed_ += more.walls.size();
     list_.prisms.insert(list_.prisms.end(), more.prisms.begin(), more.prisms.end());
     list_.solids.insert(list_.solids.end(), more.solids.begin(), more.solids.end());
     return {std::move(more.prisms), std::move(more.solids), open.all};
 }
 
 WallSet KeptWalls::remove(const Owners& owners) {
-    if (owners.empty()) return {};
-    std::erase_if(numbers_, [&](const auto& number) { return owners.contains(number.second); });
-    return {takeOut(list_.prisms, owners_, owners), takeOut(list_.solids, solidOwners_, owners),
-            open_.remove(owners)};
+    WallSet removed{takeOut(list_.prisms, owners_, owners), takeOut(list_.solids, solidOwners_, owners),
+                    open_.remove(owners)};
+    for (const StandingPrism& prism : removed.prisms) wallsUsed_ -= prism.wallCount;
+    return removed;
 }
 
 // Walls of what was removed stay until they are half of all.
 void KeptWalls::dropLostWalls() {
-    std::size_t used = 0;
-    for (const StandingPrism& prism : list_.prisms) used += prism.wallCount;
-    if (list_.walls.size() <= 2 * used + 1000) return;
+    if (list_.walls.size() <= 2 * wallsUsed_ + 1000) return;
     std::vector<StandingWall> walls;
     for (StandingPrism& prism : list_.prisms) {
         const auto of = list_.wallsOf(prism);

@@ -76,8 +76,8 @@ void PeriodCount::addHidden(std::size_t bin, std::span<const Gap> gaps, std::spa
     for (const Gap& gap : gaps) sums[gap.number] += hidden_[bin](gap.high) - hidden_[bin](gap.low);
 }
 
-RunLanes PeriodCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
-                                  RunMemory& memory) const {
+RunLanes RunCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                               RunMemory& memory) const {
     copyLanes(codes, part * lanesARun, memory.lanes);
     addGaps(gaps, part * lanesARun, memory);
     RunLanes longest = runs_.of(memory.lanes);
@@ -86,7 +86,7 @@ RunLanes PeriodCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, st
 }
 
 // Were all below the gaps hidden too, runs would be no shorter: where that changes nothing, gaps do not.
-void PeriodCount::walkOpen(RunMemory& memory, RunLanes& longest) const {
+void RunCount::walkOpen(RunMemory& memory, RunLanes& longest) const {
     std::vector<RunLanes> filled = memory.lanes;
     for (const auto& [bin, gap] : memory.open)
         filled[bin].values[gap.number] = std::max(filled[bin].values[gap.number], gap.high);

@@ -141,7 +141,8 @@ void PeriodSweep::count(const ReceiverBlocks& blocks, const TileHorizons& horizo
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, partsOf(blocks), [&](std::size_t part) {
         if (stop_.stop_requested()) return;
-        writeMinutes(blocks, part, hidden, count_.longestRuns(codes, gaps, part, runMemory_.local()), field);
+        writeMinutes(blocks, part, hidden, count_.runs().longestRuns(codes, gaps, part, runMemory_.local()),
+                     field);
         report(blocks, 0.8 + 0.2 * double(++done) / double(partsOf(blocks)));
     });
 }

@@ -57,6 +57,21 @@ void ReceiverBlocks::addCell(CellKind kind, std::uint32_t cell, int x, int y) {
     columnMasks_.back()[std::size_t(x)] |= std::uint16_t(1U << unsigned(y));
 }
 
+ReceiverBlocks::Seat ReceiverBlocks::seatOf(int column, int row) const {
+    const int x = column - box_.firstColumn, y = row - box_.firstRow;
+    const auto block = std::size_t(blockAt(x / side, y / side));
+    return {block, blocks_[block].first + std::uint32_t(y % side * side + x % side), x % side, y % side};
+}
+
+void ReceiverBlocks::become(const Seat& seat, std::uint32_t cell, bool receiver) {
+    const bool was = cellOf_[seat.number] != padding;
+    cellOf_[seat.number] = receiver ? cell : padding;
+    if (was == receiver) return;
+    receivers_ += receiver ? std::size_t{1} : ~std::size_t{0};
+    rowMasks_[seat.block][std::size_t(seat.y)] ^= std::uint16_t(1U << unsigned(seat.x));
+    columnMasks_[seat.block][std::size_t(seat.x)] ^= std::uint16_t(1U << unsigned(seat.y));
+}
+
 std::vector<TileBox> tilesOf(const Grid& grid, int side) {
     std::vector<TileBox> tiles;
     for (int row = 0; row < grid.rows; row += side)

@@ -49,6 +49,15 @@ public:
         const bool inside = column >= 0 && row >= 0 && column < squares_.x && row < squares_.y;
         return inside ? blockAt_[std::size_t(row) * std::size_t(squares_.x) + std::size_t(column)] : -1;
     }
+    /// Where a cell of a tile whose cells all have numbers is found.
+    struct Seat {
+        std::size_t block;
+        std::uint32_t number;
+        int x, y;  ///< in the block
+    };
+    [[nodiscard]] Seat seatOf(int column, int row) const;
+    /// Makes that cell a receiver, or none.
+    void become(const Seat& seat, std::uint32_t cell, bool receiver);
     /// Squares of the tile, with and without receivers.
     [[nodiscard]] glm::ivec2 squares() const { return squares_; }
     [[nodiscard]] std::size_t receivers() const { return receivers_; }

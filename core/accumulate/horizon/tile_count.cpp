@@ -4,43 +4,70 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 namespace noonmark {
 
 namespace {
 
-bool hasReceivers(const ReceiverBlocks& blocks, std::size_t part) {
-    const std::size_t end = std::min((part + 1) * lanesARun, blocks.numbers());
-    for (std::size_t number = part * lanesARun; number < end; ++number)
+// Numbers that one task counts through all bins: their sums stay in the first-level cache.
+constexpr std::size_t numbersATask = 8192;
+constexpr std::uint32_t numbersALine = 32;
+
+bool hasReceivers(const ReceiverBlocks& blocks, std::size_t first, std::size_t end) {
+    for (std::size_t number = first; number < std::min(end, blocks.numbers()); ++number)
         if (blocks.cell(number) != ReceiverBlocks::padding) return true;
     return false;
 }
 
-// Numbers that one task counts through all bins: their sums and a bin's table stay in cache.
-constexpr std::size_t numbersATask = 65'536;
-// Stretches of receivers as close as this are counted as one.
-constexpr std::uint32_t smallGap = 4;
-
-std::vector<Stretch> stretchesOfReceivers(const ReceiverBlocks& blocks) {
-    std::vector<Stretch> stretches;
-    for (std::uint32_t number = 0; number < blocks.numbers(); ++number) {
-        if (blocks.cell(number) == ReceiverBlocks::padding) continue;
-        const bool joins = !stretches.empty() && number <= stretches.back().end + smallGap &&
-                           number / numbersATask == stretches.back().first / numbersATask;
-        if (joins)
-            stretches.back().end = number + 1;
-        else
-            stretches.push_back({number, number + 1});
+// Lines of numbers with receivers, side by side as one.
+std::vector<Stretch> linesOfReceivers(const ReceiverBlocks& blocks, std::size_t task) {
+    std::vector<Stretch> lines;
+    const auto end = std::uint32_t(std::min((task + 1) * numbersATask, blocks.numbers()));
+    for (auto first = std::uint32_t(task * numbersATask); first < end; first += numbersALine) {
+        if (!hasReceivers(blocks, first, first + numbersALine)) continue;
+        if (lines.empty() || lines.back().end != first) lines.push_back({first, first});
+        lines.back().end = first + numbersALine;
     }
-    return stretches;
+    return lines;
 }
+
+/// Sums of some numbers in 16 bits, for as long as they cannot overflow.
+class ShortSums {
+public:
+    ShortSums(std::size_t first, std::span<const Stretch> lines, std::uint32_t* all)
+        : first_(first), lines_(lines), all_(all) {}
+
+    void add(const SunChange& change, const HorizonCode* horizons) {
+        constexpr int mostShort = std::numeric_limits<std::int16_t>::max();
+        if (most_ + change.most() > mostShort) flush();
+        most_ += change.most();
+        for (const auto& [first, end] : lines_)
+            change.addTo(horizons + first, end - first, sums_.data() + (first - first_));
+    }
+
+    void flush() {
+        for (const auto& [first, end] : lines_)
+            for (std::size_t i = first; i < end; ++i)
+                all_[i] += std::uint32_t(int(std::exchange(sums_[i - first_], std::int16_t(0))));
+        most_ = 0;
+    }
+
+private:
+    std::size_t first_;
+    std::span<const Stretch> lines_;
+    std::uint32_t* all_;
+    int most_ = 0;
+    std::array<std::int16_t, numbersATask> sums_{};
+};
 
 }  // namespace
 
 void TileCount::retime(const ReceiverBlocks& blocks, std::span<const KeptBin> bins, const BinnedSun& binned,
                        const std::stop_token& stop) {
-    if (!stop.stop_requested()) addHidden(blocks, bins, tablesFor(blocks, bins.size(), binned), stop);
+    if (!stop.stop_requested()) addHidden(blocks, bins, changesFor(blocks, bins, binned), stop);
     if (stop.stop_requested()) *this = {};
     allOld(blocks);
 }
@@ -60,38 +87,48 @@ void TileCount::beginNew(const ReceiverBlocks& blocks, std::span<const std::uint
 
 // What is to be added to the sums: of each bin the suns that came, less those that went; or, where that is
 // less work, all anew. A bin that was swept anew says the same as before of the suns that it knew.
-std::vector<TileCount::BinTable> TileCount::tablesFor(const ReceiverBlocks& blocks, std::size_t bins,
-                                                      const BinnedSun& binned) {
-    std::vector<std::vector<HorizonCode>> suns(bins);
-    for (const AzimuthBin& bin : binned.bins) suns[bin.number] = bin.suns;
-    std::swap(suns, suns_);
-    suns.resize(bins);
-    std::vector<BinTable> changes;
-    for (std::uint32_t number = 0; number < bins; ++number)
-        if (suns[number] != suns_[number])
-            changes.push_back({number, HiddenSuns(suns_[number], suns[number])});
-    if (changes.size() < binned.bins.size() && hidden_.size() == blocks.numbers()) return changes;
-    hidden_.assign(blocks.numbers(), 0);
-    changes.clear();
-    for (const AzimuthBin& bin : binned.bins) changes.push_back({bin.number, HiddenSuns(bin.suns)});
+std::vector<TileCount::BinChange> TileCount::changesFor(const ReceiverBlocks& blocks,
+                                                        std::span<const KeptBin> bins,
+                                                        const BinnedSun& binned) {
+    if (hidden_.size() != blocks.numbers()) {
+        hidden_.assign(blocks.numbers(), 0);
+        suns_.clear();
+    }
+    suns_.resize(bins.size());
+    std::vector<Suns> before(bins.size());
+    std::swap(suns_, before);
+    for (const AzimuthBin& bin : binned.bins) suns_[bin.number] = bin.suns;
+    std::size_t others = 0;
+    for (std::size_t number = 0; number < bins.size(); ++number) others += suns_[number] != before[number];
+    if (others > binned.bins.size()) {
+        hidden_.assign(blocks.numbers(), 0);
+        before.assign(bins.size(), {});
+    }
+    std::vector<BinChange> changes(bins.size());
+    tbb::parallel_for(std::size_t{0}, bins.size(), [&](std::size_t number) {
+        changes[number] = {std::uint32_t(number), sunChanges(suns_[number], before[number]), {}};
+        if (!changes[number].changes.empty() && !bins[number].gaps.empty())
+            changes[number].hidden.emplace_back(suns_[number], before[number]);
+    });
+    std::erase_if(changes, [](const BinChange& change) { return change.changes.empty(); });
     return changes;
 }
 
 void TileCount::addHidden(const ReceiverBlocks& blocks, std::span<const KeptBin> bins,
-                          const std::vector<BinTable>& tables, const std::stop_token& stop) {
-    const std::vector<Stretch> stretches = stretchesOfReceivers(blocks);
-    const auto firstOf = [&](std::size_t task) {
-        return std::ranges::lower_bound(stretches, task * numbersATask, {}, &Stretch::first);
-    };
-    tbb::parallel_for(
-        std::size_t{0}, (blocks.numbers() + numbersATask - 1) / numbersATask, [&](std::size_t task) {
-            const std::span own(firstOf(task), firstOf(task + 1));
-            for (const BinTable& table : tables) {
-                if (stop.stop_requested()) return;
-                table.hidden.addTo(bins[table.number].codes.data(), own, hidden_.data());
-                addGaps(bins[table.number], table.hidden, task * numbersATask, (task + 1) * numbersATask);
-            }
-        });
+                          const std::vector<BinChange>& changes, const std::stop_token& stop) {
+    const std::size_t tasks = (blocks.numbers() + numbersATask - 1) / numbersATask;
+    tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
+        const std::size_t first = task * numbersATask;
+        const std::vector<Stretch> lines = linesOfReceivers(blocks, task);
+        ShortSums sums(first, lines, hidden_.data());
+        for (const BinChange& change : changes) {
+            if (stop.stop_requested()) return;
+            for (const SunChange& some : change.changes) sums.add(some, bins[change.number].codes.data());
+            for (const HiddenSuns& hidden : change.hidden)
+                addGaps(bins[change.number], hidden, first, first + numbersATask);
+        }
+        sums.flush();
+    });
 }
 
 // Of numbers [first, end).
@@ -104,15 +141,14 @@ void TileCount::addGaps(const KeptBin& bin, const HiddenSuns& hidden, std::size_
     });
 }
 
-// Adds to the sums of some parts.
-void TileCount::take(const TileSteps& steps) {
-    const auto& [more, parts] = steps;
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-        if (parts[part] == 0) continue;
+void TileCount::take(TileSteps& steps) {
+    auto& [more, parts] = steps;
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+        if (std::exchange(parts[part], std::uint8_t(0)) == 0) return;
         grossIsOld_[part] = runsAreOld_[part] = 1;
         for (std::size_t i = part * lanesARun; i < std::min((part + 1) * lanesARun, more.size()); ++i)
-            hidden_[i] += more[i];
-    }
+            hidden_[i] += std::exchange(more[i], 0U);
+    });
 }
 
 void TileCount::writeGross(const ReceiverBlocks& blocks, ShadowField& field, const std::stop_token& stop) {
@@ -124,7 +160,7 @@ void TileCount::writeGross(const ReceiverBlocks& blocks, ShadowField& field, con
 }
 
 void TileCount::writeRuns(const ReceiverBlocks& blocks, std::span<const KeptBin> bins,
-                          const BinnedSun& binned, const PeriodCount& count, ShadowField& field,
+                          const BinnedSun& binned, const RunCount& count, ShadowField& field,
                           const std::stop_token& stop) {
     BinCodes codes;
     BinGaps gaps;
@@ -135,7 +171,7 @@ void TileCount::writeRuns(const ReceiverBlocks& blocks, std::span<const KeptBin>
     tbb::enumerable_thread_specific<RunMemory> memory;
     tbb::parallel_for(std::size_t{0}, partsOf(blocks), [&](std::size_t part) {
         if (stop.stop_requested() || runsAreOld_[part] == 0) return;
-        if (hasReceivers(blocks, part))
+        if (hasReceivers(blocks, part * lanesARun, (part + 1) * lanesARun))
             noonmark::writeRuns(blocks, part, count.longestRuns(codes, gaps, part, memory.local()), field);
         runsAreOld_[part] = 0;
     });

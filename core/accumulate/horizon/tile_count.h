@@ -8,6 +8,7 @@
 #include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/period_count.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
+#include "core/accumulate/horizon/sun_change.h"
 
 namespace noonmark {
 
@@ -16,7 +17,7 @@ struct TileSteps {
     std::vector<std::uint32_t> more;  ///< one a number
     std::vector<std::uint8_t> parts;
 
-    explicit TileSteps(const ReceiverBlocks& blocks) : more(blocks.numbers()), parts(partsOf(blocks)) {}
+    explicit TileSteps(std::size_t numbers) : more(numbers), parts((numbers + lanesARun - 1) / lanesARun) {}
     void add(std::uint32_t number, std::uint32_t steps) {
         more[number] += steps;
         parts[number / lanesARun] = 1;
@@ -26,35 +27,40 @@ struct TileSteps {
 /// The steps hidden in a tile in the period at hand, and what of the field is out of date.
 class TileCount {
 public:
-    /// Counts a period; of bins whose suns are those of the period before nothing. `bins`: by number, those
-    /// of the period are there. After a stop all is to be counted.
+    /// Counts a period; of bins whose suns are those of the period before nothing, of the others the suns
+    /// that came and went. `bins`: by number, those of the period are there. After a stop all is to be
+    /// counted.
     void retime(const ReceiverBlocks& blocks, std::span<const KeptBin> bins, const BinnedSun& binned,
                 const std::stop_token& stop);
 
     /// These count from nothing.
     void beginNew(const ReceiverBlocks& blocks, std::span<const std::uint32_t> numbers);
-    void take(const TileSteps& steps);
+    /// Adds steps to the sums, and clears them.
+    void take(TileSteps& steps);
 
     /// Writes the gross minutes that are out of date.
     void writeGross(const ReceiverBlocks& blocks, ShadowField& field, const std::stop_token& stop);
 
     /// Writes the longest runs that are out of date.
     void writeRuns(const ReceiverBlocks& blocks, std::span<const KeptBin> bins, const BinnedSun& binned,
-                   const PeriodCount& count, ShadowField& field, const std::stop_token& stop);
+                   const RunCount& count, ShadowField& field, const std::stop_token& stop);
 
 private:
-    struct BinTable {
+    using Suns = std::vector<HorizonCode>;
+    struct BinChange {
         std::uint32_t number;
-        HiddenSuns hidden;
+        std::vector<SunChange> changes;
+        std::vector<HiddenSuns> hidden;  ///< the same for gaps, where the bin has any
     };
-    std::vector<BinTable> tablesFor(const ReceiverBlocks& blocks, std::size_t bins, const BinnedSun& binned);
+    std::vector<BinChange> changesFor(const ReceiverBlocks& blocks, std::span<const KeptBin> bins,
+                                      const BinnedSun& binned);
     void addHidden(const ReceiverBlocks& blocks, std::span<const KeptBin> bins,
-                   const std::vector<BinTable>& tables, const std::stop_token& stop);
+                   const std::vector<BinChange>& changes, const std::stop_token& stop);
     void addGaps(const KeptBin& bin, const HiddenSuns& hidden, std::size_t first, std::size_t end);
     void allOld(const ReceiverBlocks& blocks);
 
     std::vector<std::uint32_t> hidden_;                  // one a number
-    std::vector<std::vector<HorizonCode>> suns_;         // that were counted; by bin number
+    std::vector<Suns> suns_;                             // that were counted; by bin number
     std::vector<std::uint8_t> grossIsOld_, runsAreOld_;  // one for each 64 numbers
 };
 

@@ -213,6 +213,36 @@ TEST(KeptHorizons, anyEditsOfWhatHangsGiveTheFieldOfAFreshComputation) {
     expectFreshFields(blocks(3, 3), 1000, true, [](const City& city) { return coarseRegion(city); });
 }
 
+/// Buildings that are dragged one after the other, some back to where they stood, some together, with other
+/// edits, other periods and a lack of memory in between.
+void expectFreshFieldsWhileDragged(bool hanging, std::uint64_t memoryBytes) {
+    std::mt19937 random(5);
+    City city = blocks(3, 3);
+    AnyBuilding anyBuilding(random, {}, hanging);
+    const std::vector<SunSteps> periods{someDays(25, 2), someDays(50, 2), someDays(10, 1)};
+    KeptHorizons kept = keptOf(city, coarseRegion(city), memoryBytes);
+    retimed(kept, periods[0]);
+    for (int drag = 0; drag < 60; ++drag) {
+        if (drag % 3 == 0) city.buildings.push_back(anyBuilding());
+        if (drag % 5 == 4) city.buildings.erase(city.buildings.begin() + std::ptrdiff_t(random() % 5));
+        const std::size_t which = random() % city.buildings.size();
+        for (std::uint32_t move = 0; move < 2 + random() % 6; ++move) {
+            city.buildings[which] = anyBuilding();
+            if (drag % 4 == 1) city.buildings.back() = anyBuilding();
+            changed(kept, city, coarseRegion(city));
+        }
+        const SunSteps& sun = periods[std::size_t(drag) / 7 % periods.size()];
+        ASSERT_TRUE(sameField(retimed(kept, sun), fresh(city, coarseRegion(city), sun))) << drag;
+        while (city.buildings.size() > 20) city.buildings.pop_back();
+    }
+}
+
+TEST(KeptHorizons, draggedBuildingsGiveTheFieldOfAFreshComputation) {
+    for (const bool hanging : {false, true})
+        for (const std::uint64_t memoryBytes : {std::uint64_t{1} << 30U, std::uint64_t{320} << 10U})
+            expectFreshFieldsWhileDragged(hanging, memoryBytes);
+}
+
 TEST(KeptHorizons, anyEditsOnTerrainGiveTheFieldOfAFreshComputation) {
     City city;
     city.terrain = terrainOf(40, 6, RandomHills(4));

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/accumulate/horizon/period_count.h"
+
+namespace noonmark {
+
+/// Tables of a period's bins by number; null where it does not visit the bin.
+using HiddenByNumber = std::vector<const HiddenSuns*>;
+
+/// A period as kept horizons count it. What not every count needs is made when it is first asked for. Not for
+/// several threads at a time.
+class CountedPeriod {
+public:
+    CountedPeriod(const SunSteps& sun, double binDeg);
+
+    [[nodiscard]] const BinnedSun& binned() const { return binned_; }
+    /// O(steps) the first time.
+    const RunCount& runs();
+    /// `bins`: numbers that there may be. Some 0.1 ms a bin the first time.
+    const HiddenByNumber& hidden(std::size_t bins);
+
+private:
+    BinnedSun binned_;
+    std::vector<TimedStep> steps_;  // empty once runs_ is there
+    std::optional<RunCount> runs_;
+    std::vector<std::optional<HiddenSuns>> tables_;  // one a bin
+    HiddenByNumber hidden_;
+};
+
+}  // namespace noonmark

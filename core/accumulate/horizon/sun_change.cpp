@@ -1,0 +1,151 @@
+#include "core/accumulate/horizon/sun_change.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/accumulate/horizon/lanes16.h"
+
+#ifdef NOONMARK_PICKS_ISA
+#include <immintrin.h>
+#endif
+
+namespace noonmark {
+
+namespace {
+
+/// Places count from the lowest code up, so that they are unsigned.
+struct Table {
+    const std::int16_t* counts;
+    int lowest, last;
+
+    [[nodiscard]] std::int16_t of(HorizonCode horizon) const {
+        return counts[std::clamp(int(horizon) - lowest, 0, last)];
+    }
+};
+
+void addOneByOne(const HorizonCode* horizons, std::size_t count, const Table& table, std::int16_t* sums) {
+    for (std::size_t i = 0; i < count; ++i) sums[i] = std::int16_t(sums[i] + table.of(horizons[i]));
+}
+
+#ifdef NOONMARK_PICKS_ISA
+// 16-bit lanes want an extension that target_clones does not know. Returns how many it did.
+[[gnu::target("avx512f,avx512bw")]] inline void lookUp512(const HorizonCode* horizons, const Table& table,
+                                                          std::int16_t* sums) {
+    const __m256i unsign = _mm256_set1_epi16(noHorizon),
+                  lowest = _mm256_set1_epi16(short(table.lowest - noHorizon)),
+                  last = _mm256_set1_epi16(short(table.last));
+    for (int half = 0; half < 32; half += 16) {
+        const auto* from = reinterpret_cast<const __m256i*>(horizons + half);
+        auto* to = reinterpret_cast<__m256i*>(sums + half);
+        const __m256i level = _mm256_xor_si256(_mm256_loadu_si256(from), unsign);
+        const __m256i place = _mm256_min_epu16(_mm256_subs_epu16(level, lowest), last);
+        const __m512i counts = _mm512_mask_i32gather_epi32(
+            _mm512_setzero_si512(), 0xFFFF, _mm512_maskz_cvtepu16_epi32(0xFFFF, place), table.counts, 2);
+        const __m256i more = _mm512_maskz_cvtepi32_epi16(0xFFFF, counts);
+        _mm256_storeu_si256(to, _mm256_add_epi16(_mm256_loadu_si256(to), more));
+    }
+}
+
+[[gnu::target("avx512f,avx512bw")]] std::size_t add512(const HorizonCode* horizons, std::size_t count,
+                                                       const Table& table, std::int16_t* sums) {
+    const __m512i unsign = _mm512_set1_epi16(noHorizon),
+                  lowest = _mm512_set1_epi16(short(table.lowest - noHorizon)),
+                  last = _mm512_set1_epi16(short(table.last)),
+                  all = _mm512_set1_epi16(table.counts[table.last]);
+    std::size_t i = 0;
+    for (; i + 32 <= count; i += 32) {
+        const __m512i level = _mm512_xor_si512(_mm512_loadu_si512(horizons + i), unsign);
+        const __m512i place = _mm512_maskz_min_epu16(~0U, _mm512_subs_epu16(level, lowest), last);
+        const __mmask32 some = _mm512_test_epi16_mask(place, place);
+        if (some == 0) continue;
+        const __m512i sum = _mm512_loadu_si512(sums + i);
+        const __mmask32 whole = _mm512_cmpeq_epi16_mask(place, last);
+        if (some == whole)
+            _mm512_storeu_si512(sums + i, _mm512_mask_add_epi16(sum, whole, sum, all));
+        else
+            lookUp512(horizons + i, table, sums + i);
+    }
+    return i;
+}
+
+[[gnu::target("avx2")]] std::size_t add256(const HorizonCode* horizons, std::size_t count, const Table& table,
+                                           std::int16_t* sums) {
+    const __m256i unsign = _mm256_set1_epi16(noHorizon),
+                  lowest = _mm256_set1_epi16(short(table.lowest - noHorizon)),
+                  last = _mm256_set1_epi16(short(table.last)), low16 = _mm256_set1_epi32(0xFFFF);
+    const auto* counts = reinterpret_cast<const int*>(table.counts);
+    std::size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const auto* from = reinterpret_cast<const __m256i*>(horizons + i);
+        auto* to = reinterpret_cast<__m256i*>(sums + i);
+        const __m256i level = _mm256_xor_si256(_mm256_loadu_si256(from), unsign);
+        const __m256i place = _mm256_min_epu16(_mm256_subs_epu16(level, lowest), last);
+        if (_mm256_testz_si256(place, place) != 0) continue;
+        const __m256i low = _mm256_cvtepu16_epi32(_mm256_castsi256_si128(place)),
+                      high = _mm256_cvtepu16_epi32(_mm256_extracti128_si256(place, 1));
+        const __m256i a = _mm256_and_si256(_mm256_i32gather_epi32(counts, low, 2), low16),
+                      b = _mm256_and_si256(_mm256_i32gather_epi32(counts, high, 2), low16);
+        const __m256i both = _mm256_permute4x64_epi64(_mm256_packus_epi32(a, b), 0b11'01'10'00);
+        _mm256_storeu_si256(to, _mm256_add_epi16(_mm256_loadu_si256(to), both));
+    }
+    return i;
+}
+#endif
+
+std::size_t addMany(const HorizonCode* horizons, std::size_t count, const Table& table, std::int16_t* sums) {
+#ifdef NOONMARK_PICKS_ISA
+    if (__builtin_cpu_supports("avx512bw")) return add512(horizons, count, table, sums);
+    if (__builtin_cpu_supports("avx2")) return add256(horizons, count, table, sums);
+#endif
+    (void)horizons, (void)count, (void)table, (void)sums;
+    return 0;
+}
+
+std::vector<HorizonCode> lacking(std::span<const HorizonCode> from, std::span<const HorizonCode> to) {
+    std::vector<HorizonCode> missing;
+    std::ranges::set_difference(from, to, std::back_inserter(missing));
+    return missing;
+}
+
+std::span<const HorizonCode> some(const std::vector<HorizonCode>& suns, std::size_t turn) {
+    const std::size_t first = std::min(suns.size(), turn * SunChange::mostSuns);
+    return std::span(suns).subspan(first, std::min(suns.size() - first, SunChange::mostSuns));
+}
+
+}  // namespace
+
+SunChange::SunChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
+    int low = steepnessLevels, high = -steepnessLevels;
+    for (const auto& suns : {come, gone})
+        if (!suns.empty()) {
+            low = std::min(low, int(suns.front()));
+            high = std::max(high, int(suns.back()));
+        }
+    if (low <= high) {
+        lowest_ = low;
+        last_ = high - low + 1;
+    }
+    counts_.assign(std::size_t(last_) + 2, 0);
+    for (const HorizonCode sun : come) ++counts_[std::size_t(sun - lowest_ + 1)];
+    for (const HorizonCode sun : gone) --counts_[std::size_t(sun - lowest_ + 1)];
+    for (int i = 1; i <= last_; ++i) {
+        counts_[std::size_t(i)] = std::int16_t(counts_[std::size_t(i)] + counts_[std::size_t(i) - 1]);
+        most_ = std::max(most_, std::abs(int(counts_[std::size_t(i)])));
+    }
+}
+
+void SunChange::addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const {
+    const Table table{counts_.data(), lowest_, last_};
+    const std::size_t done = addMany(horizons, count, table, sums);
+    addOneByOne(horizons + done, count - done, table, sums + done);
+}
+
+std::vector<SunChange> sunChanges(std::span<const HorizonCode> suns, std::span<const HorizonCode> before) {
+    const std::vector<HorizonCode> come = lacking(suns, before), gone = lacking(before, suns);
+    std::vector<SunChange> changes;
+    for (std::size_t turn = 0; turn * SunChange::mostSuns < std::max(come.size(), gone.size()); ++turn)
+        changes.emplace_back(some(come, turn), some(gone, turn));
+    return changes;
+}
+
+}  // namespace noonmark
