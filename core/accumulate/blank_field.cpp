@@ -24,11 +24,16 @@ ShadowField blankField(const Receivers& receivers, const SunSteps& sun) {
     field.grossMin.assign(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
     for (const std::uint32_t cell : receivers.cells) field.grossMin[cell] = 0;
     field.continuousMin = field.grossMin;
+    setPeriod(field, receivers, sun);
+    return field;
+}
+
+void setPeriod(ShadowField& field, const Receivers& receivers, const SunSteps& sun) {
     field.stepMinutes = sun.stepMinutes;
     field.days = std::max(1, int(sun.dayCount()));
     field.sunlitMinutesPerDay = sun.sunlitMinutes() / field.days;
+    field.cost = {};
     countSkipped(field.cost, receivers, sun);
-    return field;
 }
 
 }  // namespace noonmark

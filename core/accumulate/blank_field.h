@@ -14,4 +14,7 @@ inline constexpr const char* cellsOutside = "cells outside the region";
 /// figures, and in Cost.skipped the cells and steps that no engine has to touch.
 ShadowField blankField(const Receivers& receivers, const SunSteps& sun);
 
+/// All of that but the minutes, for a field of these receivers that is to hold another period.
+void setPeriod(ShadowField& field, const Receivers& receivers, const SunSteps& sun);
+
 }  // namespace noonmark

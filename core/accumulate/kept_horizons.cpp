@@ -19,10 +19,13 @@ namespace noonmark {
 namespace {
 
 // Large tiles sweep faster; small ones waste less of what may stay.
-int tileSide(std::uint64_t memoryBytes, std::size_t bins) {
+int tileSide(const Grid& grid, std::uint64_t memoryBytes, std::size_t bins) {
     int side = 1024;
-    while (side > 128 && std::uint64_t(side) * std::uint64_t(side) * bins * sizeof(HorizonCode) > memoryBytes)
-        side /= 2;
+    const auto bytes = [&] {
+        return std::uint64_t(std::min(side, grid.columns)) * std::uint64_t(std::min(side, grid.rows)) * bins *
+               sizeof(HorizonCode);
+    };
+    while (side > 128 && bytes() > memoryBytes) side /= 2;
     return side;
 }
 
@@ -65,7 +68,8 @@ struct KeptHorizons::Kept {
 
     void makeTiles() {
         tiles.clear();
-        for (const TileBox& box : tilesOf(receivers.grid, tileSide(settings.memoryBytes, bins())))
+        for (const TileBox& box :
+             tilesOf(receivers.grid, tileSide(receivers.grid, settings.memoryBytes, bins())))
             tiles.emplace_back(receivers, box, bins());
     }
 
@@ -78,7 +82,10 @@ struct KeptHorizons::Kept {
 
     void begin(const SunSteps& sun) {
         period.emplace(sun, settings.binDeg);
-        field = blankField(receivers, sun);
+        if (field.continuousMin.size() == receivers.grid.size())
+            setPeriod(field, receivers, sun);
+        else
+            field = blankField(receivers, sun);
         field.engine = fmt::format(
             "Kept horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
             "every day counted",
@@ -123,9 +130,8 @@ struct KeptHorizons::Kept {
     void change(KeptTile& tile, std::span<const std::uint32_t> cells, const WallChange& change,
                 KeptCounts counts, const std::stop_token& stop) {
         const bool dropped = tile.bytes() == 0;
-        timed("change", [&] {
-            tile.change(receivers, cells, walls, change, period->hidden(bins()), settings.binDeg, stop);
-        });
+        timed("change",
+              [&] { tile.change(receivers, cells, walls, change, *period, settings.binDeg, stop); });
         if (dropped)
             sweep(tile, counts, stop);
         else
@@ -172,8 +178,10 @@ struct KeptHorizons::Kept {
             return cancelled();
         }
         if (counts == KeptCounts::grossAndRuns) return field;
+        auto runs = std::exchange(field.continuousMin, {});
         ShadowField gross = field;
-        gross.continuousMin.assign(field.continuousMin.size(), std::numeric_limits<float>::quiet_NaN());
+        field.continuousMin = std::move(runs);
+        gross.continuousMin.assign(gross.grossMin.size(), std::numeric_limits<float>::quiet_NaN());
         return gross;
     }
 };

@@ -74,25 +74,31 @@ glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
     return length > 0 ? sum / length : glm::dvec2(0, 1);  // a sun in the zenith has no azimuth
 }
 
-void addBin(BinnedSun& binned, glm::dvec2 away, std::span<const Place> places) {
-    AzimuthBin bin{places.front().bin, away, {}};
-    bin.suns.reserve(places.size());
-    for (const Place& place : places) {
-        binned.places[place.step] = {std::uint16_t(binned.bins.size()), place.sun};
-        bin.suns.push_back(place.sun);
-    }
-    binned.bins.push_back(std::move(bin));
+/// The places of one bin.
+using PlacesOfBin = std::span<const Place>;
+
+std::vector<PlacesOfBin> binsOf(const BinPlaces& sorted) {
+    std::vector<PlacesOfBin> bins;
+    for (std::size_t i = 1; i < sorted.ends.size(); ++i)
+        if (sorted.ends[i] > sorted.ends[i - 1])
+            bins.push_back(
+                std::span(sorted.places).subspan(sorted.ends[i - 1], sorted.ends[i] - sorted.ends[i - 1]));
+    return bins;
 }
 
 template <class NumberOf, class AwayOf>
 BinnedSun binnedBy(const SunSteps& sun, const NumberOf& numberOf, const AwayOf& awayOf) {
-    const auto [places, ends] = sortedPlaces(sun, numberOf);
+    const BinPlaces sorted = sortedPlaces(sun, numberOf);
+    const std::vector<PlacesOfBin> bins = binsOf(sorted);
     BinnedSun binned;
-    binned.places.resize(places.size());
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-        const auto ofBin = std::span(places).subspan(ends[i - 1], ends[i] - ends[i - 1]);
-        if (!ofBin.empty()) addBin(binned, awayOf(ofBin), ofBin);
-    }
+    binned.places.resize(sorted.places.size());
+    binned.bins.resize(bins.size());
+    tbb::parallel_for(std::size_t{0}, bins.size(), [&](std::size_t i) {
+        AzimuthBin& bin = binned.bins[i];
+        bin = {bins[i].front().bin, awayOf(bins[i]), std::vector<HorizonCode>(bins[i].size())};
+        std::ranges::transform(bins[i], bin.suns.begin(), &Place::sun);
+        for (const Place& place : bins[i]) binned.places[place.step] = {std::uint16_t(i), place.sun};
+    });
     return binned;
 }
 

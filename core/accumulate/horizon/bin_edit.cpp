@@ -26,8 +26,11 @@ double tanOf(HorizonCode lowest) {
 
 }  // namespace
 
-std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin) {
+std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin,
+                                         std::span<const SunChange> suns, TileSteps& steps) {
     bin_ = &bin;
+    suns_ = suns;
+    steps_ = &steps;
     away_ = away;
     axes_ = ShadowAxes(away);
     lost_.clear();
@@ -131,7 +134,7 @@ void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* f
     std::copy_n(base, ReceiverBlocks::cells, codes.values);
     if (come != nullptr) {
         if (edit.level && page == nullptr) page = bin_->base.add(block, edit.blocks.blocks().size());
-        if (page != nullptr) std::ranges::copy(codes.values, page);
+        if (page != nullptr && page != base) std::ranges::copy(codes.values, page);
         noonmark::raise(come, codes);
     } else if (page != nullptr) {
         bin_->base.remove(block);
@@ -145,11 +148,22 @@ const HorizonCode* BinEdit::comingCodes(const TileEdit& edit, std::size_t i, con
     const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
     if (edit.level && !added_.mayRaise(block, axes_, std::max(bin_->lowest, lowestIn(edit, i, base))))
         return nullptr;
+    prefetch(edit, i);
     const HorizonCode* square =
         addedSweep_.codes(block, edit.known.masks(i, axes_.swapped), edit.grounds.of(i, axes_.swapped));
     if (square == nullptr || !axes_.swapped) return square;
     transpose(square, turned_);
     return turned_.values;
+}
+
+// What will be wanted once the walls are looked through.
+void BinEdit::prefetch(const TileEdit& edit, std::size_t block) const {
+    const std::uint32_t first = edit.blocks.blocks()[block].first;
+    for (std::uint32_t cell = 0; cell < ReceiverBlocks::cells; cell += 32) {
+        __builtin_prefetch(bin_->codes.data() + first + cell, 1);
+        __builtin_prefetch(steps_->more.data() + first + cell, 1);
+        __builtin_prefetch(steps_->more.data() + first + cell + 16, 1);
+    }
 }
 
 HorizonCode BinEdit::lowestIn(const TileEdit& edit, std::size_t block, const HorizonCode* base) {
@@ -160,20 +174,34 @@ HorizonCode BinEdit::lowestIn(const TileEdit& edit, std::size_t block, const Hor
     return lowest;
 }
 
+// New receivers count from no horizon.
 void BinEdit::write(const TileEdit& edit, std::size_t block, const BlockCodes& codes) {
+    HorizonCode* now = bin_->codes.data() + edit.blocks.blocks()[block].first;
+    forEachPlace(edit.cells.newRows[block],
+                 [&](std::uint32_t row, std::uint32_t x) { now[row * side + x] = noHorizon; });
+    ReceiverBlocks::Masks differ;
+    findDifferences(codes.values, now, edit.known.masks(block, false), differ);
+    count(edit, block, codes, differ);
+    for (std::size_t row = 0; row < differ.size(); ++row)
+        if (differ[row] != 0) std::copy_n(codes.values + row * side, side, now + row * side);
+}
+
+// Receivers only.
+void BinEdit::count(const TileEdit& edit, std::size_t block, const BlockCodes& codes,
+                    const ReceiverBlocks::Masks& differ) {
     const std::uint32_t first = edit.blocks.blocks()[block].first;
-    HorizonCode* now = bin_->codes.data() + first;
-    const ReceiverBlocks::Masks& fresh = edit.cells.newRows[block];
-    const ReceiverBlocks::Masks& receivers = edit.blocks.masks(block, false);
-    ReceiverBlocks::Masks others;
-    findDifferences(codes.values, now, edit.known.masks(block, false), others);
-    for (std::size_t row = 0; row < others.size(); ++row) others[row] |= fresh[row];
-    forEachPlace(others, [&](std::uint32_t row, std::uint32_t x) {
+    const HorizonCode* now = bin_->codes.data() + first;
+    ReceiverBlocks::Masks counted = edit.blocks.masks(block, false);
+    for (std::size_t row = 0; row < counted.size(); ++row) {
+        counted[row] &= differ[row];
+        if (counted[row] != 0) steps_->parts[(first + row * side) / lanesARun] = 1;
+    }
+    for (const SunChange& suns : suns_)
+        suns.addDifference(now, codes.values, counted, steps_->more.data() + first);
+    if (!edit.hangs) return;
+    forEachPlace(counted, [&](std::uint32_t row, std::uint32_t x) {
         const std::uint32_t cell = row * side + x;
-        const bool isNew = (fresh[row] >> x & 1U) != 0, counts = (receivers[row] >> x & 1U) != 0;
-        const HorizonCode before = isNew ? noHorizon : now[cell], after = codes.values[cell];
-        now[cell] = after;
-        if (counts && before != after) changes_.push_back({first + cell, before, after});
+        changes_.push_back({first + cell, now[cell], codes.values[cell]});
     });
 }
 

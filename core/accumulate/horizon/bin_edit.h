@@ -9,6 +9,8 @@
 #include "core/accumulate/horizon/kept_walls.h"
 #include "core/accumulate/horizon/open_parts.h"
 #include "core/accumulate/horizon/shaded_blocks.h"
+#include "core/accumulate/horizon/sun_change.h"
+#include "core/accumulate/horizon/tile_steps.h"
 
 namespace noonmark {
 
@@ -23,6 +25,7 @@ struct TileEdit {
     const ChangedCells& cells;  ///< codes of unknown ones say nothing
     bool again;                 ///< the pages of the bins are without what was removed
     bool level;                 ///< all receivers lie on one level: bins may have pages
+    bool hangs;                 ///< something does or did: changes are asked for
     int columns;                ///< of the grid
     double cellM;
     const std::stop_token& stop;
@@ -40,9 +43,11 @@ struct CodeChange {
 /// what is new raises them. The codes are those of a sweep of the whole, bit for bit. One for each thread.
 class BinEdit {
 public:
-    /// Returns what changed of receivers, of each number once; of new ones what is there now. Valid until the
-    /// next call. Less once stopped.
-    std::span<const CodeChange> run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin);
+    /// Adds to `steps` how many of the suns more the horizons of receivers hide; of new ones all. Returns,
+    /// where something hangs, what changed of receivers, of each number once; valid until the next call. Less
+    /// once stopped.
+    std::span<const CodeChange> run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin,
+                                    std::span<const SunChange> suns, TileSteps& steps);
 
 private:
     struct Lost {
@@ -58,9 +63,14 @@ private:
     void raise(const TileEdit& edit, std::size_t block, const BlockCodes* found);
     const HorizonCode* comingCodes(const TileEdit& edit, std::size_t block, const HorizonCode* base);
     HorizonCode lowestIn(const TileEdit& edit, std::size_t block, const HorizonCode* base);
+    void prefetch(const TileEdit& edit, std::size_t block) const;
     void write(const TileEdit& edit, std::size_t block, const BlockCodes& codes);
+    void count(const TileEdit& edit, std::size_t block, const BlockCodes& codes,
+               const ReceiverBlocks::Masks& differ);
 
     KeptBin* bin_ = nullptr;
+    std::span<const SunChange> suns_;
+    TileSteps* steps_ = nullptr;
     glm::dvec2 away_{};
     ShadowAxes axes_{{0, 1}};
     SquareSweep removedSweep_, addedSweep_, allSweep_;

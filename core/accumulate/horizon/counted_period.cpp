@@ -24,4 +24,13 @@ const HiddenByNumber& CountedPeriod::hidden(std::size_t bins) {
     return hidden_;
 }
 
+const SunsByNumber& CountedPeriod::suns(std::size_t bins) {
+    if (!suns_.empty()) return suns_;
+    suns_.resize(bins);
+    tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t i) {
+        suns_[binned_.bins[i].number] = sunChanges(binned_.bins[i].suns, {});
+    });
+    return suns_;
+}
+
 }  // namespace noonmark

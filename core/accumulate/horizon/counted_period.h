@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "core/accumulate/horizon/period_count.h"
+#include "core/accumulate/horizon/sun_change.h"
 
 namespace noonmark {
 
-/// Tables of a period's bins by number; null where it does not visit the bin.
+/// A period's bins by number: null or none where it does not visit the bin.
 using HiddenByNumber = std::vector<const HiddenSuns*>;
+using SunsByNumber = std::vector<std::vector<SunChange>>;  ///< from none
 
 /// A period as kept horizons count it. What not every count needs is made when it is first asked for. Not for
 /// several threads at a time.
@@ -19,8 +21,10 @@ public:
     [[nodiscard]] const BinnedSun& binned() const { return binned_; }
     /// O(steps) the first time.
     const RunCount& runs();
-    /// `bins`: numbers that there may be. Some 0.1 ms a bin the first time.
+    /// The same twice, to look up one or a row. `bins`: numbers that there may be. Some 0.05 ms a bin the
+    /// first time.
     const HiddenByNumber& hidden(std::size_t bins);
+    const SunsByNumber& suns(std::size_t bins);
 
 private:
     BinnedSun binned_;
@@ -28,6 +32,7 @@ private:
     std::optional<RunCount> runs_;
     std::vector<std::optional<HiddenSuns>> tables_;  // one a bin
     HiddenByNumber hidden_;
+    SunsByNumber suns_;
 };
 
 }  // namespace noonmark

@@ -115,11 +115,10 @@ struct KeptTile::EditMemory {
 
 struct KeptTile::Editing {
     TileEdit edit;
+    const SunsByNumber& suns;
+    const HiddenByNumber& hidden;  ///< empty where nothing hangs
+    double binDeg;
     EditMemory& memory;
-
-    [[nodiscard]] bool hangs() const {
-        return !edit.walls.open().empty() || !edit.change.removed.open.empty();
-    }
 };
 
 KeptTile::KeptTile(KeptTile&&) noexcept = default;
@@ -133,23 +132,26 @@ ChangedCells KeptTile::become(const Receivers& receivers, std::span<const std::u
 }
 
 void KeptTile::change(const Receivers& receivers, std::span<const std::uint32_t> cells,
-                      const KeptWalls& walls, const WallChange& change, const HiddenByNumber& hidden,
-                      double binDeg, const std::stop_token& stop) {
+                      const KeptWalls& walls, const WallChange& change, CountedPeriod& period, double binDeg,
+                      const std::stop_token& stop) {
     const bool again = change.again && paged_ && receivers.flat();
+    const bool hangs = !walls.open().empty() || !change.removed.open.empty();
     const ChangedCells changed = become(receivers, cells, again);
     if (bytes() == 0) return;
     if (!again) dropPages();
-    if (!receivers.flat() || !walls.open().empty() || !change.removed.open.empty())
-        lookAtGround(receivers, walls, !change.removed.open.empty());
+    if (!receivers.flat() || hangs) lookAtGround(receivers, walls, !change.removed.open.empty());
     count_.beginNew(blocks_, changed.newNumbers);
     if (!memory_) memory_ = std::make_unique<EditMemory>(blocks_.numbers());
-    Editing editing{{walls, change, blocks_, known_, grounds_, open_, changed, again, receivers.flat(),
+    const HiddenByNumber none;
+    Editing editing{{walls, change, blocks_, known_, grounds_, open_, changed, again, receivers.flat(), hangs,
                      receivers.grid.columns, receivers.grid.cellM, stop},
+                    period.suns(bins_.size()),
+                    hangs ? period.hidden(bins_.size()) : none,
+                    binDeg,
                     *memory_};
     tbb::parallel_for(std::size_t{0}, bins_.size(), [&](std::size_t number) {
-        if (bins_[number].codes.empty() || stop.stop_requested()) return;
-        this->change(std::uint32_t(number), middleAway(std::uint32_t(number), binDeg), hidden[number],
-                     editing);
+        if (!bins_[number].codes.empty() && !stop.stop_requested())
+            this->change(std::uint32_t(number), editing);
     });
     for (EditMemory::Own& own : memory_->own) count_.take(own.steps);
     paged_ = receivers.flat();
@@ -157,17 +159,13 @@ void KeptTile::change(const Receivers& receivers, std::span<const std::uint32_t>
 }
 
 // Of a bin that the period does not visit the sums know nothing.
-void KeptTile::change(std::uint32_t number, glm::dvec2 away, const HiddenSuns* hidden, Editing& editing) {
+void KeptTile::change(std::uint32_t number, Editing& editing) {
     KeptBin& bin = bins_[number];
     EditMemory::Own& memory = editing.memory.own.local();
-    const auto changes = memory.codes.run(editing.edit, away, bin);
-    for (const CodeChange& change : changes)
-        if (const std::uint32_t steps =
-                hidden == nullptr ? 0 : (*hidden)(change.after) - (*hidden)(change.before);
-            steps != 0)
-            memory.steps.add(change.number, steps);
-    if (!editing.hangs()) return;
-    const GapEdit::Bin now{away, bin.lowest, bin.codes, changes, hidden};
+    const glm::dvec2 away = middleAway(number, editing.binDeg);
+    const auto changes = memory.codes.run(editing.edit, away, bin, editing.suns[number], memory.steps);
+    if (!editing.edit.hangs) return;
+    const GapEdit::Bin now{away, bin.lowest, bin.codes, changes, editing.hidden[number]};
     for (const GapChange& change : memory.gaps.run(editing.edit, now, bin.gaps))
         memory.steps.add(change.number, change.added);
 }

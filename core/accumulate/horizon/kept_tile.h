@@ -32,8 +32,7 @@ public:
     /// After the city changed: buildings that went and came, `cells` that have become receivers or none, or
     /// lie at another height. Only horizons that may change are looked at. After a stop the tile is empty.
     void change(const Receivers& receivers, std::span<const std::uint32_t> cells, const KeptWalls& walls,
-                const WallChange& change, const HiddenByNumber& hidden, double binDeg,
-                const std::stop_token& stop);
+                const WallChange& change, CountedPeriod& period, double binDeg, const std::stop_token& stop);
 
     /// Forgets what horizons are without the buildings that came last: these take longer to go, then.
     void dropPages();
@@ -54,7 +53,7 @@ private:
     void sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const;
     void lookAtGround(const Receivers& receivers, const KeptWalls& walls, bool hung);
     ChangedCells become(const Receivers& receivers, std::span<const std::uint32_t> cells, bool again);
-    void change(std::uint32_t number, glm::dvec2 away, const HiddenSuns* hidden, Editing& editing);
+    void change(std::uint32_t number, Editing& editing);
 
     TileBox box_;
     ReceiverBlocks blocks_;

@@ -1,6 +1,7 @@
 #include "core/accumulate/horizon/sun_change.h"
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 
 #include "core/accumulate/horizon/lanes16.h"
@@ -28,6 +29,8 @@ void addOneByOne(const HorizonCode* horizons, std::size_t count, const Table& ta
 }
 
 #ifdef NOONMARK_PICKS_ISA
+constexpr std::size_t ahead = 512;  // horizons are asked of memory so much earlier
+
 // 16-bit lanes want an extension that target_clones does not know. Returns how many it did.
 [[gnu::target("avx512f,avx512bw")]] inline void lookUp512(const HorizonCode* horizons, const Table& table,
                                                           std::int16_t* sums) {
@@ -54,6 +57,7 @@ void addOneByOne(const HorizonCode* horizons, std::size_t count, const Table& ta
                   all = _mm512_set1_epi16(table.counts[table.last]);
     std::size_t i = 0;
     for (; i + 32 <= count; i += 32) {
+        __builtin_prefetch(horizons + i + ahead);
         const __m512i level = _mm512_xor_si512(_mm512_loadu_si512(horizons + i), unsign);
         const __m512i place = _mm512_maskz_min_epu16(~0U, _mm512_subs_epu16(level, lowest), last);
         const __mmask32 some = _mm512_test_epi16_mask(place, place);
@@ -78,6 +82,7 @@ void addOneByOne(const HorizonCode* horizons, std::size_t count, const Table& ta
     for (; i + 16 <= count; i += 16) {
         const auto* from = reinterpret_cast<const __m256i*>(horizons + i);
         auto* to = reinterpret_cast<__m256i*>(sums + i);
+        __builtin_prefetch(horizons + i + ahead);
         const __m256i level = _mm256_xor_si256(_mm256_loadu_si256(from), unsign);
         const __m256i place = _mm256_min_epu16(_mm256_subs_epu16(level, lowest), last);
         if (_mm256_testz_si256(place, place) != 0) continue;
@@ -99,6 +104,51 @@ std::size_t addMany(const HorizonCode* horizons, std::size_t count, const Table&
 #endif
     (void)horizons, (void)count, (void)table, (void)sums;
     return 0;
+}
+
+constexpr int side = ReceiverBlocks::side;
+
+void addRow(const Table& table, const HorizonCode* before, const HorizonCode* after, unsigned mask,
+            std::uint32_t* sums) {
+    for (; mask != 0; mask &= mask - 1) {
+        const int i = std::countr_zero(mask);
+        sums[i] += std::uint32_t(table.of(after[i]) - table.of(before[i]));
+    }
+}
+
+#ifdef NOONMARK_PICKS_ISA
+[[gnu::target("avx512f,avx512bw")]] inline void lookUpRow512(const Table& table, const HorizonCode* horizons,
+                                                             __m512i& counts) {
+    const __m256i codes = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(horizons));
+    const __m512i level =
+        _mm512_sub_epi32(_mm512_maskz_cvtepi16_epi32(0xFFFF, codes), _mm512_set1_epi32(table.lowest));
+    const __m512i place = _mm512_maskz_min_epi32(
+        0xFFFF, _mm512_maskz_max_epi32(0xFFFF, level, _mm512_setzero_si512()), _mm512_set1_epi32(table.last));
+    const __m512i twice = _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, place, table.counts, 2);
+    // With the count of the next place in the upper half.
+    counts = _mm512_maskz_srai_epi32(0xFFFF, _mm512_maskz_slli_epi32(0xFFFF, twice, 16), 16);
+}
+
+[[gnu::target("avx512f,avx512bw")]] void addRow512(const Table& table, const HorizonCode* before,
+                                                   const HorizonCode* after, unsigned mask,
+                                                   std::uint32_t* sums) {
+    __m512i less, more;
+    lookUpRow512(table, before, less);
+    lookUpRow512(table, after, more);
+    const __m512i sum = _mm512_loadu_si512(sums);
+    _mm512_storeu_si512(sums, _mm512_mask_add_epi32(sum, __mmask16(mask), sum, _mm512_sub_epi32(more, less)));
+}
+#endif
+
+void addDifferences(const Table& table, const HorizonCode* before, const HorizonCode* after,
+                    const ReceiverBlocks::Masks& masks, std::uint32_t* sums) {
+    auto add = addRow;
+#ifdef NOONMARK_PICKS_ISA
+    if (__builtin_cpu_supports("avx512bw")) add = addRow512;
+#endif
+    for (std::size_t row = 0; row < masks.size(); ++row)
+        if (masks[row] != 0)
+            add(table, before + row * side, after + row * side, masks[row], sums + row * side);
 }
 
 std::vector<HorizonCode> lacking(std::span<const HorizonCode> from, std::span<const HorizonCode> to) {
@@ -125,13 +175,28 @@ SunChange::SunChange(std::span<const HorizonCode> come, std::span<const HorizonC
         lowest_ = low;
         last_ = high - low + 1;
     }
-    counts_.assign(std::size_t(last_) + 2, 0);
-    for (const HorizonCode sun : come) ++counts_[std::size_t(sun - lowest_ + 1)];
-    for (const HorizonCode sun : gone) --counts_[std::size_t(sun - lowest_ + 1)];
-    for (int i = 1; i <= last_; ++i) {
-        counts_[std::size_t(i)] = std::int16_t(counts_[std::size_t(i)] + counts_[std::size_t(i) - 1]);
-        most_ = std::max(most_, std::abs(int(counts_[std::size_t(i)])));
+    counts_.resize(std::size_t(last_) + 2);
+    fill(come, gone);
+}
+
+// Stretch by stretch between one sun and the next.
+void SunChange::fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
+    std::int16_t count = 0;
+    auto from = counts_.begin();
+    for (auto a = come.begin(), b = gone.begin(); a != come.end() || b != gone.end();) {
+        const bool comes = b == gone.end() || (a != come.end() && *a < *b);
+        const auto to = counts_.begin() + ((comes ? *a++ : *b++) - lowest_ + 1);
+        std::fill(from, to, count);
+        from = to;
+        count = std::int16_t(count + (comes ? 1 : -1));
+        most_ = std::max(most_, std::abs(int(count)));
     }
+    std::fill(from, counts_.end(), count);
+}
+
+void SunChange::addDifference(const HorizonCode* before, const HorizonCode* after,
+                              const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const {
+    addDifferences({counts_.data(), lowest_, last_}, before, after, masks, sums);
 }
 
 void SunChange::addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const {

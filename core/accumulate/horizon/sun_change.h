@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/accumulate/horizon/horizon_code.h"
+#include "core/accumulate/horizon/receiver_blocks.h"
 
 namespace noonmark {
 
@@ -25,7 +26,14 @@ public:
     /// that hides none or all that change, to 0.5 ns.
     void addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const;
 
+    /// Of a block's cells in `masks` (row by row) adds to the sums how much more the horizons of `after`
+    /// change than those of `before`, modulo 2^32. 20 ns a row with such cells.
+    void addDifference(const HorizonCode* before, const HorizonCode* after,
+                       const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const;
+
 private:
+    void fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
+
     int lowest_ = 0, last_ = 0;  // a horizon's place is horizon - lowest_, 0 to last_
     int most_ = 0;
     std::vector<std::int16_t> counts_;  // of each place, and one more that is read over

@@ -13,7 +13,7 @@ namespace noonmark {
 namespace {
 
 // Numbers that one task counts through all bins: their sums stay in the first-level cache.
-constexpr std::size_t numbersATask = 8192;
+constexpr std::size_t numbersATask = 16'384;
 constexpr std::uint32_t numbersALine = 32;
 
 bool hasReceivers(const ReceiverBlocks& blocks, std::size_t first, std::size_t end) {

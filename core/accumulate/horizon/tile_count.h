@@ -9,20 +9,9 @@
 #include "core/accumulate/horizon/period_count.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
 #include "core/accumulate/horizon/sun_change.h"
+#include "core/accumulate/horizon/tile_steps.h"
 
 namespace noonmark {
-
-/// Steps to be added to the sums of a tile, modulo 2^32; and which parts of 64 numbers they touch.
-struct TileSteps {
-    std::vector<std::uint32_t> more;  ///< one a number
-    std::vector<std::uint8_t> parts;
-
-    explicit TileSteps(std::size_t numbers) : more(numbers), parts((numbers + lanesARun - 1) / lanesARun) {}
-    void add(std::uint32_t number, std::uint32_t steps) {
-        more[number] += steps;
-        parts[number / lanesARun] = 1;
-    }
-};
 
 /// The steps hidden in a tile in the period at hand, and what of the field is out of date.
 class TileCount {
