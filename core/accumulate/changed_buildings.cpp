@@ -21,6 +21,7 @@ Buildings lacking(const Buildings& from, const Buildings& to) {
 ChangedBuildings outOfStep(const Buildings& before, const Buildings& after) {
     ChangedBuildings changed;
     const auto [first, firstAfter] = std::ranges::mismatch(before, after);
+    changed.first = std::size_t(first - before.begin());
     auto a = first, b = Buildings::const_iterator(firstAfter);
     while (a != before.end() && b != after.end()) {
         const bool same = *a == *b, left = !same && a + 1 != before.end() && *(a + 1) == *b,
@@ -39,13 +40,13 @@ ChangedBuildings outOfStep(const Buildings& before, const Buildings& after) {
 
 ChangedBuildings changedBuildings(const Buildings& before, const Buildings& after) {
     const ChangedBuildings changed = outOfStep(before, after);
-    return {lacking(changed.gone, changed.come), lacking(changed.come, changed.gone)};
+    return {lacking(changed.gone, changed.come), lacking(changed.come, changed.gone), changed.first};
 }
 
 // Counting who owns a building takes longer than all else that is done for it.
-void takeOver(Buildings& buildings, const Buildings& now) {
+void takeOver(Buildings& buildings, const Buildings& now, std::size_t first) {
     buildings.resize(now.size());
-    for (std::size_t i = 0; i < now.size(); ++i)
+    for (std::size_t i = first; i < now.size(); ++i)
         if (buildings[i] != now[i]) buildings[i] = now[i];
 }
 

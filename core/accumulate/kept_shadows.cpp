@@ -136,7 +136,7 @@ struct KeptShadows::Kept {
         const BuildingCasters gone(reaching(changed.gone), field.grid),
             come(reaching(changed.come), field.grid);
         if (const auto done = change(gone, come, progress, stop); !done) return done;
-        takeOver(buildings, now);
+        takeOver(buildings, now, changed.first);
         field.cost.seconds["fill and count"] = watch.seconds();
         field.cost.buildingsUsed += std::uint32_t(come.buildings()) - std::uint32_t(gone.buildings());
         return {};

@@ -98,7 +98,7 @@ Result<WallChange> KeptWalls::become(const City& city) {
     change.added = add(std::move(more), *open);
     firstOfLast_ = next_;
     for (const auto& building : changed.come) numbers_.emplace(building.get(), next_++);
-    takeOver(buildings_, city.buildings);
+    takeOver(buildings_, city.buildings, changed.first);
     return change;
 }
 

@@ -1,19 +1,36 @@
 #include "core/accumulate/projected/kept_band.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <cstring>
+#include <utility>
 
 #include "core/accumulate/projected/cell_runs.h"
+#include "core/accumulate/projected/word_runs.h"
 
 namespace noonmark {
 
 namespace {
 
+// Those of eight cells that are receivers: each byte that becomes 0 leaves its high bit, and these are pushed
+// together.
+std::uint64_t receiversOfEight(const CellKind* kinds) {
+    constexpr std::uint64_t ones = 0x0101010101010101, highs = ones << 7U;
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, kinds, sizeof bytes);
+    bytes ^= ones * std::uint64_t(CellKind::ground);
+    const std::uint64_t zeros = ~(((bytes & ~highs) + ~highs) | bytes) & highs;
+    return (zeros * 0x0002040810204081) >> 56U;
+}
+
 // Those of up to 64 cells that are receivers.
 std::uint64_t receiversAmong(std::span<const CellKind> kinds) {
     std::uint64_t cells = 0;
-    for (std::size_t i = 0; i < kinds.size(); ++i) cells |= std::uint64_t(kinds[i] == CellKind::ground) << i;
+    std::size_t i = 0;
+    for (; i + 8 <= kinds.size(); i += 8) cells |= receiversOfEight(&kinds[i]) << i;
+    for (; i < kinds.size(); ++i) cells |= std::uint64_t(kinds[i] == CellKind::ground) << i;
     return cells;
 }
 
@@ -52,34 +69,31 @@ void KeptBand::changeBuilding(std::size_t number, BuildingFill& gone, BuildingFi
 }
 
 void KeptBand::recount(const KeptPeriod& period, std::span<const CellKind> kinds, ShadowField& field) {
-    for (int words = 0; words < layout_.wordColumns; ++words)
+    tbb::parallel_for(0, layout_.wordColumns, [&](int words) {
+        std::vector<const StepWords*> steps(period.throws.size());
         for (int row = 0; row < layout_.rows; ++row) {
-            std::uint64_t& changed = changed_[layout_.word(words * 64, row)];
+            const std::uint64_t changed = std::exchange(changed_[layout_.word(words * 64, row)], 0);
             if (changed == 0) continue;
             const std::size_t first = field.grid.index(words * 64, band_.first + row);
             const auto width = std::size_t(std::min(64, layout_.columns - words * 64));
             const std::uint64_t cells = changed & receiversAmong(kinds.subspan(first, width));
-            if (cells != 0) recountWord(words, row, cells, period, field);
-            changed = 0;
+            if (cells == 0) continue;
+            for (std::size_t eight = 0; eight < steps.size(); ++eight)
+                steps[eight] = &tile(eight, words).shaded(row);
+            countCells(steps, cells, first, period, field);
         }
+    });
 }
 
-void KeptBand::recountWord(int words, int row, std::uint64_t cells, const KeptPeriod& period,
-                           ShadowField& field) {
-    std::array<CellRuns, 64> runs{};
-    std::uint64_t shaded = 0;
-    for (std::size_t eight = 0; eight < period.throws.size(); ++eight) {
-        StepWords steps = tile(eight, words).shaded(row);
-        for (std::uint64_t& word : steps.words) word &= cells;
-        passEight(runs.data(), shaded, steps.words, period.starts[eight], 0,
-                  std::uint32_t(eight * stepsTogether));
-    }
-    changeRuns(runs.data(), shaded, 0, std::uint32_t(period.steps));
-    const std::size_t first = field.grid.index(words * 64, band_.first + row);
+void KeptBand::countCells(std::span<const StepWords* const> steps, std::uint64_t cells, std::size_t first,
+                          const KeptPeriod& period, ShadowField& field) {
+    WordRuns runs;
+    countRuns(steps, period.starts, period.steps, runs);
     for (; cells != 0; cells &= cells - 1) {
         const auto bit = std::size_t(std::countr_zero(cells));
-        field.grossMin[first + bit] = grossMinutes(runs[bit], field);
-        field.continuousMin[first + bit] = longestMinutes(runs[bit], field);
+        const CellRuns cell{.gross = runs.gross[bit], .longest = runs.longest[bit]};
+        field.grossMin[first + bit] = grossMinutes(cell, field);
+        field.continuousMin[first + bit] = longestMinutes(cell, field);
     }
 }
 

@@ -58,7 +58,8 @@ private:
     }
     void changeBuilding(std::size_t number, BuildingFill& gone, BuildingFill& come, std::size_t eight,
                         const StepThrows& throws);
-    void recountWord(int words, int row, std::uint64_t cells, const KeptPeriod& period, ShadowField& field);
+    static void countCells(std::span<const StepWords* const> steps, std::uint64_t cells, std::size_t first,
+                           const KeptPeriod& period, ShadowField& field);
 
     RowBand band_;
     BitLayout layout_;
