@@ -12,6 +12,7 @@
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/horizon/horizon_case.h"
 #include "core/accumulate/horizon/kept_tile.h"
+#include "core/progress_share.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
@@ -108,9 +109,9 @@ struct KeptHorizons::Kept {
                 "Choose a smaller region or larger cells"};
     }
 
-    std::size_t sweep(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
+    std::size_t sweep(KeptTile& tile, KeptCounts counts, Progress& progress, const std::stop_token& stop) {
         std::size_t swept = 0;
-        timed("sweep", [&] { swept = tile.retime(receivers, walls, period->binned(), stop); });
+        timed("sweep", [&] { swept = tile.retime(receivers, walls, period->binned(), progress, stop); });
         write(tile, counts, stop);
         return swept;
     }
@@ -128,12 +129,12 @@ struct KeptHorizons::Kept {
     }
 
     void change(KeptTile& tile, std::span<const std::uint32_t> cells, const WallChange& change,
-                KeptCounts counts, const std::stop_token& stop) {
+                KeptCounts counts, Progress& progress, const std::stop_token& stop) {
         const bool dropped = tile.bytes() == 0;
         timed("change",
               [&] { tile.change(receivers, cells, walls, change, *period, settings.binDeg, stop); });
         if (dropped)
-            sweep(tile, counts, stop);
+            sweep(tile, counts, progress, stop);
         else
             write(tile, counts, stop);
     }
@@ -146,9 +147,9 @@ struct KeptHorizons::Kept {
     }
 
     // Sweeps again what did not stay.
-    void writeRuns(KeptTile& tile, const std::stop_token& stop) {
+    void writeRuns(KeptTile& tile, Progress& progress, const std::stop_token& stop) {
         if (tile.bytes() == 0)
-            sweep(tile, KeptCounts::grossAndRuns, stop);
+            sweep(tile, KeptCounts::grossAndRuns, progress, stop);
         else
             write(tile, KeptCounts::grossAndRuns, stop);
         keepWithinMemory(tile);
@@ -203,13 +204,13 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
                                          KeptCounts counts) try {
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     kept_->begin(sun);
-    std::size_t swept = 0, done = 0;
-    for (KeptTile& tile : kept_->tiles) {
-        if (stop.stop_requested()) break;
-        swept += kept_->sweep(tile, counts, stop);
-        kept_->keepWithinMemory(tile);
-        progress.report(double(++done) / double(kept_->tiles.size()), "sweeping horizons");
+    std::size_t swept = 0;
+    for (std::size_t i = 0; i < kept_->tiles.size() && !stop.stop_requested(); ++i) {
+        ProgressShare ofTile(progress, i, kept_->tiles.size());
+        swept += kept_->sweep(kept_->tiles[i], counts, ofTile, stop);
+        kept_->keepWithinMemory(kept_->tiles[i]);
     }
+    progress.report(1, "sweeping horizons");
     kept_->field.cost.skipped["azimuth bins kept from before (bins x tiles)"] =
         kept_->tiles.size() * kept_->period->binned().bins.size() - swept;
     return kept_->result(counts, stop);
@@ -227,9 +228,10 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     if (!change) return tl::make_unexpected(change.error());
     kept_->receivers = receivers;
     kept_->countCity();
-    for (KeptTile& tile : kept_->tiles) {
-        kept_->change(tile, cells, *change, counts, stop);
-        kept_->keepWithinMemory(tile);
+    for (std::size_t i = 0; i < kept_->tiles.size(); ++i) {
+        ProgressShare ofTile(progress, i, kept_->tiles.size());
+        kept_->change(kept_->tiles[i], cells, *change, counts, ofTile, stop);
+        kept_->keepWithinMemory(kept_->tiles[i]);
     }
     kept_->mask(cells);
     progress.report(1, "sweeping horizons");
@@ -240,7 +242,10 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
 
 Result<ShadowField> KeptHorizons::withRuns(Progress& progress, std::stop_token stop) try {
     if (!kept_->period) return noPeriod();
-    for (KeptTile& tile : kept_->tiles) kept_->writeRuns(tile, stop);
+    for (std::size_t i = 0; i < kept_->tiles.size(); ++i) {
+        ProgressShare ofTile(progress, i, kept_->tiles.size());
+        kept_->writeRuns(kept_->tiles[i], ofTile, stop);
+    }
     progress.report(1, "sweeping horizons");
     return kept_->result(KeptCounts::grossAndRuns, stop);
 } catch (const std::bad_alloc&) {

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace noonmark {
@@ -43,8 +44,8 @@ void KeptTile::dropPages() {
 }
 
 std::size_t KeptTile::retime(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
-                             const std::stop_token& stop) {
-    const std::size_t swept = sweep(receivers, walls, binned, stop);
+                             Progress& progress, const std::stop_token& stop) {
+    const std::size_t swept = sweep(receivers, walls, binned, progress, stop);
     count_.retime(blocks_, bins_, binned, stop);
     return swept;
 }
@@ -70,7 +71,7 @@ struct KeptTile::Sweeping {
 };
 
 std::size_t KeptTile::sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
-                            const std::stop_token& stop) {
+                            Progress& progress, const std::stop_token& stop) {
     std::vector<const AzimuthBin*> missing;
     for (const AzimuthBin& bin : binned.bins)
         if (!bins_[bin.number].holds(bin)) missing.push_back(&bin);
@@ -79,8 +80,11 @@ std::size_t KeptTile::sweep(const Receivers& receivers, const KeptWalls& walls, 
     known_ = KnownCells(blocks_);
     lookAtGround(receivers, walls, false);
     Sweeping sweeping{walls, receivers.grid.cellM, stop};
+    std::atomic<std::size_t> done{0};
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-        if (!stop.stop_requested()) sweep(bins_[missing[i]->number], *missing[i], sweeping);
+        if (stop.stop_requested()) return;
+        sweep(bins_[missing[i]->number], *missing[i], sweeping);
+        progress.report(double(++done) / double(missing.size()), "sweeping horizons");
     });
     return missing.size();
 }

@@ -9,6 +9,7 @@
 #include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/kept_walls.h"
 #include "core/accumulate/horizon/tile_count.h"
+#include "core/progress.h"
 
 namespace noonmark {
 
@@ -25,9 +26,9 @@ public:
     void drop();
 
     /// Sweeps the bins that are not there or do not reach low enough, and counts; of bins whose suns are
-    /// those of the period before nothing. Returns how many it swept.
+    /// those of the period before nothing. Returns how many it swept. `progress` hears of each bin.
     std::size_t retime(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
-                       const std::stop_token& stop);
+                       Progress& progress, const std::stop_token& stop);
 
     /// After the city changed: buildings that went and came, `cells` that have become receivers or none, or
     /// lie at another height. Only horizons that may change are looked at. After a stop the tile is empty.
@@ -49,7 +50,7 @@ private:
     struct Editing;   // or changed
     struct EditMemory;
     std::size_t sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
-                      const std::stop_token& stop);
+                      Progress& progress, const std::stop_token& stop);
     void sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const;
     void lookAtGround(const Receivers& receivers, const KeptWalls& walls, bool hung);
     ChangedCells become(const Receivers& receivers, std::span<const std::uint32_t> cells, bool again);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 #include <random>
+#include <set>
 
 #include "core/receivers/roof_receivers.h"
 #include "tests/core/accumulate/scenes.h"
@@ -98,6 +100,26 @@ TEST(KeptHorizons, keptBinsAreNotSweptAgain) {
     EXPECT_GT(retimed(kept, someDays(40, 2)).cost.skipped.at(reason), 100U);
     EXPECT_EQ(retimed(kept, oneDay({{181.2, 60}})).cost.skipped.at(reason), 1U);
     EXPECT_EQ(retimed(kept, oneDay({{181.2, 1}})).cost.skipped.at(reason), 0U);
+}
+
+TEST(KeptHorizons, theSweepOfOneTileSaysHowFarItIs) {
+    class Heard final : public Progress {
+    public:
+        void report(double fraction, std::string_view) override {
+            const std::scoped_lock lock(mutex_);
+            fractions.insert(fraction);
+        }
+        std::set<double> fractions;
+
+    private:
+        std::mutex mutex_;
+    } heard;
+    const City city = blocks(2, 3);
+    KeptHorizons kept = keptOf(city, smallRegion(city));
+    ASSERT_TRUE(kept.retime(someDays(30, 3), heard, {}, KeptCounts::gross));
+    EXPECT_GT(heard.fractions.size(), 50U);
+    EXPECT_GT(*heard.fractions.begin(), 0);
+    EXPECT_EQ(*heard.fractions.rbegin(), 1);
 }
 
 /// What may be built somewhere in or around the region.
