@@ -26,6 +26,8 @@ void MainWindow::connectResults() {
         mode_.showStudies();
         showKept();
     });
+    connect(&workbench_, &Workbench::keptReweighed, this,
+            [this] { panel_->results().setInFront(groundAnswerOf(*workbench_.kept())); });
     connect(docks_.results, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
 }
 
@@ -86,7 +88,7 @@ void MainWindow::showOutdated() {
     const auto kept = workbench_.kept();
     const auto score = workbench_.score();
     docks_.results->offerWayBack(kept || score);
-    if (kept) return docks_.results->setNote(keptWords(*kept), !kept->changes.empty());
+    if (kept) return docks_.results->setNote(keptWords(*kept), !kept->upToDate());
     if (workbench_.document().settings() != answered_)
         return docks_.results->setNote(tr("The settings have changed since: run again."));
     const auto weights =

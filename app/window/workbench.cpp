@@ -25,6 +25,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&session_, &ProjectSession::cityChanged, this, &Workbench::follow);
     connect(&session_, &ProjectSession::baselineChanged, this, [this] { comparison_.reset(); });
     connect(&session_, &ProjectSession::renamed, this, &Workbench::rename);
+    connect(&session_, &ProjectSession::changed, this, &Workbench::reweigh);
     connect(&session_, &ProjectSession::refused, this, &Workbench::tell);
 }
 
@@ -54,6 +55,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     openedView_ = std::move(opened->view);
     forgetAnswers();
     known_.clear();
+    keeping_.drop();
     answerSeconds_ = std::numeric_limits<double>::infinity();  // of this city nobody knows yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
                   openedView_.baseline);

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -44,7 +45,7 @@ public:
     /// Shows a kept result again, on its scenario where that is still there.
     void showKept(const std::string& name);
     void showStudyAgain();  ///< in place of a score or a kept result
-    /// The answer that is shown becomes a result of the project.
+    /// The answer that is shown becomes a result of the project, when its buildings are hashed.
     void keepAnswer(const QString& name);
 
     /// As it is shown; null before the first. A moment behind session().city() while a change is worked in.
@@ -70,6 +71,7 @@ public:
     [[nodiscard]] JobSlot& running() { return running_; }
     [[nodiscard]] JobSlot& reading() { return reading_; }  ///< makes a kept result ready
     [[nodiscard]] JobSlot& writing() { return writing_; }
+    [[nodiscard]] JobSlot& keeping() { return keeping_; }
 
 Q_SIGNALS:
     void cityShown();      ///< city() is another
@@ -78,6 +80,7 @@ Q_SIGNALS:
     void comparisonDone();
     void scoreDone();
     void keptShown();
+    void keptReweighed();  ///< a weight table changed: kept() is up to date now, or is no more
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
     void studyStopped(bool cancelled);       ///< without a result; the answer before is still there
     void failed(noonmark::Error error);      ///< work that was cancelled does not fail
@@ -104,6 +107,10 @@ private:
     void takeComparison(Result<ImpactAnswer> answer);
     void takeScore(Result<ScoreAnswer> answer);
     void standBack();
+    void reweigh();
+    using Keep = std::function<KeptResult(const Project&)>;
+    [[nodiscard]] Keep whatToKeep() const;
+    void keep(const Keep& keep, const QString& name);
     std::vector<KnownStudy> wanted();
     void tell(const Error& error);
 
@@ -122,6 +129,7 @@ private:
     JobSlot running_;
     JobSlot reading_;
     JobSlot writing_;
+    JobSlot keeping_;
 };
 
 }  // namespace noonmark

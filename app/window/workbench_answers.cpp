@@ -200,18 +200,44 @@ void Workbench::showStudyAgain() {
     Q_EMIT comparison_ ? comparisonDone() : studyDone();
 }
 
+void Workbench::reweigh() {
+    auto now = kept_ ? reweighed(*kept_, session_.project()) : std::nullopt;
+    if (!now) return;
+    kept_ = std::make_shared<const ShownResult>(*std::move(now));
+    Q_EMIT keptReweighed();
+}
+
 void Workbench::keepAnswer(const QString& name) {
     if (kept_) return tell({"This result is kept already", kept_->name, {}});
-    const std::string wanted = freeName(session_.project(), ProjectPart::result, name.toStdString());
-    const QString what = tr("result %1").arg(QString::fromStdString(wanted));
-    if (score_)
-        session_.change(withResult(session_.project(), wanted, *score_), what);
-    else if (comparison_)
-        session_.change(withResult(session_.project(), wanted, *comparison_), what);
-    else if (study_)
-        session_.change(withResult(session_.project(), wanted, session_.scenario(), *study_), what);
-    else
-        tell({"There is no result to keep yet", {}, "Press Run first"});
+    if (keeping_.busy()) return tell({"A result is being kept already", {}, "Wait until it is"});
+    if (const Keep keep = whatToKeep()) return this->keep(keep, name);
+    tell({"There is no result to keep yet", {}, "Press Run first"});
+}
+
+// What is shown now, whatever will be then; empty: nothing.
+Workbench::Keep Workbench::whatToKeep() const {
+    if (score_) return [score = score_](const Project& project) { return keptResult(project, *score); };
+    if (comparison_)
+        return
+            [comparison = comparison_](const Project& project) { return keptResult(project, *comparison); };
+    if (!study_) return {};
+    return [study = study_, scenario = session_.scenario()](const Project& project) {
+        return keptResult(project, scenario, *study);
+    };
+}
+
+void Workbench::keep(const Keep& keep, const QString& name) {
+    keeping_.start<KeptResult>(
+        tr("Keeping %1").arg(name),
+        [keep, project = session_.project()](Progress&, const std::stop_token&) -> Result<KeptResult> {
+            return keep(project);
+        },
+        [this, name](Result<KeptResult> result) {
+            if (!result) return tell(result.error());
+            result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
+            const QString what = tr("result %1").arg(QString::fromStdString(result->name));
+            session_.change(withResult(session_.project(), *std::move(result)), what);
+        });
 }
 
 }  // namespace noonmark

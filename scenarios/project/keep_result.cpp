@@ -5,7 +5,9 @@
 #include "core/study/inputs_json.h"
 #include "core/study/study_hash.h"
 #include "core/study/warnings_json.h"
+#include "scenarios/project/changed_cells_json.h"
 #include "scenarios/settings_json.h"
+#include "scenarios/weights/weights_text.h"
 
 namespace noonmark {
 
@@ -22,65 +24,97 @@ std::string textOf(std::chrono::sys_seconds at) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
 }
 
-std::string withOrigin(const std::string& settings, std::chrono::sys_seconds at, const std::string& cityHash,
-                       const std::string& baselineHash) {
+Json originJson(std::chrono::sys_seconds at, const std::string& citySha256) {
+    return {{"at", textOf(at)}, {"city_sha256", citySha256}};
+}
+
+std::string withOrigin(const std::string& settings, Json origin) {
     Json json = Json::parse(settings);
-    Json kept{{"at", textOf(at)}, {"city_sha256", cityHash}};
-    if (!baselineHash.empty()) kept["baseline_sha256"] = baselineHash;
-    json["kept"] = std::move(kept);
+    json["kept"] = std::move(origin);
     return jsonText(json);
 }
 
-Project with(Project project, KeptResult result) {
-    result.inputs = inputsJson(project.inputs).dump();
+Json originOf(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
+    Json json = originJson(at, hashOf(project, answer.to));
+    if (const std::string hash = hashOf(project, answer.from); !hash.empty()) json["baseline_sha256"] = hash;
+    json["changed_cells"] = changedCellsJson(answer.study.total.change);
+    return json;
+}
+
+Json originOf(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {
+    Json json = originJson(at, hashOf(project, answer.scenario));
+    json["weights"] = Json::parse(weightsJson(answer.weights));
+    return json;
+}
+
+std::string inputsOf(const Project& project) { return inputsJson(project.inputs).dump(); }
+
+Project named(Project project, const std::string& name, KeptResult result) {
+    result.name = name;
+    return withResult(std::move(project), std::move(result));
+}
+
+}  // namespace
+
+KeptResult keptResult(const Project& project, const std::string& scenario, const Study& study,
+                      std::chrono::sys_seconds at) {
+    const ShadowField& field = study.field;
+    return {{},
+            "study",
+            scenario,
+            {},
+            withOrigin(studyJson(study), originJson(at, cityHash(study.city))),
+            inputsOf(project),
+            field.grid,
+            {{"gross shadow", "min/day", field.grossMin}, {"continuous shadow", "min", field.continuousMin}}};
+}
+
+KeptResult keptResult(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
+    const Impact& impact = answer.study.total;
+    return {{},
+            "impact",
+            answer.to,
+            answer.from,
+            withOrigin(impactJson(answer), originOf(project, answer, at)),
+            inputsOf(project),
+            impact.grid,
+            {{"change of gross shadow", "min/day", impact.grossMin},
+             {"change of continuous shadow", "min", impact.continuousMin}}};
+}
+
+KeptResult keptResult(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {
+    return {{},
+            "score",
+            answer.scenario,
+            {},
+            withOrigin(scoreJson(answer), originOf(project, answer, at)),
+            inputsOf(project),
+            answer.score.grid,
+            {{"shadow score", "", answer.score.score}}};
+}
+
+Project withResult(Project project, KeptResult result) {
     std::erase_if(project.results, [&](const auto& old) { return old->name == result.name; });
     project.results.push_back(std::make_shared<const KeptResult>(std::move(result)));
     return project;
 }
 
-}  // namespace
-
 Project withResult(Project project, const std::string& name, const std::string& scenario, const Study& study,
                    std::chrono::sys_seconds at) {
-    const ShadowField& field = study.field;
-    return with(std::move(project), {name,
-                                     "study",
-                                     scenario,
-                                     {},
-                                     withOrigin(studyJson(study), at, cityHash(study.city), {}),
-                                     {},
-                                     field.grid,
-                                     {{"gross shadow", "min/day", field.grossMin},
-                                      {"continuous shadow", "min", field.continuousMin}}});
+    KeptResult result = keptResult(project, scenario, study, at);
+    return named(std::move(project), name, std::move(result));
 }
 
 Project withResult(Project project, const std::string& name, const ImpactAnswer& answer,
                    std::chrono::sys_seconds at) {
-    const Impact& impact = answer.study.total;
-    const std::string settings =
-        withOrigin(impactJson(answer), at, hashOf(project, answer.to), hashOf(project, answer.from));
-    return with(std::move(project), {name,
-                                     "impact",
-                                     answer.to,
-                                     answer.from,
-                                     settings,
-                                     {},
-                                     impact.grid,
-                                     {{"change of gross shadow", "min/day", impact.grossMin},
-                                      {"change of continuous shadow", "min", impact.continuousMin}}});
+    KeptResult result = keptResult(project, answer, at);
+    return named(std::move(project), name, std::move(result));
 }
 
 Project withResult(Project project, const std::string& name, const ScoreAnswer& answer,
                    std::chrono::sys_seconds at) {
-    const std::string settings = withOrigin(scoreJson(answer), at, hashOf(project, answer.scenario), {});
-    return with(std::move(project), {name,
-                                     "score",
-                                     answer.scenario,
-                                     {},
-                                     settings,
-                                     {},
-                                     answer.score.grid,
-                                     {{"shadow score", "", answer.score.score}}});
+    KeptResult result = keptResult(project, answer, at);
+    return named(std::move(project), name, std::move(result));
 }
 
 }  // namespace noonmark

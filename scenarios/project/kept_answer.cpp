@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/study/inputs_json.h"
 #include "core/study/study_hash.h"
+#include "scenarios/project/changed_cells_json.h"
 #include "scenarios/project/kept_figures_json.h"
+#include "scenarios/weights/weights_text.h"
 
 namespace noonmark {
 
@@ -19,6 +23,13 @@ const std::vector<float>& layerOf(const KeptResult& result, std::size_t number) 
     return values;
 }
 
+std::optional<TimeWeights> weightsOf(const Json& json, const Json& kept) {
+    if (!kept.contains("weights")) return std::nullopt;
+    const auto table = weightsFromJson(kept.at("weights").dump(), json.at("weights"));
+    if (!table) throw std::invalid_argument(table.error().what);
+    return *table;
+}
+
 KeptOrigin originOf(const Json& json) {
     const Json kept = json.value("kept", Json::object());
     const Json& region = json.at("region");
@@ -28,7 +39,8 @@ KeptOrigin originOf(const Json& json) {
             json.at("program"),
             json.at("engine_settings"),
             json.at("period").at("text"),
-            region.is_object() ? region.at("name").get<std::string>() : region.get<std::string>()};
+            region.is_object() ? region.at("name").get<std::string>() : region.get<std::string>(),
+            weightsOf(json, kept)};
 }
 
 KeptStudy studyOf(const KeptResult& result, const Json& json) {
@@ -55,7 +67,8 @@ KeptImpact impactOf(const KeptResult& result, const Json& json) {
     impact.grid = result.grid;
     impact.grossMin = layerOf(result, 0);
     impact.continuousMin = layerOf(result, 1);
-    impact.change.assign(result.grid.size(), CellChange::none);
+    impact.change = changedCellsFrom(json.value("kept", Json::object()).value("changed_cells", Json::array()),
+                                     result.grid.size());
     impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
     impact.stepMinutes = json.at("period").at("step_min");
     impact.engine = kept.figures.engine;
@@ -104,6 +117,19 @@ std::vector<std::string> changesSince(const KeptResult& result, const KeptOrigin
         changes.emplace_back(
             "Whether buildings have changed since is not known: it was kept without a hash.");
     return changes;
+}
+
+// A table under another name weighs as before.
+std::vector<std::string> weightChangesSince(const KeptOrigin& origin, const Project& project) {
+    if (!origin.weights) return {};
+    const TimeWeights& then = *origin.weights;
+    if (const auto now = weightsNamed(project, then.name)) {
+        if (*now == then) return {};
+        return {fmt::format("The weight table '{}' has changed since.", then.name)};
+    }
+    if (std::ranges::find(project.weights, then.intervals, &TimeWeights::intervals) != project.weights.end())
+        return {};
+    return {fmt::format("There is no weight table '{}' any more.", then.name)};
 }
 
 }  // namespace noonmark

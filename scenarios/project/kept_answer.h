@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,6 +22,7 @@ struct KeptOrigin {
     std::string engine;          ///< name and settings in words
     std::string period;          ///< in words
     std::string region;          ///< its name; may be empty
+    std::optional<TimeWeights> weights;  ///< score: the table as it was; none where nobody said
 };
 
 struct KeptStudy {
@@ -33,7 +35,7 @@ struct KeptStudy {
 };
 
 struct KeptImpact {
-    Impact impact;  ///< which cells were built over is not kept: they are NaN like those outside
+    Impact impact;  ///< versions that did not keep which cells were built over left them like those outside
     ComparisonFigures figures;
 };
 
@@ -51,9 +53,12 @@ struct KeptAnswer {
 /// Copies the layers. Error: settings or layers that are not those of its kind.
 Result<KeptAnswer> answerOf(const KeptResult& result);
 
-/// Why the project as it is now would not give this result, a whole sentence each; none where it would. Costs
-/// a hash of the scenario's city, and of the baseline's.
+/// Why the project as it is now would not give this result, a whole sentence each; none where it would: other
+/// buildings, terrain or files. Costs a hash of the scenario's city, and of the baseline's.
 std::vector<std::string> changesSince(const KeptResult& result, const KeptOrigin& origin,
                                       const Project& project);
+
+/// The same of a score's weight table; at once.
+std::vector<std::string> weightChangesSince(const KeptOrigin& origin, const Project& project);
 
 }  // namespace noonmark

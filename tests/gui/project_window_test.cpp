@@ -265,7 +265,7 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     EXPECT_TRUE(legend->change);
     EXPECT_EQ(legend->patches.size(), 1U) << "the tower stands on what was ground";
     workbench().keepAnswer(QStringLiteral("Impact"));
-    ASSERT_EQ(session().project().results.size(), 1U);
+    ASSERT_TRUE(waitFor([this] { return session().project().results.size() == 1; }));
     EXPECT_EQ(session().project().results[0]->kind, "impact");
     session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height"));
     ASSERT_TRUE(waitFor([&] {

@@ -102,6 +102,8 @@ TEST(KeptAnswers, anImpactComesBackWithThresholdsAndBuildings) {
     const auto& back = std::get<KeptImpact>(kept.answer);
     const ComparisonFigures wanted = figuresOf(answer);
     EXPECT_TRUE(same(back.impact.grossMin, answer.study.total.grossMin));
+    EXPECT_EQ(back.impact.change, answer.study.total.change) << "what was built over";
+    EXPECT_EQ(std::ranges::count(back.impact.change, CellChange::becameBuilding), 25);
     ASSERT_EQ(back.figures.all.size(), 2U);
     EXPECT_EQ(back.figures.all[1].thresholdMin, 60);
     EXPECT_EQ(back.figures.all[0].gross.gainedM2, wanted.all[0].gross.gainedM2);
@@ -120,6 +122,8 @@ TEST(KeptAnswers, aScoreComesBackMonthByMonth) {
     const KeptAnswer kept = answerOf(*result).value();
     const auto& back = std::get<KeptScore>(kept.answer);
     EXPECT_EQ(back.weights, "default");
+    EXPECT_EQ(kept.origin.weights, monthlyWeights());
+    EXPECT_THAT(weightChangesSince(kept.origin, project), IsEmpty());
     EXPECT_EQ(back.score.scoreM2, answer.score.scoreM2);
     ASSERT_EQ(back.score.months.size(), 1U);
     EXPECT_EQ(back.score.months[0].month, 2026y / June);
@@ -149,6 +153,41 @@ TEST(KeptAnswers, whatChangedSinceIsSaid) {
     Project named = project;
     named.lots.push_back({"new", box(0, 0, 5, 5)});
     EXPECT_THAT(changesSince(result, origin, named), IsEmpty()) << "lots shade nothing";
+}
+
+TEST(KeptAnswers, aScoreIsOutOfDateWhenItsWeightsAre) {
+    const Project project = withResult(town(), "Score", scored(town()), keptAt);
+    const KeptOrigin origin = answerOf(*project.results[0])->origin;
+    Project other = project;
+    other.weights[0].intervals[5].weight = 0.25;
+    EXPECT_THAT(weightChangesSince(origin, other), ElementsAre(HasSubstr("'default' has changed since")));
+    EXPECT_THAT(changesSince(*project.results[0], origin, other), IsEmpty()) << "the city is the same";
+    other = project;
+    other.weights[0].name = "months";
+    EXPECT_THAT(weightChangesSince(origin, other), IsEmpty()) << "under another name";
+    other.weights[0].intervals.pop_back();
+    EXPECT_THAT(weightChangesSince(origin, other), ElementsAre(HasSubstr("no weight table 'default'")));
+}
+
+TEST(KeptAnswers, cellsThatChangedOutsideOfTheGridAreAnError) {
+    KeptResult result = *withResult(town(), "Tower", compared(town()), keptAt).results[0];
+    auto json = nlohmann::ordered_json::parse(result.settings);
+    using Cells = nlohmann::ordered_json;
+    const auto withCells = [&](const Cells& cells) {
+        json["kept"]["changed_cells"] = cells;
+        result.settings = json.dump();
+        return answerOf(result);
+    };
+    EXPECT_TRUE(withCells(Cells::array({Cells::array({0, result.grid.size(), "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({1, result.grid.size(), "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({result.grid.size() + 1, 0, "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({0, -1, "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({0, 1, "water"})})));
+    EXPECT_FALSE(withCells(Cells::array({5})));
+    json["kept"].erase("changed_cells");
+    result.settings = json.dump();
+    const auto older = std::get<KeptImpact>(answerOf(result)->answer);
+    EXPECT_EQ(std::ranges::count(older.impact.change, CellChange::none), std::ptrdiff_t(result.grid.size()));
 }
 
 TEST(KeptAnswers, settingsOfAnotherShapeAreAnError) {

@@ -53,17 +53,26 @@ GroundAnswer::Map mapOf(const std::shared_ptr<const KeptAnswer>& kept) {
 
 Result<ShownResult> shownResult(const KeptResult& result, const Project& project) {
     return answerOf(result).map([&](KeptAnswer answer) {
-        ShownResult shown{result.name, result.scenario, {}, result.grid.cellM, {}};
+        ShownResult shown{result.name, result.scenario, {}, result.grid.cellM, {}, {}};
         shown.changes = changesSince(result, answer.origin, project);
+        shown.weightChanges = weightChangesSince(answer.origin, project);
         shown.answer = std::make_shared<const KeptAnswer>(std::move(answer));
         return shown;
     });
 }
 
+std::optional<ShownResult> reweighed(const ShownResult& result, const Project& project) {
+    auto changes = weightChangesSince(result.answer->origin, project);
+    if (changes == result.weightChanges) return std::nullopt;
+    ShownResult now = result;
+    now.weightChanges = std::move(changes);
+    return now;
+}
+
 GroundAnswer groundAnswerOf(const ShownResult& result) {
     const QString kept = tr("Kept %1: %2").arg(keptAt(result.answer->origin), textOf(result.name));
-    const QString note = result.changes.empty() ? kept : tr("%1. Out of date").arg(kept);
-    return {mapOf(result.answer), nullptr, note, !result.changes.empty()};
+    const QString note = result.upToDate() ? kept : tr("%1. Out of date").arg(kept);
+    return {mapOf(result.answer), nullptr, note, !result.upToDate()};
 }
 
 std::vector<ResultRow> rowsOf(const ShownResult& result) {
@@ -87,8 +96,9 @@ std::vector<ResultRow> rowsOf(const ShownResult& result) {
 
 QString keptWords(const ShownResult& result) {
     QStringList words{tr("A result kept %1.").arg(keptAt(result.answer->origin))};
-    for (const std::string& change : result.changes) words << textOf(change);
-    if (result.changes.empty()) words << tr("Nothing it rests on has changed since.");
+    for (const auto* changes : {&result.changes, &result.weightChanges})
+        for (const std::string& change : *changes) words << textOf(change);
+    if (result.upToDate()) words << tr("Nothing it rests on has changed since.");
     return words.join(QLatin1Char('\n'));
 }
 

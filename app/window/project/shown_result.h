@@ -12,11 +12,16 @@ struct ShownResult {
     std::string scenario;
     std::shared_ptr<const KeptAnswer> answer;
     double cellM = 1;
-    std::vector<std::string> changes;  ///< since it was kept; none: the project would give it again
+    std::vector<std::string> changes;        ///< of buildings and files since it was kept
+    std::vector<std::string> weightChanges;  ///< of a score's weight table; changes while it is shown
+    [[nodiscard]] bool upToDate() const { return changes.empty() && weightChanges.empty(); }
 };
 
 /// For a job. Error: as of answerOf().
 Result<ShownResult> shownResult(const KeptResult& result, const Project& project);
+
+/// The same beside the weight tables of a project that has changed; nothing where it stays as it is.
+std::optional<ShownResult> reweighed(const ShownResult& result, const Project& project);
 
 /// The note says that it is kept, since when, and whether something has changed: then it is marked.
 GroundAnswer groundAnswerOf(const ShownResult& result);
