@@ -10,7 +10,12 @@ namespace noonmark {
 namespace {
 
 constexpr int stripHeight = 58;
+constexpr int legendRowHeight = 46;  // where the strip is narrow
+constexpr int leastWidth = 680;      // of one row
+constexpr int leastLegendWidth = 250;
+constexpr int mostLegendWidth = 640;
 constexpr int measureWidth = 190;
+constexpr int margin = 10;
 constexpr int compassWidth = 56;
 constexpr QColor partColour{0xff, 0xd5, 0x8a};
 
@@ -36,6 +41,23 @@ void paintCompass(QPainter& painter, QPointF centre, double headingDeg) {
     painter.restore();
 }
 
+QSizeF sizeOf(const QString& words, const QFont& font, double width) {
+    return QFontMetricsF(font).boundingRect({0, 0, width, 1e4}, Qt::TextWordWrap, words).size();
+}
+
+// Its first words where not all have room.
+QString fitted(const QString& note, const QFont& font, const QSizeF& room) {
+    const auto fits = [&](const QString& words) {
+        const QSizeF size = sizeOf(words, font, room.width());
+        return size.width() <= room.width() && size.height() <= room.height();
+    };
+    if (fits(note)) return note;
+    QStringList words = note.split(QLatin1Char(' '));
+    const auto some = [&words] { return words.join(QLatin1Char(' ')) + QChar(0x2026); };
+    while (words.size() > 1 && !fits(some())) words.removeLast();
+    return some();
+}
+
 }  // namespace
 
 LegendStrip::LegendStrip(QWidget* parent) : QWidget(parent), measure_(new QComboBox) {
@@ -49,8 +71,8 @@ LegendStrip::LegendStrip(QWidget* parent) : QWidget(parent), measure_(new QCombo
     measure_->setFixedWidth(measureWidth - 24);
     connect(measure_, &QComboBox::currentIndexChanged, this, &LegendStrip::measureChanged);
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 0, 12, 0);
-    row->addWidget(measure_);
+    row->setContentsMargins(12, (stripHeight - measure_->sizeHint().height()) / 2, 12, 0);
+    row->addWidget(measure_, 0, Qt::AlignTop);
     row->addStretch(1);
 }
 
@@ -67,6 +89,7 @@ void LegendStrip::setHint(const QString& hint) {
 void LegendStrip::setNote(const QString& note, bool partial) {
     note_ = note;
     partial_ = partial;
+    placeNote();
     update();
 }
 
@@ -79,24 +102,63 @@ ShadowMeasure LegendStrip::measure() const { return ShadowMeasure(measure_->curr
 
 void LegendStrip::setMeasure(ShadowMeasure measure) { measure_->setCurrentIndex(int(measure)); }
 
-// Left of the compass, on amber where it marks a part. Returns the width that is left for the legend.
-double LegendStrip::paintNote(QPainter& painter) const {
-    const double right = width() - compassWidth;
-    const double room = right - measureWidth - 10;
-    if (note_.isEmpty()) return room - 20;
-    painter.setFont(textFont({painter, 1.0}, 11, partial_ ? QFont::Bold : QFont::Normal));
-    const QRectF most(0, 0, room / 2 - 24, height());
-    const QRectF words = QFontMetricsF(painter.font()).boundingRect(most, Qt::TextWordWrap, note_);
-    const QRectF chip(right - words.width() - 20, (height() - words.height()) / 2 - 5, words.width() + 16,
-                      words.height() + 10);
+bool LegendStrip::narrow() const { return width() < leastWidth; }
+
+QFont LegendStrip::noteFont() const {
+    QFont font = this->font();
+    font.setPointSizeF(std::max(7.0, font.pointSizeF() - 1));
+    font.setBold(partial_);
+    return font;
+}
+
+// Between measure and compass; the legend, where it stands beside the note, needs some of it.
+QSizeF LegendStrip::noteRoom() const {
+    const double between = width() - measureWidth - compassWidth - 4 * margin;
+    const double most = narrow() ? between : std::min(between / 2, between - leastLegendWidth);
+    return {std::max(0.0, most), stripHeight - 12.0};
+}
+
+QString LegendStrip::paintedNote() const {
+    return note_.isEmpty() ? QString() : fitted(note_, noteFont(), noteRoom());
+}
+
+// All of it where the strip shows its beginning only.
+void LegendStrip::placeNote() { setToolTip(paintedNote() == note_ ? QString() : note_); }
+
+// Left of the compass.
+QRectF LegendStrip::noteArea() const {
+    if (note_.isEmpty()) return {};
+    const QSizeF room = noteRoom(), words = sizeOf(paintedNote(), noteFont(), room.width());
+    const double wide = std::min(words.width(), room.width()) + 16,
+                 high = std::min(words.height(), room.height()) + 8;
+    return {width() - compassWidth - wide, (stripHeight - high) / 2, wide, high};
+}
+
+QRectF LegendStrip::legendArea() const {
+    if (narrow()) return {12, stripHeight - 2.0, width() - 24.0, legendRowHeight - 2.0};
+    const double right = note_.isEmpty() ? width() - compassWidth : noteArea().left();
+    const double left = measureWidth + margin;
+    return {left, 8, std::min(double(mostLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
+}
+
+// On amber where it marks a part.
+void LegendStrip::paintNote(QPainter& painter) const {
+    const QRectF chip = noteArea();
+    if (chip.isEmpty()) return;
     if (partial_) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(partColour);
         painter.drawRoundedRect(chip, 4, 4);
     }
+    painter.setFont(noteFont());
     painter.setPen(partial_ ? ink::text : ink::quiet);
-    painter.drawText(chip, Qt::AlignCenter | Qt::TextWordWrap, note_);
-    return chip.left() - measureWidth - 26;
+    painter.drawText(chip.adjusted(8, 0, -8, 0), Qt::AlignCenter | Qt::TextWordWrap, paintedNote());
+}
+
+void LegendStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    setFixedHeight(narrow() ? stripHeight + legendRowHeight : stripHeight);
+    placeNote();
 }
 
 void LegendStrip::paintEvent(QPaintEvent*) {
@@ -104,8 +166,9 @@ void LegendStrip::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), ink::paper);
     painter.fillRect(QRect(0, 0, width(), 1), ink::line);
-    paintCompass(painter, {width() - compassWidth / 2.0, height() / 2.0 + 6}, headingDeg_);
-    const QRectF area(measureWidth + 10, 8, std::min(640.0, paintNote(painter)), height() - 10);
+    paintCompass(painter, {width() - compassWidth / 2.0, stripHeight / 2.0 + 6}, headingDeg_);
+    paintNote(painter);
+    const QRectF area = legendArea();
     if (legend_) return paintLegend({painter, area.height() / legendHeightPt}, area, *legend_);
     painter.setPen(ink::quiet);
     painter.setFont(font());

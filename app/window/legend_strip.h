@@ -10,7 +10,8 @@ class QPainter;
 
 namespace noonmark {
 
-/// Below the view: which measure is shown, its legend, and where north is.
+/// Below the view: which measure is shown, its legend, and where north is. Where it is narrow the legend has
+/// a row of its own.
 class LegendStrip final : public QWidget {
     Q_OBJECT
 public:
@@ -27,14 +28,23 @@ public:
     [[nodiscard]] ShadowMeasure measure() const;
     void setMeasure(ShadowMeasure measure);
 
+    [[nodiscard]] QRectF noteArea() const;      ///< where the note is painted; empty: there is none
+    [[nodiscard]] QRectF legendArea() const;    ///< beside it
+    [[nodiscard]] QString paintedNote() const;  ///< as much of the note as there is room for
+
 Q_SIGNALS:
     void measureChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    double paintNote(QPainter& painter) const;
+    [[nodiscard]] bool narrow() const;
+    [[nodiscard]] QFont noteFont() const;
+    [[nodiscard]] QSizeF noteRoom() const;
+    void placeNote();
+    void paintNote(QPainter& painter) const;
 
     QComboBox* measure_;
     QString hint_;
