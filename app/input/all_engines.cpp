@@ -1,5 +1,6 @@
 #include "app/input/all_engines.h"
 
+#include "core/accumulate/engine_ground.h"
 #include "render/gl/gl_engines.h"
 
 namespace noonmark {
@@ -15,6 +16,11 @@ const EngineList& allEngines() {
 
 const EngineList& enginesWith(std::string_view key) {
     return findEngine(coreEngines(), key) != nullptr ? coreEngines() : allEngines();
+}
+
+// All maps of OpenGL lie on the level.
+bool isOnLevelGroundOnly(std::string_view key) {
+    return onLevelGroundOnly(key) || findEngine(coreEngines(), key) == nullptr;
 }
 
 }  // namespace noonmark

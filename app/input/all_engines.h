@@ -13,4 +13,7 @@ const EngineList& allEngines();
 /// The list to look a key up in: core's where it is there, so that no graphics device is looked for in vain.
 const EngineList& enginesWith(std::string_view key);
 
+/// Whether an engine of allEngines() takes level ground only.
+bool isOnLevelGroundOnly(std::string_view key);
+
 }  // namespace noonmark

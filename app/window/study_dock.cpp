@@ -34,7 +34,11 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
       document_(document),
       period_(new PeriodForm),
       accuracy_(new AccuracyForm(allEngines())),
+      refusal_(new QLabel),
       progress_(new ProgressStrip(QBoxLayout::TopToBottom)) {
+    refusal_->setObjectName(QStringLiteral("engineRefusal"));
+    refusal_->setWordWrap(true);
+    refusal_->setStyleSheet(QStringLiteral("color: #a02410;"));
     run_ = new QPushButton(tr("Run study"));
     run_->setObjectName(QStringLiteral("run"));
     run_->setToolTip(tr("Compute the minutes of shadow of every cell of the region (Ctrl+R)"));
@@ -42,6 +46,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
     column->addWidget(groupOf(tr("Period"), period_));
     column->addWidget(makeRegionGroup());
     column->addWidget(groupOf(tr("Accuracy"), accuracy_));
+    column->addWidget(refusal_);
     column->addWidget(run_);
     column->addWidget(progress_);
     column->addStretch(1);
@@ -109,6 +114,23 @@ void StudyDock::showDocument() {
     places_->setCurrentIndex(
         int(std::ranges::find(allReceiverPlaces, settings.receivers.places) - allReceiverPlaces.begin()));
     region_->setText(regionWords(settings.region, settings.receivers.cellM));
+    showRefusal();
+}
+
+void StudyDock::setTerrain(bool terrain) {
+    terrain_ = terrain;
+    showRefusal();
+}
+
+// At once, not on Run.
+void StudyDock::showRefusal() {
+    const StudySettings& settings = document_.settings();
+    const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
+    const bool refused = (roofs || terrain_) && isOnLevelGroundOnly(settings.engine);
+    refusal_->setVisible(refused);
+    refusal_->setText(tr("This engine takes level ground only, and %1. Choose the horizon sweep, the ray "
+                         "reference or automatic.")
+                          .arg(roofs ? tr("receivers on roofs are asked for") : tr("this city has terrain")));
 }
 
 void StudyDock::setDrawing(bool drawing) {

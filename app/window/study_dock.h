@@ -25,6 +25,7 @@ public:
     [[nodiscard]] ProgressStrip& progress() { return *progress_; }
     void setDrawing(bool drawing);  ///< a region is being drawn
     void setRunning(bool running);
+    void setTerrain(bool terrain);  ///< of the city: not every engine takes it
 
 Q_SIGNALS:
     void runRequested();
@@ -36,12 +37,15 @@ private:
     QWidget* makeRegionGroup();
     QWidget* makePlaces();
     void showDocument();
+    void showRefusal();
 
     StudyDocument& document_;
     PeriodForm* period_;
     AccuracyForm* accuracy_;
     QLabel* region_;
     QComboBox* places_;
+    QLabel* refusal_;  ///< what the engine cannot do of it
+    bool terrain_ = false;
     QPushButton* draw_;
     QPushButton* run_;
     ProgressStrip* progress_;

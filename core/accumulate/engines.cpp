@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "core/accumulate/auto_engine.h"
+#include "core/accumulate/engine_ground.h"
 #include "core/accumulate/engine_list.h"
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/horizon_sweep.h"
@@ -153,6 +156,11 @@ const EngineList& coreEngines() {
     static const EngineList list{rayReference(),      projectedShadows(), horizonSweep(), shadowAccrualMap(),
                                  inverseAccrualMap(), rayGraph(),         autoEngine()};
     return list;
+}
+
+bool onLevelGroundOnly(std::string_view engineKey) {
+    constexpr std::string_view keys[] = {"projected", "sam", "iam"};
+    return std::ranges::find(keys, engineKey) != std::end(keys);
 }
 
 }  // namespace noonmark

@@ -61,6 +61,12 @@ struct AnswersWindow : ::testing::Test {
         workbench().run();
         ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }));
     }
+    void keep(const char* name) {
+        const auto before = session().project().results.size();
+        workbench().keepAnswer(QString::fromLatin1(name));
+        EXPECT_EQ(session().project().results.size(), before) << "the city is hashed beside the window";
+        ASSERT_TRUE(waitFor([&] { return session().project().results.size() == before + 1; }));
+    }
     void enter(ProjectPart part, const std::string& name) {
         auto* dock = window->findChild<ProjectDock*>();
         dock->use(dock->model().indexOf(part, name));
@@ -74,7 +80,7 @@ struct AnswersWindow : ::testing::Test {
 TEST_F(AnswersWindow, AKeptStudyIsShownAgainWithFiguresAndLegend) {
     study();
     const auto before = window->panel().legend().legend();
-    workbench().keepAnswer(QStringLiteral("June"));
+    keep("June");
     const QString area = figures()[figures().indexOf(QStringLiteral("Shadow area")) + 1];
     window->mode().setMode(ViewMode::exploration);
     showKept("June");
@@ -98,7 +104,7 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
     window->mode().setMode(ViewMode::analysis);
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    workbench().keepAnswer(QStringLiteral("Impact"));
+    keep("Impact");
     session().compareWith({});
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
     session().goTo(existingCity);
@@ -115,7 +121,7 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
 
 TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
     study();
-    workbench().keepAnswer(QStringLiteral("June"));
+    keep("June");
     Project next = session().project();
     auto broken = std::make_shared<KeptResult>(*next.results[0]);
     broken->settings = "{}";
@@ -141,7 +147,7 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     EXPECT_TRUE(window->panel().legend().legend()->wanted);
     EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
     EXPECT_EQ(note(), QString());
-    workbench().keepAnswer(QStringLiteral("Score"));
+    keep("Score");
     EXPECT_EQ(session().project().results.at(0)->kind, "score");
     Project next = session().project();
     next.weights[0].intervals[0].weight = 0.5;
@@ -150,6 +156,12 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     showKept("Score");
     EXPECT_TRUE(window->panel().legend().legend()->wanted);
     EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
+    const auto legendNote = [this] { return window->panel().legend().note(); };
+    EXPECT_TRUE(note().contains(QStringLiteral("'default' has changed since"))) << note().toStdString();
+    EXPECT_TRUE(legendNote().endsWith(QStringLiteral("Out of date"))) << legendNote().toStdString();
+    workbench().document().undoStack().undo();
+    EXPECT_TRUE(note().contains(QStringLiteral("Nothing it rests on has changed"))) << note().toStdString();
+    EXPECT_FALSE(legendNote().endsWith(QStringLiteral("Out of date"))) << legendNote().toStdString();
     study();
     EXPECT_EQ(workbench().kept(), nullptr) << "another answer takes its place";
     EXPECT_FALSE(figures().contains(QStringLiteral("Shadow score")));
@@ -178,6 +190,15 @@ TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {
     workbench().runScore("default");
     ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
     EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("ground only")));
+    auto* refusal = window->findChild<QLabel*>(QStringLiteral("engineRefusal"));
+    EXPECT_TRUE(refusal->isHidden()) << "automatic finds one that can";
+    StudySettings polygons = workbench().document().settings();
+    polygons.engine = "projected";
+    workbench().document().change(polygons, QStringLiteral("engine"));
+    EXPECT_FALSE(refusal->isHidden()) << "before anybody presses Run";
+    EXPECT_TRUE(refusal->text().contains(QStringLiteral("roofs"))) << refusal->text().toStdString();
+    workbench().document().undoStack().undo();
+    EXPECT_TRUE(refusal->isHidden());
     workbench().document().undoStack().undo();
     EXPECT_EQ(places->currentIndex(), 0);
 }

@@ -4,6 +4,9 @@
 
 #include <limits>
 
+#include "core/accumulate/engine_ground.h"
+#include "tests/core/accumulate/terrain_scenes.h"
+
 namespace noonmark::tests {
 namespace {
 
@@ -51,6 +54,20 @@ TEST(Engines, AnUnknownOptionNamesTheKnownOnes) {
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().text(), HasSubstr("levels"));
     EXPECT_THAT(makeAccumulator("ray", {{"levels", 2}}).error().text(), HasSubstr("Leave it out"));
+}
+
+TEST(Engines, ThoseThatTakeLevelGroundOnlyAreKnownBeforeTheyRefuseTerrain) {
+    City city = groundOf(12, [](glm::dvec2 place) { return place.x / 10; });
+    city.buildings.push_back(standingBox(city, -5, -5, 5, 5, 20));
+    const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
+    NoProgress progress;
+    for (const Engine& engine : coreEngines()) {
+        const auto field = makeAccumulator(engine.info.key)
+                               .value()
+                               ->accumulate(city, receivers, oneDay({{150, 40}, {180, 45}}), progress, {});
+        EXPECT_EQ(!field, onLevelGroundOnly(engine.info.key)) << engine.info.key;
+        EXPECT_THAT(field ? "flat ground only" : field.error().what, HasSubstr("flat ground only"));
+    }
 }
 
 }  // namespace
