@@ -4,6 +4,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -180,6 +181,18 @@ TEST_F(Weights, TheDockEditsScoresAndSaysWhatIsRefused) {
     undo.undo();
     undo.undo();
     EXPECT_EQ(dock.findChild<QComboBox*>()->currentText(), QStringLiteral("default"));
+}
+
+TEST_F(Weights, AllColumnsAreInSightInTheNarrowestDock) {
+    WeightsDock dock(session);
+    dock.resize(dock.minimumSizeHint().width(), 400);
+    dock.show();
+    QCoreApplication::processEvents();
+    const auto* view = dock.findChild<QTableView*>();
+    EXPECT_LE(dock.width(), 300) << "it has to stand beside the view";
+    EXPECT_LE(view->horizontalHeader()->length(), view->viewport()->width());
+    for (int column = 0; column < dock.model().columnCount(); ++column)
+        EXPECT_GE(view->columnWidth(column), 30) << column;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -60,11 +61,32 @@ void WeightsDock::makeView() {
                            QAbstractItemView::AnyKeyPressed);
     view_->setShowGrid(false);
     view_->verticalHeader()->hide();
-    view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    view_->horizontalHeader()->setSectionResizeMode(WeightsModel::intervalName, QHeaderView::Stretch);
-    view_->horizontalHeader()->setMinimumSectionSize(44);
+    view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    view_->setTextElideMode(Qt::ElideRight);
+    view_->horizontalHeader()->setTextElideMode(Qt::ElideRight);
+    fitColumns();
     view_->horizontalHeader()->moveSection(WeightsModel::intervalWeight, 1);  // in sight in a narrow dock
     view_->verticalHeader()->setDefaultSectionSize(view_->fontMetrics().height() + 10);
+}
+
+// All columns are in sight in the narrowest dock: each as wide as what it may hold, and names take the rest.
+void WeightsDock::fitColumns() {
+    constexpr int padding = 7, leastName = 36;
+    const std::pair<int, QString> widest[] = {{WeightsModel::firstDay, QStringLiteral("28 Mar")},
+                                              {WeightsModel::lastDay, QStringLiteral("28 Mar")},
+                                              {WeightsModel::fromHour, QStringLiteral("00:00")},
+                                              {WeightsModel::toHour, QStringLiteral("00:00")},
+                                              {WeightsModel::intervalWeight, QStringLiteral("-0.25")}};
+    QHeaderView* header = view_->horizontalHeader();
+    header->setMinimumSectionSize(24);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(WeightsModel::intervalName, QHeaderView::Stretch);
+    int sum = leastName + view_->verticalScrollBar()->sizeHint().width() + 2 * view_->frameWidth();
+    for (const auto& [column, text] : widest) {
+        header->resizeSection(column, view_->fontMetrics().horizontalAdvance(text) + padding);
+        sum += header->sectionSize(column);
+    }
+    view_->setMinimumWidth(sum);
 }
 
 QWidget* WeightsDock::makeButtons() {

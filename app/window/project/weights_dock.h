@@ -28,6 +28,7 @@ Q_SIGNALS:
 
 private:
     void makeView();
+    void fitColumns();
     QWidget* makeButtons();
     void follow();
     void addTable();
