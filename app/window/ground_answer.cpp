@@ -49,6 +49,12 @@ GroundAnswer groundAnswerOf(const std::shared_ptr<const TimeAnswer>& time) {
             true};
 }
 
+GroundAnswer groundAnswerOf(const std::shared_ptr<const LiveAnswer>& live) {
+    return {std::shared_ptr<const ShadowField>(live, &live->field),
+            std::shared_ptr<const Receivers>(live, &live->receivers),
+            liveWords(live->engine, live->counted, live->steps, live->runs), false, !live->runs};
+}
+
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ImpactAnswer>& comparison) {
     return {std::shared_ptr<const Impact>(comparison, &comparison->study.total), nullptr,
             QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from))};

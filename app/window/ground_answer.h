@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "app/report/legend_painter.h"
+#include "app/window/massing/live_shadow.h"
 #include "app/window/time/time_looking.h"
 #include "core/accumulate/partial_field.h"
 #include "render/ground_picture.h"
@@ -29,6 +30,7 @@ struct GroundAnswer {
 GroundAnswer groundAnswerOf(const std::shared_ptr<const Study>& study);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const PartialField>& partial);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const TimeAnswer>& time);
+GroundAnswer groundAnswerOf(const std::shared_ptr<const LiveAnswer>& live);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ImpactAnswer>& comparison);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ScoreAnswer>& score);
 

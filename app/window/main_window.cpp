@@ -41,7 +41,7 @@ MainWindow::MainWindow(QSettings& settings)
       menus_(*this),
       recent_(*menus_.recent, settings),
       panel_(new ViewPanel),
-      tools_(*panel_),
+      tools_(*panel_, horizons_),
       docks_{new ProjectDock(workbench_.session()),
              new StudyDock(workbench_.document()),
              new ResultsDock,
@@ -85,6 +85,8 @@ MainWindow::~MainWindow() = default;
 void MainWindow::makeStatusBar() {
     statusBar()->addWidget(hover_, 1);
     statusBar()->addPermanentWidget(progress_);
+    // Else the view would move under the cursor when work begins.
+    statusBar()->setMinimumHeight(progress_->sizeHint().height() + 4);
     connect(panel_, &ViewPanel::hovered, hover_, &QLabel::setText);
 }
 
@@ -159,6 +161,7 @@ void MainWindow::showCity() {
     panel_->view().setPose(pose);
     tools_.setCity(workbench_.city());
     exploration_.setCity(workbench_.city());
+    docks_.study->setTerrain(workbench_.city()->city().terrain != nullptr);
     docks_.warnings->show(workbench_.city()->loaded.read.warnings);
     docks_.results->show({});
     showAnswer();
@@ -170,11 +173,9 @@ void MainWindow::showCity() {
 void MainWindow::showDocument() {
     const StudySettings& settings = workbench_.document().settings();
     panel_->showRegion(settings.region);
-    if (workbench_.city()) {
-        const Observer observer = observerOf(workbench_.city()->city(), settings);
-        exploration_.setPeriod(settings.period, observer);
-        tools_.setPeriod(settings.period, observer);
-    }
+    if (workbench_.city())
+        exploration_.setPeriod(settings.period, observerOf(workbench_.city()->city(), settings));
+    askLive();
     showOutdated();
     docks_.scenarios->table().setStudies(workbench_.studies(), settings);
 }

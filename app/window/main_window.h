@@ -69,6 +69,7 @@ private:
     void offerTime();
     void showTime();
     void studyTime(const TimeLook& look);
+    void askLive();
     void raiseDock(const QWidget* content);
     void connectTree();
     void connectScenarios();
@@ -109,6 +110,7 @@ private:
     WindowMenus menus_;
     RecentMenu recent_;
     ViewPanel* panel_;
+    std::shared_ptr<SharedHorizons> horizons_ = std::make_shared<SharedHorizons>();
     EditTools tools_;
     WindowDocks docks_;
     ProgressStrip* progress_;
@@ -116,7 +118,7 @@ private:
     OpenOptions* options_;
     ModeSwitch mode_;
     Exploration exploration_;
-    TimeLooking looking_;
+    TimeLooking looking_{horizons_};
     UnsavedPlace place_;
     ProjectSaving saving_;
     std::function<Unsaved()> askUnsaved_;

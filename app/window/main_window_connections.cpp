@@ -13,23 +13,14 @@
 namespace noonmark {
 
 void MainWindow::connectJobs() {
-    const auto show = [this](JobSlot& slot, ProgressStrip& bar, bool cancellable) {
-        connect(&slot, &JobSlot::started, &bar, [&bar, cancellable](const Job& job, const QString& what) {
-            bar.follow(job, what, cancellable);
-        });
-        connect(&slot, &JobSlot::ended, &bar, &ProgressStrip::finish);
-    };
-    const auto control = [this, show](JobSlot& slot, ProgressStrip& bar) {
-        show(slot, bar, true);
-        connect(&bar, &ProgressStrip::cancelRequested, &slot, &JobSlot::cancel);
-    };
-    control(workbench_.opening(), *progress_);
+    progress_->follow(workbench_.opening());
     // Half way the view would show another scenario than the tree.
-    show(workbench_.following(), *progress_, false);
-    control(workbench_.reading(), *progress_);
-    control(workbench_.writing(), *progress_);
-    control(saving_.writing(), *progress_);
-    control(workbench_.running(), docks_.study->progress());
+    progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
+    for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing()})
+        progress_->follow(*slot);
+    for (JobSlot* slot : {&workbench_.keeping(), &tools_.desk().preview.working(), &looking_.working()})
+        progress_->follow(*slot, ProgressStrip::Jobs::often);
+    docks_.study->progress().follow(workbench_.running());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
         docks_.study->setRunning(true);
         mode_.showStudies();

@@ -28,12 +28,24 @@ void MainWindow::connectEditing() {
     connect(docks_.project, &ProjectDock::drawLotRequested, &tools_, &EditTools::drawLot);
     connect(&workbench_.session(), &ProjectSession::changed, this,
             [this] { tools_.setLots(workbench_.session().project().lots); });
+    connect(&mode_, &ModeSwitch::changed, this, &MainWindow::askLive);
+    connect(&workbench_, &Workbench::projectOpened, this, [this] { horizons_->forget(); });
     connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);
     // Not in the message bar: it would move the view under the cursor.
     connect(&tools_, &EditTools::hinted, this,
             [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+// Where studies are shown, the live shadow is on their cells.
+void MainWindow::askLive() {
+    if (!workbench_.city()) return;
+    const StudySettings& settings = workbench_.document().settings();
+    tools_.setQuestion({{settings.period, observerOf(workbench_.city()->city(), settings)},
+                        settings.region,
+                        settings.receivers,
+                        mode_.mode() != ViewMode::exploration});
 }
 
 // To the front of its tabs; one that the user closed stays closed.

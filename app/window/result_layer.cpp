@@ -73,20 +73,18 @@ void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
     if (mode_ == ViewMode::exploration) show();
 }
 
-void ResultLayer::setLive(const ShadowField* field, const Receivers* receivers, const QString& note) {
-    const bool wasLive = std::exchange(live_, field != nullptr);
-    if (!field && wasLive) show();
-    if (!field) return;
-    if (!wasLive) view_.surfaces().clear();
-    const Legend legend = legendOf(*field, ShadowMeasure::gross);
-    view_.showPicture(fieldPicture(*field, receivers, ShadowMeasure::gross, legend.scale.top));
-    strip_.setLegend(legend);
-    strip_.setNote(note, false);
+void ResultLayer::setLive(std::optional<GroundAnswer> answer) {
+    if (!answer && !live_) return;
+    live_ = std::move(answer);
+    show();
+}
+
+void ResultLayer::noteLive(const QString& note) {
+    if (live_) strip_.setNote(note, true);
 }
 
 void ResultLayer::show() {
-    if (live_) return;
-    if (mode_ == ViewMode::exploration) {
+    if (mode_ == ViewMode::exploration && !live_) {
         view_.clearPicture();
         return explored_ ? showExplored() : showNothing();
     }
@@ -96,7 +94,7 @@ void ResultLayer::show() {
 
 // Null: nothing yet.
 const GroundAnswer* ResultLayer::ground() const {
-    for (const auto* answer : {&partial_, &inFront_, &time_, &study_})
+    for (const auto* answer : {&live_, &partial_, &inFront_, &time_, &study_})
         if (*answer) return &**answer;
     return nullptr;
 }
@@ -112,7 +110,7 @@ void ResultLayer::showExplored() {
 void ResultLayer::showGround() {
     const GroundAnswer& answer = *ground();
     const Legend legend = legendOf(answer, strip_.measure());
-    view_.showPicture(pictureOf(answer, strip_.measure(), legend.scale.top), partial_.has_value());
+    view_.showPicture(pictureOf(answer, strip_.measure(), legend.scale.top), !live_ && partial_.has_value());
     if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
         view_.showRoofPicture(*roofs);
     strip_.setLegend(legend);
@@ -128,8 +126,7 @@ void ResultLayer::showNothing() {
 }
 
 QString ResultLayer::minutesAt(const Pick& pick) const {
-    if (live_) return {};
-    if (mode_ == ViewMode::exploration) {
+    if (mode_ == ViewMode::exploration && !live_) {
         const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
         if (!point) return {};
         const SurfaceShadow& shadow = explored_->view.shadow;

@@ -29,9 +29,9 @@ public:
     void setTime(const std::shared_ptr<const TimeAnswer>& answer);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
 
-    /// Gross shadow of a building that is being shaped, over whatever mode is on, until null is given. `note`
-    /// says what it is of; `receivers` outlives the call only.
-    void setLive(const ShadowField* field, const Receivers* receivers, const QString& note);
+    /// The shadow with what is being shaped, over whatever mode is on, until there is none.
+    void setLive(std::optional<GroundAnswer> answer);
+    void noteLive(const QString& note);  ///< in place of its own, as a warning; does nothing without it
 
     void show();  ///< again, as after another measure was chosen
 
@@ -51,8 +51,8 @@ private:
     std::optional<GroundAnswer> inFront_;
     std::optional<GroundAnswer> partial_;
     std::optional<GroundAnswer> time_;
+    std::optional<GroundAnswer> live_;
     std::shared_ptr<const ViewAnswer> explored_;
-    bool live_ = false;
 };
 
 }  // namespace noonmark

@@ -366,7 +366,7 @@ TEST_F(EditToolsTest, TheLiveShadowShowsWhileATowerIsDesigned) {
     period.hours = 2;
     period.stepMinutes = 5;
     period.zone = "America/New_York";
-    tools.setPeriod(period, {{-73.98, 40.76}, 0});
+    tools.setQuestion({{period, {{-73.98, 40.76}, 0}}, {}, {}});
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     EXPECT_TRUE(waitFor([this] { return view.legend().note().contains(QStringLiteral("proposal")); }));
     tools.cancel();

@@ -3,89 +3,225 @@
 #include <gtest/gtest.h>
 
 #include "core/accumulate/projected_shadows.h"
-#include "tests/gui/small_city.h"
+#include "core/accumulate/ray_reference.h"
+#include "tests/gui/live_scene.h"
 
 namespace noonmark {
 namespace {
 
-Period morning(double stepMinutes) {
-    Period period;
-    period.start = std::chrono::year(2026) / 4 / 20;
-    period.from = std::chrono::hours(8);
-    period.hours = 3;
-    period.stepMinutes = stepMinutes;
-    period.zone = "America/New_York";
-    return period;
-}
+using namespace test;
 
-const Observer newYork{{-73.98, 40.76}, 0};
-
-std::vector<std::shared_ptr<const Building>> tower() {
-    Building building{.sourceId = "Tower 1"};
-    building.parts.push_back({.footprint = test::square({20, -30}, 30), .topM = 120});
-    return {std::make_shared<const Building>(building)};
-}
-
-TEST(LiveShadow, IsThatOfAStudyOfTheCityWithTheTower) {
+struct LiveShadowTest : ::testing::Test {
     NoProgress progress;
-    City city = test::smallCity();
-    const auto live = LiveShadow::around(city, {0, 0}, 200, morning(2), newYork, progress, {}).value();
-    ASSERT_EQ(live->moments(), live->momentsOfPeriod());
-    const ShadowField shown = live->with(tower()).value();
-    city.buildings.push_back(tower().front());
-    const auto sun = sunSteps(morning(2), newYork).value();
-    const auto study = ProjectedShadows().accumulate(city, live->receivers(), sun, progress, {}).value();
-    double shaded = 0;
-    for (const std::uint32_t cell : live->receivers().cells) {
-        ASSERT_EQ(shown.grossMin[cell], study.grossMin[cell]);
-        ASSERT_EQ(shown.continuousMin[cell], study.continuousMin[cell]);
-        shaded += double(study.grossMin[cell]);
+    std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>();
+
+    std::shared_ptr<LiveShadow> at(const City& city, const LiveQuestion& question) {
+        return LiveShadow::at(placeIn(city), question, horizons, progress, {}).value();
     }
+    LiveAnswer answer(LiveShadow& live, const LiveReceivers::Shape& shape,
+                      KeptCounts counts = KeptCounts::grossAndRuns) {
+        return live.with(shape, counts, progress, {}).value();
+    }
+    // Bit for bit what a study of the city with the shape would count on these cells.
+    void expectFresh(const LiveAnswer& answer, const City& city, const Period& period) {
+        const ShadowField fresh = freshHorizons(city, answer.receivers, period);
+        EXPECT_TRUE(sameBits(answer.field.grossMin, fresh.grossMin));
+        EXPECT_TRUE(!answer.runs || sameBits(answer.field.continuousMin, fresh.continuousMin));
+    }
+};
+
+LiveQuestion asked(const Period& period, ReceiverPlaces places = ReceiverPlaces::ground) {
+    return {sunOf(period), {}, {.cellM = 1, .places = places}};
+}
+
+TEST(LiveRule, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
+    using enum LiveEngine;
+    City city = smallCity();
+    const auto engines = [&](ReceiverPlaces places, std::size_t steps) {
+        return liveEngines(city, places, steps);
+    };
+    using Engines = std::vector<LiveEngine>;
+    EXPECT_EQ(engines(ReceiverPlaces::ground, 720), (Engines{shadows, horizons}));
+    EXPECT_EQ(engines(ReceiverPlaces::ground, 721), (Engines{horizons, moments}));
+    EXPECT_EQ(engines(ReceiverPlaces::both, 1), Engines{horizons});
+    EXPECT_EQ(engines(ReceiverPlaces::roofs, 1), Engines{horizons});
+    city.terrain = slope();
+    EXPECT_EQ(engines(ReceiverPlaces::ground, 1), Engines{horizons});
+    EXPECT_EQ(engines(ReceiverPlaces::ground, 10000), Engines{horizons});
+}
+
+TEST(LiveRule, WordsSayHowExactItIs) {
+    EXPECT_EQ(liveWords(LiveEngine::shadows, 360, 360, true), "With the proposal: exact at all 360 steps");
+    EXPECT_EQ(liveWords(LiveEngine::moments, 120, 175200, false),
+              "With the proposal: exact at 120 of 175,200 steps");
+    const QString gross = liveWords(LiveEngine::horizons, 175200, 175200, false);
+    EXPECT_TRUE(gross.contains("all 175,200 steps")) << gross.toStdString();
+    EXPECT_TRUE(gross.contains("quarter of a degree")) << gross.toStdString();
+    EXPECT_TRUE(gross.contains("runs follow")) << gross.toStdString();
+    EXPECT_FALSE(liveWords(LiveEngine::horizons, 1, 1, true).contains("runs"));
+}
+
+TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
+    const Period period = spring(1, 2);
+    const auto live = at(smallCity(), asked(period));
+    EXPECT_EQ(live->engine(), LiveEngine::shadows);
+    const LiveAnswer shown = answer(*live, tower(), KeptCounts::gross);
+    EXPECT_TRUE(shown.runs) << "polygons know them at once";
+    EXPECT_EQ(shown.counted, shown.steps);
+    const SunQuestion sun = sunOf(period);
+    const auto study = ProjectedShadows()
+                           .accumulate(with(smallCity(), tower()), shown.receivers,
+                                       sunSteps(sun.period, sun.observer).value(), progress, {})
+                           .value();
+    EXPECT_TRUE(sameBits(shown.field.grossMin, study.grossMin));
+    EXPECT_TRUE(sameBits(shown.field.continuousMin, study.continuousMin));
+    double shaded = 0;
+    for (const std::uint32_t cell : shown.receivers.cells) shaded += double(shown.field.grossMin[cell]);
     EXPECT_GT(shaded, 10000);
 }
 
-TEST(LiveShadow, FollowsAShapeThatMovesAndGoes) {
-    NoProgress progress;
-    const City city = test::smallCity();
-    const auto live = LiveShadow::around(city, {0, 0}, 200, morning(2), newYork, progress, {}).value();
-    const ShadowField before = live->with({}).value(), first = live->with(tower()).value();
-    Building moved = *tower().front();
-    for (glm::vec2& point : moved.parts[0].footprint.outer) point.x += 15;
-    const ShadowField second = live->with({std::make_shared<const Building>(moved)}).value();
-    const ShadowField again = live->with(tower()).value(), after = live->with({}).value();
-    std::size_t different = 0;
-    for (const std::uint32_t cell : live->receivers().cells) {
-        ASSERT_EQ(again.grossMin[cell], first.grossMin[cell]);
-        ASSERT_EQ(after.continuousMin[cell], before.continuousMin[cell]);
-        different += std::size_t(second.grossMin[cell] != first.grossMin[cell]);
+TEST_F(LiveShadowTest, FollowsAShapeThatMovesAndGoes) {
+    const auto live = at(smallCity(), asked(spring(1, 2)));
+    const LiveAnswer before = answer(*live, {}), first = answer(*live, tower()),
+                     second = answer(*live, tower(15)), again = answer(*live, tower()),
+                     after = answer(*live, {});
+    EXPECT_TRUE(sameBits(again.field.grossMin, first.field.grossMin));
+    EXPECT_TRUE(sameBits(after.field.continuousMin, before.field.continuousMin));
+    EXPECT_FALSE(sameBits(second.field.grossMin, first.field.grossMin));
+    EXPECT_EQ(std::ranges::count(first.receivers.kind, CellKind::building) -
+                  std::ranges::count(before.receivers.kind, CellKind::building),
+              900)
+        << "under the tower nothing is measured";
+}
+
+TEST_F(LiveShadowTest, OnTerrainItIsThatOfFreshHorizonsAndNearTheRays) {
+    const City city = smallCityOnASlope();
+    const Period period = spring(1, 5);
+    const auto live = at(city, asked(period));
+    ASSERT_EQ(live->engine(), LiveEngine::horizons);
+    for (const float east : {0.0F, 12.5F, -40.0F, 0.0F}) {
+        const auto shape = tower(east, 15);
+        expectFresh(answer(*live, shape), with(city, shape), period);
     }
-    EXPECT_GT(different, 500U);
+    const LiveAnswer shown = answer(*live, tower(0, 15));
+    const SunQuestion sun = sunOf(period);
+    const auto truth = RayReference()
+                           .accumulate(with(city, tower(0, 15)), shown.receivers,
+                                       sunSteps(sun.period, sun.observer).value(), progress, {})
+                           .value();
+    double off = 0, shaded = 0;
+    for (const std::uint32_t cell : shown.receivers.cells) {
+        off += std::abs(double(shown.field.grossMin[cell] - truth.grossMin[cell]));
+        shaded += double(truth.grossMin[cell]);
+    }
+    EXPECT_GT(shaded, 10000);
+    EXPECT_LT(off / double(shown.receivers.cells.size()), 0.01 * 180) << "minutes of 180";
 }
 
-TEST(LiveShadow, ALongPeriodIsLookedAtInSomeMomentsAndStaysNear) {
-    NoProgress progress;
-    const City city = test::smallCity();
-    const auto some = LiveShadow::around(city, {0, 0}, 200, morning(0.2), newYork, progress, {}).value();
-    EXPECT_EQ(some->moments(), LiveShadow::someMoments);
-    EXPECT_EQ(some->momentsOfPeriod(), 900U);
-    const auto all = LiveShadow::around(city, {0, 0}, 200, morning(2), newYork, progress, {}).value();
-    const ShadowField a = some->with(tower()).value(), b = all->with(tower()).value();
-    EXPECT_DOUBLE_EQ(a.sunlitMinutesPerDay, b.sunlitMinutesPerDay);
+TEST_F(LiveShadowTest, OfALongPeriodEveryStepCounts) {
+    const City city = smallCity();
+    const Period period = spring(30, 5);
+    const auto live = at(city, asked(period));
+    ASSERT_EQ(live->engine(), LiveEngine::horizons);
+    const LiveAnswer gross = answer(*live, tower(), KeptCounts::gross);
+    EXPECT_FALSE(gross.runs);
+    EXPECT_EQ(gross.steps, 30U * 36U);
+    EXPECT_EQ(gross.counted, gross.steps);
+    expectFresh(gross, with(city, tower()), period);
+    const LiveAnswer rested = answer(*live, tower());
+    EXPECT_TRUE(rested.runs);
+    expectFresh(rested, with(city, tower()), period);
+    EXPECT_EQ(horizons->sets(), 1);
+}
+
+TEST_F(LiveShadowTest, OnRoofsTheyFollowToo) {
+    const City city = smallCity();
+    const Period period = spring(1, 5);
+    LiveQuestion question = asked(period, ReceiverPlaces::both);
+    question.region = regionFromLocalBox({{-120, -120}, {120, 120}});
+    question.onRegion = true;
+    const auto live = at(city, question);
+    for (const float east : {0.0F, 45.0F, -10.0F}) {
+        const City edited = with(city, tower(east));
+        const LiveAnswer shown = answer(*live, tower(east));
+        const Receivers fresh = receiversIn(edited, question.region, question.receivers).value();
+        ASSERT_EQ(shown.receivers.grid, fresh.grid) << "the study's cells";
+        EXPECT_EQ(shown.receivers.kind, fresh.kind);
+        EXPECT_EQ(shown.receivers.groundM, fresh.groundM);
+        EXPECT_EQ(shown.receivers.cells, fresh.cells);
+        expectFresh(shown, edited, period);
+    }
+    EXPECT_EQ(horizons->sets(), 1);
+}
+
+TEST_F(LiveShadowTest, OfRoofsAloneTheGroundIsLeftOut) {
+    const Period period = spring(1, 10);
+    const auto both = at(smallCity(), asked(period, ReceiverPlaces::both));
+    const LiveAnswer all = answer(*both, tower());
+    const auto live = at(smallCity(), asked(period, ReceiverPlaces::roofs));
+    const LiveAnswer roofs = answer(*live, tower());
+    EXPECT_EQ(std::ranges::count(all.receivers.kind, CellKind::roof),
+              std::ptrdiff_t(roofs.receivers.cells.size()));
+    EXPECT_GT(roofs.receivers.cells.size(), 2000U);
+    for (std::size_t cell = 0; cell < roofs.receivers.kind.size(); ++cell) {
+        if (roofs.receivers.kind[cell] == CellKind::roof) {
+            ASSERT_EQ(roofs.field.grossMin[cell], all.field.grossMin[cell]);
+        } else {
+            ASSERT_TRUE(std::isnan(roofs.field.grossMin[cell]));
+        }
+    }
+    EXPECT_EQ(horizons->sets(), 1) << "the ground is kept, unseen";
+}
+
+TEST_F(LiveShadowTest, IsOnTheRegionWhereTheShadowReachesItAndItIsNotTooLarge) {
+    LiveQuestion question = asked(spring(1, 10));
+    question.onRegion = true;
+    const auto cells = [&](Box2 box) {
+        question.region = regionFromLocalBox(box);
+        return at(smallCity(), question)->receivers().grid;
+    };
+    EXPECT_EQ(cells({{-150, -100}, {150, 100}}).columns, 300);
+    EXPECT_EQ(cells({{-300, -100}, {-100, 100}}).columns, 200) << "beside it, to the west";
+    EXPECT_EQ(cells({{5000, 5000}, {5200, 5200}}).columns, 400) << "out of reach: the square";
+    EXPECT_EQ(cells({{-3000, -3000}, {3000, 3000}}).columns, 400) << "36 million cells: the square";
+    question.onRegion = false;
+    EXPECT_EQ(cells({{-150, -100}, {150, 100}}).columns, 400);
+}
+
+TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
+    City city = smallCity();
+    Building rack{.sourceId = "rack"};
+    for (int i = 0; i < 5000; ++i)
+        rack.parts.push_back({.footprint = square({-90, -90}, 1), .bottomM = 5, .topM = 6, .hangs = true});
+    city.buildings.push_back(std::make_shared<const Building>(rack));
+    const Period period = spring(4, 0.8);
+    const auto some = at(city, asked(period));
+    EXPECT_EQ(some->engine(), LiveEngine::moments);
+    const LiveAnswer a = answer(*some, tower());
+    EXPECT_EQ(a.counted, LiveRule::someMoments);
+    EXPECT_EQ(a.steps, 900U);
+    EXPECT_FALSE(a.runs);
+    city.buildings.pop_back();
+    const auto all = at(city, asked(period));
+    const LiveAnswer b = answer(*all, tower());
+    EXPECT_DOUBLE_EQ(a.field.sunlitMinutesPerDay, b.field.sunlitMinutesPerDay);
     double difference = 0;
-    for (const std::uint32_t cell : some->receivers().cells)
-        difference += std::abs(double(a.grossMin[cell]) - double(b.grossMin[cell]));
-    EXPECT_LT(difference / double(some->receivers().cells.size()), 1.5) << "minutes of 180";
+    for (const std::uint32_t cell : a.receivers.cells)
+        difference += std::abs(double(a.field.grossMin[cell]) - double(b.field.grossMin[cell]));
+    EXPECT_LT(difference / double(a.receivers.cells.size()), 1.5) << "minutes of 180";
+    city.terrain = slope();
+    city.buildings.push_back(std::make_shared<const Building>(rack));
+    EXPECT_FALSE(LiveShadow::at(placeIn(city), asked(period), horizons, progress, {}))
+        << "on a slope nothing else can do it";
 }
 
-TEST(LiveShadow, TerrainAndNightAreRefused) {
-    NoProgress progress;
-    City city = test::smallCity();
-    Period night = morning(2);
+TEST_F(LiveShadowTest, NightIsRefused) {
+    Period night = spring(1, 2);
     night.from = std::chrono::hours(0);
-    EXPECT_FALSE(LiveShadow::around(city, {0, 0}, 200, night, newYork, progress, {}));
-    city.terrain =
-        std::make_shared<const Terrain>(Terrain{{-500, -500, 100, 10, 10}, std::vector<float>(100, 3)});
-    EXPECT_FALSE(LiveShadow::around(city, {0, 0}, 200, morning(2), newYork, progress, {}));
+    EXPECT_FALSE(LiveShadow::at(placeIn(smallCity()), asked(night), horizons, progress, {}));
+    City city = smallCity();
+    city.terrain = slope();
+    EXPECT_FALSE(LiveShadow::at(placeIn(city), asked(night), horizons, progress, {}));
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace noonmark {
 
 /// What the tools share: the view, the city in it, the preview over it, and the one handle.
 struct EditDesk {
-    explicit EditDesk(ViewPanel& view) : panel(view), preview(view), handle(view) {}
+    EditDesk(ViewPanel& view, std::shared_ptr<SharedHorizons> horizons)
+        : panel(view), preview(view, std::move(horizons)), handle(view) {}
 
     ViewPanel& panel;
     EditPreview preview;

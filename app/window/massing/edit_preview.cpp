@@ -22,27 +22,26 @@ City without(const City& city, const Buildings& removed) {
     return rest;
 }
 
-QString noteOf(const LiveShadow& shadow) {
-    if (shadow.moments() == shadow.momentsOfPeriod()) return QObject::tr("With the proposal");
-    return QObject::tr("With the proposal, from %1 of %2 moments")
-        .arg(shadow.moments())
-        .arg(shadow.momentsOfPeriod());
-}
-
 }  // namespace
 
-EditPreview::EditPreview(ViewPanel& panel, QObject* parent) : QObject(parent), panel_(panel) {}
+EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+    : QObject(parent), panel_(panel), live_(std::move(horizons)) {
+    connect(&live_, &LiveFollower::changed, this, &EditPreview::showLive);
+    connect(&live_, &LiveFollower::aged, this, &EditPreview::tellAge);
+    connect(&live_, &LiveFollower::failed, this, &EditPreview::tellWhy);
+}
 
 void EditPreview::setCity(std::shared_ptr<const OpenCity> city) {
     city_ = std::move(city);  // what comes back when the preview goes is the new one's
     clear();
 }
 
-void EditPreview::setPeriod(const Period& period, const Observer& observer) {
-    if (period_ == period && observer_ == observer) return;
-    period_ = period;
-    observer_ = observer;
-    if (shown_) prepareShadow();
+void EditPreview::setQuestion(const LiveQuestion& question) {
+    if (question_ == question) return;
+    question_ = question;
+    if (!shown_) return;
+    begin();
+    live_.follow(changes_.added);
 }
 
 Result<void> EditPreview::show(const std::vector<Edit>& edits) {
@@ -57,9 +56,9 @@ Result<void> EditPreview::show(const std::vector<Edit>& edits) {
     panel_.view().overlay().show(OverlayBodies::Tint::proposed, proposed);
     if (others) {
         hide(changes_.removed);
-        prepareShadow();
+        begin();
     }
-    showShadow();
+    live_.follow(changes_.added);
     return {};
 }
 
@@ -67,10 +66,9 @@ void EditPreview::clear() {
     if (!shown_) return;
     shown_ = false;
     changes_ = {};
-    slot_.drop();
-    shadow_.reset();
+    live_.end();
     panel_.view().overlay().show(OverlayBodies::Tint::proposed, {});
-    panel_.results().setLive(nullptr, nullptr, {});
+    panel_.results().setLive(std::nullopt);
     hide({});
 }
 
@@ -78,29 +76,26 @@ void EditPreview::hide(const Buildings& removed) {
     panel_.view().showChanges(differenceOf(*city_->arrays, without(city_->city(), removed)));
 }
 
-void EditPreview::prepareShadow() {
-    shadow_.reset();
-    const Box2 box = volumeOf(changes_).box;
-    if (box.empty() || city_->city().terrain) return slot_.drop();
-    const glm::dvec2 centre = glm::dvec2(box.low + box.high) / 2.0;
-    slot_.start<std::shared_ptr<LiveShadow>>(
-        tr("Live shadow"),
-        [city = without(city_->city(), changes_.removed), centre, half = halfWidthM(panel_.view().pose()),
-         period = period_, observer = observer_](Progress& progress, const std::stop_token& stop) {
-            return LiveShadow::around(city, centre, half, period, observer, progress, stop);
-        },
-        [this](Result<std::shared_ptr<LiveShadow>> shadow) {
-            if (!shadow) return;  // a night, or terrain: the bodies alone are shown
-            shadow_ = *std::move(shadow);
-            showShadow();
-        });
+void EditPreview::begin() {
+    const ChangedVolume volume = volumeOf(changes_);
+    if (volume.box.empty()) return live_.end();
+    live_.begin({without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose())},
+                question_);
 }
 
-void EditPreview::showShadow() {
-    if (!shadow_ || !shown_) return;
-    const auto field = shadow_->with(changes_.added);
-    if (!field) return panel_.results().setLive(nullptr, nullptr, {});  // the bodies alone are shown
-    panel_.results().setLive(&*field, &shadow_->receivers(), noteOf(*shadow_));
+void EditPreview::showLive() { panel_.results().setLive(groundAnswerOf(live_.answer())); }
+
+void EditPreview::tellAge() {
+    const auto answer = groundAnswerOf(live_.answer());
+    panel_.results().noteLive(
+        tr("%1. Of the shape %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
+}
+
+// The bodies alone are shown.
+void EditPreview::tellWhy(const Error& error) {
+    panel_.results().setLive(std::nullopt);
+    Q_EMIT told(isCancelled(error) ? tr("The live shadow was stopped; the next thing that is shaped has one")
+                                   : tr("No live shadow. %1").arg(QString::fromStdString(error.text())));
 }
 
 }  // namespace noonmark

@@ -12,13 +12,13 @@
 
 namespace noonmark {
 
-EditTools::EditTools(ViewPanel& view, QObject* parent)
+EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizons> horizons, QObject* parent)
     : QObject(parent),
       selection_(new SelectionPanel),
       placing_(new PlacingPanel),
       massing_(new MassingPanel),
       dock_(new QWidget),
-      desk_(view),
+      desk_(view, std::move(horizons)),
       building_(desk_, *selection_),
       tower_(desk_, *massing_),
       mesh_(desk_, *placing_) {
@@ -100,6 +100,7 @@ void EditTools::connectTools() {
         tower_.begin(lot, {});
         tellOfDesign();
     });
+    connect(&desk_.preview, &EditPreview::told, this, &EditTools::hinted);
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
     connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
@@ -132,9 +133,7 @@ void EditTools::setLots(const std::vector<NamedLot>& lots) {
     showLots();
 }
 
-void EditTools::setPeriod(const Period& period, const Observer& observer) {
-    desk_.preview.setPeriod(period, observer);
-}
+void EditTools::setQuestion(const LiveQuestion& question) { desk_.preview.setQuestion(question); }
 
 void EditTools::showLots() {
     if (!desk_.city) return;

@@ -20,12 +20,15 @@ class SelectionPanel;
 class EditTools final : public QObject {
     Q_OBJECT
 public:
-    explicit EditTools(ViewPanel& view, QObject* parent = nullptr);  ///< `view` outlives it
+    /// `view` outlives it; `horizons` of the live shadow may be shared with whoever else asks them.
+    explicit EditTools(ViewPanel& view,
+                       std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>(),
+                       QObject* parent = nullptr);
     ~EditTools() override;
 
     void setCity(std::shared_ptr<const OpenCity> city);  ///< what the view shows, after it shows it
     void setLots(const std::vector<NamedLot>& lots);
-    void setPeriod(const Period& period, const Observer& observer);  ///< of the live shadow
+    void setQuestion(const LiveQuestion& question);  ///< of the live shadow
 
     [[nodiscard]] QWidget* dock() const;         ///< the selected building; whoever places it owns it
     [[nodiscard]] QWidget* massingDock() const;  ///< lots and towers; owned in the same way

@@ -10,21 +10,21 @@ namespace noonmark {
 namespace {
 
 constexpr int cellsToASide = 400;
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 // Of a long period moments from many days and hours, as one day.
 SunSteps spread(const SunSteps& sun) {
-    const std::size_t all = sun.steps.size(), most = LiveShadow::someMoments;
-    if (all <= LiveShadow::mostSteps) return sun;
+    const std::size_t all = sun.steps.size(), most = LiveRule::someMoments;
     SunSteps chosen{.stepMinutes = sun.stepMinutes};
     for (std::size_t k = 0; k < most; ++k) chosen.steps.push_back(sun.steps[(2 * k + 1) * all / (2 * most)]);
     chosen.days.push_back({.count = std::uint32_t(most)});
     return chosen;
 }
 
-Result<SunSteps> daylight(const Period& period, const Observer& observer, const std::stop_token& stop) {
-    auto sun = sunSteps(period, observer, stop);
+Result<SunSteps> daylight(const SunQuestion& question, const std::stop_token& stop) {
+    auto sun = sunSteps(question.period, question.observer, stop);
     if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(period),
+        return failure("The sun is below the horizon all the time", textOf(question.period),
                        "Choose other hours or days");
     return sun;
 }
@@ -37,42 +37,121 @@ City shading(const City& city, const Receivers& receivers, const SunSteps& sun) 
     return around;
 }
 
+double lowestM(const City& city) {
+    if (!city.terrain) return 0;
+    return double(*std::ranges::min_element(city.terrain->elevationM));
+}
+
+bool suits(const LiveQuestion& question, const LivePlace& place, const SunSteps& sun) {
+    if (!question.onRegion || question.region.polygons.empty()) return false;
+    const auto grid = gridOver(question.region, question.receivers);
+    if (!grid || grid->size() > LiveRule::mostCells) return false;
+    return ShadowReach(sun).touches(place.volume.box, double(place.volume.topM) - lowestM(place.rest),
+                                    bounds(question.region));
+}
+
+// Roofs alone would come and go with the shape, and all be swept anew: what lies between stays, unseen.
+ReceiverSettings kept(ReceiverSettings settings) {
+    if (settings.places == ReceiverPlaces::roofs) settings.places = ReceiverPlaces::both;
+    return settings;
+}
+
+Result<LiveReceivers> receiversOf(const LivePlace& place, const LiveQuestion& question, const SunSteps& sun,
+                                  const std::stop_token& stop) {
+    if (suits(question, place, sun))
+        return LiveReceivers::of(place.rest, question.region, kept(question.receivers), stop);
+    const glm::vec2 centre = (place.volume.box.low + place.volume.box.high) / 2.0F;
+    const auto half = glm::vec2(float(place.halfM));
+    ReceiverSettings settings = kept(question.receivers);
+    settings.cellM = 2 * place.halfM / cellsToASide;
+    return LiveReceivers::of(place.rest, regionFromLocalBox({centre - half, centre + half}), settings, stop);
+}
+
 }  // namespace
 
-Result<std::shared_ptr<LiveShadow>> LiveShadow::around(const City& city, glm::dvec2 centre, double halfM,
-                                                       const Period& period, const Observer& observer,
-                                                       Progress& progress, const std::stop_token& stop) {
-    const auto whole = daylight(period, observer, stop);
-    if (!whole) return tl::make_unexpected(whole.error());
-    const auto half = glm::vec2(float(halfM));
-    const Region region = regionFromLocalBox({glm::vec2(centre) - half, glm::vec2(centre) + half});
-    auto receivers = receiversOnGround(city, region, {.cellM = 2 * halfM / cellsToASide}, stop);
+Result<std::shared_ptr<LiveShadow>> LiveShadow::at(LivePlace place, const LiveQuestion& question,
+                                                   std::shared_ptr<SharedHorizons> horizons,
+                                                   Progress& progress, const std::stop_token& stop) {
+    const auto sun = daylight(question.sun, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    auto receivers = receiversOf(place, question, *sun, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    const SunSteps sun = spread(*whole);
-    City around = shading(city, *receivers, sun);
-    auto kept = KeptShadows::make(around, *receivers, sun, progress, stop);
-    if (!kept) return tl::make_unexpected(kept.error());
     std::shared_ptr<LiveShadow> live(
-        new LiveShadow(std::move(around), *std::move(receivers), *std::move(kept)));
-    live->moments_ = sun.steps.size();
-    live->all_ = whole->steps.size();
-    live->sunlitMinutesPerDay_ = whole->sunlitMinutes() / double(std::max<std::size_t>(1, whole->dayCount()));
+        new LiveShadow(std::move(place.rest), *std::move(receivers), question, std::move(horizons)));
+    if (const auto begun = live->begin(*sun, progress, stop); !begun)
+        return tl::make_unexpected(begun.error());
     return live;
 }
 
-Result<ShadowField> LiveShadow::with(const std::vector<std::shared_ptr<const Building>>& shape) {
-    City city = around_;
+Result<void> LiveShadow::begin(const SunSteps& sun, Progress& progress, const std::stop_token& stop) {
+    steps_ = sun.steps.size();
+    sunlitMinutesPerDay_ = sun.sunlitMinutes() / double(std::max<std::size_t>(1, sun.dayCount()));
+    Result<void> begun;
+    for (const LiveEngine engine : liveEngines(city_, places_, steps_)) {
+        begun = begin(engine, sun, progress, stop);
+        if (begun || isCancelled(begun.error())) break;
+    }
+    return begun;
+}
+
+Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
+                               const std::stop_token& stop) {
+    engine_ = engine;
+    counted_ = engine == LiveEngine::moments ? LiveRule::someMoments : steps_;
+    if (engine == LiveEngine::horizons)
+        return fieldOf(city_, receivers(), KeptCounts::gross, progress, stop).map([](const ShadowField&) {});
+    const SunSteps steps = engine == LiveEngine::moments ? spread(sun) : sun;
+    City around = shading(city_, receivers(), steps);
+    auto kept = KeptShadows::make(around, receivers(), steps, progress, stop);
+    if (!kept) return tl::make_unexpected(kept.error());
+    city_ = std::move(around);
+    shadows_ = std::move(*kept);
+    return {};
+}
+
+Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, KeptCounts counts, Progress& progress,
+                                    const std::stop_token& stop) {
+    City city = city_;
     city.buildings.insert(city.buildings.end(), shape.begin(), shape.end());
-    NoProgress silent;
-    if (const auto done = kept_.change(city, receivers_, silent, {}); !done)
+    LiveAnswer answer{.receivers = receivers_.with(shape),
+                      .engine = engine_,
+                      .counted = counted_,
+                      .steps = steps_,
+                      .runs = engine_ == LiveEngine::shadows ||
+                              (engine_ == LiveEngine::horizons && counts == KeptCounts::grossAndRuns)};
+    auto field = fieldOf(city, answer.receivers, counts, progress, stop);
+    if (!field) return tl::make_unexpected(field.error());
+    answer.field = *std::move(field);
+    if (places_ == ReceiverPlaces::roofs) leaveGroundOut(answer);
+    return answer;
+}
+
+Result<ShadowField> LiveShadow::fieldOf(const City& city, const Receivers& receivers, KeptCounts counts,
+                                        Progress& progress, const std::stop_token& stop) {
+    if (!shadows_) return horizons_->field(city, receivers, sun_, counts, progress, stop);
+    if (const auto done = shadows_->change(city, receivers, progress, stop); !done)
         return tl::make_unexpected(done.error());
-    ShadowField field = kept_.field();
-    if (moments_ == all_) return field;
+    ShadowField field = shadows_->field();
+    if (engine_ == LiveEngine::moments) spreadMoments(field);
+    return field;
+}
+
+// As shares of the whole period; single moments know no runs.
+void LiveShadow::spreadMoments(ShadowField& field) const {
     const double minutes = sunlitMinutesPerDay_ / field.sunlitMinutesPerDay;
     for (float& gross : field.grossMin) gross = float(double(gross) * minutes);
     field.sunlitMinutesPerDay = sunlitMinutesPerDay_;
-    std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
-    return field;
+    std::ranges::fill(field.continuousMin, none);
+}
+
+void LiveShadow::leaveGroundOut(LiveAnswer& answer) const {
+    for (const std::uint32_t cell : answer.receivers.cells) {
+        if (answer.receivers.kind[cell] != CellKind::ground) continue;
+        answer.receivers.kind[cell] = CellKind::outside;
+        answer.field.grossMin[cell] = answer.field.continuousMin[cell] = none;
+    }
+    std::erase_if(answer.receivers.cells,
+                  [&](std::uint32_t cell) { return answer.receivers.kind[cell] == CellKind::outside; });
 }
 
 }  // namespace noonmark

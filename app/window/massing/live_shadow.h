@@ -1,52 +1,90 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
-#include <vector>
 
+#include "app/window/massing/live_receivers.h"
+#include "app/window/massing/live_rule.h"
+#include "app/window/shared_horizons.h"
 #include "core/accumulate/kept_shadows.h"
-#include "core/city/city.h"
 #include "core/progress.h"
-#include "core/receivers/receivers.h"
-#include "core/sun/sun_steps.h"
+#include "scenarios/edits/apply_edits.h"
 
 namespace noonmark {
 
-/// The shadow on level ground around a place while a building is being shaped: the city's own is computed
-/// once and kept at every step of a day, so that each new shape costs its own polygons only. Of longer
-/// periods it is kept at some moments. Exact at all of these (projected shadows). Not for several threads at
-/// a time.
+/// What the live shadow is asked: as a study is.
+struct LiveQuestion {
+    SunQuestion sun;
+    Region region;
+    ReceiverSettings receivers;
+    bool onRegion = false;  ///< on the region's cells where it can be; else in a square around the shape
+    bool operator==(const LiveQuestion&) const = default;
+};
+
+/// Where something is shaped.
+struct LivePlace {
+    City rest;             ///< the city without what the shape takes the place of
+    ChangedVolume volume;  ///< around what goes and comes first; not empty
+    double halfM = 200;    ///< of the square, to each side
+};
+
+/// The shadow with a shape, and how it was worked out.
+struct LiveAnswer {
+    ShadowField field;  ///< without `runs` its continuousMin is NaN
+    Receivers receivers;
+    LiveEngine engine = LiveEngine::shadows;
+    std::size_t counted = 0;  ///< steps that it is of
+    std::size_t steps = 0;    ///< of the period
+    bool runs = true;
+};
+
+/// The shadow around a place while something is shaped there: the city's own is worked out once and stays, so
+/// that each new shape costs what it changes only. By the first engine of liveEngines() that can do it.
 class LiveShadow {
 public:
-    /// A period of so many steps is looked at in whole: twelve hours by the minute.
-    static constexpr std::size_t mostSteps = 720;
-    /// Moments of a longer one, spread evenly: far apart, each costs more.
-    static constexpr std::size_t someMoments = 120;
+    /// `horizons` outlives it. On the region's cells where the question says so, they are not too many and a
+    /// shadow from the place can reach them; else in a square of 400 x 400 cells. Error: a sun that never
+    /// rises, what no engine can do, cancelled(). Polygons: for 43,000 buildings some 0.2 s; horizons of a
+    /// year: up to some seconds.
+    static Result<std::shared_ptr<LiveShadow>> at(LivePlace place, const LiveQuestion& question,
+                                                  std::shared_ptr<SharedHorizons> horizons,
+                                                  Progress& progress, const std::stop_token& stop);
 
-    /// `city` without what the shape takes the place of; a square of `halfM` metres to each side of `centre`
-    /// in 400 x 400 cells. Error: terrain, a sun that never rises, cancelled(). For 43,000 buildings some 0.2
-    /// s.
-    static Result<std::shared_ptr<LiveShadow>> around(const City& city, glm::dvec2 centre, double halfM,
-                                                      const Period& period, const Observer& observer,
-                                                      Progress& progress, const std::stop_token& stop);
+    /// Shadow of the city and these buildings in place of those before. `counts`: of horizons; polygons
+    /// always know the runs, and single moments never do. Error: too little memory, more that hangs than
+    /// horizons take, cancelled(). By polygons for one thread at a time.
+    [[nodiscard]] Result<LiveAnswer> with(const LiveReceivers::Shape& shape, KeptCounts counts,
+                                          Progress& progress, const std::stop_token& stop);
 
-    /// Shadow of the city and these buildings in place of those before. Single moments know no runs: then
-    /// continuousMin is NaN. Error: not enough memory. Some ms.
-    [[nodiscard]] Result<ShadowField> with(const std::vector<std::shared_ptr<const Building>>& shape);
-
-    [[nodiscard]] const Receivers& receivers() const { return receivers_; }
-    [[nodiscard]] std::size_t moments() const { return moments_; }
-    [[nodiscard]] std::size_t momentsOfPeriod() const { return all_; }
+    [[nodiscard]] const Receivers& receivers() const { return receivers_.base(); }
+    [[nodiscard]] LiveEngine engine() const { return engine_; }
 
 private:
-    LiveShadow(City around, Receivers receivers, KeptShadows kept)
-        : around_(std::move(around)), receivers_(std::move(receivers)), kept_(std::move(kept)) {}
+    LiveShadow(City city, LiveReceivers receivers, const LiveQuestion& question,
+               std::shared_ptr<SharedHorizons> horizons)
+        : city_(std::move(city)),
+          receivers_(std::move(receivers)),
+          sun_(question.sun),
+          places_(question.receivers.places),
+          horizons_(std::move(horizons)) {}
+    Result<void> begin(const SunSteps& sun, Progress& progress, const std::stop_token& stop);
+    Result<void> begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
+                       const std::stop_token& stop);
+    Result<ShadowField> fieldOf(const City& city, const Receivers& receivers, KeptCounts counts,
+                                Progress& progress, const std::stop_token& stop);
+    void spreadMoments(ShadowField& field) const;
+    void leaveGroundOut(LiveAnswer& answer) const;
 
-    City around_;  // of the city what shades the square
-    Receivers receivers_;
-    KeptShadows kept_;
-    std::size_t moments_ = 0;
-    std::size_t all_ = 0;
+    City city_;
+    LiveReceivers receivers_;
+    SunQuestion sun_;
+    ReceiverPlaces places_;
+    std::shared_ptr<SharedHorizons> horizons_;
+    std::optional<KeptShadows> shadows_;  // of engines that keep them
+    LiveEngine engine_ = LiveEngine::shadows;
+    std::size_t counted_ = 0;
+    std::size_t steps_ = 0;
     double sunlitMinutesPerDay_ = 0;
 };
 

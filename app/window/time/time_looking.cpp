@@ -6,7 +6,6 @@ void TimeLooking::setStudy(std::shared_ptr<const Study> study) {
     if (study == study_) return;
     slot_.drop();
     study_ = std::move(study);
-    kept_ = std::make_shared<Kept>();
     answer_.reset();
     Q_EMIT changed();
     ask();
@@ -27,25 +26,18 @@ void TimeLooking::ask() {
     asked_ = look_;
     slot_.start<TimeAnswer>(
         tr("Looking at %1").arg(wordsOf(look_)),
-        [question = TimeAnswer{study_, look_, {}}, kept = kept_](Progress& progress, std::stop_token stop) {
-            return answered(question, *kept, progress, stop);
+        [question = TimeAnswer{study_, look_, {}}, horizons = horizons_](Progress& progress,
+                                                                         const std::stop_token& stop) {
+            return answered(question, *horizons, progress, stop);
         },
         [this](Result<TimeAnswer> answer) { take(std::move(answer)); });
 }
 
-Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, Kept& kept, Progress& progress,
+Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizons& horizons, Progress& progress,
                                          const std::stop_token& stop) {
     const Study& study = *question.study;
-    const Period period = periodOf(question.look, study.settings.period);
-    const auto sun = sunSteps(period, observerOf(study), stop);
-    if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->steps.empty()) return failure("The sun is below the horizon", textOf(period), "Move the slider");
-    if (!kept.horizons) {
-        auto made = KeptHorizons::make(study.city, study.receivers);
-        if (!made) return tl::make_unexpected(made.error());
-        kept.horizons = std::move(*made);
-    }
-    auto field = kept.horizons->retime(*sun, progress, stop, KeptCounts::gross);
+    const SunQuestion sun{periodOf(question.look, study.settings.period), observerOf(study)};
+    auto field = horizons.field(study.city, study.receivers, sun, KeptCounts::gross, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     question.field = std::move(*field);
     return question;

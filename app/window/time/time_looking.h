@@ -1,11 +1,11 @@
 #pragma once
 
 #include <QObject>
-#include <optional>
+#include <memory>
 
 #include "app/window/job_slot.h"
+#include "app/window/shared_horizons.h"
 #include "app/window/time/time_look.h"
-#include "core/accumulate/kept_horizons.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -23,7 +23,9 @@ struct TimeAnswer {
 class TimeLooking final : public QObject {
     Q_OBJECT
 public:
-    explicit TimeLooking(QObject* parent = nullptr) : QObject(parent) {}
+    explicit TimeLooking(std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>(),
+                         QObject* parent = nullptr)
+        : QObject(parent), horizons_(std::move(horizons)) {}
 
     void setStudy(std::shared_ptr<const Study> study);  ///< null: none. The look stays and is answered anew
     void look(const TimeLook& look);                    ///< the whole period: there is no answer then
@@ -37,16 +39,13 @@ Q_SIGNALS:
     void failed(noonmark::TimeLook look, noonmark::Error error);
 
 private:
-    struct Kept {
-        std::optional<KeptHorizons> horizons;  // none before the first look
-    };
-    static Result<TimeAnswer> answered(TimeAnswer question, Kept& kept, Progress& progress,
+    static Result<TimeAnswer> answered(TimeAnswer question, SharedHorizons& horizons, Progress& progress,
                                        const std::stop_token& stop);
     void ask();
     void take(Result<TimeAnswer> answer);
 
+    std::shared_ptr<SharedHorizons> horizons_;
     std::shared_ptr<const Study> study_;
-    std::shared_ptr<Kept> kept_;
     TimeLook look_;
     TimeLook asked_;  // the last that was worked out, or is
     std::shared_ptr<const TimeAnswer> answer_;

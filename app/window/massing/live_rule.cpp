@@ -1,0 +1,40 @@
+#include "app/window/massing/live_rule.h"
+
+#include <QLocale>
+#include <QObject>
+
+namespace noonmark {
+
+namespace {
+
+QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
+
+QString stepWords(std::size_t steps) {
+    return steps == 1 ? QObject::tr("its moment") : QObject::tr("all %1 steps").arg(grouped(steps));
+}
+
+}  // namespace
+
+std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps) {
+    const bool level = !city.terrain && places == ReceiverPlaces::ground;
+    if (!level) return {LiveEngine::horizons};
+    if (steps <= LiveRule::mostSteps) return {LiveEngine::shadows, LiveEngine::horizons};
+    return {LiveEngine::horizons, LiveEngine::moments};
+}
+
+QString liveWords(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
+    switch (engine) {
+        case LiveEngine::shadows:
+            return QObject::tr("With the proposal: exact at %1").arg(stepWords(steps));
+        case LiveEngine::moments:
+            return QObject::tr("With the proposal: exact at %1 of %2 steps")
+                .arg(grouped(counted), grouped(steps));
+        case LiveEngine::horizons:
+            break;
+    }
+    const QString words =
+        QObject::tr("With the proposal: %1, to a quarter of a degree").arg(stepWords(steps));
+    return runs ? words : QObject::tr("%1; longest runs follow").arg(words);
+}
+
+}  // namespace noonmark
