@@ -28,8 +28,8 @@ struct BlockPlace {
 
 // Whether a wall this high gives a cell at this distance, or one farther off, a steeper horizon. Wide of
 // rounding: what it passes over changes no bit, in whatever order walls come.
-bool mayRaise(float rise, double distance, float steepness) {
-    return double(rise) * (1 - double(steepness)) > double(steepness) * (distance * (1 - 1e-5) - 1e-2);
+bool mayRaise(float rise, double distance, float cot) {
+    return double(rise) * double(cot) > distance * (1 - 1e-5) - 1e-2;
 }
 
 WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block) {
@@ -40,17 +40,13 @@ WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block) {
             .rise = piece.rise,
             .riseSlope = piece.riseSlope,
             .nearest = piece.nearest,
+            .perRise = piece.perRise,
             .building = std::int32_t(piece.building)};
 }
 
 // What an edge must surpass to change something.
 const Floats16* seenOver(const UnevenHorizons& horizons) { return horizons.lines; }
 const Floats16* seenOver(const RankedHorizons& horizons) { return horizons.others; }
-
-float tanOf(HorizonCode lowest) {
-    const float steepness = steepnessOf(lowest);
-    return steepness / (1 - steepness);
-}
 
 void write(const HorizonCode* square, const ReceiverBlocks& blocks, const ReceiverBlocks::Block& block,
            bool swapped, HorizonCode* codes) {
@@ -116,14 +112,14 @@ void SquareSweep::begin(const WallList& walls, const Obstacles& obstacles, glm::
     lowest_ = lowest;
     even_ = obstacles.even();
     risePerMetre_ = float(axes.alongPerDistance / cellM);
-    walls_.find(walls, obstacles, away, extent, cellM, tanOf(lowest), stop);
+    walls_.find(walls, obstacles, away, extent, cellM, 1 / cotOf(lowest), stop);
 }
 
 bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
                         BlockHorizons& horizons) {
     const BlockPlace place(block, axes_);
     const BinWalls::Bands bands = walls_.bandsOf(place.lowQ, place.highQ);
-    const float level = steepnessOf(lowest_);
+    const float level = cotOf(lowest_);
     float lowest = level;
     bool any = false;
     // A piece is 16 deep: those that begin a row beyond the block may come down into it.
@@ -131,14 +127,13 @@ bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks
         if (!mayRaise(walls_.tallest(row, bands), place.lowestAlong - walls_.highestAlong(row), lowest))
             break;
         bool raised = false;
-        for (const WallPiece& piece : walls_.pieces(row, bands)) {
-            if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ) continue;
-            if (!mayRaise(piece.rise, place.lowestAlong - double(piece.highAlong), lowest)) continue;
+        const BlockSight sight = walls_.sightFrom(place.lowQ, place.highQ, place.lowestAlong, lowest);
+        walls_.forEachSeen(row, bands, sight, [&](const WallPiece& piece) {
             if (!any) clearBlock(masks, horizons);
             raiseBlock(onBlock(piece, place), lines_, horizons);
             raised = any = true;
-        }
-        if (raised) lowest = std::max(level, lowestOf(horizons));
+        });
+        if (raised) lowest = std::min(level, lowestOf(horizons));
     }
     return any;
 }
@@ -149,7 +144,7 @@ bool SquareSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks
                         const BlockGround& ground, Horizons& horizons) {
     const BlockPlace place(block, axes_);
     const BinWalls::Bands bands = walls_.bandsOf(place.lowQ, place.highQ);
-    const float level = steepnessOf(lowest_), foot = ground.lowestM * risePerMetre_;
+    const float level = cotOf(lowest_), foot = ground.lowestM * risePerMetre_;
     const auto distance = [&](int row) { return place.lowestAlong - walls_.highestAlong(row); };
     int row = std::max(0, walls_.rowOf(place.highestAlong) - 1);
     const auto mayMatter = [&] { return mayRaise(walls_.tallest(row, bands) - foot, distance(row), level); };

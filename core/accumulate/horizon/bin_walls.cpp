@@ -121,6 +121,7 @@ void BinWalls::addPieces(End a, End b, WallPiece piece) {
                      otherRise = a.rise + riseSlope * (piece.highQ - a.at.q);
         piece.highAlong = float(std::max(piece.along0, other));
         piece.rise = float(rise);
+        piece.perRise = 1 / piece.rise;
         piece.highRise = float(std::max(rise, otherRise));
         if (inReach({piece.lowQ, piece.highQ, std::min(piece.along0, other), double(piece.highAlong)},
                     reach_))
@@ -153,9 +154,16 @@ void BinWalls::sort() {
     tallest_ = tallestIn_;
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     sorted_.resize(found_.size());
-    for (const WallPiece& piece : found_) sorted_[starts_[slotOf(piece) + 1]++] = piece;
+    bounds_.resize(found_.size());
+    for (const WallPiece& piece : found_) put(piece, starts_[slotOf(piece) + 1]++);
     for (std::size_t i = std::size_t(rows_) * std::size_t(bands_); i-- > 0;)
         tallest_[i] = std::max(tallest_[i], tallest_[i + std::size_t(bands_)]);
+}
+
+void BinWalls::put(const WallPiece& piece, std::size_t at) {
+    sorted_[at] = piece;
+    bounds_.set(at, float(piece.lowQ - tile_.lowQ), float(piece.highQ - tile_.lowQ),
+                float(double(piece.highAlong) - tile_.lowAlong), piece.rise);
 }
 
 BinWalls::Bands BinWalls::bandsOf(double lowQ, double highQ) const {
@@ -163,10 +171,13 @@ BinWalls::Bands BinWalls::bandsOf(double lowQ, double highQ) const {
             std::clamp(int(std::floor(highQ / bandWidth)) + 1 - firstBand_, 0, bands_)};
 }
 
-std::span<const WallPiece> BinWalls::pieces(int row, const Bands& bands) const {
+BinWalls::Range BinWalls::rangeOf(int row, const Bands& bands) const {
     const std::size_t slot = std::size_t(row) * std::size_t(bands_);
-    const std::uint32_t first = starts_[slot + std::size_t(bands.first)],
-                        end = starts_[slot + std::size_t(bands.end)];
+    return {starts_[slot + std::size_t(bands.first)], starts_[slot + std::size_t(bands.end)]};
+}
+
+std::span<const WallPiece> BinWalls::pieces(int row, const Bands& bands) const {
+    const auto [first, end] = rangeOf(row, bands);
     return std::span(sorted_).subspan(first, end - first);
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/accumulate/horizon/piece_bounds.h"
 #include "core/accumulate/horizon/shadow_axes.h"
 #include "core/accumulate/horizon/wall_list.h"
 
@@ -19,6 +21,7 @@ struct WallPiece {
     float highAlong;     ///< highest `along` of the piece
     float rise;  ///< height at lowQ, such that rise / (distance in `along`) is the tangent of the horizon
     float riseSlope;  ///< of `rise` against q; 0 for walls
+    float perRise;    ///< 1 / rise
     float highRise;   ///< highest of the piece
     float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it
     std::uint32_t building;
@@ -49,6 +52,19 @@ public:
     };
     [[nodiscard]] Bands bandsOf(double lowQ, double highQ) const;
     [[nodiscard]] std::span<const WallPiece> pieces(int row, const Bands& bands) const;
+    /// Calls visit(piece) for those in a row that may raise horizons of a block; `sight`: from sightFrom().
+    template <class Visit>
+    void forEachSeen(int row, const Bands& bands, const BlockSight& sight, const Visit& visit) const {
+        const auto [first, end] = rangeOf(row, bands);
+        for (std::size_t some = first; some < end; some += PieceBounds::together)
+            for (std::uint32_t may = bounds_.mayRaise(some, end, sight); may != 0; may &= may - 1)
+                visit(sorted_[some + std::size_t(std::countr_zero(may))]);
+    }
+    /// Of a block with these bounds.
+    [[nodiscard]] BlockSight sightFrom(double lowQ, double highQ, double lowestAlong, float cot) const {
+        return {float(lowQ - tile_.lowQ), float(highQ - tile_.lowQ), float(lowestAlong - tile_.lowAlong),
+                cot};
+    }
     /// Rise of the tallest piece in this row and all farther ones.
     [[nodiscard]] float tallest(int row, const Bands& bands) const { return highest(tallest_, row, bands); }
     /// Rise of the tallest piece in this row.
@@ -74,6 +90,11 @@ private:
                     glm::dvec2 away, const std::stop_token& stop);
     void addPieces(End a, End b, WallPiece piece);
     void sort();
+    void put(const WallPiece& piece, std::size_t at);
+    struct Range {
+        std::size_t first, end;
+    };
+    [[nodiscard]] Range rangeOf(int row, const Bands& bands) const;
     [[nodiscard]] float highest(const std::vector<float>& rises, int row, const Bands& bands) const;
     [[nodiscard]] std::size_t slotOf(const WallPiece& piece) const;
 
@@ -82,6 +103,7 @@ private:
     int firstBand_ = 0, bands_ = 0, lastStep_ = 0, rows_ = 0;
     std::uint64_t outOfReach_ = 0;
     std::vector<WallPiece> found_, sorted_;
+    PieceBounds bounds_;                 // of sorted_
     std::vector<std::uint32_t> starts_;  // of each slot: row by row, in it band by band
     std::vector<float> tallestIn_, tallest_;
     std::vector<float> backLit_;             // of the faces of the solid at hand

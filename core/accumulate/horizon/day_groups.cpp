@@ -1,6 +1,8 @@
 #include "core/accumulate/horizon/day_groups.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
 
 namespace noonmark {
 
@@ -62,6 +64,19 @@ private:
     bool begun_ = false;
 };
 
+// A bound for the steps of a group must fit 16 bits.
+constexpr std::size_t mostStepsShared = std::numeric_limits<std::int16_t>::max();
+
+// The sun goes around the pole, the same way each day: three steps tell the pole, whatever the latitude. No
+// matter how rough where they are too few or too close: only what is alike goes by it.
+float declinationOf(std::span<const SunStep> day) {
+    const glm::dvec3 first(day.front().direction), middle(day[day.size() / 2].direction),
+        last(day.back().direction);
+    const glm::dvec3 pole = glm::cross(middle - first, last - first);
+    const double length = glm::length(pole);
+    return length > 0 ? float(glm::dot(pole, first) / length) : 0;
+}
+
 std::uint32_t endOfDay(std::span<const TimedStep> steps, std::uint32_t first) {
     std::uint32_t end = first + 1;
     while (end < steps.size() && !steps[end].startsRun) ++end;
@@ -79,19 +94,33 @@ std::vector<TimedStep> timedSteps(const SunSteps& sun, const BinnedSun& binned) 
     return steps;
 }
 
-std::vector<DayGroup> dayGroups(std::span<const TimedStep> steps, int daysAGroup) {
-    std::vector<DayGroup> groups;
-    int days = daysAGroup;
-    for (std::uint32_t first = 0; first < steps.size();) {
+std::vector<DaySteps> alikeDays(const SunSteps& sun, std::span<const TimedStep> steps) {
+    std::vector<DaySteps> days;
+    for (std::uint32_t first = 0; first < steps.size(); first = days.back().end) {
         const std::uint32_t end = endOfDay(steps, first);
-        if (days++ >= daysAGroup) {
-            groups.push_back({first, first, 0, {}});
-            days = 1;
+        days.push_back({first, end, declinationOf(std::span(sun.steps).subspan(first, end - first))});
+    }
+    std::ranges::stable_sort(days, {}, &DaySteps::declination);
+    return days;
+}
+
+std::vector<DayGroup> dayGroups(std::span<const TimedStep> steps, std::span<const DaySteps> days,
+                                const Likeness& likeness) {
+    std::vector<DayGroup> groups;
+    for (std::size_t first = 0, end = 0; first < days.size(); first = end) {
+        DayGroup group;
+        std::size_t stepsShared = 0;
+        for (; end < days.size(); ++end) {
+            const std::uint32_t own = days[end].end - days[end].first;
+            stepsShared += own;
+            const bool alike = days[end].declination - days[first].declination <= likeness.declination &&
+                               end - first < likeness.mostDays && stepsShared <= mostStepsShared;
+            if (end > first && !alike) break;
+            group.longestDay = std::max(group.longestDay, own);
+            Merge(group.visits).add(visitsOf(steps.subspan(days[end].first, own)));
         }
-        groups.back().end = end;
-        groups.back().longestDay = std::max(groups.back().longestDay, end - first);
-        Merge(groups.back().visits).add(visitsOf(steps.subspan(first, end - first)));
-        first = end;
+        group.days.assign(days.begin() + std::ptrdiff_t(first), days.begin() + std::ptrdiff_t(end));
+        groups.push_back(std::move(group));
     }
     return groups;
 }

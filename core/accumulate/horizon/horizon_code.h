@@ -33,4 +33,7 @@ inline float steepnessOf(HorizonCode sun) {
     return float(int(sun) - int(noHorizon) + 1) / float(steepnessLevels);
 }
 
+/// The cotangent of that altitude.
+inline float cotOf(HorizonCode sun) { return (1 - steepnessOf(sun)) / steepnessOf(sun); }
+
 }  // namespace noonmark

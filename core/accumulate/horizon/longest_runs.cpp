@@ -9,9 +9,10 @@ namespace {
 
 using Horizons = std::span<const RunLanes>;
 
-constexpr int daysAGroup = 8, daysAPair = 2;  // a group begins where a pair begins
-// A day longer than this stands alone, or the bound for several might not fit 16 bits.
-constexpr std::uint32_t mostStepsShared = 32'767 / daysAGroup;
+// As good as it gets in a dense city at 41 deg north: bounds of wider groups let more days pass. Days of
+// their own have bounds too, which let one in eight pass.
+constexpr Likeness alike{.declination = 0.03F, .mostDays = 16}, alone{.declination = 0, .mostDays = 1};
+constexpr std::uint16_t binsTogether = 3;
 
 const Shorts32* halves(const RunLanes& lanes) { return reinterpret_cast<const Shorts32*>(lanes.values); }
 Shorts32* halves(RunLanes& lanes) { return reinterpret_cast<Shorts32*>(lanes.values); }
@@ -87,41 +88,57 @@ bool beats(const RunLanes& most, const RunLanes& longest) {
     return any;
 }
 
+// The highest horizon of every few bins beside one another.
+std::vector<RunLanes> highestOf(Horizons horizons) {
+    std::vector<RunLanes> highest((horizons.size() + binsTogether - 1) / binsTogether);
+    for (RunLanes& of : highest) std::ranges::fill(of.values, noHorizon);
+    for (std::size_t bin = 0; bin < horizons.size(); ++bin)
+        for (std::size_t i = 0; i < lanesARun; ++i) {
+            std::int16_t& most = highest[bin / binsTogether].values[i];
+            most = std::max(most, horizons[bin].values[i]);
+        }
+    return highest;
+}
+
 }  // namespace
 
-LongestRuns::LongestRuns(std::vector<TimedStep> steps) : steps_(std::move(steps)) {
-    days_ = dayGroups(steps_, 1);
-    const auto longDay = [](const DayGroup& day) { return day.longestDay > mostStepsShared; };
-    if (std::ranges::any_of(days_, longDay)) {
-        groups_ = days_;
-        return;
+LongestRuns::LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps> days)
+    : steps_(std::move(steps)) {
+    std::vector<TimedStep> rough = steps_;
+    for (TimedStep& step : rough) step.place.bin /= binsTogether;
+    for (DayGroup& group : dayGroups(steps_, days, alike)) {
+        std::vector<DayGroup> roughly = dayGroups(rough, group.days, alone),
+                              each = dayGroups(steps_, group.days, alone);
+        groups_.push_back({std::move(group), std::move(roughly), std::move(each)});
     }
-    days_ = dayGroups(steps_, daysAPair);
-    groups_ = dayGroups(steps_, daysAGroup);
 }
 
 RunLanes LongestRuns::of(std::span<const RunLanes> horizons) const {
     std::vector<RunLanes> bounds(groups_.size());
+    const std::vector<RunLanes> highest = highestOf(horizons);
     std::vector<std::pair<std::int16_t, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < groups_.size(); ++i) {
-        boundOf(horizons, groups_[i], bounds[i]);
+        boundOf(horizons, groups_[i].all, bounds[i]);
         order.emplace_back(std::ranges::max(bounds[i].values), i);
     }
     std::ranges::sort(order, std::ranges::greater{});
     RunLanes longest;
     for (const auto& [most, group] : order)
-        if (beats(bounds[group], longest)) walkGroup(horizons, groups_[group], longest);
+        if (beats(bounds[group], longest)) walk(horizons, highest, groups_[group], longest);
     return longest;
 }
 
-void LongestRuns::walkGroup(std::span<const RunLanes> horizons, const DayGroup& group,
-                            RunLanes& longest) const {
-    const auto from = std::ranges::lower_bound(days_, group.first, {}, &DayGroup::first);
-    for (auto days = from; days != days_.end() && days->first < group.end; ++days) {
+void LongestRuns::walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest,
+                       const Groups& groups, RunLanes& longest) const {
+    const auto mayBeat = [&](std::span<const RunLanes> of, const DayGroup& day) {
         RunLanes most;
-        boundOf(horizons, *days, most);
-        if (beats(most, longest))
-            walkSteps(horizons, steps().subspan(days->first, days->end - days->first), longest);
+        boundOf(of, day, most);
+        return beats(most, longest);
+    };
+    for (std::size_t i = 0; i < groups.each.size(); ++i) {
+        const DaySteps& day = groups.all.days[i];
+        if (mayBeat(highest, groups.roughly[i]) && mayBeat(horizons, groups.each[i]))
+            walkSteps(horizons, steps().subspan(day.first, day.end - day.first), longest);
     }
 }
 

@@ -22,8 +22,8 @@ struct alignas(64) RunLanes {
 /// are passed over; the others are walked step by step.
 class LongestRuns {
 public:
-    /// No day may have more than 32,767 steps.
-    explicit LongestRuns(std::vector<TimedStep> steps);
+    /// `days`: as of alikeDays(), in whatever order; none may have more than 32,767 steps.
+    LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps> days);
 
     /// Of each receiver, in steps. `horizons`: one a bin. O(days x bins), and more where days look alike.
     [[nodiscard]] RunLanes of(std::span<const RunLanes> horizons) const;
@@ -43,10 +43,15 @@ public:
     [[nodiscard]] std::span<const TimedStep> steps() const { return steps_; }
 
 private:
-    void walkGroup(std::span<const RunLanes> horizons, const DayGroup& group, RunLanes& longest) const;
+    struct Groups {
+        DayGroup all;
+        std::vector<DayGroup> roughly, each;  // its days, one by one
+    };
+    void walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest, const Groups& groups,
+              RunLanes& longest) const;
 
     std::vector<TimedStep> steps_;
-    std::vector<DayGroup> groups_, days_;  // many days each, and few
+    std::vector<Groups> groups_;
 };
 
 }  // namespace noonmark

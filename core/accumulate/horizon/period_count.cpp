@@ -53,6 +53,12 @@ void setBins(std::span<const OpenGap> own, std::vector<std::span<const OpenGap>>
     }
 }
 
+LongestRuns runsOf(const SunSteps& sun, const BinnedSun& binned) {
+    std::vector<TimedStep> steps = timedSteps(sun, binned);
+    const std::vector<DaySteps> days = alikeDays(sun, steps);
+    return {std::move(steps), days};
+}
+
 void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& visit) {
     const std::size_t first = part * lanesARun, end = std::min(first + lanesARun, blocks.numbers());
     for (std::size_t number = first; number < end; ++number)
@@ -62,7 +68,7 @@ void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& vis
 
 }  // namespace
 
-PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned) : runs_(timedSteps(sun, binned)) {
+PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned) : runs_(runsOf(sun, binned)) {
     for (const AzimuthBin& bin : binned.bins) hidden_.emplace_back(bin.suns);
 }
 

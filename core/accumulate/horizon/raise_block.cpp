@@ -1,8 +1,11 @@
 #include "core/accumulate/horizon/raise_block.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <iterator>
+#include <limits>
 
 #ifdef NOONMARK_PICKS_ISA
 #include <immintrin.h>
@@ -18,12 +21,12 @@ constexpr int side = ReceiverBlocks::side;
 
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
                                              Floats16& horizon) {
-    const Floats16 low = places + (wall.low - shift), high = places + (wall.high - shift);
-    const Floats16 distance = (wall.along + along) - wall.slope * low;
-    const Floats16 behind = distance > 0 ? distance : Floats16{};
-    const Floats16 steepness = wall.rise / (wall.rise + behind);
-    const Ints16 shaded = (low >= 0) & (high < 0) & (distance > wall.nearest) & (steepness > horizon);
-    horizon = shaded ? steepness : horizon;
+    const float low = wall.low - shift, high = wall.high - shift;
+    const float distance = (wall.along + along) - wall.slope * low;
+    const Floats16 cot = distance * wall.perRise - wall.slope * wall.perRise * places;
+    const Floats16 behind = cot > 0 ? cot : Floats16{};
+    const Ints16 shaded = (places + low >= 0) & (places + high < 0) & (cot > wall.nearest * wall.perRise);
+    horizon = shaded & (behind < horizon) ? behind : horizon;
 }
 
 NOONMARK_EVERY_ISA
@@ -36,47 +39,62 @@ NOONMARK_EVERY_ISA
 void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {
     using Shorts16 = std::int16_t __attribute__((vector_size(32), may_alias));
     for (std::size_t line = 0; line < std::size(horizons.lines); ++line) {
-        const Ints16 level = __builtin_convertvector(horizons.lines[line] * float(steepnessLevels), Ints16);
+        const Floats16 of = horizons.lines[line], cot = of > 0 ? of : Floats16{};
+        const Ints16 level = __builtin_convertvector(float(steepnessLevels) / (1 + cot), Ints16);
         const Ints16 most = Ints16{} + (steepnessLevels - 1);
         const Ints16 code = (level < most ? level : most) + int(noHorizon);
-        const Ints16 kept =
-            (code > int(lowest)) & (level <= steepnessLevels) ? code : Ints16{} + int(noHorizon);
+        const Ints16 kept = (code > int(lowest)) & (of >= 0) ? code : Ints16{} + int(noHorizon);
         *reinterpret_cast<Shorts16*>(codes + line * side) = __builtin_convertvector(kept, Shorts16);
     }
 }
 
 #ifdef NOONMARK_PICKS_ISA
-// The same sums in the same order; comparisons go to masks, which the compiler does not do by itself.
+// The same sums in the same order. What is the same for a line's cells is found for all lines at once: the
+// cotangent at its first cell, and which cells the wall is before.
 [[gnu::target("avx512f")]] void raiseLines512(const WallOnBlock& wall, const BlockLines& lines,
-                                              LineRange range, Floats16* horizons) {
-    const __m512 place = _mm512_load_ps(&places), zero = _mm512_setzero_ps();
-    const __m512 slope = _mm512_set1_ps(wall.slope), rise = _mm512_set1_ps(wall.rise),
-                 nearest = _mm512_set1_ps(wall.nearest);
-    for (int line = range.first; line < range.end; ++line) {
-        const float shift = lines.shifts[std::size_t(line)];
-        const __m512 low = _mm512_add_ps(place, _mm512_set1_ps(wall.low - shift));
-        const __m512 high = _mm512_add_ps(place, _mm512_set1_ps(wall.high - shift));
-        const __mmask16 within =
-            _mm512_mask_cmp_ps_mask(_mm512_cmp_ps_mask(low, zero, _CMP_GE_OQ), high, zero, _CMP_LT_OQ);
-        const __m512 distance = _mm512_sub_ps(_mm512_set1_ps(wall.along + lines.alongs[std::size_t(line)]),
-                                              _mm512_mul_ps(slope, low));
-        const __m512 behind = _mm512_maskz_max_ps(0xFFFF, distance, zero);
-        const __m512 steepness = _mm512_div_ps(rise, _mm512_add_ps(rise, behind));
-        const __mmask16 shaded = _mm512_mask_cmp_ps_mask(within, distance, nearest, _CMP_GT_OQ);
+                                              Floats16* horizons) {
+    constexpr int up = _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC;
+    constexpr __mmask16 all = 0xFFFF;
+    const __m512 zero = _mm512_setzero_ps(), shifts = _mm512_loadu_ps(lines.shifts.data());
+    const __m512 low = _mm512_sub_ps(_mm512_set1_ps(wall.low), shifts),
+                 high = _mm512_sub_ps(_mm512_set1_ps(wall.high), shifts);
+    const __m512i nobody = _mm512_setzero_si512(), cells = _mm512_set1_epi32(side),
+                  line16 = _mm512_set1_epi32(all);
+    const __m512i first = _mm512_maskz_max_epi32(
+                      all, nobody, _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(zero, low), up)),
+                  end = _mm512_maskz_max_epi32(
+                      all, nobody,
+                      _mm512_maskz_min_epi32(
+                          all, cells, _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(zero, high), up)));
+    unsigned wanted = _mm512_mask_cmplt_epi32_mask(_mm512_cmplt_epi32_mask(first, cells), first, end);
+    alignas(64) std::uint32_t within[side];
+    alignas(64) float cotAtFirst[side];
+    _mm512_store_si512(within, _mm512_maskz_andnot_epi32(all, _mm512_maskz_sllv_epi32(all, line16, end),
+                                                         _mm512_maskz_sllv_epi32(all, line16, first)));
+    const __m512 along = _mm512_add_ps(_mm512_set1_ps(wall.along), _mm512_loadu_ps(lines.alongs.data()));
+    const __m512 slope = _mm512_set1_ps(wall.slope), perRise = _mm512_set1_ps(wall.perRise);
+    _mm512_store_ps(cotAtFirst, _mm512_mul_ps(_mm512_sub_ps(along, _mm512_mul_ps(slope, low)), perRise));
+    const __m512 less = _mm512_mul_ps(_mm512_mul_ps(slope, perRise), _mm512_load_ps(&places)),
+                 nearest = _mm512_set1_ps(wall.nearest * wall.perRise);
+    for (; wanted != 0; wanted &= wanted - 1) {
+        const int line = std::countr_zero(wanted);
+        const __m512 cot = _mm512_sub_ps(_mm512_set1_ps(cotAtFirst[line]), less);
+        const __mmask16 shaded = _mm512_mask_cmp_ps_mask(__mmask16(within[line]), cot, nearest, _CMP_GT_OQ);
         const __m512 horizon = _mm512_load_ps(horizons + line);
-        const __mmask16 higher = _mm512_mask_cmp_ps_mask(shaded, steepness, horizon, _CMP_GT_OQ);
-        _mm512_store_ps(horizons + line, _mm512_mask_mov_ps(horizon, higher, steepness));
+        _mm512_store_ps(horizons + line,
+                        _mm512_mask_min_ps(horizon, shaded, horizon, _mm512_maskz_max_ps(all, cot, zero)));
     }
 }
 
 [[gnu::target("avx512f")]] void codesOf512(const BlockHorizons& horizons, HorizonCode lowest,
                                            HorizonCode* codes) {
-    const __m512 levels = _mm512_set1_ps(float(steepnessLevels));
+    const __m512 levels = _mm512_set1_ps(float(steepnessLevels)), one = _mm512_set1_ps(1);
     const __m512i most = _mm512_set1_epi32(steepnessLevels - 1), none = _mm512_set1_epi32(noHorizon);
     for (std::size_t line = 0; line < std::size(horizons.lines); ++line) {
-        const __m512 scaled = _mm512_mul_ps(_mm512_load_ps(horizons.lines + line), levels);
+        const __m512 cot = _mm512_load_ps(horizons.lines + line);
+        const __m512 scaled = _mm512_div_ps(levels, _mm512_add_ps(one, cot));
         const __m512i level = _mm512_maskz_cvttps_epi32(0xFFFF, scaled);
-        const __mmask16 somebody = _mm512_cmple_epi32_mask(level, _mm512_set1_epi32(steepnessLevels));
+        const __mmask16 somebody = _mm512_cmp_ps_mask(cot, _mm512_setzero_ps(), _CMP_GE_OQ);
         const __m512i code = _mm512_add_epi32(_mm512_maskz_min_epi32(0xFFFF, level, most), none);
         const __mmask16 kept = _mm512_mask_cmpgt_epi32_mask(somebody, code, _mm512_set1_epi32(lowest));
         _mm256_store_si256(reinterpret_cast<__m256i*>(codes + line * side),
@@ -105,7 +123,8 @@ BlockLines::BlockLines(double k, double sign) : linesAQ(k == 0 ? 0 : float(sign 
 
 NOONMARK_EVERY_ISA
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
-    const Floats16 level{}, nobody = level + BlockHorizons::nobody;
+    const Floats16 level = Floats16{} + std::numeric_limits<float>::infinity(),
+                   nobody = Floats16{} + BlockHorizons::nobody;
     for (std::size_t line = 0; line < masks.size(); ++line) {
         const Ints16 receiver = ((Ints16{} + masks[line]) >> counting) & 1;
         horizons.lines[line] = receiver != 0 ? level : nobody;
@@ -113,20 +132,21 @@ void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
 }
 
 void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons& horizons) {
-    const LineRange range = linesOf(wall, lines);
 #ifdef NOONMARK_PICKS_ISA
-    if (__builtin_cpu_supports("avx512f")) return raiseLines512(wall, lines, range, horizons.lines);
+    if (__builtin_cpu_supports("avx512f")) return raiseLines512(wall, lines, horizons.lines);
 #endif
-    raiseLines(wall, lines, range, horizons.lines);
+    raiseLines(wall, lines, linesOf(wall, lines), horizons.lines);
 }
 
 NOONMARK_EVERY_ISA
 float lowestOf(const BlockHorizons& horizons) {
     Floats16 low = horizons.lines[0];
-    for (const Floats16& line : horizons.lines) low = line < low ? line : low;
-    float lowest = low[0];
-    for (int i = 1; i < side; ++i) lowest = std::min(lowest, low[i]);
-    return lowest;
+    for (const Floats16& line : horizons.lines) low = line > low ? line : low;
+    float lowest[side];
+    std::memcpy(lowest, &low, sizeof lowest);
+    for (int half = side / 2; half > 0; half /= 2)
+        for (int i = 0; i < half; ++i) lowest[i] = std::max(lowest[i], lowest[i + half]);
+    return lowest[0];
 }
 
 void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {

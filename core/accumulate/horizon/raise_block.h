@@ -9,9 +9,10 @@
 
 namespace noonmark {
 
-/// Steepness of the horizon of each cell of a block of 16 x 16, line by line.
+/// The horizon of each cell of a block of 16 x 16, line by line, as the cotangent of its altitude: distance
+/// over height, which takes no division for each cell. The higher a horizon, the less.
 struct BlockHorizons {
-    static constexpr float nobody = 2;  ///< of cells that are no receivers: no wall is steeper
+    static constexpr float nobody = -1;  ///< of cells that are no receivers: no horizon is higher
     Floats16 lines[ReceiverBlocks::side];
 };
 
@@ -28,6 +29,7 @@ struct WallOnBlock {
     float low, high;  ///< q of the cell, less lowQ and highQ of the piece
     float along;      ///< `along` of the cell, less that of the wall at lowQ
     float slope, rise, riseSlope, nearest;
+    float perRise;          ///< 1 / rise
     std::int32_t building;  ///< only for who asks
 };
 
@@ -41,11 +43,11 @@ LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines);
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);
 
 /// Raises horizons to those that the wall gives them: cells with low + place >= 0 > high + place that are
-/// farther behind it than `nearest`. A cell on the wall gets steepness 1. The same bits on every instruction
-/// set. Some 100 ns.
+/// farther behind it than `nearest`. A cell on the wall gets cotangent 0. The same bits on every instruction
+/// set. Some 50 ns.
 void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons& horizons);
 
-/// Of all cells.
+/// The cotangent of the lowest horizon of all cells; `nobody` where there are no receivers.
 float lowestOf(const BlockHorizons& horizons);
 
 /// Codes of all cells, 16 a line; noHorizon for those that hide no sun of code `lowest`, and for nobody's.

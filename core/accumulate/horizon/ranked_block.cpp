@@ -7,22 +7,16 @@ namespace noonmark {
 
 namespace {
 
-constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-
 // The same sums as raiseBlock() of UnevenHorizons: codes are the same.
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
                                              const Floats16& ground, Floats16& best, Ints16& building,
                                              Floats16& other) {
-    const Floats16 low = places + (wall.low - shift), high = places + (wall.high - shift);
-    const Floats16 distance = (wall.along + along) - wall.slope * low;
-    const Floats16 behind = distance > 0 ? distance : Floats16{};
-    Floats16 steepness;
-    findSteepness(wall, low, behind, ground, steepness);
-    const Ints16 shaded = (low >= 0) & (high < 0) & (distance > wall.nearest);
-    const Ints16 higher = shaded & (steepness > best), foreign = building != wall.building;
+    EdgeHorizon edge;
+    findHorizon(wall, shift, along, ground, edge);
+    const Ints16 higher = edge.shaded & (edge.cot < best), foreign = building != wall.building;
     other = higher & foreign ? best : other;
-    other = shaded & ~higher & foreign & (steepness > other) ? steepness : other;
-    best = higher ? steepness : best;
+    other = edge.shaded & ~higher & foreign & (edge.cot < other) ? edge.cot : other;
+    best = higher ? edge.cot : best;
     building = higher ? Ints16{} + wall.building : building;
 }
 

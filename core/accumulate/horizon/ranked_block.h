@@ -6,9 +6,9 @@ namespace noonmark {
 
 /// The horizons of a block's cells with who makes them.
 struct RankedHorizons {
-    Floats16 lines[ReceiverBlocks::side];    ///< steepness, as in BlockHorizons
+    Floats16 lines[ReceiverBlocks::side];    ///< as in BlockHorizons
     Ints16 buildings[ReceiverBlocks::side];  ///< whose it is; -1: nobody's
-    Floats16 others[ReceiverBlocks::side];   ///< of the steepest wall of any other building
+    Floats16 others[ReceiverBlocks::side];   ///< of the highest wall of any other building
     Floats16 grounds[ReceiverBlocks::side];  ///< as in UnevenHorizons
 };
 

@@ -12,17 +12,11 @@ namespace noonmark {
 namespace {
 
 constexpr int side = ReceiverBlocks::side;
-constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
                                              const Floats16& ground, Floats16& horizon) {
-    const Floats16 low = places + (wall.low - shift), high = places + (wall.high - shift);
-    const Floats16 distance = (wall.along + along) - wall.slope * low;
-    const Floats16 behind = distance > 0 ? distance : Floats16{};
-    Floats16 steepness;
-    findSteepness(wall, low, behind, ground, steepness);
-    const Ints16 shaded = (low >= 0) & (high < 0) & (distance > wall.nearest) & (steepness > horizon);
-    horizon = shaded ? steepness : horizon;
+    EdgeHorizon edge;
+    findHorizon(wall, shift, along, ground, edge);
+    horizon = edge.shaded & (edge.cot < horizon) ? edge.cot : horizon;
 }
 
 NOONMARK_EVERY_ISA
@@ -36,12 +30,12 @@ void raiseLines(const WallOnBlock& wall, const BlockLines& lines, LineRange rang
 // lines, cell by cell.
 constexpr float narrowQ = 4;
 
-void raiseCell(const WallOnBlock& wall, float low, float along, float ground, float& horizon) {
-    const float distance = (wall.along + along) - wall.slope * low;
-    const float over = wall.rise + wall.riseSlope * low - ground;
-    if (!(distance > wall.nearest) || !(over > 0)) return;
-    const float steepness = over / (over + std::max(distance, 0.0F));
-    if (steepness > horizon) horizon = steepness;
+void raiseCell(const WallOnBlock& wall, float place, float low, float distance, float ground,
+               float& horizon) {
+    const float over = wall.rise + wall.riseSlope * (place + low) - ground;
+    if (!(over > 0)) return;
+    const float perRise = 1 / over, cot = distance * perRise - wall.slope * perRise * place;
+    if (cot > wall.nearest * perRise) horizon = std::min(horizon, std::max(cot, 0.0F));
 }
 
 [[maybe_unused]] void raiseCells(const WallOnBlock& wall, const BlockLines& lines, LineRange range,
@@ -49,11 +43,11 @@ void raiseCell(const WallOnBlock& wall, float low, float along, float ground, fl
     for (int line = range.first; line < range.end; ++line) {
         const float low = wall.low - lines.shifts[std::size_t(line)],
                     high = wall.high - lines.shifts[std::size_t(line)];
+        const float distance = (wall.along + lines.alongs[std::size_t(line)]) - wall.slope * low;
         const int first = std::max(0, int(std::ceil(-low))), end = std::min(side, int(std::ceil(-high)));
         auto* horizon = reinterpret_cast<float*>(horizons.lines + line);
         const auto* ground = reinterpret_cast<const float*>(horizons.grounds + line);
-        for (int i = first; i < end; ++i)
-            raiseCell(wall, float(i) + low, lines.alongs[std::size_t(line)], ground[i], horizon[i]);
+        for (int i = first; i < end; ++i) raiseCell(wall, float(i), low, distance, ground[i], horizon[i]);
     }
 }
 
@@ -67,6 +61,8 @@ void raiseCell(const WallOnBlock& wall, float low, float along, float ground, fl
     const __m512 low = _mm512_sub_ps(_mm512_set1_ps(wall.low), shifts),
                  high = _mm512_sub_ps(_mm512_set1_ps(wall.high), shifts);
     const __m512 along = _mm512_add_ps(_mm512_set1_ps(wall.along), _mm512_loadu_ps(lines.alongs.data()));
+    const __m512 slope = _mm512_set1_ps(wall.slope);
+    const __m512 distance = _mm512_sub_ps(along, _mm512_mul_ps(slope, low));
     const __m512i nobody = _mm512_setzero_si512(), one = _mm512_set1_epi32(1);
     const __m512i end = _mm512_maskz_min_epi32(
         all, _mm512_set1_epi32(side), _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(zero, high), up));
@@ -79,18 +75,19 @@ void raiseCell(const WallOnBlock& wall, float low, float along, float ground, fl
         const __m512i index = _mm512_add_epi32(lineStarts, place);
         const __m512 ground = _mm512_mask_i32gather_ps(zero, there, index, horizons.grounds, 4),
                      horizon = _mm512_mask_i32gather_ps(zero, there, index, horizons.lines, 4);
-        const __m512 from = _mm512_add_ps(_mm512_maskz_cvtepi32_ps(all, place), low);
-        const __m512 distance = _mm512_sub_ps(along, _mm512_mul_ps(_mm512_set1_ps(wall.slope), from));
+        const __m512 at = _mm512_maskz_cvtepi32_ps(all, place);
         const __m512 over = _mm512_sub_ps(
-            _mm512_add_ps(_mm512_set1_ps(wall.rise), _mm512_mul_ps(_mm512_set1_ps(wall.riseSlope), from)),
+            _mm512_add_ps(_mm512_set1_ps(wall.rise),
+                          _mm512_mul_ps(_mm512_set1_ps(wall.riseSlope), _mm512_add_ps(at, low))),
             ground);
-        const __m512 rise = _mm512_maskz_max_ps(all, over, zero);
-        const __m512 steepness =
-            _mm512_div_ps(rise, _mm512_add_ps(rise, _mm512_maskz_max_ps(all, distance, zero)));
-        const __mmask16 shaded =
-            _mm512_mask_cmp_ps_mask(there, distance, _mm512_set1_ps(wall.nearest), _CMP_GT_OQ);
-        const __mmask16 higher = _mm512_mask_cmp_ps_mask(shaded, steepness, horizon, _CMP_GT_OQ);
-        _mm512_mask_i32scatter_ps(horizons.lines, higher, index, steepness, 4);
+        const __m512 perRise = _mm512_div_ps(_mm512_set1_ps(1), _mm512_maskz_max_ps(all, over, zero));
+        const __m512 signedCot =
+            _mm512_sub_ps(_mm512_mul_ps(distance, perRise), _mm512_mul_ps(_mm512_mul_ps(slope, perRise), at));
+        const __mmask16 shaded = _mm512_mask_cmp_ps_mask(
+            there, signedCot, _mm512_mul_ps(_mm512_set1_ps(wall.nearest), perRise), _CMP_GT_OQ);
+        const __m512 cot = _mm512_maskz_max_ps(all, signedCot, zero);
+        const __mmask16 higher = _mm512_mask_cmp_ps_mask(shaded, cot, horizon, _CMP_LT_OQ);
+        _mm512_mask_i32scatter_ps(horizons.lines, higher, index, cot, 4);
     }
 }
 #endif
@@ -116,13 +113,12 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, UnevenHorizons
 }
 
 NOONMARK_EVERY_ISA
-void findNeed(const Floats16* steepness, const Floats16* grounds, float lowest, BlockNeed& need) {
-    const Floats16 level = Floats16{} + lowest, upright = Floats16{} + 0.9999999F;
+void findNeed(const Floats16* cots, const Floats16* grounds, float lowest, BlockNeed& need) {
+    const Floats16 level = Floats16{} + lowest, upright = Floats16{} + 1e-7F;
     for (int line = 0; line < ReceiverBlocks::side; ++line) {
-        const Floats16 seen = steepness[line] > level ? steepness[line] : level;
-        const Floats16 below = seen < upright ? seen : upright;
-        need.tans[line] = below / (1 - below);
-        need.grounds[line] = seen > 1 ? Floats16{} + 1e30F : grounds[line];  // nobody's
+        const Floats16 seen = cots[line] < level ? cots[line] : level;
+        need.tans[line] = 1 / (seen > upright ? seen : upright);
+        need.grounds[line] = seen < 0 ? Floats16{} + 1e30F : grounds[line];  // nobody's
     }
 }
 

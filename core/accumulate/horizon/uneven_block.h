@@ -23,21 +23,28 @@ struct BlockNeed {
     Floats16 grounds[ReceiverBlocks::side];  ///< as in UnevenHorizons
 };
 
-/// `steepness`: line by line, as in BlockHorizons. `lowest`: of a horizon that hides a sun.
-void findNeed(const Floats16* steepness, const Floats16* grounds, float lowest, BlockNeed& need);
+/// `cots`: line by line, as in BlockHorizons. `lowest`: of a horizon that hides a sun.
+void findNeed(const Floats16* cots, const Floats16* grounds, float lowest, BlockNeed& need);
 
 /// Of an obstacle `distance` before the block's first line (in `along`, negative: behind it), or farther from
 /// the sun's side: no cell sees one below, wide of rounding. 20 ns.
 float leastRise(const BlockNeed& need, const BlockLines& lines, float distance);
 
-/// Steepness that an edge gives a cell: at `low` past its beginning, `behind` it. 0, or no number, where the
-/// cell lies higher.
-[[gnu::always_inline]] inline void findSteepness(const WallOnBlock& wall, const Floats16& low,
-                                                 const Floats16& behind, const Floats16& ground,
-                                                 Floats16& steepness) {
-    const Floats16 over = wall.rise + wall.riseSlope * low - ground;
-    const Floats16 rise = over > 0 ? over : Floats16{};
-    steepness = rise / (rise + behind);
+/// The horizon that an edge gives a line's cells; the same sums as under level walls.
+struct EdgeHorizon {
+    Floats16 cot;   ///< infinite or no number where the cell lies higher than the edge
+    Ints16 shaded;  ///< whether the edge is before the cell
+};
+[[gnu::always_inline]] inline void findHorizon(const WallOnBlock& wall, float shift, float along,
+                                               const Floats16& ground, EdgeHorizon& horizon) {
+    constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const float low = wall.low - shift, high = wall.high - shift;
+    const float distance = (wall.along + along) - wall.slope * low;
+    const Floats16 over = wall.rise + wall.riseSlope * (places + low) - ground;
+    const Floats16 perRise = 1 / (over > 0 ? over : Floats16{});
+    const Floats16 cot = distance * perRise - wall.slope * perRise * places;
+    horizon.shaded = (places + low >= 0) & (places + high < 0) & (cot > wall.nearest * perRise);
+    horizon.cot = cot > 0 ? cot : Floats16{};
 }
 
 }  // namespace noonmark
