@@ -61,8 +61,11 @@ bool BinWalls::reachesTile(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 hi
 void BinWalls::addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes) {
     const double rise = double(prism.topM) * alongPerMetre_;
     if (!reachesTile(axes, prism.low, prism.high, rise)) return;
+    glm::dvec2 corner{};  // where the wall before ends, as a rule this one begins
+    ShadowAxes::Point b = axes.from(corner);
     for (const StandingWall& wall : list.wallsOf(prism)) {
-        const ShadowAxes::Point a = axes.from(wall.a), b = axes.from(wall.b);
+        const ShadowAxes::Point a = wall.a == corner ? b : axes.from(wall.a);
+        b = axes.from(corner = wall.b);
         const bool facesAway = axes.mirrored() ? a.q < b.q : b.q < a.q;
         if (facesAway)
             addPieces({a, rise}, {b, rise}, {.nearest = nearestOf(wall), .building = prism.building});
@@ -107,8 +110,9 @@ void BinWalls::addPieces(End a, End b, WallPiece piece) {
     if (b.at.q < a.at.q) std::swap(a, b);
     if (!(a.at.q < b.at.q) || !(std::max(a.rise, b.rise) > 0)) return;
     const double wide = b.at.q - a.at.q, deep = b.at.along - a.at.along;
-    const double slope = deep / wide, riseSlope = (b.rise - a.rise) / wide;
-    const int count = int(std::ceil(std::max({1.0, wide / bandWidth, std::abs(deep) / rowDepth})));
+    const double slope = deep / wide, riseSlope = a.rise == b.rise ? 0 : (b.rise - a.rise) / wide;
+    const double parts = std::max(wide / bandWidth, std::abs(deep) / rowDepth);
+    const int count = parts <= 1 ? 1 : int(std::ceil(parts));
     const auto cut = [&](int i) { return i == count ? b.at.q : a.at.q + wide * i / count; };
     piece.slope = float(slope);
     piece.riseSlope = float(riseSlope);

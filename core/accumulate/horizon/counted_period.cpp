@@ -7,10 +7,12 @@
 namespace noonmark {
 
 CountedPeriod::CountedPeriod(const SunSteps& sun, double binDeg)
-    : binned_(binnedSun(sun, binDeg, BinDirection::middle)), steps_(timedSteps(sun, binned_)) {}
+    : binned_(binnedSun(sun, binDeg, BinDirection::middle)),
+      steps_(timedSteps(sun, binned_)),
+      days_(alikeDays(sun, steps_)) {}
 
 const RunCount& CountedPeriod::runs() {
-    if (!runs_) runs_.emplace(std::exchange(steps_, {}));
+    if (!runs_) runs_.emplace(std::exchange(steps_, {}), days_);
     return *runs_;
 }
 

@@ -29,6 +29,7 @@ public:
 private:
     BinnedSun binned_;
     std::vector<TimedStep> steps_;  // empty once runs_ is there
+    std::vector<DaySteps> days_;
     std::optional<RunCount> runs_;
     std::vector<std::optional<HiddenSuns>> tables_;  // one a bin
     HiddenByNumber hidden_;

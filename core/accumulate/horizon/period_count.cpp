@@ -1,5 +1,7 @@
 #include "core/accumulate/horizon/period_count.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace noonmark {
@@ -53,7 +55,7 @@ void setBins(std::span<const OpenGap> own, std::vector<std::span<const OpenGap>>
     }
 }
 
-LongestRuns runsOf(const SunSteps& sun, const BinnedSun& binned) {
+RunCount runsOf(const SunSteps& sun, const BinnedSun& binned) {
     std::vector<TimedStep> steps = timedSteps(sun, binned);
     const std::vector<DaySteps> days = alikeDays(sun, steps);
     return {std::move(steps), days};
@@ -68,18 +70,12 @@ void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& vis
 
 }  // namespace
 
-PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned) : runs_(runsOf(sun, binned)) {
-    for (const AzimuthBin& bin : binned.bins) hidden_.emplace_back(bin.suns);
-}
-
-void PeriodCount::addHidden(std::size_t bin, std::span<const HorizonCode> codes,
-                            std::span<std::uint32_t> sums) const {
-    const HiddenSuns& hidden = hidden_[bin];
-    for (std::size_t i = 0; i < codes.size(); ++i) sums[i] += hidden(codes[i]);
-}
-
-void PeriodCount::addHidden(std::size_t bin, std::span<const Gap> gaps, std::span<std::uint32_t> sums) const {
-    for (const Gap& gap : gaps) sums[gap.number] += hidden_[bin](gap.high) - hidden_[bin](gap.low);
+PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, bool gaps)
+    : runs_(runsOf(sun, binned)), suns_(binned.bins.size()) {
+    tbb::parallel_for(std::size_t{0}, suns_.size(),
+                      [&](std::size_t bin) { suns_[bin] = sunChanges(binned.bins[bin].suns, {}); });
+    for (const AzimuthBin& bin : binned.bins)
+        if (gaps) hidden_.emplace_back(bin.suns);
 }
 
 RunLanes RunCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,

@@ -8,6 +8,7 @@
 #include "core/accumulate/horizon/gaps.h"
 #include "core/accumulate/horizon/longest_runs.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
+#include "core/accumulate/horizon/sun_change.h"
 #include "core/accumulate/shadow_field.h"
 
 namespace noonmark {
@@ -32,7 +33,7 @@ struct RunMemory {
 /// The longest runs of a period from horizons. Immutable.
 class RunCount {
 public:
-    explicit RunCount(std::vector<TimedStep> steps) : runs_(std::move(steps)) {}
+    RunCount(std::vector<TimedStep> steps, std::span<const DaySteps> days) : runs_(std::move(steps), days) {}
 
     [[nodiscard]] std::size_t steps() const { return runs_.steps().size(); }
 
@@ -50,21 +51,20 @@ private:
 /// A period ready to be counted from horizons. Immutable.
 class PeriodCount {
 public:
-    PeriodCount(const SunSteps& sun, const BinnedSun& binned);
+    /// `gaps`: whether gaps are asked for, too.
+    PeriodCount(const SunSteps& sun, const BinnedSun& binned, bool gaps);
 
     [[nodiscard]] std::size_t steps() const { return runs_.steps(); }
+    /// The suns of a bin, to look up many horizons.
+    [[nodiscard]] std::span<const SunChange> suns(std::size_t bin) const { return suns_[bin]; }
+    /// The same, to look up one; only where gaps are asked for.
     [[nodiscard]] const HiddenSuns& hidden(std::size_t bin) const { return hidden_[bin]; }
-
-    /// Adds for each number the steps that a bin's horizons hide.
-    void addHidden(std::size_t bin, std::span<const HorizonCode> codes, std::span<std::uint32_t> sums) const;
-
-    /// The same for the suns in gaps above the horizon.
-    void addHidden(std::size_t bin, std::span<const Gap> gaps, std::span<std::uint32_t> sums) const;
 
     [[nodiscard]] const RunCount& runs() const { return runs_; }
 
 private:
     RunCount runs_;
+    std::vector<std::vector<SunChange>> suns_;
     std::vector<HiddenSuns> hidden_;
 };
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 
+#include "core/accumulate/horizon/short_sums.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
@@ -18,6 +19,7 @@ namespace {
 // For the ranks of one tile, were all its cells receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
 constexpr std::size_t partsShown = 16;
+constexpr std::size_t tasks = 64;  // at least, so that all cores have work to the end
 constexpr int largestTile = 1024;  // cells a side: a line of horizons stays in the first-level cache
 
 int tileSide(std::size_t bins) {
@@ -33,15 +35,7 @@ struct PeriodSweep::TileWork {
     BlockGrounds grounds;
     TileHorizons& horizons;
     OpenTile open;
-    tbb::enumerable_thread_specific<Sums> sums{[this] { return Sums(blocks.numbers()); }};
     std::atomic<std::size_t> done{0};
-
-    // Whole numbers of steps: their sum is the same in any order.
-    Sums hidden() {
-        Sums all(blocks.numbers());
-        for (const Sums& some : sums) std::ranges::transform(all, some, all.begin(), std::plus<>());
-        return all;
-    }
 };
 
 PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenTriangle> open,
@@ -51,7 +45,7 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenTriangle> op
       open_(open),
       receivers_(receivers),
       binned_(binned),
-      count_(sun, binned),
+      count_(sun, binned, !open.empty()),
       progress_(progress),
       stop_(std::move(stop)) {}
 
@@ -64,10 +58,9 @@ Result<void> PeriodSweep::run(ShadowField& field) {
         const ReceiverBlocks blocks(receivers_, box);
         if (blocks.receivers() == 0) continue;
         TileHorizons horizons(binned_.bins.size(), blocks.numbers());
-        Sums hidden;
-        timed(field, "sweep", [&] { hidden = sweep(blocks, horizons, field); });
+        timed(field, "sweep", [&] { sweep(blocks, horizons, field); });
         if (stop_.stop_requested()) return cancelled();
-        timed(field, "count", [&] { count(blocks, horizons, hidden, field); });
+        timed(field, "count", [&] { count(blocks, horizons, field); });
         if (stop_.stop_requested()) return cancelled();
         receiversDone_ += blocks.receivers();
     }
@@ -82,8 +75,7 @@ void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
 }
 
 // Where somebody looks, bins from all over the sky in turn, and in between what they come to.
-PeriodSweep::Sums PeriodSweep::sweep(const ReceiverBlocks& blocks, TileHorizons& horizons,
-                                     const ShadowField& field) {
+void PeriodSweep::sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, const ShadowField& field) {
     TileWork work{blocks, {receivers_, blocks, walls_.datumM}, horizons, {}};
     if (!open_.empty()) work.open = OpenTile(receivers_, blocks, walls_.datumM);
     gaps_.assign(binned_.bins.size(), {});
@@ -93,9 +85,8 @@ PeriodSweep::Sums PeriodSweep::sweep(const ReceiverBlocks& blocks, TileHorizons&
         const std::size_t some = (binned_.bins.size() - turn + turns - 1) / turns;
         tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweep(turn + i * turns, work); });
         if (sink != nullptr && turn + 1 < turns && !stop_.stop_requested() && sink->wants())
-            sink->take(partialOf(blocks, work.hidden(), turn, turns, field));
+            sink->take(partialOf(blocks, horizons, {turn, turns}, field));
     }
-    return work.hidden();
 }
 
 void PeriodSweep::sweep(std::size_t bin, TileWork& work) {
@@ -110,18 +101,39 @@ void PeriodSweep::sweep(std::size_t bin, TileWork& work) {
             openSweeps_.local().intervals({open_, work.open, of.away, of.lowest(), cellM}, codes, stop_),
             of.lowest(), count_.hidden(bin), codes);
     if (stop_.stop_requested()) return;
-    count_.addHidden(bin, codes, work.sums.local());
-    count_.addHidden(bin, gaps_[bin], work.sums.local());
     report(work.blocks, 0.8 * double(++work.done) / double(binned_.bins.size()));
 }
 
-// Of the first bins of every `turns`, up to `turn`.
-PartialField PeriodSweep::partialOf(const ReceiverBlocks& blocks, const Sums& hidden, std::size_t turn,
-                                    std::size_t turns, const ShadowField& blank) const {
+// Steps hidden by the bins of some turns, one a number.
+PeriodSweep::Sums PeriodSweep::hidden(const ReceiverBlocks& blocks, const TileHorizons& horizons,
+                                      const Turns& turns) const {
+    Sums sums(blocks.numbers());
+    const std::size_t numbers =
+        std::min(ShortSums::mostNumbers,
+                 (blocks.numbers() / tasks + lanesARun - 1) / lanesARun * lanesARun + lanesARun);
+    tbb::parallel_for(std::size_t{0}, (sums.size() + numbers - 1) / numbers, [&](std::size_t task) {
+        const auto first = std::uint32_t(task * numbers),
+                   end = std::uint32_t(std::min(sums.size(), (task + 1) * numbers));
+        const Stretch own{first, end};
+        ShortSums some(first, {&own, 1}, sums.data());
+        for (std::size_t bin = 0; bin < binned_.bins.size() && !stop_.stop_requested(); ++bin)
+            if (turns.have(bin))
+                for (const SunChange& suns : count_.suns(bin)) some.add(suns, horizons.of(bin).data());
+        some.flush();
+    });
+    for (std::size_t bin = 0; bin < gaps_.size(); ++bin)
+        for (const Gap& gap : gaps_[bin])
+            sums[gap.number] += count_.hidden(bin)(gap.high) - count_.hidden(bin)(gap.low);
+    return sums;
+}
+
+PartialField PeriodSweep::partialOf(const ReceiverBlocks& blocks, const TileHorizons& horizons,
+                                    const Turns& turns, const ShadowField& blank) const {
+    const Sums hidden = this->hidden(blocks, horizons, turns);
     PartialField partial{.field = blank};
     std::size_t steps = 0, bins = 0;
     for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin)
-        if (bin % turns <= turn) steps += binned_.bins[bin].suns.size(), ++bins;
+        if (turns.have(bin)) steps += binned_.bins[bin].suns.size(), ++bins;
     const double minutes = blank.stepMinutes / blank.days;
     partial.field.sunlitMinutesPerDay = double(steps) * minutes;
     std::ranges::fill(partial.field.continuousMin, std::numeric_limits<float>::quiet_NaN());
@@ -133,8 +145,8 @@ PartialField PeriodSweep::partialOf(const ReceiverBlocks& blocks, const Sums& hi
     return partial;
 }
 
-void PeriodSweep::count(const ReceiverBlocks& blocks, const TileHorizons& horizons, const Sums& hidden,
-                        ShadowField& field) {
+void PeriodSweep::count(const ReceiverBlocks& blocks, const TileHorizons& horizons, ShadowField& field) {
+    const Sums hidden = this->hidden(blocks, horizons, {});
     BinCodes codes;
     for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin) codes.push_back(horizons.of(bin));
     const BinGaps gaps(gaps_.begin(), gaps_.end());

@@ -32,15 +32,21 @@ public:
 private:
     using Sums = std::vector<std::uint32_t>;
     struct TileWork;
+    /// The first bin of every `all`, up to `turn`; all bins, where there is one turn.
+    struct Turns {
+        std::size_t turn = 0, all = 1;
+        [[nodiscard]] bool have(std::size_t bin) const { return bin % all <= turn; }
+    };
 
     template <class Work>
     void timed(ShadowField& field, const char* stage, Work&& work);
-    Sums sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, const ShadowField& field);
+    void sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, const ShadowField& field);
     void sweep(std::size_t bin, TileWork& work);
-    [[nodiscard]] PartialField partialOf(const ReceiverBlocks& blocks, const Sums& hidden, std::size_t turn,
-                                         std::size_t turns, const ShadowField& blank) const;
-    void count(const ReceiverBlocks& blocks, const TileHorizons& horizons, const Sums& hidden,
-               ShadowField& field);
+    [[nodiscard]] Sums hidden(const ReceiverBlocks& blocks, const TileHorizons& horizons,
+                              const Turns& turns) const;
+    [[nodiscard]] PartialField partialOf(const ReceiverBlocks& blocks, const TileHorizons& horizons,
+                                         const Turns& turns, const ShadowField& blank) const;
+    void count(const ReceiverBlocks& blocks, const TileHorizons& horizons, ShadowField& field);
     void report(const ReceiverBlocks& blocks, double fraction);
 
     const WallList& walls_;

@@ -48,6 +48,13 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
     }
 }
 
+// Uses up what it is given.
+[[gnu::always_inline]] inline float highestOf(float* values) {
+    for (int half = side / 2; half > 0; half /= 2)
+        for (int i = 0; i < half; ++i) values[i] = std::max(values[i], values[i + half]);
+    return values[0];
+}
+
 #ifdef NOONMARK_PICKS_ISA
 // The same sums in the same order. What is the same for a line's cells is found for all lines at once: the
 // cotangent at its first cell, and which cells the wall is before.
@@ -84,6 +91,20 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
         _mm512_store_ps(horizons + line,
                         _mm512_mask_min_ps(horizon, shaded, horizon, _mm512_maskz_max_ps(all, cot, zero)));
     }
+}
+
+[[gnu::target("avx512f")]] float lowestOf512(const BlockHorizons& horizons) {
+    constexpr __mmask16 all = 0xFFFF;
+    __m512 low[4];
+    for (int i = 0; i < 4; ++i) {
+        low[i] = _mm512_load_ps(horizons.lines + i);
+        for (int line = i + 4; line < side; line += 4)
+            low[i] = _mm512_maskz_max_ps(all, low[i], _mm512_load_ps(horizons.lines + line));
+    }
+    alignas(64) float lowest[side];
+    _mm512_store_ps(lowest, _mm512_maskz_max_ps(all, _mm512_maskz_max_ps(all, low[0], low[1]),
+                                                _mm512_maskz_max_ps(all, low[2], low[3])));
+    return highestOf(lowest);
 }
 
 [[gnu::target("avx512f")]] void codesOf512(const BlockHorizons& horizons, HorizonCode lowest,
@@ -138,15 +159,15 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons&
     raiseLines(wall, lines, linesOf(wall, lines), horizons.lines);
 }
 
-NOONMARK_EVERY_ISA
 float lowestOf(const BlockHorizons& horizons) {
+#ifdef NOONMARK_PICKS_ISA
+    if (__builtin_cpu_supports("avx512f")) return lowestOf512(horizons);
+#endif
     Floats16 low = horizons.lines[0];
     for (const Floats16& line : horizons.lines) low = line > low ? line : low;
     float lowest[side];
     std::memcpy(lowest, &low, sizeof lowest);
-    for (int half = side / 2; half > 0; half /= 2)
-        for (int i = 0; i < half; ++i) lowest[i] = std::max(lowest[i], lowest[i + half]);
-    return lowest[0];
+    return highestOf(lowest);
 }
 
 void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {

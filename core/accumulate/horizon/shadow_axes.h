@@ -46,8 +46,12 @@ struct ShadowExtent {
         highAlong = std::max(highAlong, point.along);
     }
     void addBox(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 high) {
-        for (const double x : {low.x, high.x})
-            for (const double y : {low.y, high.y}) add(axes.from({x, y}));
+        const ShadowAxes::Point middle = axes.from((low + high) * 0.5);
+        const glm::dvec2 half = (high - low) * 0.5;
+        const double along = axes.swapped ? half.x : half.y, across = axes.swapped ? half.y : half.x;
+        const double q = across + std::abs(axes.k) * along;
+        add({middle.q - q, middle.along - along});
+        add({middle.q + q, middle.along + along});
     }
 };
 

@@ -4,16 +4,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <utility>
+
+#include "core/accumulate/horizon/short_sums.h"
 
 namespace noonmark {
 
 namespace {
 
-// Numbers that one task counts through all bins: their sums stay in the first-level cache.
-constexpr std::size_t numbersATask = 16'384;
+constexpr std::size_t numbersATask = ShortSums::mostNumbers;
 constexpr std::uint32_t numbersALine = 32;
 
 bool hasReceivers(const ReceiverBlocks& blocks, std::size_t first, std::size_t end) {
@@ -33,35 +32,6 @@ std::vector<Stretch> linesOfReceivers(const ReceiverBlocks& blocks, std::size_t 
     }
     return lines;
 }
-
-/// Sums of some numbers in 16 bits, for as long as they cannot overflow.
-class ShortSums {
-public:
-    ShortSums(std::size_t first, std::span<const Stretch> lines, std::uint32_t* all)
-        : first_(first), lines_(lines), all_(all) {}
-
-    void add(const SunChange& change, const HorizonCode* horizons) {
-        constexpr int mostShort = std::numeric_limits<std::int16_t>::max();
-        if (most_ + change.most() > mostShort) flush();
-        most_ += change.most();
-        for (const auto& [first, end] : lines_)
-            change.addTo(horizons + first, end - first, sums_.data() + (first - first_));
-    }
-
-    void flush() {
-        for (const auto& [first, end] : lines_)
-            for (std::size_t i = first; i < end; ++i)
-                all_[i] += std::uint32_t(int(std::exchange(sums_[i - first_], std::int16_t(0))));
-        most_ = 0;
-    }
-
-private:
-    std::size_t first_;
-    std::span<const Stretch> lines_;
-    std::uint32_t* all_;
-    int most_ = 0;
-    std::array<std::int16_t, numbersATask> sums_{};
-};
 
 }  // namespace
 

@@ -92,11 +92,24 @@ std::vector<TimedStep> randomDays(std::mt19937& random, int days, int bins) {
     return steps;
 }
 
+// Days that are taken for alike need not be.
+std::vector<DaySteps> randomOrder(std::mt19937& random, const std::vector<TimedStep>& steps) {
+    std::vector<DaySteps> days;
+    for (std::uint32_t i = 0; i < steps.size(); ++i)
+        if (steps[i].startsRun)
+            days.push_back({i, i + 1, float(random() % 5) * 0.02F});
+        else
+            days.back().end = i + 1;
+    std::ranges::sort(days, {}, &DaySteps::declination);
+    return days;
+}
+
 TEST(LongestRuns, areThoseOfAStepByStepWalk) {
     std::mt19937 random(5);
     for (int round = 0; round < 40; ++round) {
         const std::vector<RunLanes> horizons = randomHorizons(random, 130);
-        const LongestRuns runs(randomDays(random, 1 + round, 130));
+        const std::vector<TimedStep> steps = randomDays(random, 1 + round, 130);
+        const LongestRuns runs(steps, randomOrder(random, steps));
         const RunLanes longest = runs.of(horizons);
         for (std::size_t receiver = 0; receiver < lanesARun; ++receiver) {
             int run = 0, expected = 0;
