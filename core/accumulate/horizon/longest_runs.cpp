@@ -91,12 +91,15 @@ bool beats(const RunLanes& most, const RunLanes& longest) {
 // The highest horizon of every few bins beside one another.
 std::vector<RunLanes> highestOf(Horizons horizons) {
     std::vector<RunLanes> highest((horizons.size() + binsTogether - 1) / binsTogether);
-    for (RunLanes& of : highest) std::ranges::fill(of.values, noHorizon);
-    for (std::size_t bin = 0; bin < horizons.size(); ++bin)
-        for (std::size_t i = 0; i < lanesARun; ++i) {
-            std::int16_t& most = highest[bin / binsTogether].values[i];
-            most = std::max(most, horizons[bin].values[i]);
-        }
+    for (std::size_t i = 0; i < highest.size(); ++i) {
+        const std::size_t first = i * binsTogether, end = std::min(first + binsTogether, horizons.size());
+        highest[i] = horizons[first];
+        for (std::size_t bin = first + 1; bin < end; ++bin)
+            for (int half = 0; half < 2; ++half) {
+                const Shorts32 own = halves(horizons[bin])[half], most = halves(highest[i])[half];
+                halves(highest[i])[half] = own > most ? own : most;
+            }
+    }
     return highest;
 }
 

@@ -59,7 +59,7 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
 // The same sums in the same order. What is the same for a line's cells is found for all lines at once: the
 // cotangent at its first cell, and which cells the wall is before.
 [[gnu::target("avx512f")]] void raiseLines512(const WallOnBlock& wall, const BlockLines& lines,
-                                              Floats16* horizons) {
+                                              BlockHorizons& horizons) {
     constexpr int up = _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC;
     constexpr __mmask16 all = 0xFFFF;
     const __m512 zero = _mm512_setzero_ps(), shifts = _mm512_loadu_ps(lines.shifts.data());
@@ -73,7 +73,8 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
                       all, nobody,
                       _mm512_maskz_min_epi32(
                           all, cells, _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(zero, high), up)));
-    unsigned wanted = _mm512_mask_cmplt_epi32_mask(_mm512_cmplt_epi32_mask(first, cells), first, end);
+    unsigned wanted =
+        _mm512_mask_cmplt_epi32_mask(_mm512_cmplt_epi32_mask(first, cells), first, end) & horizons.peopled;
     alignas(64) std::uint32_t within[side];
     alignas(64) float cotAtFirst[side];
     _mm512_store_si512(within, _mm512_maskz_andnot_epi32(all, _mm512_maskz_sllv_epi32(all, line16, end),
@@ -87,8 +88,8 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
         const int line = std::countr_zero(wanted);
         const __m512 cot = _mm512_sub_ps(_mm512_set1_ps(cotAtFirst[line]), less);
         const __mmask16 shaded = _mm512_mask_cmp_ps_mask(__mmask16(within[line]), cot, nearest, _CMP_GT_OQ);
-        const __m512 horizon = _mm512_load_ps(horizons + line);
-        _mm512_store_ps(horizons + line,
+        const __m512 horizon = _mm512_load_ps(horizons.lines + line);
+        _mm512_store_ps(horizons.lines + line,
                         _mm512_mask_min_ps(horizon, shaded, horizon, _mm512_maskz_max_ps(all, cot, zero)));
     }
 }
@@ -146,7 +147,9 @@ NOONMARK_EVERY_ISA
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
     const Floats16 level = Floats16{} + std::numeric_limits<float>::infinity(),
                    nobody = Floats16{} + BlockHorizons::nobody;
+    horizons.peopled = 0;
     for (std::size_t line = 0; line < masks.size(); ++line) {
+        horizons.peopled |= std::uint32_t(masks[line] != 0) << line;
         const Ints16 receiver = ((Ints16{} + masks[line]) >> counting) & 1;
         horizons.lines[line] = receiver != 0 ? level : nobody;
     }
@@ -154,7 +157,7 @@ void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
 
 void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons& horizons) {
 #ifdef NOONMARK_PICKS_ISA
-    if (__builtin_cpu_supports("avx512f")) return raiseLines512(wall, lines, horizons.lines);
+    if (__builtin_cpu_supports("avx512f")) return raiseLines512(wall, lines, horizons);
 #endif
     raiseLines(wall, lines, linesOf(wall, lines), horizons.lines);
 }

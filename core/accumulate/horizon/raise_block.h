@@ -14,6 +14,7 @@ namespace noonmark {
 struct BlockHorizons {
     static constexpr float nobody = -1;  ///< of cells that are no receivers: no horizon is higher
     Floats16 lines[ReceiverBlocks::side];
+    std::uint32_t peopled = 0;  ///< lines with receivers, as bits
 };
 
 /// How q and `along` go from a block's first line to its others.

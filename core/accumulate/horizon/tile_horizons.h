@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <span>
 
@@ -23,7 +24,10 @@ public:
 
 private:
     std::size_t numbers_;
-    std::unique_ptr<HorizonCode[]> codes_;
+    struct Free {
+        void operator()(HorizonCode* codes) const { std::free(codes); }
+    };
+    std::unique_ptr<HorizonCode[], Free> codes_;
 };
 
 }  // namespace noonmark
