@@ -77,6 +77,13 @@ Ring obstaclesIn(const Footprint& footprint) {
 
 }  // namespace
 
+bool isConvex(const Footprint& footprint) {
+    const Ring& ring = footprint.outer;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (turn(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) < 0) return false;
+    return footprint.holes.empty();
+}
+
 std::vector<Ring> convexPieces(const Footprint& footprint, std::size_t mostPoints) {
     const Ring obstacles = obstaclesIn(footprint);
     std::vector<Ring> pieces;

@@ -17,17 +17,6 @@ namespace {
 
 using Kind = ShadowCaster::Kind;
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
-bool isConvex(const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const glm::dvec2 a(ring[i]), b(ring[(i + 1) % ring.size()]), c(ring[(i + 2) % ring.size()]);
-        if (cross(b - a, c - b) < 0) return false;
-    }
-    // A ring may turn left all the way and still wind twice; repaired footprints do not.
-    return true;
-}
-
 class CasterBuilder {
 public:
     CasterBuilder(const City& city, const Grid& grid) : city_(city), grid_(grid) {}
@@ -52,7 +41,7 @@ private:
             addFaces(*part.mesh);
         else if (part.topM <= 0)
             return;
-        else if (part.footprint.holes.empty() && isConvex(part.footprint.outer))
+        else if (isConvex(part.footprint))
             addConvex(part, part.footprint.outer);
         else if (stands(part))
             addPieces(part);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/accumulate/projected/cell_coordinates.h"
+#include "core/accumulate/projected/convex_pieces.h"
 #include "core/city/mesh_topology.h"
 
 namespace noonmark {
@@ -12,16 +13,6 @@ namespace noonmark {
 namespace {
 
 constexpr CellBox everywhere{glm::dvec2(-1e30), glm::dvec2(1e30)};
-
-// Repaired footprints do not wind twice.
-bool turnsLeftOnly(const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const glm::dvec2 a(ring[i]), b(ring[(i + 1) % ring.size()]), c(ring[(i + 2) % ring.size()]);
-        const glm::dvec2 before = b - a, after = c - b;
-        if (before.x * after.y - before.y * after.x < 0) return false;
-    }
-    return true;
-}
 
 class FacetBuilder {
 public:
@@ -66,7 +57,7 @@ private:
     }
 
     void addLevel(const Footprint& footprint, double z, double up) {
-        begin({0, 0, up}, {0, 0, z}, footprint.holes.empty() && turnsLeftOnly(footprint.outer));
+        begin({0, 0, up}, {0, 0, z}, isConvex(footprint));
         addRing(footprint.outer, z);
         for (const Ring& hole : footprint.holes) addRing(hole, z);
     }

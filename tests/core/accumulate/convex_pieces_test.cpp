@@ -50,6 +50,17 @@ void expectSound(const Footprint& footprint, const std::vector<Ring>& pieces, st
     EXPECT_EQ(edges, edgesOf(footprint));
 }
 
+TEST(ConvexPieces, onlyAFootprintWithoutHolesAndRightTurnsIsConvex) {
+    const Ring court = rectangle(10, 10, 20, 20);
+    EXPECT_TRUE(isConvex({rectangle(0, 0, 30, 30), {}}));
+    EXPECT_TRUE(isConvex({{{0, 0}, {15, 0}, {30, 0}, {30, 30}, {0, 30}}, {}}))
+        << "a point on a straight wall";
+    EXPECT_FALSE(isConvex({rectangle(0, 0, 30, 30), {Ring(court.rbegin(), court.rend())}}));
+    EXPECT_FALSE(isConvex({{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}}));
+    EXPECT_FALSE(isConvex({{{10, 10}, {10, 20}, {0, 20}, {0, 0}, {20, 0}, {20, 10}}, {}}))
+        << "its right turn is the first corner";
+}
+
 TEST(ConvexPieces, anLIsTwoAndACourtKeepsItsWalls) {
     const Footprint angle{{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}};
     EXPECT_EQ(convexPieces(angle, 60).size(), 2U);
