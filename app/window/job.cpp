@@ -1,8 +1,10 @@
 #include "app/window/job.h"
 
 #include <QMetaObject>
-#include <chrono>
 #include <mutex>
+
+#include "core/accumulate/partial_pace.h"
+#include "core/stopwatch.h"
 
 namespace noonmark {
 
@@ -16,13 +18,13 @@ public:
 
     [[nodiscard]] bool wants() const override {
         const std::scoped_lock lock(mutex_);
-        return !partial_ && Clock::now() >= next_;
+        return !partial_ && pace_.due(watch_.seconds());
     }
 
     void take(PartialField field) override {
         auto taken = std::make_shared<const PartialField>(std::move(field));
         const std::scoped_lock lock(mutex_);
-        next_ = Clock::now() + betweenPartials;
+        pace_.taken(watch_.seconds());
         const bool waiting = partial_ != nullptr;
         partial_ = std::move(taken);
         if (waiting) return;
@@ -41,9 +43,6 @@ public:
     }
 
 private:
-    using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::milliseconds betweenPartials{140};
-
     void passPartial() {
         std::shared_ptr<const PartialField> field;
         {
@@ -68,7 +67,8 @@ private:
     Job& job_;
     mutable std::mutex mutex_;
     std::shared_ptr<const PartialField> partial_;  // waits to be shown
-    Clock::time_point next_;                       // when another one is worth its time
+    Stopwatch watch_;
+    PartialPace pace_;
     double fraction_ = 0;
     std::string stage_;
     bool waiting_ = false;

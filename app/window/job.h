@@ -35,7 +35,7 @@ public:
 
 Q_SIGNALS:
     void progressed(double fraction, QString stage);
-    /// A running result, the newest where several came; no more than some seven a second.
+    /// A running result, the newest where several came; no more than PartialPace asks for.
     void partial(std::shared_ptr<const noonmark::PartialField> field);
 
 private:

@@ -1,16 +1,19 @@
 // Pictures while long work runs: how many a second, and the longest pause between two, over the first seconds
-// of a study of a year and of the exploration of a view at every pixel.
+// of a study of a year and of the exploration of a view at every pixel; and what watching a day costs.
 //
-//     pictures_bench [FILE or number of buildings] [seconds for each]
+//     pictures_bench [FILE or number of buildings] [seconds for each] [engine]
+//
+// Where other programs run: under nice -n -10, or the pauses are theirs.
 #include <fmt/format.h>
 
-#include <atomic>
+#include <ctime>
 #include <mutex>
 
 #include "app/input/all_engines.h"
 #include "app/window/open_city.h"
 #include "app/window/view_refinement.h"
 #include "core/accumulate/partial_field.h"
+#include "core/accumulate/partial_pace.h"
 #include "core/accumulate/surface_accrual.h"
 #include "core/accumulate/surface_rays.h"
 #include "core/stopwatch.h"
@@ -21,51 +24,84 @@ using namespace noonmark::bench;
 
 namespace {
 
-/// Takes every picture that a window would, and ends the work after a while.
+/// Takes the pictures that a window would, and ends the work after a while.
 class Onlooker final : public Progress, public PartialSink {
 public:
     explicit Onlooker(double seconds) : seconds_(seconds) {}
 
     void report(double, std::string_view) override {
-        if (watch_.seconds() > seconds_) stop_.request_stop();
+        if (tired()) stop_.request_stop();
     }
     PartialSink* partials() override { return this; }
-    [[nodiscard]] bool wants() const override { return watch_.seconds() > last_ + 0.14; }  // as in Job
+    [[nodiscard]] bool wants() const override {
+        if (tired()) stop_.request_stop();
+        const std::scoped_lock lock(mutex_);
+        return pace_.due(watch_.seconds());
+    }
     void take(PartialField) override { seen(); }
 
     void seen() {
+        const std::scoped_lock lock(mutex_);
         const double now = watch_.seconds();
-        longest_ = std::max(longest_, now - last_);
+        if (pictures_ == 0) first_ = now;
+        if (pictures_ > 0) longest_ = std::max(longest_, now - last_);
         last_ = now;
+        pace_.taken(now);
         ++pictures_;
     }
     [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
     [[nodiscard]] bool tired() const { return watch_.seconds() > seconds_; }
 
     void print(std::string_view what) const {
-        fmt::print("{:<28} {:6.1f} pictures/s, longest pause {:5.2f} s, {} in {:.1f} s\n", what,
-                   pictures_ / last_, longest_, pictures_, last_.load());
+        if (pictures_ == 0) return fmt::print("{:<28} no picture\n", what);
+        fmt::print(
+            "{:<28} {:6.1f} pictures/s, the first after {:4.2f} s, longest pause {:4.2f} s, {} in {:.1f} s\n",
+            what, (pictures_ - 1) / std::max(1e-9, last_ - first_), first_, longest_, pictures_, last_);
         std::fflush(stdout);
     }
 
 private:
     double seconds_;
+    mutable std::mutex mutex_;
     Stopwatch watch_;
-    std::stop_source stop_;
-    std::atomic<double> last_ = 0;
-    double longest_ = 0;
+    mutable std::stop_source stop_;
+    PartialPace pace_;
+    double first_ = 0, last_ = 0, longest_ = 0;
     int pictures_ = 0;
 };
 
-void study(const OpenCity& city, std::string_view engine, double seconds) {
-    const Receivers receivers = receiversOnGround(city.city(), middleOf(city.city()), {1}).value();
-    const SunSteps sun =
-        sunSteps({.days = 365, .zone = "America/New_York"}, {.place = city.city().frame.origin()}).value();
+/// A study of the middle, days of 6 h.
+struct Question {
+    Receivers receivers;
+    SunSteps sun;
+
+    Question(const City& city, int days)
+        : receivers(receiversOnGround(city, middleOf(city), {1}).value()),
+          sun(sunSteps({.days = days, .zone = "America/New_York"}, {.place = city.frame.origin()}).value()) {}
+};
+
+void picturesOf(const City& city, const Question& asked, const Accumulator& engine, std::string_view name,
+                double seconds) {
     Onlooker onlooker(seconds);
-    const auto accumulator = makeAccumulator(engine, {}, allEngines());
-    if (!accumulator) return fmt::print("{:<28} {}\n", engine, accumulator.error().text());
-    (void)(*accumulator)->accumulate(city.city(), receivers, sun, onlooker, onlooker.token());
-    onlooker.print(fmt::format("{}, a year", engine));
+    (void)engine.accumulate(city, asked.receivers, asked.sun, onlooker, onlooker.token());
+    onlooker.print(fmt::format("{}, a year", name));
+}
+
+// The same work with and without an onlooker, in turn.
+void watchingCost(const City& city, const Question& asked, const Accumulator& engine, std::string_view name) {
+    Seconds watched, alone;
+    for (int round = 0; round < 3; ++round) {
+        watched.keepBest(secondsOf([&] {
+            Onlooker onlooker(1e9);
+            (void)engine.accumulate(city, asked.receivers, asked.sun, onlooker, {});
+        }));
+        NoProgress nobody;
+        alone.keepBest(
+            secondsOf([&] { (void)engine.accumulate(city, asked.receivers, asked.sun, nobody, {}); }));
+    }
+    fmt::print("{:<28} {:.3f} s of processor time for a day, watched {:.3f} s: {:+.1f} %\n", name,
+               alone.processor, watched.processor, 100 * (watched.processor / alone.processor - 1));
+    std::fflush(stdout);
 }
 
 void explore(const std::shared_ptr<const OpenCity>& city, int days, const SurfaceEngine& engine,
@@ -93,14 +129,25 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const Surfac
 int main(int argc, char** argv) {
     const std::string name = argc > 1 ? argv[1] : "43000";
     const double seconds = argc > 2 ? std::stod(argv[2]) : 10;
+    const std::string only = argc > 3 ? argv[3] : "";
     OpenCity opened;
     opened.loaded.read.city = cityFrom(name);
     opened.arrays = std::make_shared<const CityArrays>(arraysOf(opened.city()));
     opened.picker = ScenePicker(opened.city(), RayScene::over(opened.city()).value());
     const auto city = std::make_shared<const OpenCity>(std::move(opened));
-    for (const int days : {1, 365}) {
+    for (const int days : only.empty() || only == "explore" ? std::vector{1, 365} : std::vector<int>{}) {
         explore(city, days, {std::make_shared<SurfaceRays>(city->picker.scene())}, "by rays", seconds);
         explore(city, days, {SurfaceAccrual::make({}, {}).value(), false}, "by maps", seconds);
     }
-    for (const Engine& engine : allEngines()) study(*city, engine.info.key, seconds);
+    const Question year(city->city(), 365), day(city->city(), 1);
+    for (const Engine& engine : allEngines()) {
+        if (!only.empty() && only != engine.info.key) continue;
+        const auto made = makeAccumulator(engine.info.key, {}, allEngines());
+        if (!made) {
+            fmt::print("{:<28} {}\n", engine.info.key, made.error().text());
+            continue;
+        }
+        picturesOf(city->city(), year, **made, engine.info.key, seconds);
+        watchingCost(city->city(), day, **made, engine.info.key);
+    }
 }
