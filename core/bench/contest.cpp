@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "core/accumulate/ray_reference.h"
 #include "core/bench/deadline.h"
 #include "core/bench/forecast.h"
 #include "core/bench/moments.h"
+#include "core/bench/peak_memory.h"
 #include "core/stopwatch.h"
 
 namespace noonmark::bench {
@@ -19,11 +22,15 @@ public:
         : contestant_(contestant), scene_(scene), work_(work) {}
 
     Result<void> check(const Truth& truth, double neverAboveS) {
+        if (contestant_.needed) neverAboveS = std::numeric_limits<double>::infinity();
         Deadline deadline(neverAboveS, work_.stop);
         Forecast forecast(deadline, neverAboveS);
-        const Stopwatch watch;
-        const auto field = run(forecast, deadline.token());
-        first_ = watch.seconds();
+        Result<ShadowField> field;
+        placing_.peakBytes = peakMemoryOf([&] {
+            const Stopwatch watch;
+            field = run(forecast, deadline.token());
+            first_ = watch.seconds();
+        });
         if (work_.stopped()) return cancelled();
         if (field)
             judge(errorOf(*field, truth.field, truth.receivers));
@@ -79,7 +86,29 @@ private:
     std::vector<double> seconds_;
 };
 
+Placing leftOut() { return {.refusal = "left out: there was no time for it", .tooSlow = true}; }
+
 }  // namespace
+
+double costOf(const Placing& placing) {
+    if (placing.tooSlow) return std::numeric_limits<double>::infinity();
+    return placing.medianS * (placing.runs > 1 ? 1 + placing.runs : placing.runs);
+}
+
+Result<std::vector<Placing>> contestWithin(double seconds, const std::vector<double>& costs,
+                                           const Scene& scene, std::span<const Contestant> contestants,
+                                           const Truth& truth, const Extent& extent, const Work& work) {
+    const std::vector<bool> fits = affordable(costs, seconds);
+    std::vector<Contestant> starters;
+    for (std::size_t i = 0; i < contestants.size(); ++i)
+        if (fits[i]) starters.push_back(contestants[i]);
+    auto made = contest(scene, starters, truth, extent, work);
+    if (!made) return made;
+    std::vector<Placing> placings;
+    std::size_t next = 0;
+    for (const bool starts : fits) placings.push_back(starts ? std::move((*made)[next++]) : leftOut());
+    return placings;
+}
 
 Result<std::vector<Placing>> contest(const Scene& scene, std::span<const Contestant> contestants,
                                      const Truth& truth, const Extent& extent, const Work& work) {

@@ -32,19 +32,29 @@ struct Placing {
     int runs = 0;            ///< of the median; 0: there is no time
     std::string refusal;     ///< why there is no result, or none that may be timed; empty if all is well
     bool estimated = false;  ///< the time was worked out from a part of the receivers or of the days
-    bool tooSlow = false;    ///< the refusal: it was stopped after Extent::neverAboveS
+    bool tooSlow = false;    ///< the refusal: it was stopped after Extent::neverAboveS, or left out
+    std::optional<std::uint64_t> peakBytes{};  ///< of the run that was checked (peak_memory.h)
     [[nodiscard]] bool timed() const { return runs > 0; }
 };
+
+/// What check and runs took, seconds; endless where it was too slow.
+double costOf(const Placing& placing);
 
 /// A result that is farther off than this is taken as wrong, and not timed: percent of the period, mean over
 /// the cells.
 constexpr double wrongAbovePct = 5;
 
 /// Each contestant runs once and is held against the truth; those that pass then run in turn, round after
-/// round. Extent::runs, onceAboveS and neverAboveS apply. An engine that refuses the scene takes no part;
-/// cancelled() is an error. Placings in the order of the contestants.
+/// round. Extent::runs, onceAboveS and neverAboveS apply, the last not to those that are needed. An engine
+/// that refuses the scene takes no part; cancelled() is an error. Placings in the order of the contestants.
 Result<std::vector<Placing>> contest(const Scene& scene, std::span<const Contestant> contestants,
                                      const Truth& truth, const Extent& extent, const Work& work);
+
+/// The same of those contestants that fit into `seconds` together, the cheapest first; the others are left
+/// out. `costs`: what each is expected to take.
+Result<std::vector<Placing>> contestWithin(double seconds, const std::vector<double>& costs,
+                                           const Scene& scene, std::span<const Contestant> contestants,
+                                           const Truth& truth, const Extent& extent, const Work& work);
 
 /// The ray reference's answer.
 Result<Truth> truthOf(const Scene& scene, const Receivers& receivers, const Work& work);

@@ -14,6 +14,7 @@ struct Contestant {
     std::string name;     ///< "Inverse accrual map"
     std::string setting;  ///< what is not as usual: "levels 2"; empty
     std::shared_ptr<const Accumulator> accumulator;
+    bool needed = false;  ///< its time is one that is asked for: it is let run to its end
 };
 
 /// "Inverse accrual map, levels 2"

@@ -21,8 +21,10 @@ struct Meeting {
     std::vector<Placing> placings;
 };
 
+/// `costs` and `seconds` as in contestWithin().
 Result<Meeting> meeting(const BenchSite& site, const Receivers& receivers, CivilDate date,
-                        const Extent& extent, const StartList& engines, const Work& work) {
+                        const std::vector<double>& costs, double seconds, const Extent& extent,
+                        const StartList& engines, const Work& work) {
     const auto sun = sunOver(site, date, 1, extent.hoursADay);
     if (!sun) return tl::make_unexpected(sun.error());
     const Scene scene{site.city, receivers, *sun};
@@ -30,9 +32,17 @@ Result<Meeting> meeting(const BenchSite& site, const Receivers& receivers, Civil
     if (!truth) return tl::make_unexpected(truth.error());
     Extent patient = extent;
     patient.onceAboveS = std::numeric_limits<double>::infinity();
-    return contest(scene, engines.contestants, *truth, patient, work).map([&](std::vector<Placing> placings) {
-        return Meeting{0, date, std::move(placings)};
-    });
+    return contestWithin(seconds, costs, scene, engines.contestants, *truth, patient, work)
+        .map([&](std::vector<Placing> placings) {
+            return Meeting{0, date, std::move(placings)};
+        });
+}
+
+/// What engines took in the last meeting that they took part in; those of the first one take part in any
+/// case.
+void note(std::vector<double>& costs, const Meeting& meeting) {
+    for (std::size_t i = 0; i < costs.size(); ++i)
+        if (meeting.placings[i].timed()) costs[i] = costOf(meeting.placings[i]);
 }
 
 Result<std::vector<Meeting>> meetings(const BenchSite& site, const Extent& extent, const StartList& engines,
@@ -40,13 +50,17 @@ Result<std::vector<Meeting>> meetings(const BenchSite& site, const Extent& exten
     const std::vector<CivilDate> days = randomDays(site, extent.days);
     std::vector<Meeting> all;
     Pieces pieces(work, "all engines, places and days", std::size_t(extent.positions) * days.size());
+    std::vector<double> costs(engines.contestants.size(), 0);
     for (const Region& square : randomSquares(site, extent.positions)) {
         const auto receivers = receiversOnGround(site.city, square, {}, work.stop);
         if (!receivers) return tl::make_unexpected(receivers.error());
         for (std::size_t day = 0; day < days.size(); ++day) {
             pieces.next();
-            auto one = meeting(site, *receivers, days[day], extent, engines, work);
+            const std::size_t toCome = std::size_t(extent.positions) * days.size() - all.size();
+            auto one = meeting(site, *receivers, days[day], costs,
+                               std::max(0.0, work.allowance.leftS()) / double(toCome), extent, engines, work);
             if (!one) return tl::make_unexpected(one.error());
+            note(costs, *one);
             one->position = int(all.size() / days.size()) + 1;
             all.push_back(std::move(*one));
         }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "core/bench/machine.h"
-#include "core/stopwatch.h"
 
 namespace noonmark::bench {
 
@@ -20,10 +19,12 @@ std::string siteWords(const BenchSite& site) {
 
 }  // namespace
 
-void Experiments::add(const char* title, const std::function<Result<Finding>()>& make) {
+void Experiments::add(const char* title, const Make& make, double share) {
     if (work_.stopped()) return;
+    shares_ += share;
     const Stopwatch watch;
-    Result<Finding> finding = make();
+    Result<Finding> finding =
+        make({work_.progress, work_.stop, Allowance(shares_ * budgetS_ - watch_.seconds())});
     if (!finding && isCancelled(finding.error())) return;
     if (!finding) finding = failed(title, finding.error());
     finding->seconds = watch.seconds();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/bench/extent.h"
 #include "core/bench/site.h"
 #include "core/bench/work.h"
+#include "core/stopwatch.h"
 
 namespace noonmark::bench {
 
@@ -15,9 +17,14 @@ namespace noonmark::bench {
 /// after one that was cancelled none is made.
 class Experiments {
 public:
-    explicit Experiments(const Work& work) : work_(work) {}
+    /// All of them are to end within `budgetS`.
+    explicit Experiments(const Work& work, double budgetS = std::numeric_limits<double>::infinity())
+        : work_(work), budgetS_(budgetS) {}
 
-    void add(const char* title, const std::function<Result<Finding>()>& make);
+    using Make = std::function<Result<Finding>(const Work&)>;
+    /// `share` of the budget, 0 to 1; what the experiments before it did not need comes on top, what they
+    /// took too much is missing.
+    void add(const char* title, const Make& make, double share = 1);
     /// What is said on the first page.
     void remark(const std::string& text);
 
@@ -26,6 +33,9 @@ public:
 
 private:
     const Work& work_;
+    double budgetS_;
+    Stopwatch watch_;
+    double shares_ = 0;  // of the experiments so far
     std::vector<Finding> findings_;
 };
 

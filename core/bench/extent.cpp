@@ -9,13 +9,13 @@ namespace {
 std::string wordsOf(const Extent& extent) {
     const Extent full;
     return fmt::format(
-        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; other "
-        "settings "
-        "where an engine takes less than {:g} s; what takes more than {:g} s is run once, what would take "
-        "more "
-        "than {:g} s is worked out or left out; the graph's errors on {} receivers of a place.",
+        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; what takes "
+        "more than {:g} s is run once, what would take more than {:g} s is worked out or left out; the "
+        "graph's "
+        "errors on {} receivers of a place; of other settings, places, days and resolutions what {:g} s have "
+        "room for.",
         extent.hours, full.hours, extent.positions, full.positions, extent.days, full.days, extent.hoursADay,
-        full.hoursADay, extent.settingsBelowS, extent.onceAboveS, extent.neverAboveS, extent.graphReceivers);
+        full.hoursADay, extent.onceAboveS, extent.neverAboveS, extent.graphReceivers, extent.budgetS);
 }
 
 }  // namespace
@@ -29,13 +29,13 @@ Extent quickExtent() {
     quick.positions = 2;
     quick.days = 2;
     quick.resolutions = {256, 512, 1024, 2048};
-    quick.dayCounts = {1, 7, 30, 365};
+    quick.dayCounts = {1, 30, 365};
     quick.binsDeg = {0.25, 0.5, 1, 2};
     quick.factors = {0.5, 1, 2};
     quick.hoursADay = 1;
-    quick.settingsBelowS = 0.25;
+    quick.budgetS = 250;
     quick.onceAboveS = 0.3;
-    quick.neverAboveS = 20;
+    quick.neverAboveS = 12;
     quick.sampleReceivers = 2000;
     quick.words = wordsOf(quick);
     return quick;

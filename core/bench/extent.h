@@ -24,12 +24,12 @@ struct Extent {
     std::vector<double> factors{0.25, 0.5, 1, 2, 4};
     /// Times are medians of so many runs, all that are compared in turn.
     int runs = 5;
-    /// Other settings of an engine are tried over a period where its usual ones take less than this. Seconds.
-    double settingsBelowS = std::numeric_limits<double>::infinity();
     /// What takes longer than this at first is not run again: its one run counts. Seconds.
     double onceAboveS = std::numeric_limits<double>::infinity();
     /// What is expected to take longer than this is left out, or worked out from a shorter period. Seconds.
     double neverAboveS = std::numeric_limits<double>::infinity();
+    /// Of all experiments together: what one can do without is left out where it would take longer. Seconds.
+    double budgetS = std::numeric_limits<double>::infinity();
     std::size_t sampleReceivers = 3000;  ///< for the truth over months and years
     std::string words = "Full extent.";
 };

@@ -6,10 +6,10 @@
 
 namespace noonmark::bench {
 
-/// Whether work that has done so much of itself (0 to 1) will by far not end in time: half as long again as
-/// the limit, seen once a quarter of it has passed. Work that reports nothing is let go on.
+/// Whether work that has done so much of itself (0 to 1) will by far not end in time: a fifth longer than the
+/// limit, seen once a quarter of it has passed. Work that reports nothing is let go on.
 constexpr bool hopeless(double elapsedS, double fraction, double limitS) {
-    return elapsedS > limitS / 4 && fraction > 0 && elapsedS > fraction * 1.5 * limitS;
+    return elapsedS > limitS / 4 && fraction > 0 && elapsedS > fraction * 1.2 * limitS;
 }
 
 /// Ends work before its deadline where it is hopeless.

@@ -77,6 +77,7 @@ Result<std::vector<Hour>> comparedHours(const BenchSite& site, const Extent& ext
     std::vector<Hour> hours;
     const std::vector<Region> squares = randomSquares(site, extent.graphPositions);
     Pieces pieces(work, "the direction graph's shadows", std::size_t(extent.graphHours));
+    Rationed rationed(work.allowance, 1);
     for (int position = 0; position < extent.graphPositions; ++position) {
         const auto receivers = receiversOnGround(site.city, squares[std::size_t(position)], {}, work.stop);
         if (!receivers) return tl::make_unexpected(receivers.error());
@@ -85,6 +86,7 @@ Result<std::vector<Hour>> comparedHours(const BenchSite& site, const Extent& ext
         for (int k = position; k < extent.graphHours; k += extent.graphPositions) {
             pieces.next();
             if (work.stopped()) return cancelled();
+            if (!rationed.next()) return hours;
             if (auto hour = year.compare(rays, random)) {
                 hour->position = position + 1;
                 hours.push_back(std::move(*hour));
@@ -113,7 +115,7 @@ void addComparison(Finding& finding, const std::vector<Hour>& hours) {
     finding.summary = {{"graph_area_error_mean_pct", areas.mean}, {"graph_mistagged_pct", tags.mean}};
 }
 
-Finding findingOf(const std::vector<Hour>& hours, const Extent& extent) {
+Finding findingOf(const std::vector<Hour>& hours) {
     Finding finding;
     finding.key = "graph_error";
     finding.title = "Shadows through the direction graph";
@@ -121,7 +123,7 @@ Finding findingOf(const std::vector<Hour>& hours, const Extent& extent) {
         "Rays at every minute of {} random hours at {} places, once towards the sun and once along the edge "
         "that the graph (bound 5 deg, a year of 6 h days) uses in its stead. Areas are of the receivers' "
         "area, as the paper's; mistagged is the share of cells and minutes with the wrong answer.",
-        hours.size(), extent.graphPositions);
+        hours.size(), hours.empty() ? 0 : hours.back().position);
     finding.table.columns = {
         "position",       "date",         "begin", "shadow_area_pct", "shadow_area_graph_pct",
         "area_error_pct", "mistagged_pct"};
@@ -153,7 +155,7 @@ Result<Finding> graphError(const BenchSite& site, const Extent& extent, const Wo
     const auto graph = directionGraph(*year, {});
     if (!graph) return tl::make_unexpected(graph.error());
     return comparedHours(site, extent, work, YearOfHours(*year, *graph))
-        .map([&](const std::vector<Hour>& hours) { return findingOf(hours, extent); });
+        .map([&](const std::vector<Hour>& hours) { return findingOf(hours); });
 }
 
 }  // namespace noonmark::bench

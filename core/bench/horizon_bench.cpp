@@ -38,11 +38,16 @@ Result<BenchReport> horizonBench(const BenchSite& site, const Extent& extent, co
     Extent patient = extent;  // its figures are held against targets: never from a single run
     patient.onceAboveS = std::numeric_limits<double>::infinity();
     Experiments experiments(work);
-    experiments.add("A year by the horizon sweep", [&] { return horizonYear(site, patient, engines, work); });
-    experiments.add("One day, every engine", [&] { return projectedDay(site, patient, engines, work); });
-    experiments.add("Other hours, and a tower that moves", [&] { return horizonEdits(site, extent, work); });
-    experiments.add("A tower that moves, one day", [&] { return dayEdits(site, extent, work); });
-    experiments.add("How the horizon sweep grows", [&] { return horizonScale(site, extent, work); });
+    experiments.add("A year by the horizon sweep",
+                    [&](const Work& its) { return horizonYear(site, patient, engines, its); });
+    experiments.add("One day, every engine",
+                    [&](const Work& its) { return projectedDay(site, patient, engines, its); });
+    experiments.add("Other hours, and a tower that moves",
+                    [&](const Work& its) { return horizonEdits(site, extent, its); });
+    experiments.add("A tower that moves, one day",
+                    [&](const Work& its) { return dayEdits(site, extent, its); });
+    experiments.add("How the horizon sweep grows",
+                    [&](const Work& its) { return horizonScale(site, extent, its); });
     return std::move(experiments)
         .into({.title = "The exact engines against their targets",
                .reference = "target",

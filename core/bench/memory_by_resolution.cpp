@@ -4,9 +4,6 @@
 
 #include <map>
 
-#include "core/bench/contest.h"
-#include "core/bench/peak_memory.h"
-
 namespace noonmark::bench {
 
 namespace {
@@ -26,37 +23,11 @@ const std::map<std::string, PaperMemory, std::less<>>& paperTable() {
     return table;
 }
 
-/// Bytes at the peak, nothing where the engine refused.
-std::optional<double> peakOf(const Contestant& engine, const Scene& scene, const Work& work) {
-    bool done = false;
-    NoProgress silent;
-    const auto bytes = peakMemoryOf([&] {
-        done =
-            bool(engine.accumulator->accumulate(scene.city, scene.receivers, scene.sun, silent, work.stop));
-    });
-    if (!done || !bytes) return {};
-    return double(*bytes);
-}
-
 void addTo(Finding& finding, std::size_t place, const Contestant& engine, int resolution,
-           const std::optional<double>& bytes) {
+           const std::optional<std::uint64_t>& bytes) {
     if (!bytes) return;
-    finding.table.rows.push_back({engine.engine, double(resolution), *bytes / mebibyte});
-    finding.charts[0].series[place].points.push_back({double(resolution), *bytes / mebibyte, {}});
-}
-
-Result<void> measure(Finding& finding, int resolution, const BenchSite& site, const StartList& engines,
-                     const Work& work) {
-    const auto receivers = receiversAt(site, resolution, work.stop);
-    if (!receivers) return tl::make_unexpected(receivers.error());
-    const auto sun = noonHour(site);
-    if (!sun) return tl::make_unexpected(sun.error());
-    for (std::size_t i = 0; i < engines.contestants.size(); ++i) {
-        if (work.stopped()) return cancelled();
-        addTo(finding, i, engines.contestants[i], resolution,
-              peakOf(engines.contestants[i], {site.city, *receivers, *sun}, work));
-    }
-    return {};
+    finding.table.rows.push_back({engine.engine, double(resolution), double(*bytes) / mebibyte});
+    finding.charts[0].series[place].points.push_back({double(resolution), double(*bytes) / mebibyte, {}});
 }
 
 std::string paperBytesACell(const std::string& engine) {
@@ -66,14 +37,14 @@ std::string paperBytesACell(const std::string& engine) {
 }
 
 // From the smallest to the largest resolution: what does not grow with the cells falls out.
-void addComparison(Finding& finding) {
+void addComparison(Finding& finding, int finest) {
     for (const ChartSeries& series : finding.charts[0].series) {
         if (series.points.size() < 2) continue;
         const ChartPoint &first = series.points.front(), &last = series.points.back();
         const double bytes = mebibyte * (last.y - first.y) / (last.x * last.x - first.x * first.x);
-        finding.comparisons[0].rows.push_back({series.name, fmt::format("{:.0f}", last.y),
-                                               fmt::format("{:.0f}", bytes),
-                                               paperBytesACell(series.colourOf)});
+        finding.comparisons[0].rows.push_back(
+            {series.name, fmt::format("{:.0f}{}", last.y, unlessAt(finest, last.x)),
+             fmt::format("{:.0f}", bytes), paperBytesACell(series.colourOf)});
     }
 }
 
@@ -94,7 +65,8 @@ Finding emptyFinding(const StartList& engines, const Extent& extent) {
     finding.key = "memory_by_resolution";
     finding.title = "Memory by resolution";
     finding.text =
-        "The most memory that the process held while an engine computed one hour, beyond city and receivers: "
+        "The most memory that the process held while an engine computed the hour of the page before, beyond "
+        "city and receivers: "
         "the field, and the ray scene of the buildings in reach where there is one, are in it. Bytes a cell "
         "are from the smallest to "
         "the largest resolution, so that what does not grow falls out. The paper counts maps alone.";
@@ -109,17 +81,14 @@ Finding emptyFinding(const StartList& engines, const Extent& extent) {
 
 }  // namespace
 
-Result<Finding> memoryByResolution(const BenchSite& site, const Extent& extent, const StartList& engines,
-                                   const Work& work) {
-    if (extent.resolutions.empty()) return failure("No resolution fits a square of this size");
+Finding memoryByResolution(const std::vector<ResolutionRun>& runs, const Extent& extent,
+                           const StartList& engines) {
     Finding finding = emptyFinding(engines, extent);
-    Pieces pieces(work, "memory by resolution", extent.resolutions.size());
-    for (const int resolution : extent.resolutions) {
-        pieces.next();
-        if (const auto done = measure(finding, resolution, site, engines, work); !done)
-            return tl::make_unexpected(done.error());
-    }
-    addComparison(finding);
+    for (const ResolutionRun& run : runs)
+        for (std::size_t i = 0; i < run.placings.size(); ++i)
+            if (const Placing& placing = run.placings[i]; placing.timed())
+                addTo(finding, i, engines.contestants[i], run.cellsASide, placing.peakBytes);
+    addComparison(finding, extent.resolutions.back());
     addPaper(finding, extent);
     return finding;
 }

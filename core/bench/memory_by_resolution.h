@@ -1,17 +1,14 @@
 #pragma once
 
-#include "core/bench/contestant.h"
-#include "core/bench/extent.h"
 #include "core/bench/finding.h"
-#include "core/bench/site.h"
-#include "core/bench/work.h"
+#include "core/bench/resolution_runs.h"
 
 namespace noonmark::bench {
 
-/// What engines take beyond city and receivers (paper, Table 2): the peak of the process while one engine
-/// computes the hour from noon in the middle of the city. The field, and a ray scene where an engine builds
-/// one, are in it.
-Result<Finding> memoryByResolution(const BenchSite& site, const Extent& extent, const StartList& engines,
-                                   const Work& work);
+/// What engines take beyond city and receivers (paper, Table 2), from runs that are made already: the peak of
+/// the process while one engine computed the hour from noon in the middle of the city. The field, and a ray
+/// scene where an engine builds one, are in it.
+Finding memoryByResolution(const std::vector<ResolutionRun>& runs, const Extent& extent,
+                           const StartList& engines);
 
 }  // namespace noonmark::bench

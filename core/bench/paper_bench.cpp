@@ -28,29 +28,50 @@ std::vector<SummaryFigure> paperSummary() {
 }
 
 void addPeriods(Experiments& experiments, const BenchSite& site, const Extent& extent,
-                const EngineList& engines, const Work& work) {
+                const EngineList& engines) {
     Result<std::vector<PeriodRun>> runs;
-    experiments.add("Run time against error", [&] {
+    const auto against = [&](const Work& work) {
         runs = periodRuns(site, extent, engines, work);
         return runs.map([&](const auto& made) { return timeAgainstError(made, extent); });
-    });
-    experiments.add("Time by days",
-                    [&] { return runs.map([&](const auto& made) { return timeByDays(made, extent); }); });
+    };
+    const auto byDays = [&](const Work&) {
+        return runs.map([&](const auto& made) { return timeByDays(made, extent); });
+    };
+    experiments.add("Run time against error", against, 0.42);
+    experiments.add("Time by days", byDays, 0);
 }
 
-void addAll(Experiments& experiments, const BenchSite& site, const Extent& extent, const EngineList& engines,
-            const Work& work) {
+void addResolutions(Experiments& experiments, const BenchSite& site, const Extent& extent,
+                    const StartList& engines) {
+    Result<std::vector<ResolutionRun>> runs;
+    const auto time = [&](const Work& work) {
+        runs = resolutionRuns(site, extent, engines, work);
+        return runs.map([&](const auto& made) { return timeByResolution(made, site, extent, engines); });
+    };
+    const auto memory = [&](const Work&) {
+        return runs.map([&](const auto& made) { return memoryByResolution(made, extent, engines); });
+    };
+    experiments.add("Time by resolution", time, 0.16);
+    experiments.add("Memory by resolution", memory, 0);
+}
+
+void addAll(Experiments& experiments, const BenchSite& site, const Extent& extent,
+            const EngineList& engines) {
     const StartList usual = usualEngines(engines);
-    addPeriods(experiments, site, extent, engines, work);
-    experiments.add("All engines over places and days",
-                    [&] { return engineTimes(site, extent, usual, work); });
-    experiments.add("Time by resolution", [&] { return timeByResolution(site, extent, usual, work); });
-    experiments.add("Memory by resolution", [&] { return memoryByResolution(site, extent, usual, work); });
-    experiments.add("Inverse accrual map: error by source level",
-                    [&] { return levelError(site, extent, engines, work); });
-    experiments.add("Shadows through the direction graph", [&] { return graphError(site, extent, work); });
-    experiments.add("The direction graph", [&] { return graphBound(site, extent, work); });
-    experiments.add("How straight the sun's path is", [&] { return sunLinearity(site, extent, work); });
+    addPeriods(experiments, site, extent, engines);
+    experiments.add(
+        "All engines over places and days",
+        [&](const Work& work) { return engineTimes(site, extent, usual, work); }, 0.25);
+    addResolutions(experiments, site, extent, usual);
+    experiments.add(
+        "Inverse accrual map: error by source level",
+        [&](const Work& work) { return levelError(site, extent, engines, work); }, 0.08);
+    experiments.add(
+        "Shadows through the direction graph",
+        [&](const Work& work) { return graphError(site, extent, work); }, 0.09);
+    experiments.add("The direction graph", [&](const Work& work) { return graphBound(site, extent, work); });
+    experiments.add("How straight the sun's path is",
+                    [&](const Work& work) { return sunLinearity(site, extent, work); });
     for (const std::string& absent : usual.absent) experiments.remark(absent);
 }
 
@@ -62,8 +83,8 @@ Result<BenchReport> paperBench(const BenchSite& site, const Extent& extent, cons
     const Work work{progress, stop};
     Extent fitting = extent;
     fitting.resolutions = fittingResolutions(site, extent.resolutions);
-    Experiments experiments(work);
-    addAll(experiments, site, fitting, engines, work);
+    Experiments experiments(work, extent.budgetS);
+    addAll(experiments, site, fitting, engines);
     return std::move(experiments)
         .into({.title = "The paper's experiments, run again", .summary = paperSummary()}, site, extent);
 }

@@ -3,18 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "core/accumulate/graph_accumulator.h"
 #include "core/accumulate/inverse_accrual_map.h"
+#include "core/bench/history.h"
 
 namespace noonmark::bench {
 
 namespace {
 
 constexpr const char* rayKey = "ray";
+constexpr const char* neededTitle = "Inverse accrual map";  // year_graph_speedup is its time
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// The inverse accrual map as the paper's brute force: every hour of every day anew.
 void addWithoutGraph(StartList& list) {
@@ -30,77 +33,67 @@ std::string nameOf(int days) {
     return days == 1 ? "a day" : days == 30 ? "a month" : days == 365 ? "a year" : "";
 }
 
-/// What is known of a contestant from shorter periods.
-class History {
-public:
-    void add(int days, double seconds) { periods_.push_back({days, seconds}); }
+bool isUsual(const Contestant& contestant) {
+    return contestant.setting.empty() || contestant.setting == withoutGraph;
+}
 
-    /// Seconds over so many days, where the last three periods grew almost in proportion; else 0: who knows.
-    [[nodiscard]] double expected(int days) const {
-        if (periods_.size() < 3) return 0;
-        const Period* last = &periods_.back();
-        const bool proportional = growth(last[-2], last[-1]) > 0.75 && growth(last[-1], last[0]) > 0.75;
-        return proportional ? last->seconds * days / last->days : 0;
-    }
-
-private:
-    struct Period {
-        int days = 1;
-        double seconds = 0;
-    };
-
-    /// 1: in proportion to the days; 0: not at all.
-    static double growth(const Period& from, const Period& to) {
-        return std::log(to.seconds / from.seconds) / std::log(double(to.days) / from.days);
-    }
-
-    std::vector<Period> periods_;
+/// A period with what its contests need.
+struct Arena {
+    PeriodRun run;
+    SunSteps sun;
+    Truth truth;
 };
 
-/// One period after the other, shortest first.
+/// Contests over one period after the other, shortest first.
 class Series {
 public:
     Series(const BenchSite& site, const Receivers& receivers, const Extent& extent, const Work& work)
         : site_(site), receivers_(receivers), extent_(extent), work_(work) {}
 
-    Result<PeriodRun> run(PeriodRun period, const SunSteps& sun, const StartList& engines) {
-        const Scene scene{site_.city, receivers_, sun};
-        const auto truth = truthOver(scene, period);
-        if (!truth) return tl::make_unexpected(truth.error());
-        period.contestants = engines.contestants;
-        period.placings.resize(period.contestants.size());
-        // The usual settings first: what they take decides about the others.
-        for (const bool usual : {true, false})
-            if (const auto done = compete(period, usual, scene, *truth); !done)
-                return tl::make_unexpected(done.error());
-        return period;
+    /// Of the usual settings, all of whom are wanted.
+    Result<void> competeUsual(Arena& arena) {
+        PeriodRun& period = arena.run;
+        std::vector<std::size_t> starters;
+        for (std::size_t i = 0; i < period.contestants.size(); ++i) {
+            if (!isUsual(period.contestants[i])) continue;
+            if (period.contestants[i].engine == rayKey && period.days > 1)
+                period.placings[i] = rayPlacing(arena.truth);
+            else if (std::string why = whyNot(period.contestants[i], period); !why.empty())
+                period.placings[i] = {.refusal = std::move(why), .tooSlow = true};
+            else
+                starters.push_back(i);
+        }
+        return compete(arena, starters, endless, std::vector<double>(starters.size(), 0));
+    }
+
+    /// Of as many others as take less than `seconds`.
+    Result<void> competeVaried(Arena& arena, double seconds) {
+        PeriodRun& period = arena.run;
+        std::vector<std::size_t> places;
+        std::vector<double> costs;
+        for (std::size_t i = 0; i < period.contestants.size(); ++i) {
+            if (isUsual(period.contestants[i])) continue;
+            if (const Placing* usual = usualOf(period, i); usual && usual->timed()) {
+                places.push_back(i);
+                costs.push_back(expected(*usual));
+            } else {
+                period.placings[i] = {.refusal = "left out: the usual settings take too long, or are refused",
+                                      .tooSlow = true};
+            }
+        }
+        return compete(arena, places, seconds, costs);
     }
 
 private:
-    Result<Truth> truthOver(const Scene& scene, const PeriodRun& period) const {
-        if (period.days == 1) return truthOf(scene, receivers_, work_);
-        return truthOf(scene, sampleOf(receivers_, extent_.sampleReceivers, site_.seed), work_);
-    }
-
-    Result<void> compete(PeriodRun& period, bool usual, const Scene& scene, const Truth& truth) {
+    Result<void> compete(Arena& arena, const std::vector<std::size_t>& places, double seconds,
+                         const std::vector<double>& costs) {
         std::vector<Contestant> starters;
-        std::vector<std::size_t> places;
-        for (std::size_t i = 0; i < period.contestants.size(); ++i) {
-            const Contestant& contestant = period.contestants[i];
-            if (contestant.setting.empty() != usual) continue;
-            if (contestant.engine == rayKey && period.days > 1) {
-                period.placings[i] = rayPlacing(truth);
-            } else if (std::string why = whyNot(contestant, period); !why.empty()) {
-                period.placings[i] = {.refusal = std::move(why), .tooSlow = true};
-            } else {
-                starters.push_back(contestant);
-                places.push_back(i);
-            }
-        }
-        auto placings = contest(scene, starters, truth, extent_, work_);
+        for (const std::size_t place : places) starters.push_back(arena.run.contestants[place]);
+        auto placings = contestWithin(seconds, costs, {site_.city, receivers_, arena.sun}, starters,
+                                      arena.truth, extent_, work_);
         if (!placings) return tl::make_unexpected(placings.error());
         for (std::size_t k = 0; k < places.size(); ++k)
-            period.placings[places[k]] = noted(std::move((*placings)[k]), starters[k], period);
+            arena.run.placings[places[k]] = noted(std::move((*placings)[k]), starters[k], arena.run);
         return {};
     }
 
@@ -110,15 +103,18 @@ private:
         if (slow_.contains(title)) return "left out: too slow over fewer days";
         if (const double seconds = history_[title].expected(period.days); seconds > extent_.neverAboveS)
             return fmt::format("left out: some {:.0f} s are expected", seconds);
-        if (contestant.setting.empty() || contestant.setting == withoutGraph) return {};
-        for (std::size_t i = 0; i < period.contestants.size(); ++i)
-            if (titleOf(period.contestants[i]) == contestant.name) return whyNotVaried(period.placings[i]);
         return {};
     }
 
-    [[nodiscard]] std::string whyNotVaried(const Placing& usual) const {
-        if (usual.timed() && usual.medianS < extent_.settingsBelowS) return {};
-        return "left out: the usual settings take too long, or are refused";
+    static const Placing* usualOf(const PeriodRun& period, std::size_t place) {
+        for (std::size_t i = 0; i < period.contestants.size(); ++i)
+            if (titleOf(period.contestants[i]) == period.contestants[place].name) return &period.placings[i];
+        return nullptr;
+    }
+
+    /// What check and runs of a setting will take, as far as the usual ones tell.
+    [[nodiscard]] double expected(const Placing& usual) const {
+        return usual.medianS * (usual.medianS > extent_.onceAboveS ? 1 : 1 + extent_.runs);
     }
 
     Placing noted(Placing placing, const Contestant& contestant, const PeriodRun& period) {
@@ -147,6 +143,30 @@ std::vector<PeriodRun> periodsOf(const Extent& extent) {
     return periods;
 }
 
+Result<Arena> arenaOf(PeriodRun run, const BenchSite& site, const Receivers& receivers, const Extent& extent,
+                      const StartList& engines, const Work& work) {
+    run.contestants = engines.contestants;
+    run.placings.resize(run.contestants.size());
+    auto sun = run.hours == 1 ? noonHour(site) : sunOver(site, site.date, run.days);
+    if (!sun) return tl::make_unexpected(sun.error());
+    const Receivers watched =
+        run.days == 1 ? receivers : sampleOf(receivers, extent.sampleReceivers, site.seed);
+    auto truth = truthOf({site.city, receivers, *sun}, watched, work);
+    if (!truth) return tl::make_unexpected(truth.error());
+    return Arena{std::move(run), std::move(*sun), std::move(*truth)};
+}
+
+// The usual settings of all periods first: what they leave of the time is for the others.
+Result<void> competeOver(std::vector<Arena>& arenas, Series& series, const Work& work) {
+    Pieces pieces(work, "periods from an hour to a year, other settings", arenas.size());
+    for (std::size_t i = 0; i < arenas.size(); ++i) {
+        pieces.next();
+        const double share = std::max(0.0, work.allowance.leftS()) / double(arenas.size() - i);
+        if (const auto done = series.competeVaried(arenas[i], share); !done) return done;
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<std::vector<PeriodRun>> periodRuns(const BenchSite& site, const Extent& extent,
@@ -156,17 +176,23 @@ Result<std::vector<PeriodRun>> periodRuns(const BenchSite& site, const Extent& e
     StartList usual = usualEngines(engines), varied = variedEngines(engines, extent.factors);
     addWithoutGraph(usual);
     addWithoutGraph(varied);
+    for (StartList* list : {&usual, &varied})
+        for (Contestant& contestant : list->contestants)
+            contestant.needed = titleOf(contestant) == neededTitle;
     Series series(site, *receivers, extent, work);
-    std::vector<PeriodRun> runs = periodsOf(extent);
-    Pieces pieces(work, "periods from an hour to a year", runs.size());
-    for (PeriodRun& period : runs) {
+    std::vector<Arena> arenas;
+    const std::vector<PeriodRun> periods = periodsOf(extent);
+    Pieces pieces(work, "periods from an hour to a year", periods.size());
+    for (const PeriodRun& period : periods) {
         pieces.next();
-        const auto sun = period.hours == 1 ? noonHour(site) : sunOver(site, site.date, period.days);
-        if (!sun) return tl::make_unexpected(sun.error());
-        auto run = series.run(period, *sun, period.name.empty() ? usual : varied);
-        if (!run) return tl::make_unexpected(run.error());
-        period = std::move(*run);
+        auto arena = arenaOf(period, site, *receivers, extent, period.name.empty() ? usual : varied, work);
+        if (!arena) return tl::make_unexpected(arena.error());
+        if (const auto done = series.competeUsual(*arena); !done) return tl::make_unexpected(done.error());
+        arenas.push_back(std::move(*arena));
     }
+    if (const auto done = competeOver(arenas, series, work); !done) return tl::make_unexpected(done.error());
+    std::vector<PeriodRun> runs;
+    for (Arena& arena : arenas) runs.push_back(std::move(arena.run));
     return runs;
 }
 

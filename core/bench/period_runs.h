@@ -25,8 +25,9 @@ struct PeriodRun {
 /// inverse accrual map without its direction graph.
 ///
 /// Over more than a day the truth is a sample of receivers, and the ray reference's time is worked out from
-/// it. Who was too slow over one period, or must be expected to be, is left out of the longer ones; settings
-/// that are not usual are tried where the usual ones take less than Extent::settingsBelowS.
+/// it. Who was too slow over one period, or must be expected to be, is left out of the longer ones. Of the
+/// settings that are not usual as many are tried as the allowance has room for after those that are, in each
+/// period the ones of the quickest engines first.
 Result<std::vector<PeriodRun>> periodRuns(const BenchSite& site, const Extent& extent,
                                           const EngineList& engines, const Work& work);
 

@@ -2,23 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/bench/contest.h"
-
 namespace noonmark::bench {
 
 namespace {
-
-Result<std::vector<Placing>> placingsAt(int resolution, const BenchSite& site, const Extent& extent,
-                                        const StartList& engines, const Work& work) {
-    const auto receivers = receiversAt(site, resolution, work.stop);
-    if (!receivers) return tl::make_unexpected(receivers.error());
-    const auto sun = noonHour(site);
-    if (!sun) return tl::make_unexpected(sun.error());
-    const Scene scene{site.city, *receivers, *sun};
-    const auto truth = truthOf(scene, *receivers, work);
-    if (!truth) return tl::make_unexpected(truth.error());
-    return contest(scene, engines.contestants, *truth, extent, work);
-}
 
 void addTo(Finding& finding, int resolution, const StartList& engines, const std::vector<Placing>& placings) {
     for (std::size_t i = 0; i < placings.size(); ++i) {
@@ -35,13 +21,13 @@ void addTo(Finding& finding, int resolution, const StartList& engines, const std
 }
 
 // Four times the cells from one resolution to its double.
-void addGrowth(Finding& finding) {
+void addGrowth(Finding& finding, int finest) {
     for (const ChartSeries& series : finding.charts[0].series) {
         if (series.points.size() < 2) continue;
         const ChartPoint &first = series.points.front(), &last = series.points.back();
         const double cells = (last.x * last.x) / (first.x * first.x);
         finding.comparisons[0].rows.push_back({series.name, fmt::format("{:.4f}", first.y),
-                                               fmt::format("{:.3f}", last.y),
+                                               fmt::format("{:.3f}{}", last.y, unlessAt(finest, last.x)),
                                                fmt::format("{:.1f} for {:.0f}", last.y / first.y, cells)});
     }
 }
@@ -67,18 +53,11 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent, const StartLis
 
 }  // namespace
 
-Result<Finding> timeByResolution(const BenchSite& site, const Extent& extent, const StartList& engines,
-                                 const Work& work) {
-    if (extent.resolutions.empty()) return failure("No resolution fits a square of this size");
+Finding timeByResolution(const std::vector<ResolutionRun>& runs, const BenchSite& site, const Extent& extent,
+                         const StartList& engines) {
     Finding finding = emptyFinding(site, extent, engines);
-    Pieces pieces(work, "time by resolution", extent.resolutions.size());
-    for (const int resolution : extent.resolutions) {
-        pieces.next();
-        const auto placings = placingsAt(resolution, site, extent, engines, work);
-        if (!placings) return tl::make_unexpected(placings.error());
-        addTo(finding, resolution, engines, *placings);
-    }
-    addGrowth(finding);
+    for (const ResolutionRun& run : runs) addTo(finding, run.cellsASide, engines, run.placings);
+    addGrowth(finding, extent.resolutions.back());
     return finding;
 }
 

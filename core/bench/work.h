@@ -3,14 +3,16 @@
 #include <stop_token>
 #include <string>
 
+#include "core/bench/allowance.h"
 #include "core/progress.h"
 
 namespace noonmark::bench {
 
-/// Where an experiment says how far it is, and hears that it is to stop.
+/// Where an experiment says how far it is, and hears that it is to stop, or how long it may take.
 struct Work {
     Progress& progress;
     std::stop_token stop;
+    Allowance allowance{};
 
     [[nodiscard]] bool stopped() const { return stop.stop_requested(); }
 };

@@ -99,6 +99,28 @@ TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
     EXPECT_FALSE(hopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
 }
 
+TEST_F(ContestTest, whoIsNeededIsLetEnd) {
+    extent_.neverAboveS = 0.01;
+    const std::vector<Contestant> needed{
+        {"made", "Made", "", std::make_shared<Made>(0, 0.05), /*needed=*/true}};
+    const Truth truth = truthOf(scene_, receivers_, work_).value();
+    EXPECT_TRUE(contest(scene_, needed, truth, extent_, work_).value().front().timed());
+}
+
+TEST_F(ContestTest, whoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
+    const std::vector<Contestant> three{{"a", "A", "", std::make_shared<Made>(0, 0)},
+                                        {"b", "B", "", std::make_shared<Made>(0, 0)},
+                                        {"c", "C", "", std::make_shared<Made>(1.2, 0)}};
+    const Truth truth = truthOf(scene_, receivers_, work_).value();
+    const auto placings = contestWithin(3, {1, 10, 2}, scene_, three, truth, extent_, work_).value();
+    ASSERT_EQ(placings.size(), 3U);
+    EXPECT_TRUE(placings[0].timed());
+    EXPECT_TRUE(placings[1].tooSlow);
+    EXPECT_FALSE(placings[1].timed());
+    EXPECT_NEAR(placings[2].error.areaPct, 2, 1e-4) << "the third one's";
+    EXPECT_TRUE(placings[0].peakBytes.has_value());
+}
+
 TEST_F(ContestTest, whatTakesLongIsRunOnce) {
     extent_.onceAboveS = 0.01;
     const Placing placing = placingOf(0, 0.03);

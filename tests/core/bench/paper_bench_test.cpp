@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/bench/contestant.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {
@@ -81,6 +83,42 @@ TEST_F(PaperBenchTest, errorFallsWithTheLevels) {
     const auto& series = finding("level_error").charts[0].series[0];
     ASSERT_EQ(series.points.size(), 6U);
     EXPECT_GE(series.points[0].y, series.points[2].y);
+}
+
+constexpr const char* noTime = "left out: there was no time for it";
+
+// Rows that say so.
+std::size_t leftOut(const std::string& key, const BenchReport& report) {
+    std::size_t count = 0;
+    for (const Finding& finding : report.findings)
+        for (const auto& row : finding.table.rows)
+            if (const auto* words = std::get_if<std::string>(&row.back()); finding.key == key && words)
+                count += *words == noTime ? 1 : 0;
+    return count;
+}
+
+// On a machine so slow that there is time for nothing.
+TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
+    NoProgress silent;
+    Extent extent = tests::leastExtent();
+    extent.budgetS = 0;
+    extent.resolutions = {16, 24, 32};
+    const BenchReport report = paperBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
+    EXPECT_EQ(report.findings.size(), 9U);
+    const auto json = nlohmann::ordered_json::parse(summaryJson(report));
+    for (const char* key : {"iam_vs_ray", "iam_area_error_mean_pct", "graph_edges", "graph_mistagged_pct"})
+        EXPECT_FALSE(json[key].is_null()) << key;
+    std::map<std::string, std::size_t> rows;
+    for (const Finding& finding : report.findings) rows[finding.key] = finding.table.rows.size();
+    const std::size_t engines = usualEngines(coreEngines()).contestants.size();
+    EXPECT_EQ(rows["time_by_resolution"], 3 * engines);
+    EXPECT_EQ(rows["memory_by_resolution"], 2 * engines) << "two resolutions are measured in any case";
+    EXPECT_EQ(leftOut("engine_times", report), engines) << "the second of two days";
+    EXPECT_EQ(leftOut("time_by_resolution", report), engines);
+    for (const auto& row : report.findings.front().table.rows)
+        if (const auto& setting = std::get<std::string>(row[2]); !setting.empty() && setting != "no graph") {
+            EXPECT_EQ(std::get<std::string>(row.back()), noTime) << setting;
+        }
 }
 
 TEST(PaperBench, stopsWhenAsked) {
