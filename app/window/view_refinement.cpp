@@ -1,6 +1,7 @@
 #include "app/window/view_refinement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -26,20 +27,26 @@ Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, cons
     return std::make_shared<const SunSteps>(*std::move(sun));
 }
 
-// What a coarser view knows of the points of a finer one.
-void takeOver(ExploredView& view, const ViewAnswer* coarser) {
-    const float unknown = std::numeric_limits<float>::quiet_NaN();
-    view.shadow.grossMin.assign(view.surface->points.size(), unknown);
+void knowNothing(ExploredView& view) {
+    view.shadow.grossMin.assign(view.surface->points.size(), std::numeric_limits<float>::quiet_NaN());
     view.shadow.continuousMin = view.shadow.grossMin;
-    if (!coarser) return;
-    view.daysShown = coarser->view.daysShown;
-    view.shadow.sunlitMinutesPerDay = coarser->view.shadow.sunlitMinutesPerDay;
+}
+
+// What a coarser view knows of the points of a finer one.
+void takeOver(ViewAnswer& answer, const ViewAnswer& coarser) {
+    ExploredView& view = answer.view;
+    knowNothing(view);
+    view.daysShown = coarser.view.daysShown;
+    view.shadow.sunlitMinutesPerDay = coarser.view.shadow.sunlitMinutesPerDay;
+    StepsAround around{coarser.steps, std::vector(view.surface->points.size(), StepsAround::none)};
     for (std::size_t i = 0; i < view.surface->points.size(); ++i) {
-        const auto known = coarser->view.pointAt(glm::dvec3(view.surface->points.positions[i]));
+        const auto known = coarser.view.pointAt(glm::dvec3(view.surface->points.positions[i]));
         if (!known) continue;
-        view.shadow.grossMin[i] = coarser->view.shadow.grossMin[*known];
-        view.shadow.continuousMin[i] = coarser->view.shadow.continuousMin[*known];
+        view.shadow.grossMin[i] = coarser.view.shadow.grossMin[*known];
+        view.shadow.continuousMin[i] = coarser.view.shadow.continuousMin[*known];
+        around.nearest[i] = std::uint32_t(*known);
     }
+    if (coarser.steps) answer.around = std::make_shared<const StepsAround>(std::move(around));
 }
 
 // Beyond the city nothing is known of what stands there: that ground would only seem to lie in the sun.
@@ -78,13 +85,17 @@ Result<ViewAnswer> withMore(ViewAnswer answer, const ViewQuestion& question, con
     ExploredView& view = answer.view;
     answer.turn = turnOf(answer, engine, question.turnTests);
     const Stopwatch watch;
+    EdgeMasks steps;
     const auto shadow = engine.accumulator->accumulate(
         question.city->city(), pointsOf(view.surface->points, answer.turn),
-        daysOf(*answer.sun, view.daysDone, answer.turn.days), progress, std::move(stop));
+        daysOf(*answer.sun, view.daysDone, answer.turn.days), progress, std::move(stop),
+        {answer.around.get(), answer.level == finestLevel - 1 && view.days == 1 ? &steps : nullptr});
     if (!shadow) return tl::make_unexpected(shadow.error());
     answer.turnSeconds = watch.seconds();
+    if (!steps.empty()) answer.steps = std::make_shared<const EdgeMasks>(std::move(steps));
     answer.first = false;
     join(view, answer.turn, *shadow);
+    if (isFinest(answer)) answer.around = nullptr;
     return answer;
 }
 
@@ -122,7 +133,7 @@ Result<ViewAnswer> firstAnswer(const ViewQuestion& question, const SurfaceEngine
     if (!answer) return answer;
     answer->first = true;
     answer->coarseDays = coarseDays(answer->view.surface->points.size(), *answer->sun);
-    takeOver(answer->view, nullptr);
+    knowNothing(answer->view);
     return withMore(*std::move(answer), question, engine, progress, stop);
 }
 
@@ -131,10 +142,16 @@ Result<ViewAnswer> finerAnswer(const ViewQuestion& question, const ViewAnswer& c
     auto answer = lookedAt(coarser.level + 1, question, coarser.sun, stop);
     if (!answer) return answer;
     answer->coarseDays = coarser.coarseDays;
-    takeOver(answer->view, &coarser);
+    takeOver(*answer, coarser);
     // Running results of what is done at once need something to stand on.
     if (!engine.inParts && answer->level == finestLevel) return answer;
     return withMore(*std::move(answer), question, engine, progress, stop);
+}
+
+// Where nothing is known around a point, its rest of the period is not either.
+void take(const std::vector<float>& running, bool onWhatWasKnown, std::vector<float>& shown) {
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (!onWhatWasKnown || !std::isnan(shown[i])) shown[i] = running[i];
 }
 
 }  // namespace
@@ -155,10 +172,11 @@ Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* befor
 std::optional<ViewAnswer> withRunning(const ViewAnswer& answer, const PartialField& running) {
     const ExploredView& view = answer.view;
     const bool sameTurn = view.daysDone == 0 && running.field.grossMin.size() == view.surface->points.size();
-    if (!sameTurn || running.share * view.days <= view.daysShown) return std::nullopt;
+    if (!sameTurn || (!running.wholePeriod && running.share * view.days <= view.daysShown))
+        return std::nullopt;
     ViewAnswer shown = answer;
-    shown.view.shadow.grossMin = running.field.grossMin;
-    shown.view.shadow.continuousMin = running.field.continuousMin;
+    take(running.field.grossMin, running.wholePeriod, shown.view.shadow.grossMin);
+    take(running.field.continuousMin, running.wholePeriod, shown.view.shadow.continuousMin);
     shown.view.shadow.sunlitMinutesPerDay = running.field.sunlitMinutesPerDay;
     shown.view.running = running.part;
     return shown;

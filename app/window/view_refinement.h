@@ -30,6 +30,10 @@ struct ViewAnswer {
     bool first = false;  ///< of a view
     ViewTurn turn;       ///< the last one
     double turnSeconds = 0;
+    /// Its samples step by step, and those of the coarser level around each of its samples, where the engine
+    /// works by steps and the period is one day; else null.
+    std::shared_ptr<const EdgeMasks> steps;
+    std::shared_ptr<const StepsAround> around;
 };
 
 /// What shades the samples.
@@ -55,7 +59,7 @@ Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* befor
                            const SurfaceEngine& engine, Progress& progress, std::stop_token stop);
 
 /// With a running result of the turn that follows `answer`, where that says more than the answer does: more
-/// of the period than the days behind it; else nothing.
+/// of the period than the days behind it, or all of it in finer detail; else nothing.
 std::optional<ViewAnswer> withRunning(const ViewAnswer& answer, const PartialField& running);
 
 /// Nothing is left to refine.

@@ -48,13 +48,14 @@ private:
 class GraphRun {
 public:
     GraphRun(const DirectionGraph& graph, IntervalScene& scene, const Receivers& receivers,
-             ShadowField& field, Progress& progress, std::stop_token stop)
+             ShadowField& field, Progress& progress, std::stop_token stop, const StepMemory& memory)
         : graph_(graph),
           scene_(scene),
           receivers_(receivers),
           field_(field),
           progress_(progress),
           stop_(std::move(stop)),
+          memory_(isOneDay(graph) ? memory : StepMemory{}),
           maps_(graph),
           tally_(receivers.cells.size()),
           masks_(receivers.cells.size()) {}
@@ -98,6 +99,8 @@ private:
                         [&](int steps) { sink->take(partialOf(edge, steps, leg.breaksRun, before)); }})
                  : scene_.shade(edge.sun, masks_, stop_);
         if (!done) return done;
+        if (memory_.found) memory_.found->resize(graph_.edges.size());
+        if (memory_.found) (*memory_.found)[leg.edge] = masks_;
         maps_.keep(leg.edge, tally_.addEdge(masks_, edge));
         return {};
     }
@@ -111,14 +114,12 @@ private:
     // With the first few steps of an edge; `path`: the legs before it of the day at work.
     [[nodiscard]] PartialField partialOf(const DirectionGraph::Edge& edge, int steps, bool breaksRun,
                                          std::vector<PathLeg> path) const {
-        std::vector<ShadowMask> masks = masks_;
-        for (ShadowMask& mask : masks) mask &= fullMask(steps);
         DirectionGraph::Edge some = edge;
-        some.sun.steps = steps;
+        if (!memory_.around) some.sun.steps = steps;
         IntervalTally tally = tally_;
-        const std::vector<MaskRuns> runs = tally.addEdge(masks, some);
-        path.push_back({runs, steps, breaksRun});
-        PartialField shown = partial(tally, path);
+        const std::vector<MaskRuns> runs = tally.addEdge(beginningOf(edge, steps), some);
+        path.push_back({runs, some.sun.steps, breaksRun});
+        PartialField shown = partial(std::move(tally), path);
         const double whole = double(tally_.intervals()), part = double(edge.weight) * steps / edge.sun.steps;
         shown.share = (whole + part) / double(graph_.intervals);
         shown.part = fmt::format("{} of {} sun intervals, {} of {} steps of the next", tally_.intervals(),
@@ -126,12 +127,36 @@ private:
         return shown;
     }
 
-    [[nodiscard]] PartialField partial(const IntervalTally& tally, const std::vector<PathLeg>& path) const {
-        PartialField partial{field_, double(tally.intervals()) / double(graph_.intervals), {}};
-        tally.writeTo(partial.field, receivers_, path);
-        partial.field.sunlitMinutesPerDay = double(tally.steps()) * field_.stepMinutes / field_.days;
+    // The masks at work up to a step; after it nothing, or what is known around.
+    [[nodiscard]] std::vector<ShadowMask> beginningOf(const DirectionGraph::Edge& edge, int steps) const {
+        std::vector<ShadowMask> masks(masks_.size());
+        if (memory_.around) masks = memory_.around->at(std::uint32_t(&edge - graph_.edges.data()));
+        const ShadowMask done = fullMask(steps);
+        for (std::size_t i = 0; i < masks.size(); ++i) masks[i] = (masks[i] & ~done) | (masks_[i] & done);
+        return masks;
+    }
+
+    [[nodiscard]] PartialField partial(IntervalTally tally, std::vector<PathLeg> path) const {
+        PartialField partial{field_, double(tally.intervals()) / double(graph_.intervals)};
         partial.part = fmt::format("{} of {} sun intervals", tally.intervals(), graph_.intervals);
+        const auto rest = restAround(tally, path);
+        tally.writeTo(partial.field, receivers_, path);
+        partial.wholePeriod = memory_.around != nullptr;
+        partial.field.sunlitMinutesPerDay = double(tally.steps()) * field_.stepMinutes / field_.days;
         return partial;
+    }
+
+    // Adds the intervals to come as they are known around; what the legs added point to.
+    std::vector<std::vector<MaskRuns>> restAround(IntervalTally& tally, std::vector<PathLeg>& path) const {
+        std::vector<std::vector<MaskRuns>> rest;
+        if (!memory_.around || tally.intervals() == graph_.intervals) return rest;
+        const DirectionGraph::Path& legs = graph_.paths.front();
+        for (std::size_t k = path.size(); k < legs.size(); ++k) {
+            const DirectionGraph::Edge& edge = graph_.edges[legs[k].edge];
+            rest.push_back(tally.addEdge(memory_.around->at(legs[k].edge), edge));
+            path.push_back({rest.back(), edge.sun.steps, legs[k].breaksRun});
+        }
+        return rest;
     }
 
     const DirectionGraph& graph_;
@@ -140,6 +165,7 @@ private:
     ShadowField& field_;
     Progress& progress_;
     std::stop_token stop_;
+    StepMemory memory_;
     LiveMaps maps_;
     IntervalTally tally_;
     std::vector<ShadowMask> masks_;  // of the edge at work
@@ -155,6 +181,12 @@ GraphAccumulator::GraphAccumulator(std::shared_ptr<const IntervalEngine> engine,
 Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const {
+    return accumulate(city, receivers, sun, progress, std::move(stop), {});
+}
+
+Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop, const StepMemory& memory) const {
     const auto graph = directionGraph(sun, fitting(settings_, sun.stepMinutes));
     if (!graph) return tl::make_unexpected(graph.error());
     const Stopwatch watch;
@@ -163,7 +195,7 @@ Result<ShadowField> GraphAccumulator::accumulate(const City& city, const Receive
     const double build = watch.seconds();
     ShadowField field = blankField(receivers, sun);
     const Cost untouched = field.cost;
-    GraphRun run(*graph, **scene, receivers, field, progress, stop);
+    GraphRun run(*graph, **scene, receivers, field, progress, stop, memory);
     if (const auto done = run.run(); !done) return tl::make_unexpected(done.error());
 
     field.cost = (*scene)->cost();

@@ -5,6 +5,7 @@
 #include "core/accumulate/accumulator.h"
 #include "core/accumulate/direction_graph.h"
 #include "core/accumulate/interval_engine.h"
+#include "core/accumulate/steps_around.h"
 
 namespace noonmark {
 
@@ -18,6 +19,10 @@ public:
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const override;
+    /// The same result; on the way it shows, and remembers, what `memory` says.
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop, const StepMemory& memory) const;
 
 private:
     std::shared_ptr<const IntervalEngine> engine_;

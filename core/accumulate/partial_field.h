@@ -12,8 +12,9 @@ struct PartialField {
     /// sunlitMinutesPerDay count the minutes of that part over all days of the period, so that their ratio is
     /// the share of the time done that lies in shadow; continuousMin is the longest run of the days done.
     ShadowField field;
-    double share = 0;  ///< of the whole, 0 to 1
-    std::string part;  ///< in words: "112 of 299 sun intervals", "40 of 96 tiles"
+    double share = 0;          ///< of the whole, 0 to 1
+    std::string part;          ///< in words: "112 of 299 sun intervals", "40 of 96 tiles"
+    bool wholePeriod = false;  ///< the rest of the period is as it was known around each cell
 };
 
 /// Who wants to see running results. An engine finds it at Progress::partials().

@@ -143,11 +143,17 @@ Result<std::unique_ptr<SurfaceAccrual>> SurfaceAccrual::make(const AccrualSettin
 Result<SurfaceShadow> SurfaceAccrual::accumulate(const City& city, const SurfacePoints& points,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const {
+    return accumulate(city, points, sun, progress, std::move(stop), {});
+}
+
+Result<SurfaceShadow> SurfaceAccrual::accumulate(const City& city, const SurfacePoints& points,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop, const StepMemory& memory) const {
     auto shadow = blankSurfaceShadow(points, sun);
     if (!shadow || points.size() == 0) return shadow;
     try {
         const GraphAccumulator graph(std::make_shared<SurfaceEngine>(points, settings_), graph_);
-        auto field = graph.accumulate(city, rowOf(points.size()), sun, progress, std::move(stop));
+        auto field = graph.accumulate(city, rowOf(points.size()), sun, progress, std::move(stop), memory);
         if (!field) return tl::make_unexpected(field.error());
         take(std::move(*field), *shadow);
         return shadow;

@@ -19,6 +19,10 @@ public:
     [[nodiscard]] Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
                                                    const SunSteps& sun, Progress& progress,
                                                    std::stop_token stop) const override;
+    [[nodiscard]] Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
+                                                   const SunSteps& sun, Progress& progress,
+                                                   std::stop_token stop,
+                                                   const StepMemory& memory) const override;
 
 private:
     SurfaceAccrual(const AccrualSettings& settings, const DirectionGraphSettings& graph);

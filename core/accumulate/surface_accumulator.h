@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/accumulate/shadow_field.h"
+#include "core/accumulate/steps_around.h"
 #include "core/city/city.h"
 #include "core/progress.h"
 #include "core/receivers/surface_points.h"
@@ -32,6 +33,15 @@ public:
     [[nodiscard]] virtual Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
                                                            const SunSteps& sun, Progress& progress,
                                                            std::stop_token stop) const = 0;
+
+    /// The same result. Engines that take a day as the accrual maps do remember its steps, and show running
+    /// results on the ground of a coarser view's (steps_around.h).
+    [[nodiscard]] virtual Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
+                                                           const SunSteps& sun, Progress& progress,
+                                                           std::stop_token stop,
+                                                           const StepMemory& /*memory*/) const {
+        return accumulate(city, points, sun, progress, std::move(stop));
+    }
 };
 
 /// No minutes yet, and the period's figures; what every such engine starts from. Error: positions and normals

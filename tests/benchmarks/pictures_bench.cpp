@@ -3,10 +3,11 @@
 //
 //     pictures_bench [FILE or number of buildings] [seconds for each] [engine]
 //
-// Where other programs run: under nice -n -10, or the pauses are theirs.
+// Where other programs run, the pauses are theirs.
 #include <fmt/format.h>
 
 #include <ctime>
+#include <functional>
 #include <mutex>
 
 #include "app/input/all_engines.h"
@@ -38,7 +39,10 @@ public:
         const std::scoped_lock lock(mutex_);
         return pace_.due(watch_.seconds());
     }
-    void take(PartialField) override { seen(); }
+    void take(PartialField partial) override {
+        if (!shows || shows(partial)) seen();
+    }
+    std::function<bool(const PartialField&)> shows;  ///< whether the window would; null: all
 
     void seen() {
         const std::scoped_lock lock(mutex_);
@@ -119,7 +123,11 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const Surfac
         if (isFinest(*answer)) break;
         question.sun = answer->sun;
         if (answer->turn.tests > 0) question.turnTests = turnTestsAfter(*answer);
-        answer = refined(question, &*answer, engine, onlooker, onlooker.token());
+        const ViewAnswer before = *answer;
+        onlooker.shows = [&before](const PartialField& partial) {
+            return withRunning(before, partial).has_value();
+        };
+        answer = refined(question, &before, engine, onlooker, onlooker.token());
     }
     onlooker.print(fmt::format("exploring {}, {} days", name, days));
 }

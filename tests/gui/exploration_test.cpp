@@ -172,6 +172,46 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     EXPECT_FALSE(withRunning(all[2], running)) << "of another level";
 }
 
+/// Takes every running result.
+class Onlooker final : public Progress, public PartialSink {
+public:
+    void report(double, std::string_view) override {}
+    PartialSink* partials() override { return this; }
+    [[nodiscard]] bool wants() const override { return true; }
+    void take(PartialField partial) override { seen.push_back(std::move(partial)); }
+    std::vector<PartialField> seen;
+};
+
+// A day is known already in coarser detail: what is running sharpens it, hour by hour.
+TEST_F(Refinement, ByAccrualMapsTheFinestLevelOfADaySharpensStepByStep) {
+    engine = {SurfaceAccrual::make({}, {}).value(), false};
+    const auto all = answers();
+    ASSERT_EQ(all.size(), 5U);
+    Onlooker onlooker;
+    const ViewAnswer finest = refined(question, &all[3], engine, onlooker, {}).value();
+    EXPECT_EQ(finest.view.shadow.grossMin, all[4].view.shadow.grossMin);
+    ASSERT_GT(onlooker.seen.size(), 3U);
+    const auto offBy = [&](const ExploredView& view) {
+        double off = 0;
+        for (std::size_t i = 0; i < view.shadow.grossMin.size(); ++i)
+            if (const float minutes = view.shadow.grossMin[i]; !std::isnan(minutes))
+                off += std::abs(double(minutes - finest.view.shadow.grossMin[i]));
+        return off;
+    };
+    double before = offBy(all[3].view);
+    ASSERT_GT(before, 0);
+    for (const PartialField& running : onlooker.seen) {
+        const auto shown = withRunning(all[3], running);
+        ASSERT_TRUE(shown) << running.part;
+        EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 180) << "of all of the day";
+        EXPECT_LE(offBy(shown->view), before * 1.01) << running.part;
+        EXPECT_TRUE(isSoFar(shown->view));
+        EXPECT_TRUE(detailWords(shown->view, 350).startsWith(QString::fromStdString(running.part)));
+        before = offBy(shown->view);
+    }
+    EXPECT_EQ(before, 0) << "the last one is the answer";
+}
+
 TEST_F(Refinement, SeesRoofsAndFacadesAndTheShadowOnThem) {
     const ViewAnswer finest = answers().back();
     int roofs = 0;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/accumulate/graph_accumulator.h"
@@ -172,6 +174,62 @@ TEST_F(Partials, ofAnIntervalAreTrueForTheStepsDone) {
             EXPECT_EQ(early.field.continuousMin[receivers.cells[i]], float(runs.longest));
         }
     }
+}
+
+/// A day by maps, and what its steps are.
+struct PartialsOfADay : Partials {
+    GraphAccumulator engine{ShadowAccrualMap::make({}).value(), {}};
+    StepsAround around;
+    NoProgress unwatched;
+
+    void SetUp() override {
+        Partials::SetUp();
+        const std::size_t day = 1;
+        sun = chosenDays(sun, {&day, 1});
+        EdgeMasks masks;
+        static_cast<void>(engine.accumulate(city, receivers, sun, unwatched, {}, {nullptr, &masks}).value());
+        ASSERT_EQ(masks.size(), 3U) << "two hours and a half";
+        around.masks = std::make_shared<const EdgeMasks>(std::move(masks));
+        for (std::uint32_t i = 0; i < receivers.cells.size(); ++i) around.nearest.push_back(i);
+    }
+
+    std::vector<PartialField> seenOn(const StepsAround& known) const {
+        Onlooker onlooker;
+        const StepMemory memory{&known, nullptr};
+        const ShadowField field = engine.accumulate(city, receivers, sun, onlooker, {}, memory).value();
+        NoProgress nobody;
+        expectSame(field.grossMin, fieldOf(engine, nobody).grossMin);
+        return onlooker.seen;
+    }
+};
+
+TEST_F(PartialsOfADay, standOnWhatIsKnownAround) {
+    const ShadowField truth = fieldOf(engine, unwatched);
+    const auto seen = seenOn(around);
+    ASSERT_GT(seen.size(), 6U);
+    for (const PartialField& partial : seen) {
+        EXPECT_TRUE(partial.wholePeriod);
+        EXPECT_EQ(partial.field.sunlitMinutesPerDay, 150);
+        expectSame(partial.field.grossMin, truth.grossMin);
+        expectSame(partial.field.continuousMin, truth.continuousMin);
+    }
+    EXPECT_EQ(seen.front().part, "0 of 3 sun intervals, 12 of 60 steps of the next");
+}
+
+TEST_F(PartialsOfADay, takeTheStepsToComeFromAroundAndNoOthers) {
+    EdgeMasks dark = *around.masks;
+    for (std::size_t edge = 0; edge < dark.size(); ++edge)
+        dark[edge].assign(dark[edge].size(), fullMask(edge == 2 ? 30 : 60));
+    const auto seen = seenOn({std::make_shared<const EdgeMasks>(dark), around.nearest});
+    const PartialField& hour = *std::ranges::find(seen, "1 of 3 sun intervals", &PartialField::part);
+    for (std::size_t i = 0; i < receivers.cells.size(); ++i)
+        ASSERT_EQ(hour.field.grossMin[receivers.cells[i]], float(std::popcount((*around.masks)[0][i]) + 90));
+    for (std::size_t i = 1; i < seen.size(); ++i) EXPECT_GE(seen[i].share, seen[i - 1].share);
+}
+
+TEST_F(PartialsOfADay, areOfTheStepsDoneWhereSeveralDaysAreAsked) {
+    Partials::SetUp();
+    for (const PartialField& partial : seenOn(around)) EXPECT_FALSE(partial.wholePeriod);
 }
 
 TEST_F(Partials, ofADirectionGraphAreTrueForTheIntervalsDone) {
