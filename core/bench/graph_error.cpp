@@ -77,7 +77,6 @@ Result<std::vector<Hour>> comparedHours(const BenchSite& site, const Extent& ext
     std::vector<Hour> hours;
     const std::vector<Region> squares = randomSquares(site, extent.graphPositions);
     Pieces pieces(work, "the direction graph's shadows", std::size_t(extent.graphHours));
-    Rationed rationed(work.allowance, 1);
     for (int position = 0; position < extent.graphPositions; ++position) {
         const auto receivers = receiversOnGround(site.city, squares[std::size_t(position)], {}, work.stop);
         if (!receivers) return tl::make_unexpected(receivers.error());
@@ -86,7 +85,6 @@ Result<std::vector<Hour>> comparedHours(const BenchSite& site, const Extent& ext
         for (int k = position; k < extent.graphHours; k += extent.graphPositions) {
             pieces.next();
             if (work.stopped()) return cancelled();
-            if (!rationed.next()) return hours;
             if (auto hour = year.compare(rays, random)) {
                 hour->position = position + 1;
                 hours.push_back(std::move(*hour));

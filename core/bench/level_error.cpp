@@ -152,8 +152,7 @@ Result<Finding> levelError(const BenchSite& site, const Extent& extent, const En
     std::vector<LevelErrors> hours;
     RandomHours randomHours(site, extent, work);
     Pieces pieces(work, "source levels", std::size_t(extent.hours));
-    Rationed rationed(work.allowance, 1);
-    for (int hour = 0; hour < extent.hours && !levels.empty() && rationed.next(); ++hour) {
+    for (int hour = 0; hour < extent.hours && !levels.empty(); ++hour) {
         pieces.next();
         auto errors = randomHours.next(std::size_t(hour), levels);
         if (!errors && isCancelled(errors.error())) return tl::make_unexpected(errors.error());
@@ -163,8 +162,6 @@ Result<Finding> levelError(const BenchSite& site, const Extent& extent, const En
             finding.remarks.push_back(errors.error().text());
     }
     if (hours.empty()) return finding;
-    if (int(hours.size()) < extent.hours)
-        finding.remarks.push_back(fmt::format("{} of the hours were made", hours.size()));
     addHours(finding, hours);
     addLevels(finding, hours);
     addAltitudes(finding, hours);

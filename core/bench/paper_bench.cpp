@@ -51,7 +51,7 @@ void addResolutions(Experiments& experiments, const BenchSite& site, const Exten
     const auto memory = [&](const Work&) {
         return runs.map([&](const auto& made) { return memoryByResolution(made, extent, engines); });
     };
-    experiments.add("Time by resolution", time, 0.16);
+    experiments.add("Time by resolution", time, 0.2);
     experiments.add("Memory by resolution", memory, 0);
 }
 
@@ -65,10 +65,10 @@ void addAll(Experiments& experiments, const BenchSite& site, const Extent& exten
     addResolutions(experiments, site, extent, usual);
     experiments.add(
         "Inverse accrual map: error by source level",
-        [&](const Work& work) { return levelError(site, extent, engines, work); }, 0.08);
+        [&](const Work& work) { return levelError(site, extent, engines, work); }, 0.07);
     experiments.add(
         "Shadows through the direction graph",
-        [&](const Work& work) { return graphError(site, extent, work); }, 0.09);
+        [&](const Work& work) { return graphError(site, extent, work); }, 0.04);
     experiments.add("The direction graph", [&](const Work& work) { return graphBound(site, extent, work); });
     experiments.add("How straight the sun's path is",
                     [&](const Work& work) { return sunLinearity(site, extent, work); });
