@@ -13,7 +13,8 @@ namespace {
 
 constexpr float surroundingsM = 100;
 constexpr int finestLevel = int(std::size(refinementSpacingsPx)) - 1;
-constexpr double turnSeconds = 0.12;  // leaves as much again for five pictures a second
+constexpr double coarserSamples = 0.25;  // of those of the next level
+constexpr double turnSeconds = 0.12;     // leaves as much again for five pictures a second
 
 Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, const std::stop_token& stop) {
     if (question.sun) return question.sun;
@@ -89,13 +90,13 @@ Result<ViewAnswer> withMore(ViewAnswer answer, const ViewQuestion& question, con
     const auto shadow = engine.accumulator->accumulate(
         question.city->city(), pointsOf(view.surface->points, answer.turn),
         daysOf(*answer.sun, view.daysDone, answer.turn.days), progress, std::move(stop),
-        {answer.around.get(), answer.level == finestLevel - 1 && view.days == 1 ? &steps : nullptr});
+        {answer.around.get(), answer.level < finestLevel ? &steps : nullptr});
     if (!shadow) return tl::make_unexpected(shadow.error());
     answer.turnSeconds = watch.seconds();
     if (!steps.empty()) answer.steps = std::make_shared<const EdgeMasks>(std::move(steps));
     answer.first = false;
     join(view, answer.turn, *shadow);
-    if (isFinest(answer)) answer.around = nullptr;
+    answer.around = nullptr;
     return answer;
 }
 
@@ -144,7 +145,7 @@ Result<ViewAnswer> finerAnswer(const ViewQuestion& question, const ViewAnswer& c
     answer->coarseDays = coarser.coarseDays;
     takeOver(*answer, coarser);
     // Running results of what is done at once need something to stand on.
-    if (!engine.inParts && answer->level == finestLevel) return answer;
+    if (!engine.inParts) return answer;
     return withMore(*std::move(answer), question, engine, progress, stop);
 }
 
@@ -172,8 +173,8 @@ Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* befor
 std::optional<ViewAnswer> withRunning(const ViewAnswer& answer, const PartialField& running) {
     const ExploredView& view = answer.view;
     const bool sameTurn = view.daysDone == 0 && running.field.grossMin.size() == view.surface->points.size();
-    if (!sameTurn || (!running.wholePeriod && running.share * view.days <= view.daysShown))
-        return std::nullopt;
+    const double steps = running.share * view.days, stepsBehind = coarserSamples * view.daysShown;
+    if (!sameTurn || (!running.wholePeriod && steps <= stepsBehind)) return std::nullopt;
     ViewAnswer shown = answer;
     take(running.field.grossMin, running.wholePeriod, shown.view.shadow.grossMin);
     take(running.field.continuousMin, running.wholePeriod, shown.view.shadow.continuousMin);

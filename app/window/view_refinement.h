@@ -59,7 +59,7 @@ Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* befor
                            const SurfaceEngine& engine, Progress& progress, std::stop_token stop);
 
 /// With a running result of the turn that follows `answer`, where that says more than the answer does: more
-/// of the period than the days behind it, or all of it in finer detail; else nothing.
+/// samples times days than the coarser level behind it, or all of the period in finer detail; else nothing.
 std::optional<ViewAnswer> withRunning(const ViewAnswer& answer, const PartialField& running);
 
 /// Nothing is left to refine.

@@ -11,10 +11,10 @@ public:
     /// `nowS` by any clock that never goes back, seconds.
     [[nodiscard]] bool due(double nowS) const { return nowS >= nextS_; }
 
-    /// One was taken at that time. After a longer pause the pace begins anew.
+    /// One was taken at that time. After a longer pause, or one that came unasked, the pace begins anew.
     void taken(double nowS) {
         const double lateS = nowS - nextS_;
-        nextS_ = lateS < usualS ? nextS_ + usualS : nowS + usualS;
+        nextS_ = (lateS >= 0 && lateS < usualS ? nextS_ : nowS) + usualS;
     }
 
 private:

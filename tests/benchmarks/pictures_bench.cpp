@@ -40,7 +40,9 @@ public:
         return pace_.due(watch_.seconds());
     }
     void take(PartialField partial) override {
-        if (!shows || shows(partial)) seen();
+        if (!shows || shows(partial)) return seen();
+        const std::scoped_lock lock(mutex_);
+        pace_.taken(watch_.seconds());
     }
     std::function<bool(const PartialField&)> shows;  ///< whether the window would; null: all
 
@@ -117,6 +119,7 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const Surfac
                           {.place = city->city().frame.origin()},
                           nullptr};
     Onlooker onlooker(seconds);
+    onlooker.shows = [](const PartialField&) { return false; };  // before anything is known of the view
     auto answer = refined(question, nullptr, engine, onlooker, onlooker.token());
     while (answer && !onlooker.tired()) {
         onlooker.seen();

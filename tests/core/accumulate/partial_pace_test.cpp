@@ -42,5 +42,12 @@ TEST(PartialPace, aLongPauseIsNotMadeGood) {
     EXPECT_TRUE(pace.due(10 + PartialPace::usualS));
 }
 
+TEST(PartialPace, onesThatComeUnaskedDoNotAddUp) {
+    PartialPace pace;
+    for (int i = 0; i < 10; ++i) pace.taken(1 + 0.01 * i);
+    EXPECT_FALSE(pace.due(1.1));
+    EXPECT_TRUE(pace.due(1.1 + PartialPace::usualS));
+}
+
 }  // namespace
 }  // namespace noonmark
