@@ -116,13 +116,22 @@ struct KeptHorizons::Kept {
         return swept;
     }
 
+    // Of the period's suns.
+    [[nodiscard]] double lowestTan() const {
+        double lowest = 1;
+        for (const AzimuthBin& bin : period->binned().bins)
+            lowest = std::min(lowest, double(steepnessOf(KeptBin::below(bin))));
+        return lowest / (1 - lowest);
+    }
+
     /// Takes what is new and returns what changed of it. Where the ground did nothing stays: all is swept.
     Result<WallChange> become(const City& city, const Receivers& now,
                               std::span<const std::uint32_t> changed) {
-        if (walls.sameGround(city, now) && sameCells(receivers, now, changed)) return walls.become(city);
-        auto others = KeptWalls::of(city, now);
-        if (!others) return tl::make_unexpected(others.error());
-        walls = std::move(*others);
+        if (walls.sameGround(city, now) && sameCells(receivers, now, changed))
+            return walls.become(city, lowestTan());
+        KeptWalls others = KeptWalls::of(city, now);
+        if (const auto able = others.check(lowestTan()); !able) return tl::make_unexpected(able.error());
+        walls = std::move(others);
         receivers = now;
         makeTiles();
         return WallChange{};
@@ -195,15 +204,17 @@ KeptHorizons::~KeptHorizons() = default;
 Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& receivers,
                                         KeptHorizonsSettings settings) {
     if (const auto able = checkBinWidth(settings.binDeg); !able) return tl::make_unexpected(able.error());
-    auto walls = KeptWalls::of(city, receivers);
-    if (!walls) return tl::make_unexpected(walls.error());
-    return KeptHorizons(std::make_unique<Kept>(settings, receivers, std::move(*walls)));
+    return KeptHorizons(std::make_unique<Kept>(settings, receivers, KeptWalls::of(city, receivers)));
 }
 
 Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
                                          KeptCounts counts) try {
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     kept_->begin(sun);
+    if (const auto able = kept_->walls.check(kept_->lowestTan()); !able) {
+        kept_->period.reset();
+        return tl::make_unexpected(able.error());
+    }
     std::size_t swept = 0;
     for (std::size_t i = 0; i < kept_->tiles.size() && !stop.stop_requested(); ++i) {
         ProgressShare ofTile(progress, i, kept_->tiles.size());

@@ -36,7 +36,7 @@ enum class KeptCounts {
 /// then be lost, and the next call sweeps it again.
 class KeptHorizons {
 public:
-    /// Sweeps nothing yet. Error: what the horizon sweep refuses.
+    /// Sweeps nothing yet. Error: a width out of range.
     static Result<KeptHorizons> make(const City& city, const Receivers& receivers,
                                      KeptHorizonsSettings settings = {});
     KeptHorizons(KeptHorizons&&) noexcept;
@@ -44,8 +44,9 @@ public:
     ~KeptHorizons();
 
     /// The field of a period. Sweeps the bins that are not there yet, or not for suns as low. Cost: a sweep
-    /// of those; then some 1 ns a receiver and bin whose suns are not those of the period before, and the
-    /// walk of the longest runs if these are wanted.
+    /// of those; then some 0.3 ns a receiver and bin whose suns are not those of the period before, and the
+    /// walk of the longest runs if these are wanted. Error: what the horizon sweep refuses; of what hangs
+    /// only triangles count that the period's suns may throw into the region.
     Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
                                KeptCounts counts = KeptCounts::grossAndRuns);
 

@@ -186,18 +186,18 @@ void BinEdit::write(const TileEdit& edit, std::size_t block, const BlockCodes& c
         if (differ[row] != 0) std::copy_n(codes.values + row * side, side, now + row * side);
 }
 
-// Receivers only.
+// Receivers only. Where no sun is hidden or seen that was not before, runs stay as they are.
 void BinEdit::count(const TileEdit& edit, std::size_t block, const BlockCodes& codes,
                     const ReceiverBlocks::Masks& differ) {
     const std::uint32_t first = edit.blocks.blocks()[block].first;
     const HorizonCode* now = bin_->codes.data() + first;
     ReceiverBlocks::Masks counted = edit.blocks.masks(block, false);
-    for (std::size_t row = 0; row < counted.size(); ++row) {
-        counted[row] &= differ[row];
-        if (counted[row] != 0) steps_->parts[(first + row * side) / lanesARun] = 1;
-    }
+    for (std::size_t row = 0; row < counted.size(); ++row) counted[row] &= differ[row];
+    unsigned rows = 0;
     for (const SunChange& suns : suns_)
-        suns.addDifference(now, codes.values, counted, steps_->more.data() + first);
+        rows |= suns.addDifference(now, codes.values, counted, steps_->more.data() + first);
+    for (; rows != 0; rows &= rows - 1)
+        steps_->parts[(first + std::uint32_t(std::countr_zero(rows) * side)) / lanesARun] = 1;
     if (!edit.hangs) return;
     forEachPlace(counted, [&](std::uint32_t row, std::uint32_t x) {
         const std::uint32_t cell = row * side + x;

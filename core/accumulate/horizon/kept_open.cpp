@@ -2,14 +2,25 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace noonmark {
 
-std::size_t KeptOpen::sizeOf(std::span<const std::uint64_t> owners) const {
+std::size_t KeptOpen::reaching(const Grid& grid, double lowestTan, std::span<const std::uint64_t> but) const {
+    const glm::dvec2 last(grid.columns, grid.rows);
     std::size_t size = 0;
-    for (const Group& group : groups_)
-        if (std::ranges::binary_search(owners, group.owner)) size += group.end - group.first;
+    for (const Group& group : groups_) {
+        const glm::dvec2 apart = glm::max(glm::max(group.low - last, -group.high), glm::dvec2(0));
+        const double reach = group.topM / (grid.cellM * lowestTan) + 2;
+        if (glm::length(apart) <= reach && !std::ranges::binary_search(but, group.owner))
+            size += group.end - group.first;
+    }
     return size;
+}
+
+bool KeptOpen::has(std::span<const std::uint64_t> owners) const {
+    return std::ranges::any_of(
+        groups_, [&](const Group& group) { return std::ranges::binary_search(owners, group.owner); });
 }
 
 void KeptOpen::add(std::span<const OpenTriangle> triangles, std::uint64_t owner) {
@@ -29,7 +40,7 @@ void KeptOpen::add(std::span<const OpenTriangle> triangles, std::uint64_t owner)
 
 std::vector<OpenTriangle> KeptOpen::remove(std::span<const std::uint64_t> owners) {
     std::vector<OpenTriangle> removed, kept;
-    if (sizeOf(owners) == 0) return removed;
+    if (!has(owners)) return removed;
     std::vector<Group> groups;
     for (Group group : groups_) {
         const auto triangles = of(group);

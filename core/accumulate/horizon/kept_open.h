@@ -16,8 +16,10 @@ public:
     [[nodiscard]] std::span<const OpenTriangle> all() const { return triangles_; }
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
 
-    /// Those that buildings of these owners have. `owners`: ascending.
-    [[nodiscard]] std::size_t sizeOf(std::span<const std::uint64_t> owners) const;
+    /// Those of buildings that may shade the grid's cells from suns of this tangent and higher, wherever
+    /// these stand. `but`: not of these owners, ascending.
+    [[nodiscard]] std::size_t reaching(const Grid& grid, double lowestTan,
+                                       std::span<const std::uint64_t> but = {}) const;
     void add(std::span<const OpenTriangle> triangles, std::uint64_t owner);
     std::vector<OpenTriangle> remove(std::span<const std::uint64_t> owners);
 
@@ -36,6 +38,8 @@ private:
     [[nodiscard]] std::span<const OpenTriangle> of(const Group& group) const {
         return std::span(triangles_).subspan(group.first, group.end - group.first);
     }
+
+    [[nodiscard]] bool has(std::span<const std::uint64_t> owners) const;
 
     std::vector<OpenTriangle> triangles_;
     std::vector<Group> groups_;  // in the order of the triangles

@@ -20,6 +20,11 @@ std::span<const HorizonCode> ofReceivers(const ReceiverBlocks& blocks, std::span
     return memory;
 }
 
+double tanOf(HorizonCode lowest) {
+    const double steepness = double(steepnessOf(lowest));
+    return steepness / (1 - steepness);
+}
+
 }  // namespace
 
 KeptTile::KeptTile(const Receivers& receivers, const TileBox& box, std::size_t bins)
@@ -66,6 +71,7 @@ struct KeptTile::Sweeping {
         SquareSweep squares;
         OpenSweep open;
         std::vector<HorizonCode> horizons;
+        std::vector<OpenTriangle> triangles;
     };
     tbb::enumerable_thread_specific<Memory> memory{};
 };
@@ -98,8 +104,11 @@ void KeptTile::sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) c
     sweepBin(memory.squares, walls.list(), blocks_, grounds_, bin.away, kept.lowest, sweeping.cellM,
              kept.codes, sweeping.stop);
     if (!walls.open().empty() && !sweeping.stop.stop_requested()) {
+        const ShadowAxes axes(bin.away);
+        walls.open().across(axes, extentOf(box_, axes), tanOf(kept.lowest),
+                            axes.alongPerDistance / sweeping.cellM, memory.triangles);
         const auto gaps =
-            memory.open.intervals({walls.open().all(), open_, bin.away, kept.lowest, sweeping.cellM},
+            memory.open.intervals({memory.triangles, open_, bin.away, kept.lowest, sweeping.cellM},
                                   ofReceivers(blocks_, kept.codes, memory.horizons), sweeping.stop);
         kept.gaps.assign(gaps.begin(), gaps.end());
     }

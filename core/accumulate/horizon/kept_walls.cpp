@@ -63,14 +63,15 @@ double datumOf(const Receivers& receivers) {
 
 }  // namespace
 
-Result<KeptWalls> KeptWalls::of(const City& city, const Receivers& receivers) {
+KeptWalls KeptWalls::of(const City& city, const Receivers& receivers) {
     KeptWalls walls(receivers.grid);
     walls.list_.datumM = datumOf(receivers);
     walls.terrain_ = city.terrain;
     if (city.terrain)
         walls.list_.terrain =
             std::make_shared<const TerrainEdges>(city.terrain, receivers.grid, walls.list_.datumM);
-    if (const auto change = walls.become(city); !change) return tl::make_unexpected(change.error());
+    const ChangedBuildings all = changedBuildings({}, city.buildings);
+    walls.replace(all, walls.comingOf(all.come), city.buildings);
     walls.firstOfLast_ = walls.next_;
     walls.noteBefore(false);
     return walls;
@@ -80,25 +81,38 @@ bool KeptWalls::sameGround(const City& city, const Receivers& receivers) const {
     return city.terrain == terrain_ && datumOf(receivers) == list_.datumM;
 }
 
-Result<WallChange> KeptWalls::become(const City& city) {
+Result<WallChange> KeptWalls::become(const City& city, double lowestTan) {
     const ChangedBuildings changed = changedBuildings(buildings_, city.buildings);
-    const Owners gone = ownersOf(changed.gone);
-    WallList more{.datumM = list_.datumM};
+    KeptOpen coming;
+    const Coming more = comingOf(changed.come);
+    for (const OpenTriangles::Owner& owner : more.open.owners)
+        coming.add(more.open.of(owner), owner.building);
+    const std::size_t reaching =
+        open_.reaching(grid_, lowestTan, ownersOf(changed.gone)) + coming.reaching(grid_, lowestTan);
+    if (const auto able = checkTriangles(reaching); !able) return tl::make_unexpected(able.error());
+    return replace(changed, more, city.buildings);
+}
+
+KeptWalls::Coming KeptWalls::comingOf(const Buildings& buildings) const {
+    Coming coming{{.datumM = list_.datumM}, {}};
     OpenParts parts;
-    for (std::uint32_t i = 0; i < changed.come.size(); ++i)
-        addStandingWalls(*changed.come[i], i, grid_, more, parts);
-    const std::size_t others = open_.all().size() - open_.sizeOf(gone);
-    const auto open = openTriangles(parts, grid_, list_.datumM, others);
-    if (!open) return tl::make_unexpected(open.error());
+    for (std::uint32_t i = 0; i < buildings.size(); ++i)
+        addStandingWalls(*buildings[i], i, grid_, coming.list, parts);
+    coming.open = trianglesOf(parts, grid_, list_.datumM);
+    return coming;
+}
+
+WallChange KeptWalls::replace(const ChangedBuildings& changed, Coming more, const Buildings& now) {
+    const Owners gone = ownersOf(changed.gone);
     dropLostWalls();
     const bool again = cameLast(gone);
     for (const auto& building : changed.gone) forget(building.get(), gone);
     WallChange change{.removed = remove(gone), .added = {}, .again = again};
     noteBefore(again);
-    change.added = add(std::move(more), *open);
+    change.added = add(std::move(more.list), more.open);
     firstOfLast_ = next_;
     for (const auto& building : changed.come) numbers_.emplace(building.get(), next_++);
-    takeOver(buildings_, city.buildings, changed.first);
+    takeOver(buildings_, now, changed.first);
     return change;
 }
 

@@ -31,8 +31,12 @@ struct WallChange {
 /// address: a city shares with the one it was made from what did not change.
 class KeptWalls {
 public:
-    /// Error: more that hangs than OpenTriangles take.
-    static Result<KeptWalls> of(const City& city, const Receivers& receivers);
+    static KeptWalls of(const City& city, const Receivers& receivers);
+
+    /// Error: more hangs within reach of suns of this tangent and higher than OpenTriangles take.
+    [[nodiscard]] Result<void> check(double lowestTan) const {
+        return checkTriangles(open_.reaching(grid_, lowestTan));
+    }
 
     [[nodiscard]] const WallList& list() const { return list_; }
     [[nodiscard]] const KeptOpen& open() const { return open_; }
@@ -42,8 +46,8 @@ public:
     [[nodiscard]] std::size_t buildings() const { return buildings_.size(); }
 
     /// From now on those of `city`. A comparison a building, and another 0.5 ms for 43,000 unless what goes
-    /// is what came last. After an error nothing changed.
-    Result<WallChange> become(const City& city);
+    /// is what came last. Error as of check(): then nothing changed.
+    Result<WallChange> become(const City& city, double lowestTan);
 
     /// What stands without the buildings that came last: `prisms` and more that is not sorted by place.
     [[nodiscard]] Obstacles before(std::span<const StandingPrism> prisms) const {
@@ -57,6 +61,13 @@ private:
     explicit KeptWalls(const Grid& grid) : grid_(grid) {}
     using Owners = std::vector<std::uint64_t>;  // ascending
 
+    /// Walls and what hangs of some buildings, numbered by their order.
+    struct Coming {
+        WallList list;
+        OpenTriangles open;
+    };
+    [[nodiscard]] Coming comingOf(const Buildings& buildings) const;
+    WallChange replace(const ChangedBuildings& changed, Coming more, const Buildings& now);
     [[nodiscard]] Owners ownersOf(const Buildings& buildings) const;
     WallSet add(WallList more, const OpenTriangles& open);
     WallSet remove(const Owners& owners);

@@ -17,8 +17,7 @@ void addTriangles(const Part& part, const Grid& grid, double datumM, std::vector
         triangles.push_back({corner(triangle.x), corner(triangle.y), corner(triangle.z)});
 }
 
-Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM,
-                                    std::size_t others) {
+OpenTriangles trianglesOf(const OpenParts& parts, const Grid& grid, double datumM) {
     OpenTriangles triangles;
     for (const OpenPart& open : parts) {
         const auto first = std::uint32_t(triangles.all.size());
@@ -27,12 +26,23 @@ Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, do
             triangles.owners.push_back({open.building, first, first});
         triangles.owners.back().end = std::uint32_t(triangles.all.size());
     }
-    if (triangles.all.size() + others <= OpenTriangles::most) return triangles;
+    return triangles;
+}
+
+Result<void> checkTriangles(std::size_t count) {
+    if (count <= OpenTriangles::most) return {};
     return failure(
         fmt::format("The horizon sweep takes what stands on the ground and up to {} triangles of parts that "
                     "hang, and in reach there are {}",
-                    OpenTriangles::most, triangles.all.size() + others),
+                    OpenTriangles::most, count),
         "engine", "Choose projected shadows or the ray reference");
+}
+
+Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM) {
+    OpenTriangles triangles = trianglesOf(parts, grid, datumM);
+    if (const auto able = checkTriangles(triangles.all.size()); !able)
+        return tl::make_unexpected(able.error());
+    return triangles;
 }
 
 }  // namespace noonmark

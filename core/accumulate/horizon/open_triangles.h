@@ -35,8 +35,13 @@ struct OpenTriangles {
     }
 };
 
-/// Error: more than `most` with the `others`. `parts`: those of one building side by side.
-Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM,
-                                    std::size_t others = 0);
+/// `parts`: those of one building side by side.
+OpenTriangles trianglesOf(const OpenParts& parts, const Grid& grid, double datumM);
+
+/// The same. Error: more than `most`.
+Result<OpenTriangles> openTriangles(const OpenParts& parts, const Grid& grid, double datumM);
+
+/// Error: so many are more than `most`.
+Result<void> checkTriangles(std::size_t count);
 
 }  // namespace noonmark

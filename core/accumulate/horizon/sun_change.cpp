@@ -108,12 +108,16 @@ std::size_t addMany(const HorizonCode* horizons, std::size_t count, const Table&
 
 constexpr int side = ReceiverBlocks::side;
 
-void addRow(const Table& table, const HorizonCode* before, const HorizonCode* after, unsigned mask,
+// Returns whether a sum is another now.
+bool addRow(const Table& table, const HorizonCode* before, const HorizonCode* after, unsigned mask,
             std::uint32_t* sums) {
+    bool any = false;
     for (; mask != 0; mask &= mask - 1) {
-        const int i = std::countr_zero(mask);
-        sums[i] += std::uint32_t(table.of(after[i]) - table.of(before[i]));
+        const int i = std::countr_zero(mask), more = table.of(after[i]) - table.of(before[i]);
+        sums[i] += std::uint32_t(more);
+        any |= more != 0;
     }
+    return any;
 }
 
 #ifdef NOONMARK_PICKS_ISA
@@ -129,26 +133,33 @@ void addRow(const Table& table, const HorizonCode* before, const HorizonCode* af
     counts = _mm512_maskz_srai_epi32(0xFFFF, _mm512_maskz_slli_epi32(0xFFFF, twice, 16), 16);
 }
 
-[[gnu::target("avx512f,avx512bw")]] void addRow512(const Table& table, const HorizonCode* before,
+[[gnu::target("avx512f,avx512bw")]] bool addRow512(const Table& table, const HorizonCode* before,
                                                    const HorizonCode* after, unsigned mask,
                                                    std::uint32_t* sums) {
     __m512i less, more;
     lookUpRow512(table, before, less);
     lookUpRow512(table, after, more);
+    const __mmask16 others = _mm512_mask_cmpneq_epi32_mask(__mmask16(mask), more, less);
+    if (others == 0) return false;
     const __m512i sum = _mm512_loadu_si512(sums);
-    _mm512_storeu_si512(sums, _mm512_mask_add_epi32(sum, __mmask16(mask), sum, _mm512_sub_epi32(more, less)));
+    _mm512_storeu_si512(sums, _mm512_mask_add_epi32(sum, others, sum, _mm512_sub_epi32(more, less)));
+    return true;
 }
 #endif
 
-void addDifferences(const Table& table, const HorizonCode* before, const HorizonCode* after,
-                    const ReceiverBlocks::Masks& masks, std::uint32_t* sums) {
+std::uint16_t addDifferences(const Table& table, const HorizonCode* before, const HorizonCode* after,
+                             const ReceiverBlocks::Masks& masks, std::uint32_t* sums) {
     auto add = addRow;
 #ifdef NOONMARK_PICKS_ISA
     if (__builtin_cpu_supports("avx512bw")) add = addRow512;
 #endif
-    for (std::size_t row = 0; row < masks.size(); ++row)
-        if (masks[row] != 0)
-            add(table, before + row * side, after + row * side, masks[row], sums + row * side);
+    unsigned rows = 0;
+    for (std::size_t row = 0; row < masks.size(); ++row) {
+        const std::size_t first = row * side;
+        if (masks[row] != 0 && add(table, before + first, after + first, masks[row], sums + first))
+            rows |= 1U << row;
+    }
+    return std::uint16_t(rows);
 }
 
 std::vector<HorizonCode> lacking(std::span<const HorizonCode> from, std::span<const HorizonCode> to) {
@@ -194,9 +205,9 @@ void SunChange::fill(std::span<const HorizonCode> come, std::span<const HorizonC
     std::fill(from, counts_.end(), count);
 }
 
-void SunChange::addDifference(const HorizonCode* before, const HorizonCode* after,
-                              const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const {
-    addDifferences({counts_.data(), lowest_, last_}, before, after, masks, sums);
+std::uint16_t SunChange::addDifference(const HorizonCode* before, const HorizonCode* after,
+                                       const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const {
+    return addDifferences({counts_.data(), lowest_, last_}, before, after, masks, sums);
 }
 
 void SunChange::addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const {

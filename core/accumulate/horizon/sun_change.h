@@ -27,9 +27,10 @@ public:
     void addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const;
 
     /// Of a block's cells in `masks` (row by row) adds to the sums how much more the horizons of `after`
-    /// change than those of `before`, modulo 2^32. 20 ns a row with such cells.
-    void addDifference(const HorizonCode* before, const HorizonCode* after,
-                       const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const;
+    /// change than those of `before`, modulo 2^32. Returns the rows, as bits, with sums that are others now.
+    /// 20 ns a row with such cells.
+    std::uint16_t addDifference(const HorizonCode* before, const HorizonCode* after,
+                                const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const;
 
 private:
     void fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);

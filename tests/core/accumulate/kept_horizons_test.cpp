@@ -370,6 +370,23 @@ TEST(KeptHorizons, refuseWhatTheyCannotDo) {
     EXPECT_NE(kept.change(laden, receivers, progress, {}).error().text().find("triangles"),
               std::string::npos);
     EXPECT_TRUE(sameField(changed(kept, city, receivers), fresh(city, receivers, someDays(40, 1))));
+    NoProgress silent;
+    EXPECT_FALSE(keptOf(laden, receivers).retime(someDays(40, 1), silent, {}));
+}
+
+TEST(KeptHorizons, whatHangsOutOfReachIsNotCounted) {
+    const City city = blocks(5, 2);
+    const Receivers receivers = smallRegion(city);
+    City laden = city;
+    for (int i = 0; i < 5000; ++i) laden.buildings.push_back(buildingOf({{9000, 0, 5}, {9010, 10, 10}}));
+    const SunSteps sun = someDays(40, 1);
+    const ShadowField bare = fresh(city, receivers, sun);
+    EXPECT_TRUE(sameField(fresh(laden, receivers, sun), bare));
+    KeptHorizons kept = keptOf(city, receivers);
+    retimed(kept, sun);
+    EXPECT_TRUE(sameField(changed(kept, laden, receivers), bare));
+    laden.buildings.push_back(buildingOf({{40, 0, 30}, {60, 100, 35}}));
+    EXPECT_TRUE(sameField(changed(kept, laden, receivers), fresh(laden, receivers, sun)));
 }
 
 TEST(KeptHorizons, afterAStopTheyAreWholeAgain) {
