@@ -89,7 +89,22 @@ void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
     }
     ReceiverBlocks::Masks equal;
     findEqual(gone, now, known, equal);
+    if (!edit.level) leaveOutRaised(edit, lost.block, now, equal);
     for (std::size_t line = 0; line < equal.size(); ++line) lost.masks[line] |= equal[line];
+}
+
+// Without pages nobody asks what lies behind what comes.
+void BinEdit::leaveOutRaised(const TileEdit& edit, std::size_t i, const HorizonCode* now,
+                             ReceiverBlocks::Masks& masks) {
+    if (added_.empty() || !any(masks)) return;
+    const HorizonCode* come = addedSweep_.codes(edit.blocks.blocks()[i], edit.known.masks(i, axes_.swapped),
+                                                edit.grounds.of(i, axes_.swapped));
+    if (come == nullptr) return;
+    const ReceiverBlocks::Masks all = masks;
+    forEachPlace(all, [&](std::uint32_t line, std::uint32_t place) {
+        const std::uint32_t at = line * side + place;
+        if (come[at] >= now[at]) masks[line] &= std::uint16_t(~(1U << place));
+    });
 }
 
 void BinEdit::findAgain(const TileEdit& edit) {

@@ -58,6 +58,8 @@ private:
     void findBlocks(const TileEdit& edit);
     void look(const TileEdit& edit, std::size_t block);
     void addLost(const TileEdit& edit, Lost& lost);
+    void leaveOutRaised(const TileEdit& edit, std::size_t block, const HorizonCode* now,
+                        ReceiverBlocks::Masks& masks);
     void findAgain(const TileEdit& edit);
     void findAgain(const TileEdit& edit, const Lost& lost);
     void raise(const TileEdit& edit, std::size_t block, const BlockCodes* found);
