@@ -35,6 +35,7 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
     refusal_->setStyleSheet(QStringLiteral("color: #a02410;"));
     makeView();
     auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(4, 4, 4, 4);
     column->addWidget(tables_);
     column->addWidget(view_, 1);
     column->addWidget(refusal_);
@@ -71,14 +72,16 @@ void WeightsDock::makeView() {
 
 // All columns are in sight in the narrowest dock: each as wide as what it may hold, and names take the rest.
 void WeightsDock::fitColumns() {
-    constexpr int padding = 7, leastName = 36;
-    const std::pair<int, QString> widest[] = {{WeightsModel::firstDay, QStringLiteral("28 Mar")},
-                                              {WeightsModel::lastDay, QStringLiteral("28 Mar")},
-                                              {WeightsModel::fromHour, QStringLiteral("00:00")},
-                                              {WeightsModel::toHour, QStringLiteral("00:00")},
-                                              {WeightsModel::intervalWeight, QStringLiteral("-0.25")}};
+    constexpr int padding = 8, leastName = 60;
+    const QString day = QStringLiteral("30 May"), hour = QStringLiteral("00:00");
+    const std::pair<int, QString> widest[] = {{WeightsModel::firstDay, day},
+                                              {WeightsModel::lastDay, day},
+                                              {WeightsModel::fromHour, hour},
+                                              {WeightsModel::toHour, hour},
+                                              {WeightsModel::intervalWeight, tr("Weight")}};
     QHeaderView* header = view_->horizontalHeader();
     header->setMinimumSectionSize(24);
+    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(WeightsModel::intervalName, QHeaderView::Stretch);
     int sum = leastName + view_->verticalScrollBar()->sizeHint().width() + 2 * view_->frameWidth();
