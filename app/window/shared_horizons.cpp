@@ -53,12 +53,15 @@ Result<void> SharedHorizons::setSun(const SunQuestion& question, const std::stop
 }
 
 Result<void> SharedHorizons::setGrid(const City& city, const Receivers& receivers) {
-    if (state_ && state_->grid == receivers.grid) return {};
+    // Else horizons would be swept for another period first, and then all anew.
+    if (state_ && state_->grid == receivers.grid && state_->flat == receivers.flat() &&
+        state_->city.terrain == city.terrain)
+        return {};
     state_.reset();
     counted_ = false;
     auto made = KeptHorizons::make(city, receivers, {binDeg, memoryBytes});
     if (!made) return tl::make_unexpected(made.error());
-    state_.emplace(State{*std::move(made), receivers.grid, true, city, receivers.kind});
+    state_.emplace(State{*std::move(made), receivers.grid, receivers.flat(), true, city, receivers.kind});
     ++sets_;
     return {};
 }

@@ -17,18 +17,18 @@ struct SunQuestion {
     bool operator==(const SunQuestion&) const = default;
 };
 
-/// Horizons that stay for the whole window: one set, of the grid that was asked about last, in whatever city
-/// and period. The time sliders and the live shadow of what is shaped ask it from jobs of their own: one
-/// waits for the other.
+/// Horizons that stay for the whole window: one set, of the grid and ground that were asked about last, with
+/// whatever buildings and period. The time sliders and the live shadow of what is shaped ask it from jobs of
+/// their own: one waits for the other.
 class SharedHorizons {
 public:
     /// For all horizons that stay: 800 x 800 cells take 0.6 GiB of it for the suns of a year.
     static constexpr std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     static constexpr double binDeg = 0.5;
 
-    /// What it costs is what differs from the question before: nothing is swept anew but for another grid,
-    /// for lower suns and around buildings that changed. Errors: those of KeptHorizons, a sun that is never
-    /// there, cancelled(). After any of them the next question is answered as if it were the first one.
+    /// What it costs is what differs from the question before: nothing is swept anew but for another grid or
+    /// ground, for lower suns and around buildings that changed. Errors: those of KeptHorizons, a sun that is
+    /// never there, cancelled(). After any of them the next question is answered as if it were the first one.
     Result<ShadowField> field(const City& city, const Receivers& receivers, const SunQuestion& question,
                               KeptCounts counts, Progress& progress, const std::stop_token& stop);
 
@@ -41,6 +41,7 @@ private:
     struct State {
         KeptHorizons horizons;
         Grid grid;
+        bool flat = true;    ///< of the receivers
         bool known = false;  ///< the city and the cells below are those of the horizons
         City city{};
         std::vector<CellKind> kind{};
