@@ -14,10 +14,17 @@
 
 namespace noonmark {
 
-/// 64 bytes at a time; where registers are shorter the compiler takes several.
+/// 64 bytes at a time. Where registers are shorter the compiler takes comparisons and choices apart number by
+/// number, so what must be fast there too is written as loops over lanesOf(), which it puts together by itself.
 using Floats16 = float __attribute__((vector_size(64), may_alias));
 using Ints16 = std::int32_t __attribute__((vector_size(64), may_alias));
 using Shorts32 = std::int16_t __attribute__((vector_size(64), may_alias));
+
+/// The numbers of such a vector, one by one.
+inline constexpr int lanesAVector = 16;
+inline const float* lanesOf(const Floats16& vector) { return reinterpret_cast<const float*>(&vector); }
+inline float* lanesOf(Floats16& vector) { return reinterpret_cast<float*>(&vector); }
+inline std::int32_t* lanesOf(Ints16& vector) { return reinterpret_cast<std::int32_t*>(&vector); }
 
 /// Memory that starts on a cache line.
 template <class T>

@@ -14,55 +14,76 @@ using Horizons = std::span<const RunLanes>;
 constexpr Likeness alike{.declination = 0.03F, .mostDays = 16}, alone{.declination = 0, .mostDays = 1};
 constexpr std::uint16_t binsTogether = 3;
 
-const Shorts32* halves(const RunLanes& lanes) { return reinterpret_cast<const Shorts32*>(lanes.values); }
-Shorts32* halves(RunLanes& lanes) { return reinterpret_cast<Shorts32*>(lanes.values); }
+using Shorts16 = std::int16_t __attribute__((vector_size(32), may_alias));
+using Shorts8 = std::int16_t __attribute__((vector_size(16), may_alias));
 
-[[gnu::always_inline]] inline void walk(Horizons horizons, std::span<const TimedStep> steps,
-                                        RunLanes& longest) {
-    const Shorts32 none{};
-    Shorts32 runA{}, runB{}, longestA = halves(longest)[0], longestB = halves(longest)[1];
+/// Receivers that one register holds; two are walked together.
+template <class Register>
+constexpr std::size_t together = 2 * sizeof(Register) / sizeof(std::int16_t);
+
+template <class Register>
+[[gnu::always_inline]] inline void walkSome(Horizons horizons, std::span<const TimedStep> steps,
+                                            std::size_t first, std::int16_t* longest) {
+    auto* most = reinterpret_cast<Register*>(longest + first);
+    const Register none{};
+    Register runA{}, runB{}, longestA = most[0], longestB = most[1];
     for (const TimedStep& step : steps) {
-        const Shorts32* of = halves(horizons[step.place.bin]);
+        const auto* of = reinterpret_cast<const Register*>(horizons[step.place.bin].values + first);
         if (step.startsRun) runA = runB = none;
         runA = of[0] > step.place.sun ? runA + 1 : none;
         runB = of[1] > step.place.sun ? runB + 1 : none;
         longestA = runA > longestA ? runA : longestA;
         longestB = runB > longestB ? runB : longestB;
     }
-    halves(longest)[0] = longestA;
-    halves(longest)[1] = longestB;
+    most[0] = longestA;
+    most[1] = longestB;
 }
 
-[[gnu::always_inline]] inline void bound(Horizons horizons, const DayGroup& group, RunLanes& most) {
-    const Shorts32 none{};
-    Shorts32 runA{}, runB{}, mostA{}, mostB{};
+template <class Register>
+[[gnu::always_inline]] inline void walk(Horizons horizons, std::span<const TimedStep> steps,
+                                        RunLanes& longest) {
+    for (std::size_t first = 0; first < lanesARun; first += together<Register>)
+        walkSome<Register>(horizons, steps, first, longest.values);
+}
+
+template <class Register>
+[[gnu::always_inline]] inline void boundSome(Horizons horizons, const DayGroup& group, std::size_t first,
+                                             std::int16_t* bound) {
+    const Register none{}, day = none + std::int16_t(group.longestDay);
+    Register runA{}, runB{}, mostA{}, mostB{};
     for (const SharedVisit& visit : group.visits) {
-        const Shorts32* of = halves(horizons[visit.bin]);
-        const Shorts32 litA = visit.endsRun ? none : runA, litB = visit.endsRun ? none : runB;
+        const auto* of = reinterpret_cast<const Register*>(horizons[visit.bin].values + first);
+        const Register litA = visit.endsRun ? none : runA, litB = visit.endsRun ? none : runB;
         runA = of[0] > visit.lowestSun ? runA + visit.steps : litA;
         runB = of[1] > visit.lowestSun ? runB + visit.steps : litB;
         mostA = runA > mostA ? runA : mostA;
         mostB = runB > mostB ? runB : mostB;
     }
-    const Shorts32 day = none + std::int16_t(group.longestDay);
-    halves(most)[0] = mostA < day ? mostA : day;
-    halves(most)[1] = mostB < day ? mostB : day;
+    auto* most = reinterpret_cast<Register*>(bound + first);
+    most[0] = mostA < day ? mostA : day;
+    most[1] = mostB < day ? mostB : day;
+}
+
+template <class Register>
+[[gnu::always_inline]] inline void bound(Horizons horizons, const DayGroup& group, RunLanes& most) {
+    for (std::size_t first = 0; first < lanesARun; first += together<Register>)
+        boundSome<Register>(horizons, group, first, most.values);
 }
 
 #ifdef NOONMARK_PICKS_ISA
 // 16-bit lanes want an extension that target_clones does not know.
 [[gnu::target("avx512f,avx512bw")]] void walk512(Horizons horizons, std::span<const TimedStep> steps,
                                                  RunLanes& longest) {
-    walk(horizons, steps, longest);
+    walk<Shorts32>(horizons, steps, longest);
 }
 [[gnu::target("avx2")]] void walk256(Horizons horizons, std::span<const TimedStep> steps, RunLanes& longest) {
-    walk(horizons, steps, longest);
+    walk<Shorts16>(horizons, steps, longest);
 }
 [[gnu::target("avx512f,avx512bw")]] void bound512(Horizons horizons, const DayGroup& group, RunLanes& most) {
-    bound(horizons, group, most);
+    bound<Shorts32>(horizons, group, most);
 }
 [[gnu::target("avx2")]] void bound256(Horizons horizons, const DayGroup& group, RunLanes& most) {
-    bound(horizons, group, most);
+    bound<Shorts16>(horizons, group, most);
 }
 #endif
 
@@ -71,7 +92,7 @@ void walkSteps(Horizons horizons, std::span<const TimedStep> steps, RunLanes& lo
     if (__builtin_cpu_supports("avx512bw")) return walk512(horizons, steps, longest);
     if (__builtin_cpu_supports("avx2")) return walk256(horizons, steps, longest);
 #endif
-    walk(horizons, steps, longest);
+    walk<Shorts8>(horizons, steps, longest);
 }
 
 void boundOf(Horizons horizons, const DayGroup& group, RunLanes& most) {
@@ -79,7 +100,7 @@ void boundOf(Horizons horizons, const DayGroup& group, RunLanes& most) {
     if (__builtin_cpu_supports("avx512bw")) return bound512(horizons, group, most);
     if (__builtin_cpu_supports("avx2")) return bound256(horizons, group, most);
 #endif
-    bound(horizons, group, most);
+    bound<Shorts8>(horizons, group, most);
 }
 
 bool beats(const RunLanes& most, const RunLanes& longest) {
@@ -95,10 +116,8 @@ std::vector<RunLanes> highestOf(Horizons horizons) {
         const std::size_t first = i * binsTogether, end = std::min(first + binsTogether, horizons.size());
         highest[i] = horizons[first];
         for (std::size_t bin = first + 1; bin < end; ++bin)
-            for (int half = 0; half < 2; ++half) {
-                const Shorts32 own = halves(horizons[bin])[half], most = halves(highest[i])[half];
-                halves(highest[i])[half] = own > most ? own : most;
-            }
+            for (std::size_t lane = 0; lane < lanesARun; ++lane)
+                highest[i].values[lane] = std::max(highest[i].values[lane], horizons[bin].values[lane]);
     }
     return highest;
 }

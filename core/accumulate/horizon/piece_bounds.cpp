@@ -32,6 +32,21 @@ constexpr float nearly = 1 - 1e-5F, margin = 2e-2F;
     may = _mm512_mask_cmp_ps_mask(may, _mm512_loadu_ps(lowQ), _mm512_set1_ps(sight.highQ), _CMP_LT_OQ);
     return _mm512_mask_cmp_ps_mask(may, seen, distance, _CMP_GT_OQ);
 }
+
+[[gnu::target("avx2")]] std::uint32_t mayRaise256(const float* lowQ, const float* highQ,
+                                                  const float* highAlong, const float* rise,
+                                                  const BlockSight& sight) {
+    const __m256 distance = _mm256_sub_ps(
+        _mm256_mul_ps(_mm256_sub_ps(_mm256_set1_ps(sight.lowestAlong), _mm256_loadu_ps(highAlong)),
+                      _mm256_set1_ps(nearly)),
+        _mm256_set1_ps(margin));
+    const __m256 seen = _mm256_mul_ps(_mm256_loadu_ps(rise), _mm256_set1_ps(sight.cot));
+    const __m256 across =
+        _mm256_and_ps(_mm256_cmp_ps(_mm256_loadu_ps(highQ), _mm256_set1_ps(sight.lowQ), _CMP_GT_OQ),
+                      _mm256_cmp_ps(_mm256_loadu_ps(lowQ), _mm256_set1_ps(sight.highQ), _CMP_LT_OQ));
+    return std::uint32_t(
+        _mm256_movemask_ps(_mm256_and_ps(across, _mm256_cmp_ps(seen, distance, _CMP_GT_OQ))));
+}
 #endif
 
 }  // namespace
@@ -49,18 +64,18 @@ void PieceBounds::set(std::size_t piece, float lowQ, float highQ, float highAlon
 
 std::uint32_t PieceBounds::mayRaise(std::size_t first, std::size_t end, const BlockSight& sight) const {
     const std::size_t count = end - first;
+    const float *lowQ = lowQ_.data() + first, *highQ = highQ_.data() + first,
+                *highAlong = highAlong_.data() + first, *rise = rise_.data() + first;
 #ifdef NOONMARK_PICKS_ISA
-    if (__builtin_cpu_supports("avx512f")) {
-        const std::uint32_t own = count < together ? (1U << count) - 1 : 0xFFFFU;
-        return own & mayRaise512(lowQ_.data() + first, highQ_.data() + first, highAlong_.data() + first,
-                                 rise_.data() + first, sight);
-    }
+    const std::uint32_t own = count < together ? (1U << count) - 1 : 0xFFFFU;
+    if (__builtin_cpu_supports("avx512f")) return own & mayRaise512(lowQ, highQ, highAlong, rise, sight);
+    if (__builtin_cpu_supports("avx2"))
+        return own & (mayRaise256(lowQ, highQ, highAlong, rise, sight) |
+                      mayRaise256(lowQ + 8, highQ + 8, highAlong + 8, rise + 8, sight) << 8);
 #endif
     std::uint32_t may = 0;
     for (std::size_t i = 0; i < together && i < count; ++i)
-        may |= std::uint32_t(mayRaiseOne(lowQ_[first + i], highQ_[first + i], highAlong_[first + i],
-                                         rise_[first + i], sight))
-               << i;
+        may |= std::uint32_t(mayRaiseOne(lowQ[i], highQ[i], highAlong[i], rise[i], sight)) << i;
     return may;
 }
 

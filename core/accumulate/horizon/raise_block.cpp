@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 #include <limits>
 
@@ -15,36 +14,37 @@ namespace noonmark {
 
 namespace {
 
-constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+[[maybe_unused]] constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr int side = ReceiverBlocks::side;
 
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
-                                             Floats16& horizon) {
+                                             float* horizon) {
     const float low = wall.low - shift, high = wall.high - shift;
     const float distance = (wall.along + along) - wall.slope * low;
-    const Floats16 cot = distance * wall.perRise - wall.slope * wall.perRise * places;
-    const Floats16 behind = cot > 0 ? cot : Floats16{};
-    const Ints16 shaded = (places + low >= 0) & (places + high < 0) & (cot > wall.nearest * wall.perRise);
-    horizon = shaded & (behind < horizon) ? behind : horizon;
+    const float cotAtFirst = distance * wall.perRise, less = wall.slope * wall.perRise,
+                nearest = wall.nearest * wall.perRise;
+    for (int i = 0; i < side; ++i) {
+        const float cot = cotAtFirst - less * float(i), behind = cot > 0 ? cot : 0;
+        const bool shaded = (float(i) + low >= 0) & (float(i) + high < 0) & (cot > nearest);
+        horizon[i] = shaded & (behind < horizon[i]) ? behind : horizon[i];
+    }
 }
 
 NOONMARK_EVERY_ISA
 void raiseLines(const WallOnBlock& wall, const BlockLines& lines, LineRange range, Floats16* horizons) {
     for (int line = range.first; line < range.end; ++line)
-        raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)], horizons[line]);
+        raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)],
+                  lanesOf(horizons[line]));
 }
 
 NOONMARK_EVERY_ISA
 void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {
-    using Shorts16 = std::int16_t __attribute__((vector_size(32), may_alias));
-    for (std::size_t line = 0; line < std::size(horizons.lines); ++line) {
-        const Floats16 of = horizons.lines[line], cot = of > 0 ? of : Floats16{};
-        const Ints16 level = __builtin_convertvector(float(steepnessLevels) / (1 + cot), Ints16);
-        const Ints16 most = Ints16{} + (steepnessLevels - 1);
-        const Ints16 code = (level < most ? level : most) + int(noHorizon);
-        const Ints16 kept = (code > int(lowest)) & (of >= 0) ? code : Ints16{} + int(noHorizon);
-        *reinterpret_cast<Shorts16*>(codes + line * side) = __builtin_convertvector(kept, Shorts16);
+    const float* cots = lanesOf(horizons.lines[0]);
+    for (int i = 0; i < ReceiverBlocks::cells; ++i) {
+        const float cot = cots[i] > 0 ? cots[i] : 0;
+        const int level = int(float(steepnessLevels) / (1 + cot));
+        const int code = std::min(level, steepnessLevels - 1) + int(noHorizon);
+        codes[i] = (code > int(lowest)) & (cots[i] >= 0) ? HorizonCode(code) : noHorizon;
     }
 }
 
@@ -55,42 +55,62 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
     return values[0];
 }
 
+NOONMARK_EVERY_ISA
+float lowestOfAny(const BlockHorizons& horizons) {
+    float lowest[side];
+    std::copy_n(lanesOf(horizons.lines[0]), side, lowest);
+    for (const Floats16& line : horizons.lines)
+        for (int i = 0; i < side; ++i) lowest[i] = std::max(lowest[i], lanesOf(line)[i]);
+    return highestOf(lowest);
+}
+
 #ifdef NOONMARK_PICKS_ISA
-// The same sums in the same order. What is the same for a line's cells is found for all lines at once: the
-// cotangent at its first cell, and which cells the wall is before.
-[[gnu::target("avx512f")]] void raiseLines512(const WallOnBlock& wall, const BlockLines& lines,
-                                              BlockHorizons& horizons) {
+// What is the same for a line's cells, found for all lines at once.
+struct WallBeforeLines {
+    alignas(64) std::uint32_t cells[side];  // that the wall is before, as bits
+    alignas(64) float cotAtFirst[side];     // of the horizon at the line's first cell
+    unsigned lines;                         // with such cells, as bits
+};
+
+// The place of a line's first cell that is not below this one: 0 to 16.
+[[gnu::target("avx512f")]] inline __m512i placeFrom(__m512 q) {
     constexpr int up = _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC;
     constexpr __mmask16 all = 0xFFFF;
-    const __m512 zero = _mm512_setzero_ps(), shifts = _mm512_loadu_ps(lines.shifts.data());
+    const __m512i place = _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(_mm512_setzero_ps(), q), up);
+    return _mm512_maskz_max_epi32(all, _mm512_setzero_si512(),
+                                  _mm512_maskz_min_epi32(all, _mm512_set1_epi32(side), place));
+}
+
+[[gnu::target("avx512f")]] inline void findLines(const WallOnBlock& wall, const BlockLines& lines,
+                                                 WallBeforeLines& before) {
+    constexpr __mmask16 all = 0xFFFF;
+    const __m512 shifts = _mm512_loadu_ps(lines.shifts.data());
     const __m512 low = _mm512_sub_ps(_mm512_set1_ps(wall.low), shifts),
                  high = _mm512_sub_ps(_mm512_set1_ps(wall.high), shifts);
-    const __m512i nobody = _mm512_setzero_si512(), cells = _mm512_set1_epi32(side),
-                  line16 = _mm512_set1_epi32(all);
-    const __m512i first = _mm512_maskz_max_epi32(
-                      all, nobody, _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(zero, low), up)),
-                  end = _mm512_maskz_max_epi32(
-                      all, nobody,
-                      _mm512_maskz_min_epi32(
-                          all, cells, _mm512_maskz_cvt_roundps_epi32(all, _mm512_sub_ps(zero, high), up)));
-    unsigned wanted =
-        _mm512_mask_cmplt_epi32_mask(_mm512_cmplt_epi32_mask(first, cells), first, end) & horizons.peopled;
-    alignas(64) std::uint32_t within[side];
-    alignas(64) float cotAtFirst[side];
-    _mm512_store_si512(within, _mm512_maskz_andnot_epi32(all, _mm512_maskz_sllv_epi32(all, line16, end),
-                                                         _mm512_maskz_sllv_epi32(all, line16, first)));
+    const __m512i first = placeFrom(low), end = placeFrom(high), line16 = _mm512_set1_epi32(all);
+    before.lines = _mm512_cmplt_epi32_mask(first, end);
+    _mm512_store_si512(before.cells, _mm512_maskz_andnot_epi32(all, _mm512_maskz_sllv_epi32(all, line16, end),
+                                                               _mm512_maskz_sllv_epi32(all, line16, first)));
     const __m512 along = _mm512_add_ps(_mm512_set1_ps(wall.along), _mm512_loadu_ps(lines.alongs.data()));
-    const __m512 slope = _mm512_set1_ps(wall.slope), perRise = _mm512_set1_ps(wall.perRise);
-    _mm512_store_ps(cotAtFirst, _mm512_mul_ps(_mm512_sub_ps(along, _mm512_mul_ps(slope, low)), perRise));
-    const __m512 less = _mm512_mul_ps(_mm512_mul_ps(slope, perRise), _mm512_load_ps(&places)),
-                 nearest = _mm512_set1_ps(wall.nearest * wall.perRise);
-    for (; wanted != 0; wanted &= wanted - 1) {
+    const __m512 distance = _mm512_sub_ps(along, _mm512_mul_ps(_mm512_set1_ps(wall.slope), low));
+    _mm512_store_ps(before.cotAtFirst, _mm512_mul_ps(distance, _mm512_set1_ps(wall.perRise)));
+}
+
+// The same sums in the same order as raiseLine().
+[[gnu::target("avx512f")]] void raiseLines512(const WallOnBlock& wall, const BlockLines& lines,
+                                              BlockHorizons& horizons) {
+    WallBeforeLines before;
+    findLines(wall, lines, before);
+    const __m512 zero = _mm512_setzero_ps(), nearest = _mm512_set1_ps(wall.nearest * wall.perRise);
+    const __m512 less = _mm512_mul_ps(_mm512_set1_ps(wall.slope * wall.perRise), _mm512_load_ps(&places));
+    for (unsigned wanted = before.lines & horizons.peopled; wanted != 0; wanted &= wanted - 1) {
         const int line = std::countr_zero(wanted);
-        const __m512 cot = _mm512_sub_ps(_mm512_set1_ps(cotAtFirst[line]), less);
-        const __mmask16 shaded = _mm512_mask_cmp_ps_mask(__mmask16(within[line]), cot, nearest, _CMP_GT_OQ);
-        const __m512 horizon = _mm512_load_ps(horizons.lines + line);
-        _mm512_store_ps(horizons.lines + line,
-                        _mm512_mask_min_ps(horizon, shaded, horizon, _mm512_maskz_max_ps(all, cot, zero)));
+        const __m512 cot = _mm512_sub_ps(_mm512_set1_ps(before.cotAtFirst[line]), less);
+        const __mmask16 shaded =
+            _mm512_mask_cmp_ps_mask(__mmask16(before.cells[line]), cot, nearest, _CMP_GT_OQ);
+        const __m512 horizon = _mm512_load_ps(horizons.lines + line),
+                     behind = _mm512_maskz_max_ps(0xFFFF, cot, zero);
+        _mm512_store_ps(horizons.lines + line, _mm512_mask_min_ps(horizon, shaded, horizon, behind));
     }
 }
 
@@ -145,13 +165,14 @@ BlockLines::BlockLines(double k, double sign) : linesAQ(k == 0 ? 0 : float(sign 
 
 NOONMARK_EVERY_ISA
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
-    const Floats16 level = Floats16{} + std::numeric_limits<float>::infinity(),
-                   nobody = Floats16{} + BlockHorizons::nobody;
+    constexpr float level = std::numeric_limits<float>::infinity();
     horizons.peopled = 0;
     for (std::size_t line = 0; line < masks.size(); ++line) {
         horizons.peopled |= std::uint32_t(masks[line] != 0) << line;
-        const Ints16 receiver = ((Ints16{} + masks[line]) >> counting) & 1;
-        horizons.lines[line] = receiver != 0 ? level : nobody;
+        const std::uint32_t receivers = masks[line];
+        float* cots = lanesOf(horizons.lines[line]);
+        for (unsigned i = 0; i < side; ++i)
+            cots[i] = (receivers >> i & 1U) != 0 ? level : BlockHorizons::nobody;
     }
 }
 
@@ -166,11 +187,7 @@ float lowestOf(const BlockHorizons& horizons) {
 #ifdef NOONMARK_PICKS_ISA
     if (__builtin_cpu_supports("avx512f")) return lowestOf512(horizons);
 #endif
-    Floats16 low = horizons.lines[0];
-    for (const Floats16& line : horizons.lines) low = line > low ? line : low;
-    float lowest[side];
-    std::memcpy(lowest, &low, sizeof lowest);
-    return highestOf(lowest);
+    return lowestOfAny(horizons);
 }
 
 void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes) {

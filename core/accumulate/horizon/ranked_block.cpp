@@ -9,15 +9,18 @@ namespace {
 
 // The same sums as raiseBlock() of UnevenHorizons: codes are the same.
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
-                                             const Floats16& ground, Floats16& best, Ints16& building,
-                                             Floats16& other) {
+                                             const float* ground, float* best, std::int32_t* building,
+                                             float* other) {
     EdgeHorizon edge;
     findHorizon(wall, shift, along, ground, edge);
-    const Ints16 higher = edge.shaded & (edge.cot < best), foreign = building != wall.building;
-    other = higher & foreign ? best : other;
-    other = edge.shaded & ~higher & foreign & (edge.cot < other) ? edge.cot : other;
-    best = higher ? edge.cot : best;
-    building = higher ? Ints16{} + wall.building : building;
+    for (int i = 0; i < lanesAVector; ++i) {
+        const bool shaded = edge.shaded[i] != 0, foreign = building[i] != wall.building;
+        const bool higher = shaded & (edge.cot[i] < best[i]);
+        const float second = higher ? best[i] : shaded & (edge.cot[i] < other[i]) ? edge.cot[i] : other[i];
+        other[i] = foreign ? second : other[i];
+        best[i] = higher ? edge.cot[i] : best[i];
+        building[i] = higher ? wall.building : building[i];
+    }
 }
 
 }  // namespace
@@ -35,8 +38,8 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, RankedHorizons
     const LineRange range = linesOf(wall, lines);
     for (int line = range.first; line < range.end; ++line)
         raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)],
-                  horizons.grounds[line], horizons.lines[line], horizons.buildings[line],
-                  horizons.others[line]);
+                  lanesOf(horizons.grounds[line]), lanesOf(horizons.lines[line]),
+                  lanesOf(horizons.buildings[line]), lanesOf(horizons.others[line]));
 }
 
 void codesOf(const RankedHorizons& horizons, HorizonCode lowest, RankedCodes& codes) {

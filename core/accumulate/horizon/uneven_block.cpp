@@ -13,17 +13,18 @@ namespace {
 
 constexpr int side = ReceiverBlocks::side;
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
-                                             const Floats16& ground, Floats16& horizon) {
+                                             const float* ground, float* horizon) {
     EdgeHorizon edge;
     findHorizon(wall, shift, along, ground, edge);
-    horizon = edge.shaded & (edge.cot < horizon) ? edge.cot : horizon;
+    for (int i = 0; i < side; ++i)
+        horizon[i] = (edge.shaded[i] != 0) & (edge.cot[i] < horizon[i]) ? edge.cot[i] : horizon[i];
 }
 
 NOONMARK_EVERY_ISA
 void raiseLines(const WallOnBlock& wall, const BlockLines& lines, LineRange range, UnevenHorizons& horizons) {
     for (int line = range.first; line < range.end; ++line)
         raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)],
-                  horizons.grounds[line], horizons.lines[line]);
+                  lanesOf(horizons.grounds[line]), lanesOf(horizons.lines[line]));
 }
 
 // Edges of terrain are a cell or two wide: of each line they shade as many cells. The same sums as for whole
@@ -114,26 +115,28 @@ void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, UnevenHorizons
 
 NOONMARK_EVERY_ISA
 void findNeed(const Floats16* cots, const Floats16* grounds, float lowest, BlockNeed& need) {
-    const Floats16 level = Floats16{} + lowest, upright = Floats16{} + 1e-7F;
-    for (int line = 0; line < ReceiverBlocks::side; ++line) {
-        const Floats16 seen = cots[line] < level ? cots[line] : level;
-        need.tans[line] = 1 / (seen > upright ? seen : upright);
-        need.grounds[line] = seen < 0 ? Floats16{} + 1e30F : grounds[line];  // nobody's
-    }
+    constexpr float upright = 1e-7F;
+    for (int line = 0; line < side; ++line)
+        for (int i = 0; i < side; ++i) {
+            const float seen = std::min(lanesOf(cots[line])[i], lowest);
+            lanesOf(need.tans[line])[i] = 1 / std::max(seen, upright);
+            lanesOf(need.grounds[line])[i] = seen < 0 ? 1e30F : lanesOf(grounds[line])[i];  // nobody's
+        }
 }
 
 NOONMARK_EVERY_ISA
 float leastRise(const BlockNeed& need, const BlockLines& lines, float distance) {
     constexpr float rounding = 1e-3F;
-    Floats16 least = Floats16{} + 1e30F;
-    for (int line = 0; line < ReceiverBlocks::side; ++line) {
+    float least[side];
+    std::fill_n(least, side, 1e30F);
+    for (int line = 0; line < side; ++line) {
         const float behind = distance + lines.alongs[std::size_t(line)];
-        const float surely = behind > 0 ? behind * (1 - 1e-5F) - 1e-2F : 0;
-        const Floats16 rise = need.grounds[line] + need.tans[line] * (surely > 0 ? surely : 0);
-        least = rise < least ? rise : least;
+        const float surely = behind > 0 ? std::max(0.0F, behind * (1 - 1e-5F) - 1e-2F) : 0;
+        for (int i = 0; i < side; ++i)
+            least[i] =
+                std::min(least[i], lanesOf(need.grounds[line])[i] + lanesOf(need.tans[line])[i] * surely);
     }
-    float lowest = least[0];
-    for (int i = 1; i < ReceiverBlocks::side; ++i) lowest = std::min(lowest, least[i]);
+    const float lowest = *std::min_element(least, least + side);
     return lowest - rounding;
 }
 

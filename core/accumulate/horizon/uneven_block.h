@@ -32,19 +32,21 @@ float leastRise(const BlockNeed& need, const BlockLines& lines, float distance);
 
 /// The horizon that an edge gives a line's cells; the same sums as under level walls.
 struct EdgeHorizon {
-    Floats16 cot;   ///< infinite or no number where the cell lies higher than the edge
-    Ints16 shaded;  ///< whether the edge is before the cell
+    alignas(64) float cot[lanesAVector];  ///< infinite or no number where the cell lies higher than the edge
+    alignas(64) std::int32_t shaded[lanesAVector];  ///< whether the edge is before the cell
 };
 [[gnu::always_inline]] inline void findHorizon(const WallOnBlock& wall, float shift, float along,
-                                               const Floats16& ground, EdgeHorizon& horizon) {
-    constexpr Floats16 places{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+                                               const float* ground, EdgeHorizon& horizon) {
     const float low = wall.low - shift, high = wall.high - shift;
     const float distance = (wall.along + along) - wall.slope * low;
-    const Floats16 over = wall.rise + wall.riseSlope * (places + low) - ground;
-    const Floats16 perRise = 1 / (over > 0 ? over : Floats16{});
-    const Floats16 cot = distance * perRise - wall.slope * perRise * places;
-    horizon.shaded = (places + low >= 0) & (places + high < 0) & (cot > wall.nearest * perRise);
-    horizon.cot = cot > 0 ? cot : Floats16{};
+    for (int i = 0; i < lanesAVector; ++i) {
+        const float over = wall.rise + wall.riseSlope * (float(i) + low) - ground[i];
+        const float perRise = 1 / (over > 0 ? over : 0);
+        const float cot = distance * perRise - wall.slope * perRise * float(i);
+        const bool before = (float(i) + low >= 0) & (float(i) + high < 0);
+        horizon.shaded[i] = before & (cot > wall.nearest * perRise);
+        horizon.cot[i] = cot > 0 ? cot : 0;
+    }
 }
 
 }  // namespace noonmark
