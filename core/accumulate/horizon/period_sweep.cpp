@@ -27,6 +27,22 @@ int tileSide(std::size_t bins) {
     return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
+// Of about the same size: each looks at all walls in reach.
+int evenSide(int cells, int most) {
+    const int tiles = (cells + most - 1) / most, side = (cells + tiles - 1) / tiles;
+    return (side + ReceiverBlocks::side - 1) / ReceiverBlocks::side * ReceiverBlocks::side;
+}
+
+// One tile where the receivers' horizons fit.
+std::vector<TileBox> tilesFor(const Receivers& receivers, std::size_t bins) {
+    const Grid& grid = receivers.grid;
+    const int size = std::max({1, grid.columns, grid.rows});
+    constexpr std::size_t paddingACell = 32, cellsABlock = ReceiverBlocks::cells;
+    const std::size_t numbers = receivers.cells.size() + grid.size() / cellsABlock * paddingACell;
+    const bool fits = size <= largestTile && numbers * bins * sizeof(HorizonCode) <= tileBytes;
+    return tilesOf(grid, evenSide(size, fits ? largestTile : tileSide(bins)));
+}
+
 }  // namespace
 
 /// What the threads share while a tile is swept.
@@ -52,7 +68,7 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenTriangle> op
 std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>()); }
 
 Result<void> PeriodSweep::run(ShadowField& field) {
-    const std::vector<TileBox> tiles = tilesOf(receivers_.grid, tileSide(binned_.bins.size()));
+    const std::vector<TileBox> tiles = tilesFor(receivers_, binned_.bins.size());
     oneTile_ = tiles.size() == 1;
     for (const TileBox& box : tiles) {
         const ReceiverBlocks blocks(receivers_, box);
