@@ -27,7 +27,7 @@ struct WindowTest : ::testing::Test {
     MainWindow window{settings};
 
     void SetUp() override {
-        window.resize(1000, 700);
+        window.resize(1000, 760);  // the legend has a row of its own at this width
         window.show();
         window.open({QStringLiteral("sample:central-park-south")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
