@@ -19,11 +19,6 @@ void forEachPlace(const ReceiverBlocks::Masks& masks, const auto& visit) {
             visit(std::uint32_t(line), std::uint32_t(std::countr_zero(mask)));
 }
 
-double tanOf(HorizonCode lowest) {
-    const double steepness = double(steepnessOf(lowest));
-    return steepness / (1 - steepness);
-}
-
 }  // namespace
 
 std::span<const CodeChange> BinEdit::run(const TileEdit& edit, glm::dvec2 away, KeptBin& bin,

@@ -79,8 +79,7 @@ void GapEdit::findAgain(const TileEdit& edit, const Bin& bin) {
     found_.clear();
     if (extent.lowQ > extent.highQ) return;
     extent = {extent.lowQ - 1, extent.highQ + 1, extent.lowAlong - 1, extent.highAlong + 1};
-    const double tan = double(steepnessOf(bin.lowest)) / (1 - double(steepnessOf(bin.lowest)));
-    edit.walls.open().across(axes, extent, tan, axes.alongPerDistance / edit.cellM, triangles_);
+    edit.walls.open().across(axes, extent, tanOf(bin.lowest), axes.alongPerDistance / edit.cellM, triangles_);
     OpenView view = viewOf(edit, bin, triangles_);
     view.within = extent;
     const auto found = sweep_.intervals(view, horizons_, edit.stop);

@@ -33,7 +33,11 @@ inline float steepnessOf(HorizonCode sun) {
     return float(int(sun) - int(noHorizon) + 1) / float(steepnessLevels);
 }
 
-/// The cotangent of that altitude.
+/// The tangent of that altitude, and its cotangent.
+inline double tanOf(HorizonCode sun) {
+    const double steepness = double(steepnessOf(sun));
+    return steepness / (1 - steepness);
+}
 inline float cotOf(HorizonCode sun) { return (1 - steepnessOf(sun)) / steepnessOf(sun); }
 
 }  // namespace noonmark

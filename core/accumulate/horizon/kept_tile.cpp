@@ -20,11 +20,6 @@ std::span<const HorizonCode> ofReceivers(const ReceiverBlocks& blocks, std::span
     return memory;
 }
 
-double tanOf(HorizonCode lowest) {
-    const double steepness = double(steepnessOf(lowest));
-    return steepness / (1 - steepness);
-}
-
 }  // namespace
 
 KeptTile::KeptTile(const Receivers& receivers, const TileBox& box, std::size_t bins)

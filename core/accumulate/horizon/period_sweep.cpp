@@ -37,8 +37,8 @@ int evenSide(int cells, int most) {
 std::vector<TileBox> tilesFor(const Receivers& receivers, std::size_t bins) {
     const Grid& grid = receivers.grid;
     const int size = std::max({1, grid.columns, grid.rows});
-    constexpr std::size_t paddingACell = 32, cellsABlock = ReceiverBlocks::cells;
-    const std::size_t numbers = receivers.cells.size() + grid.size() / cellsABlock * paddingACell;
+    constexpr std::size_t paddingABlock = 32, cellsABlock = ReceiverBlocks::cells;
+    const std::size_t numbers = receivers.cells.size() + grid.size() / cellsABlock * paddingABlock;
     const bool fits = size <= largestTile && numbers * bins * sizeof(HorizonCode) <= tileBytes;
     return tilesOf(grid, evenSide(size, fits ? largestTile : tileSide(bins)));
 }
