@@ -4,15 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/horizon/registers.h"
 #include "core/accumulate/projected/convex_spans.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr Floats16 lanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// How depth changes over a face; between `low` and `high`, so that rounding on a face seen edge on goes
 /// nowhere.
@@ -45,28 +42,53 @@ DepthPlane planeOf(const MapPolygon& polygon) {
     return plane;
 }
 
-// Comparisons stand right before their choice: the compiler takes a stored one apart, lane by lane.
-[[gnu::always_inline]] inline void raise(float* at, const Floats16& depth, int left) {
-    Floats16 before;
+/// Texels that are raised at a time, whatever a register holds.
+constexpr int together = 16;
+
+// The first `left` texels of a register. Comparisons stand right before their choice: the compiler takes a
+// stored one apart, lane by lane.
+template <class Register>
+[[gnu::always_inline]] inline void raise(float* at, const FloatsOf<Register>& depth, int left) {
+    IntsOf<Register> counting;
+    count<Register>(counting);
+    FloatsOf<Register> before;
     std::memcpy(&before, at, sizeof before);
-    const Floats16 inside = counting < left ? depth : before;
-    const Floats16 after = inside > before ? inside : before;
+    const FloatsOf<Register> inside = counting < left ? depth : before;
+    const FloatsOf<Register> after = inside > before ? inside : before;
     std::memcpy(at, &after, sizeof after);
 }
 
-NOONMARK_EVERY_ISA
-void raiseSpans(const DepthSpan* spans, std::size_t count, float gradient, float low, float high,
-                float* depths) {
-    const Floats16 lowest = Floats16{} + low, highest = Floats16{} + high;
-    for (std::size_t i = 0; i < count; ++i) {
-        float* at = depths + spans[i].at;
-        Floats16 depth = spans[i].depth + gradient * lanes;
-        for (int left = spans[i].count; left > 0; left -= 16, at += 16, depth += 16 * gradient) {
-            Floats16 held = depth < lowest ? lowest : depth;
+/// How a face's depth goes on along its rows.
+struct RowDepth {
+    float gradient, low, high;
+};
+
+template <class Register>
+[[gnu::always_inline]] inline void raiseSpan(const DepthSpan& span, const RowDepth& face, float* at) {
+    using Floats = FloatsOf<Register>;
+    constexpr int parts = together / lanesIn<Register>;
+    const Floats lowest = Floats{} + face.low, highest = Floats{} + face.high;
+    IntsOf<Register> counting;
+    count<Register>(counting);
+    Floats depth[parts];
+    for (int part = 0; part < parts; ++part)
+        depth[part] =
+            span.depth + face.gradient * __builtin_convertvector(counting + part * lanesIn<Register>, Floats);
+    for (int left = span.count; left > 0; left -= together, at += together)
+        for (int part = 0; part < parts && left > part * lanesIn<Register>; ++part) {
+            Floats held = depth[part] < lowest ? lowest : depth[part];
             held = held > highest ? highest : held;
-            raise(at, held, left);
+            raise<Register>(at + part * lanesIn<Register>, held, left - part * lanesIn<Register>);
+            depth[part] += together * face.gradient;
         }
-    }
+}
+
+void raiseSpans(std::span<const DepthSpan> spans, const RowDepth& face, float* depths) {
+    withWidestRegisters([=](auto registers) __attribute__((always_inline)) {
+        float* const first = depths;
+        const RowDepth along = face;
+        for (const DepthSpan& span : spans) raiseSpan<decltype(registers)>(span, along, first + span.at);
+    });
 }
 
 }  // namespace
@@ -88,8 +110,7 @@ int DepthPen::draw(const MapPolygon& polygon, DepthSlice& slice) {
                         spans_.push_back({std::uint32_t(row) * slice.stride + std::uint32_t(first),
                                           end - first, plane.at(first, row)});
                     });
-    raiseSpans(spans_.data(), spans_.size(), float(plane.gradient.x), plane.low, plane.high,
-               slice.depth.data());
+    raiseSpans(spans_, {float(plane.gradient.x), plane.low, plane.high}, slice.depth.data());
     return rows;
 }
 

@@ -5,30 +5,53 @@
 
 #include "core/accumulate/horizon/lanes16.h"
 
+#ifdef NOONMARK_PICKS_ISA
+#include <immintrin.h>
+#endif
+
 namespace noonmark {
 
 namespace {
 
-constexpr Ints16 laneBit{1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                         1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
-constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-
+// Of 16 texels: the compiler puts such a loop together by itself.
 [[gnu::always_inline]] inline std::uint64_t sixteen(const float* depth, const std::uint32_t* texel,
-                                                    const Floats16& bias) {
-    Floats16 found;
-    for (int lane = 0; lane < 16; ++lane) found[lane] = depth[texel[lane]];
-    Ints16 bits = found > bias ? laneBit : Ints16{};
-    for (int apart = 8; apart > 0; apart /= 2) bits |= __builtin_shuffle(bits, counting ^ apart);
-    return std::uint64_t(std::uint32_t(bits[0]));
+                                                    float bias) {
+    std::uint32_t shaded = 0;
+    for (int i = 0; i < 16; ++i) shaded |= depth[texel[i]] > bias ? 1U << unsigned(i) : 0U;
+    return shaded;
 }
 
 NOONMARK_EVERY_ISA
+void lookUpAny(const float* depth, const std::uint32_t* texel, std::size_t words, float bias,
+               std::uint64_t* shaded) {
+    for (std::size_t word = 0; word < words; ++word, texel += 64)
+        shaded[word] = sixteen(depth, texel, bias) | sixteen(depth, texel + 16, bias) << 16U |
+                       sixteen(depth, texel + 32, bias) << 32U | sixteen(depth, texel + 48, bias) << 48U;
+}
+
+#ifdef NOONMARK_PICKS_ISA
+// A comparison gives its 16 bits at once.
+[[gnu::target("avx512f")]] void lookUp512(const float* depth, const std::uint32_t* texel, std::size_t words,
+                                          float bias, std::uint64_t* shaded) {
+    const __m512 biases = _mm512_set1_ps(bias);
+    for (std::size_t word = 0; word < words; ++word) {
+        std::uint64_t bits = 0;
+        for (unsigned first = 0; first < 64; first += 16, texel += 16) {
+            const __m512 found = _mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xFFFF,
+                                                          _mm512_loadu_si512(texel), depth, sizeof *depth);
+            bits |= std::uint64_t(_mm512_cmp_ps_mask(found, biases, _CMP_GT_OQ)) << first;
+        }
+        shaded[word] = bits;
+    }
+}
+#endif
+
 void lookUp(const float* depth, const std::uint32_t* texel, std::size_t words, float bias,
             std::uint64_t* shaded) {
-    const Floats16 biases = Floats16{} + bias;
-    for (std::size_t word = 0; word < words; ++word, texel += 64)
-        shaded[word] = sixteen(depth, texel, biases) | sixteen(depth, texel + 16, biases) << 16U |
-                       sixteen(depth, texel + 32, biases) << 32U | sixteen(depth, texel + 48, biases) << 48U;
+#ifdef NOONMARK_PICKS_ISA
+    if (__builtin_cpu_supports("avx512f")) return lookUp512(depth, texel, words, bias, shaded);
+#endif
+    lookUpAny(depth, texel, words, bias, shaded);
 }
 
 std::uint64_t lookUpOneByOne(const float* depth, std::span<const std::uint32_t> texels, float bias) {

@@ -8,15 +8,11 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/horizon/registers.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr Ints16 laneBit{1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                         1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
-constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// All that a step's lookup needs besides the points and the map.
 struct StepView {
@@ -31,33 +27,38 @@ struct StepView {
 };
 
 // Vectors go out by reference: returned, they would cross instruction sets.
-[[gnu::always_inline]] inline void load(const std::vector<float>& from, std::size_t at, Floats16& values) {
+template <class Floats>
+[[gnu::always_inline]] inline void load(const std::vector<float>& from, std::size_t at, Floats& values) {
     std::memcpy(&values, from.data() + at, sizeof values);
 }
 
-[[gnu::always_inline]] inline void linear(const float* row, const Floats16& x, const Floats16& y,
-                                          Floats16& value) {
+template <class Floats>
+[[gnu::always_inline]] inline void linear(const float* row, const Floats& x, const Floats& y, Floats& value) {
     value = row[0] * x + row[1] * y + row[2];
 }
 
-[[gnu::always_inline]] inline void nearestTexel(const Floats16& place, int count, Ints16& texel) {
-    const Floats16 last = Floats16{} + float(count - 1);
-    Floats16 at = place + 0.5F;
-    at = at < 0 ? Floats16{} : at;
+template <class Floats, class Ints>
+[[gnu::always_inline]] inline void nearestTexel(const Floats& place, int count, Ints& texel) {
+    const Floats last = Floats{} + float(count - 1);
+    Floats at = place + 0.5F;
+    at = at < 0 ? Floats{} : at;
     at = at > last ? last : at;
-    texel = __builtin_convertvector(at, Ints16);
+    texel = __builtin_convertvector(at, Ints);
 }
 
-/// Sixteen points in the map of a step.
+/// Points in the map of a step, as many as a register has lanes.
+template <class Register>
 struct SeenPoints {
-    Floats16 w, q;
-    Ints16 column, row;
-    Floats16 centrePerQ;  ///< 1 / q at the texel's centre
+    FloatsOf<Register> w, q;
+    IntsOf<Register> column, row;
+    FloatsOf<Register> centrePerQ;  ///< 1 / q at the texel's centre
 };
 
+template <class Register>
 [[gnu::always_inline]] inline void see(const PlacedSurface& points, std::size_t first, const StepView& step,
-                                       SeenPoints& seen) {
-    Floats16 x, y, alongColumns, alongRows;
+                                       SeenPoints<Register>& seen) {
+    using Floats = FloatsOf<Register>;
+    Floats x, y, alongColumns, alongRows;
     load(points.w, first, seen.w);
     load(points.x, first, x);
     load(points.y, first, y);
@@ -66,57 +67,72 @@ struct SeenPoints {
     linear(step.q, x, y, seen.q);
     linear(step.column, x, y, alongColumns);
     linear(step.row, x, y, alongRows);
-    nearestTexel(alongColumns / seen.q, step.columns, seen.column);
-    nearestTexel(alongRows / seen.q, step.rows, seen.row);
-    const Floats16 column = __builtin_convertvector(seen.column, Floats16);
-    const Floats16 row = __builtin_convertvector(seen.row, Floats16);
+    alongColumns /= seen.q;
+    alongRows /= seen.q;
+    nearestTexel(alongColumns, step.columns, seen.column);
+    nearestTexel(alongRows, step.rows, seen.row);
+    const Floats column = __builtin_convertvector(seen.column, Floats);
+    const Floats row = __builtin_convertvector(seen.row, Floats);
     linear(step.perQ, column, row, seen.centrePerQ);
 }
 
-/// How sixteen surfaces stand to the sun.
+/// How their surfaces stand to the sun.
+template <class Register>
 struct SeenNormals {
-    Floats16 facing;  ///< cosine
-    Floats16 slope;   ///< metres of depth a texel, where q is 1, x slope bias
+    FloatsOf<Register> facing;  ///< cosine
+    FloatsOf<Register> slope;   ///< metres of depth a texel, where q is 1, x slope bias
 };
 
+template <class Register>
 [[gnu::always_inline]] inline void see(const PlacedSurface& points, std::size_t first, const StepView& step,
-                                       SeenNormals& seen) {
-    Floats16 across, up, towards;
+                                       SeenNormals<Register>& seen) {
+    using Floats = FloatsOf<Register>;
+    Floats across, up, towards;
     load(points.across, first, across);
     load(points.up, first, up);
     load(points.towards, first, towards);
     seen.facing = across * step.sun[0] + up * step.sun[1] + towards * step.sun[2];
-    const Floats16 least = Floats16{} + 1e-6F;
+    const Floats least = Floats{} + 1e-6F;
     across = across < 0 ? -across : across;
     up = up < 0 ? -up : up;
     seen.slope = step.slopeM * (across + up) / (seen.facing > least ? seen.facing : least);
 }
 
-[[gnu::always_inline]] inline std::uint64_t sixteen(const PlacedSurface& points, std::size_t first,
-                                                    const StepView& step, const float* depth) {
-    SeenPoints seen;
-    SeenNormals normals;
+// A bit for each lane's point, from the lowest on.
+template <class Register>
+[[gnu::always_inline]] inline std::uint64_t shadedOf(const PlacedSurface& points, std::size_t first,
+                                                     const StepView& step, const float* depth) {
+    constexpr int lanes = lanesIn<Register>;
+    SeenPoints<Register> seen;
+    SeenNormals<Register> normals;
     see(points, first, step, seen);
     see(points, first, step, normals);
-    const Ints16 texel = seen.row * step.stride + seen.column;
-    Floats16 stored;
-    for (int lane = 0; lane < 16; ++lane) stored[lane] = depth[texel[lane]];
-    const Floats16 threshold = (seen.w + step.biasM + normals.slope * seen.q) * seen.centrePerQ;
-    Ints16 bits = stored > threshold ? laneBit : Ints16{};
+    const IntsOf<Register> texel = seen.row * step.stride + seen.column;
+    FloatsOf<Register> stored;
+    for (int lane = 0; lane < lanes; ++lane) stored[lane] = depth[texel[lane]];
+    const FloatsOf<Register> threshold = (seen.w + step.biasM + normals.slope * seen.q) * seen.centrePerQ;
+    IntsOf<Register> counting;
+    count<Register>(counting);
+    const IntsOf<Register> laneBit = 1 << counting;
+    IntsOf<Register> bits = stored > threshold ? laneBit : IntsOf<Register>{};
     bits = normals.facing > 0 ? bits : laneBit;
-    for (int apart = 8; apart > 0; apart /= 2) bits |= __builtin_shuffle(bits, counting ^ apart);
+    for (int apart = lanes / 2; apart > 0; apart /= 2) bits |= __builtin_shuffle(bits, counting ^ apart);
     return std::uint64_t(std::uint32_t(bits[0]));
 }
 
-NOONMARK_EVERY_ISA
-void lookUp(const PlacedSurface& points, const StepView& step, const float* depth, std::size_t words,
-            std::uint64_t* shaded) {
-    for (std::size_t word = 0; word < words; ++word) {
-        const std::size_t first = word * 64;
-        shaded[word] = sixteen(points, first, step, depth) | sixteen(points, first + 16, step, depth) << 16U |
-                       sixteen(points, first + 32, step, depth) << 32U |
-                       sixteen(points, first + 48, step, depth) << 48U;
-    }
+// Sixteen texels take longer to bring together than twice eight.
+void lookUp(const PlacedSurface& points, const StepView& step, const float* depth,
+            std::span<std::uint64_t> shaded) {
+    withWidestRegisters<32>([&](auto registers) __attribute__((always_inline)) {
+        using Register = decltype(registers);
+        const float* const depths = depth;
+        for (std::size_t word = 0; word < shaded.size(); ++word) {
+            std::uint64_t bits = 0;
+            for (unsigned i = 0; i < 64; i += lanesIn<Register>)
+                bits |= shadedOf<Register>(points, word * 64 + i, step, depths) << i;
+            shaded[word] = bits;
+        }
+    });
 }
 
 void takeRow(float* to, const glm::dmat3& matrix, int row) {
@@ -167,7 +183,7 @@ SurfaceLookup::SurfaceLookup(PlacedSurface surface, const MapFrame& frame, const
 void SurfaceLookup::look(const DepthSlice& slice, glm::dvec3 towardsSun,
                          std::span<std::uint64_t> shaded) const {
     const StepView view = viewOf(frame_, towardsSun, biasM_, slopeBias_, int(slice.stride));
-    lookUp(surface_, view, slice.depth.data(), shaded.size(), shaded.data());
+    lookUp(surface_, view, slice.depth.data(), shaded);
     const std::size_t beyond = shaded.size() * 64 - surface_.count;
     if (beyond > 0) shaded.back() &= ~std::uint64_t{0} >> beyond;
 }

@@ -39,49 +39,35 @@ private:
         Arc far, near;
         RingEdge chord;  ///< from the far edges' end to their beginning
     };
-    /// What casters have in common at the eight steps: the way of a shadow in rows.
-    struct Way {
-        StepDoubles slope, up;
-        explicit Way(const StepThrows& throws);
-    };
-    /// A ring on its way from `near` to `far`, cells.
-    struct Sweep {
-        const ShadowCaster& caster;
+    /// A ring under the sun.
+    struct Ring {
         std::span<const glm::dvec2> points;
         std::span<const RingEdge> edges;
-        const StepThrows& throws;
-        StepPoints far;
-        glm::dvec2 farLow, farHigh;  ///< bounds of its moves
-        StepPoints near;
-        glm::dvec2 nearLow, nearHigh;
-        void beginAt(double bottomM);
-        [[nodiscard]] bool isFar(std::size_t edge, std::size_t step) const;
-        [[nodiscard]] bool areFar(const Arc& arc) const;
-        [[nodiscard]] Arc findFar(std::size_t step) const;
         [[nodiscard]] std::size_t before(std::size_t edge) const { return (edge ? edge : edges.size()) - 1; }
         [[nodiscard]] std::size_t after(std::size_t edge) const {
             return edge + 1 == edges.size() ? 0 : edge + 1;
         }
+        [[nodiscard]] bool isFar(std::size_t edge, const StepThrows& throws, std::size_t step) const;
+        [[nodiscard]] Arc findFar(const StepThrows& throws, std::size_t step) const;
         void bound(Arc& arc) const;
         [[nodiscard]] FarEdges facingApart(const Arc& facing) const;
     };
-    Sweep sweepOf(const ShadowCaster& caster, const StepThrows& throws) const;
-    int fillOne(std::uint32_t caster, const StepThrows& throws, const Way& way, const BitLayout& layout,
-                const RowBand& band, std::span<std::uint64_t> rasters);
-    int fillApart(std::uint32_t caster, Sweep& sweep, const Way& way, const BitLayout& layout,
-                  const RowBand& band, std::span<std::uint64_t> rasters);
-    bool shape(Sweep& sweep, const FarEdges& edges, const Way& way);
-    void shapeFace(const ShadowCaster& caster, const StepThrows& throws);
-    void clear();
-    void bound(glm::dvec2 low, glm::dvec2 high, const StepPoints& at, glm::dvec2 atLow, glm::dvec2 atHigh);
-    void addSide(const StepPoints& a, const StepPoints& b, const StepDoubles& turn);
-    void addStrip(const Sweep& sweep, glm::dvec2 first, glm::dvec2 last, const Way& way);
-    void addEnds(const Sweep& sweep, const Arc& arc, std::size_t end);
-    void addChord(const Sweep& sweep, const RingEdge& chord, glm::dvec2 first, glm::dvec2 last);
+    /// The eight steps, and what their shadows are filled into.
+    struct Task {
+        const StepThrows& throws;
+        BitLayout layout;
+        RowBand band;
+        std::span<std::uint64_t> rasters;
+    };
+    template <class Register>
+    class Shaping;  // caster_shaping.h
+    template <class Register>
+    int fillOne(std::uint32_t caster, Shaping<Register>& shaping, const Task& task);
+    int fillApart(std::uint32_t caster, const Task& task);
+    [[nodiscard]] Ring ringOf(const ShadowCaster& caster) const;
 
     const ShadowCasters& casters_;
     std::vector<FarEdges> far_;  // of each caster, as last seen
-    StepShape shape_;
 };
 
 }  // namespace noonmark

@@ -6,16 +6,13 @@
 #include <span>
 
 #include "core/accumulate/projected/bit_raster.h"
-#include "core/accumulate/projected/step_lanes.h"
+#include "core/accumulate/projected/step_registers.h"
 
 namespace noonmark {
 
-/// Rows of a convex shape at eight steps, in bit rasters of some rows of a grid. Inlined into the caller, so
-/// that it is compiled for each of the caller's instruction sets; all give the same bits, in every band.
+/// Rows of a convex shape at eight steps, in bit rasters of some rows of a grid. Inlined into a kernel
+/// (registers.h), for registers of each width; all give the same bits, in every band.
 namespace convex_fill {
-
-using Longs8 = std::int64_t __attribute__((vector_size(64), may_alias));
-using Ints8 = std::int32_t __attribute__((vector_size(32), may_alias));
 
 // Rows are told apart to 1e-7 of a cell; `farEast` is beyond any grid.
 constexpr double steep = 1e16, farEast = 1e9;
@@ -40,33 +37,33 @@ inline Extent extentOf(const StepShape& shape, const BitLayout& layout, const Ro
 }
 
 /// The span of a row at each step.
+template <class Register>
 struct StepSpans {
-    StepDoubles west, east;
-};
+    EightDoubles<Register> west, east;
 
-[[gnu::always_inline]] inline void boundBy(const StepLines& lines, double row, StepSpans& spans) {
-    for (std::size_t i = 0; i < lines.westerns; ++i) {
-        const StepDoubles at = lines.western[i].atRow0 + row * lines.western[i].slope;
-        spans.west = at > spans.west ? at : spans.west;
+    [[gnu::always_inline]] inline void boundBy(const StepLines& lines, double row) {
+        for (std::size_t i = 0; i < lines.westerns; ++i) west = most(west, at(lines.western[i], row));
+        for (std::size_t i = 0; i < lines.easterns; ++i) east = least(east, at(lines.eastern[i], row));
     }
-    for (std::size_t i = 0; i < lines.easterns; ++i) {
-        const StepDoubles at = lines.eastern[i].atRow0 + row * lines.eastern[i].slope;
-        spans.east = at < spans.east ? at : spans.east;
+
+private:
+    [[gnu::always_inline]] static inline EightDoubles<Register> at(const StepLine& line, double row) {
+        return EightDoubles<Register>(line.atRow0) + EightDoubles<Register>(line.slope) * row;
     }
-}
+};
 
 /// Walks a chain with the rows, upwards.
 class ChainWalk {
 public:
     explicit ChainWalk(const EdgeChain& chain) : chain_(chain) {}
 
-    template <class Bound>
+    template <class Register, class Bound>
     [[gnu::always_inline]] inline void forEdgesAt(double row, const Bound& bound) {
         while (next_ < chain_.count && chain_.edges[next_]->high + chain_.mostUp < row) ++next_;
         for (std::size_t i = next_; i < chain_.count && chain_.edges[i]->low + chain_.leastUp <= row; ++i) {
             const RingEdge& edge = *chain_.edges[i];
-            const StepDoubles at = edge.atRow0 + (chain_.at.x - chain_.at.y * edge.slope) + row * edge.slope;
-            bound(at);
+            const EightDoubles<Register> x(chain_.at.x), y(chain_.at.y);
+            bound(edge.atRow0 + (x - y * edge.slope) + row * edge.slope);
         }
     }
 
@@ -75,29 +72,23 @@ private:
     std::size_t next_ = 0;
 };
 
-[[gnu::always_inline]] inline double leastOf(const StepDoubles& of) {
-    StepDoubles at = of;
-    const auto keep = [&](const StepDoubles& other) __attribute__((always_inline)) {
-        at = at < other ? at : other;
-    };
-    keep(__builtin_shufflevector(at, at, 4, 5, 6, 7, 0, 1, 2, 3));
-    keep(__builtin_shufflevector(at, at, 2, 3, 0, 1, 6, 7, 4, 5));
-    keep(__builtin_shufflevector(at, at, 1, 0, 3, 2, 5, 4, 7, 6));
-    return at[0];
-}
-
 /// Columns that hold a shape's spans at all steps, from row to row: where the lines of a side are outermost
 /// at the first row and at the last, on the line between these places they are no farther out.
 class Reach {
 public:
-    [[gnu::always_inline]] inline Reach(const StepShape& shape, const Extent& extent) : extent_(extent) {
+    template <class Register>
+    [[gnu::always_inline]] inline Reach(const StepShape& shape, const Extent& extent, Register)
+        : extent_(extent) {
+        using Doubles = EightDoubles<Register>;
         const double first = extent.bottom, last = extent.top - 1, rows = std::max(1.0, last - first);
         const StepLine &western = shape.sides.western[0], &eastern = shape.sides.eastern[0];
         if (shape.sides.westerns == 0) return;
-        const double west = leastOf(western.atRow0 + first * western.slope),
-                     toWest = leastOf(western.atRow0 + last * western.slope),
-                     east = -leastOf(-(eastern.atRow0 + first * eastern.slope)),
-                     toEast = -leastOf(-(eastern.atRow0 + last * eastern.slope));
+        const Doubles westAt0(western.atRow0), eastAt0(eastern.atRow0), westSlope(western.slope),
+            eastSlope(eastern.slope);
+        const double west = leastOf(westAt0 + westSlope * first),
+                     toWest = leastOf(westAt0 + westSlope * last),
+                     east = -leastOf(-(eastAt0 + eastSlope * first)),
+                     toEast = -leastOf(-(eastAt0 + eastSlope * last));
         west_ = fixedFrom(west) - margin;
         east_ = fixedFrom(east) + margin;
         westStep_ = std::int64_t(double(fixedFrom(toWest) - margin - west_) / rows);
@@ -129,14 +120,25 @@ struct RowCells {
     [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
 
     // Whether all are set at all steps.
-    [[gnu::always_inline]] inline bool allSet(const StepBits* words, std::ptrdiff_t stride) const {
+    template <class Register>
+    [[gnu::always_inline]] inline bool allSet(const StepWords* words, std::ptrdiff_t stride) const {
         const std::uint64_t from = ~std::uint64_t{0} << unsigned(west & 63),
                             to = ~std::uint64_t{0} >> unsigned(63 - ((east - 1) & 63));
         const int first = firstWord(), last = lastWord();
-        StepBits lit = ~words[first * stride] & (first == last ? from & to : from);
-        for (int word = first + 1; word < last; ++word) lit |= ~words[word * stride];
-        if (last > first) lit |= ~words[last * stride] & to;
-        return !anySet(lit);
+        WordsOf<Register> lit{};
+        addLit<Register>(words[first * stride], first == last ? from & to : from, lit);
+        for (int word = first + 1; word < last; ++word)
+            addLit<Register>(words[word * stride], ~std::uint64_t{0}, lit);
+        if (last > first) addLit<Register>(words[last * stride], to, lit);
+        return !anySetIn<Register>(lit);
+    }
+
+private:
+    template <class Register>
+    [[gnu::always_inline]] static inline void addLit(const StepWords& word, std::uint64_t among,
+                                                     WordsOf<Register>& lit) {
+        const EightWords<Register> steps(word);
+        for (const auto& part : steps.part) lit |= ~part & among;
     }
 };
 
@@ -152,33 +154,47 @@ struct SteadyRows {
 };
 
 // Off its rows a shape ends west of the grid: by products, since the compiler does least and most well.
-[[gnu::always_inline]] inline void endRows(const StepShape& shape, double row, StepSpans& spans) {
-    const StepDoubles below = (shape.high - row) * steep, above = (row - shape.low) * steep + farEast;
-    spans.east = below < spans.east ? below : spans.east;
-    spans.east = above < spans.east ? above : spans.east;
+template <class Register>
+[[gnu::always_inline]] inline void endRows(const StepShape& shape, double row, StepSpans<Register>& spans) {
+    const EightDoubles<Register> high(shape.high), low(shape.low);
+    spans.east = least(spans.east, (high - row) * steep);
+    spans.east = least(spans.east, (row - low) * steep + farEast);
 }
 
-// Columns are rounded up as count - floor(count - x); shifts by 64 are made of two. One condition a choice:
-// the compiler takes others apart lane by lane (GCC 12).
-[[gnu::always_inline]] inline void setSpans(const StepSpans& spans, const RowCells& cells, int columns,
-                                            StepBits* words, std::ptrdiff_t stride) {
-    const StepDoubles all = double(columns) - StepDoubles{};
-    const Longs8 zero{}, full = 64 - zero;
-    const StepBits ones = ~StepBits{};
-    const Longs8 first =
-        columns - __builtin_convertvector(__builtin_convertvector(all - spans.west, Ints8), Longs8);
-    const Longs8 end =
-        columns - __builtin_convertvector(__builtin_convertvector(all - spans.east, Ints8), Longs8);
-    for (int word = cells.firstWord(); word <= cells.lastWord(); ++word) {
-        Longs8 low = first - 64 * word, high = end - 64 * word;
-        low = low > zero ? low : zero;
-        low = low < full ? low : full;
-        high = high > zero ? high : zero;
-        high = high < full ? high : full;
-        const Longs8 halfLow = low >> 1, halfHigh = high >> 1;
-        const StepBits from = ones << StepBits(halfLow) << StepBits(low - halfLow);
-        const StepBits beyond = ones << StepBits(halfHigh) << StepBits(high - halfHigh);
-        words[word * stride] |= from & ~beyond;
+/// The first cell of some steps' spans, or the first beyond them, and the bits of a word from there on.
+template <class Register>
+struct FirstCells {
+    HalfIntsOf<Register> column;
+
+    // Rounded up as count - floor(count - x).
+    [[gnu::always_inline]] inline FirstCells(const DoublesOf<Register>& position, int columns) {
+        const DoublesOf<Register> left = double(columns) - position;
+        column = columns - __builtin_convertvector(left, HalfIntsOf<Register>);
+    }
+    // Shifts by 64 are made of two. One condition a choice: the compiler takes others apart lane by lane
+    // (GCC 12).
+    [[gnu::always_inline]] inline void bitsFrom(int word, WordsOf<Register>& bits) const {
+        const HalfIntsOf<Register> zero{}, full = 64 - zero;
+        HalfIntsOf<Register> bit = column - 64 * word;
+        bit = bit > zero ? bit : zero;
+        bit = bit < full ? bit : full;
+        const auto by = WordsOf<Register>(__builtin_convertvector(bit, LongsOf<Register>)), half = by >> 1;
+        bits = ~WordsOf<Register>{} << half << (by - half);
+    }
+};
+
+template <class Register>
+[[gnu::always_inline]] inline void setSpans(const StepSpans<Register>& spans, const RowCells& cells,
+                                            int columns, StepWords* words, std::ptrdiff_t stride) {
+    using Part = WordsOf<Register>;
+    for (std::size_t i = 0; i < partsOfSteps<Register>; ++i) {
+        const FirstCells<Register> first(spans.west.part[i], columns), end(spans.east.part[i], columns);
+        for (int word = cells.firstWord(); word <= cells.lastWord(); ++word) {
+            Part from, beyond;
+            first.bitsFrom(word, from);
+            end.bitsFrom(word, beyond);
+            reinterpret_cast<Part&>(words[word * stride].words[i * stepsAPart<Register>]) |= from & ~beyond;
+        }
     }
 }
 
@@ -191,37 +207,39 @@ struct SteadyRows {
 /// The shape lies within 10^8 of the raster; what lies off it is clipped. Rows that are set already wherever
 /// a step may reach are passed over. Returns the number of rows looked at. Cost: 10 ns, and up to 10 ns a
 /// row.
+template <class Register>
 [[gnu::always_inline]] inline int fillShape(const StepShape& shape, const BitLayout& layout,
                                             const RowBand& band, std::span<std::uint64_t> rasters) {
     using namespace convex_fill;
+    using Doubles = EightDoubles<Register>;
     const Extent extent = extentOf(shape, layout, band);
     if (extent.empty()) return 0;
     auto* words =
-        reinterpret_cast<StepBits*>(&rasters[layout.word(0, extent.bottom - band.first) * stepsTogether]);
-    const StepDoubles none{}, all = double(layout.columns) - none;
+        reinterpret_cast<StepWords*>(&rasters[layout.word(0, extent.bottom - band.first) * stepsTogether]);
+    const Doubles none(0), all(layout.columns);
     const SteadyRows steady(shape);
     ChainWalk farWest(shape.western[0]), nearWest(shape.western[1]), farEast(shape.eastern[0]),
         nearEast(shape.eastern[1]);
-    Reach reach(shape, extent);
+    Reach reach(shape, extent, Register{});
     for (int row = extent.bottom; row < extent.top; ++row, ++words, reach.moveUp()) {
         const RowCells cells{reach.west(), reach.east()};
-        if (cells.west >= cells.east || cells.allSet(words, layout.rows)) continue;
+        if (cells.west >= cells.east || cells.template allSet<Register>(words, layout.rows)) continue;
         const double y = row;
-        StepSpans spans{none, all};
-        boundBy(shape.sides, y, spans);
-        const auto western = [&](const StepDoubles& at) __attribute__((always_inline)) {
-            spans.west = at > spans.west ? at : spans.west;
+        StepSpans<Register> spans{none, all};
+        spans.boundBy(shape.sides, y);
+        const auto western = [&](const Doubles& at) __attribute__((always_inline)) {
+            spans.west = most(spans.west, at);
         };
-        const auto eastern = [&](const StepDoubles& at) __attribute__((always_inline)) {
-            spans.east = at < spans.east ? at : spans.east;
+        const auto eastern = [&](const Doubles& at) __attribute__((always_inline)) {
+            spans.east = least(spans.east, at);
         };
-        farWest.forEdgesAt(y, western);
-        nearWest.forEdgesAt(y, western);
-        farEast.forEdgesAt(y, eastern);
-        nearEast.forEdgesAt(y, eastern);
+        farWest.forEdgesAt<Register>(y, western);
+        nearWest.forEdgesAt<Register>(y, western);
+        farEast.forEdgesAt<Register>(y, eastern);
+        nearEast.forEdgesAt<Register>(y, eastern);
         if (y < steady.first || y > steady.last) endRows(shape, y, spans);
-        spans.west = spans.west < all ? spans.west : all;
-        spans.east = spans.east > none ? spans.east : none;
+        spans.west = least(all, spans.west);
+        spans.east = most(none, spans.east);
         setSpans(spans, cells, layout.columns, words, layout.rows);
     }
     return extent.top - extent.bottom;

@@ -1,67 +1,73 @@
 #include "core/accumulate/projected/count_tile.h"
 
-#include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/projected/step_registers.h"
 
 namespace noonmark {
 
 namespace {
 
 // The cells that change at any of the steps.
-[[gnu::always_inline]] inline std::uint64_t atAnyStep(const StepBits& steps) {
+template <class Register>
+[[gnu::always_inline]] inline std::uint64_t atAnyStep(const EightWords<Register>& steps) {
+    StepWords words;
+    steps.store(words);
     std::uint64_t cells = 0;
-    for (std::size_t k = 0; k < stepsTogether; ++k) cells |= steps[k];
+    for (const std::uint64_t word : words.words) cells |= word;
     return cells;
 }
 
 }  // namespace
 
-[[gnu::always_inline]] inline StepBits& CountTile::at(std::size_t plane, int row) const {
-    return reinterpret_cast<StepBits&>((*planes_[plane])[std::size_t(row)]);
+[[gnu::always_inline]] inline StepWords& CountTile::at(std::size_t plane, int row) const {
+    return (*planes_[plane])[std::size_t(row)];
 }
 
 [[gnu::noinline]] void CountTile::addPlane() { planes_.push_back(std::make_unique<Plane>()); }
 
 // Ripple carry: as far as it goes.
-[[gnu::always_inline]] inline void CountTile::add(int row, const StepBits& come, std::uint64_t& changed) {
+template <class Register>
+[[gnu::always_inline]] inline void CountTile::add(int row, const EightWords<Register>& come,
+                                                  std::uint64_t& changed) {
     if (planes_.empty()) addPlane();
-    StepBits& any = at(0, row);
-    const StepBits begun = come & ~any;
-    StepBits carry = come & any;
-    any |= come;
+    const EightWords<Register> any(at(0, row));
+    (any | come).store(at(0, row));
+    EightWords<Register> carry = come & any;
     for (std::size_t k = 1; anySet(carry); ++k) {
         if (k == planes_.size()) addPlane();
-        StepBits& plane = at(k, row);
-        const StepBits both = plane & carry;
-        plane ^= carry;
-        carry = both;
+        const EightWords<Register> plane(at(k, row));
+        (plane ^ carry).store(at(k, row));
+        carry = plane & carry;
     }
-    changed |= atAnyStep(begun);
+    changed |= atAnyStep(come & ~any);
 }
 
-[[gnu::always_inline]] inline void CountTile::remove(int row, const StepBits& gone, std::uint64_t& changed) {
-    StepBits others{};
-    for (std::size_t k = 1; k < planes_.size(); ++k) others |= at(k, row);
-    const StepBits ended = gone & ~others;
-    StepBits borrow = gone & others;
-    at(0, row) &= ~ended;
+template <class Register>
+[[gnu::always_inline]] inline void CountTile::remove(int row, const EightWords<Register>& gone,
+                                                     std::uint64_t& changed) {
+    EightWords<Register> others = EightWords<Register>(StepWords{});
+    for (std::size_t k = 1; k < planes_.size(); ++k) others = others | at(k, row);
+    const EightWords<Register> ended = gone & ~others;
+    EightWords<Register> borrow = gone & others;
+    (at(0, row) & ~ended).store(at(0, row));
     for (std::size_t k = 1; anySet(borrow); ++k) {
-        StepBits& plane = at(k, row);
-        const StepBits lacking = borrow & ~plane;
-        plane ^= borrow;
-        borrow = lacking;
+        const EightWords<Register> plane(at(k, row));
+        (plane ^ borrow).store(at(k, row));
+        borrow = borrow & ~plane;
     }
     changed |= atAnyStep(ended);
 }
 
-NOONMARK_EVERY_ISA void CountTile::change(int first, int end, const StepWords* gone, const StepWords* come,
-                                          std::uint64_t* changed) {
-    for (int row = first; row < end; ++row) {
-        const StepBits &before = reinterpret_cast<const StepBits&>(gone[row]),
-                       &after = reinterpret_cast<const StepBits&>(come[row]);
-        const StepBits less = before & ~after, more = after & ~before;
-        if (anySet(less)) remove(row, less, changed[row]);
-        if (anySet(more)) add(row, more, changed[row]);
-    }
+void CountTile::change(int first, int end, const StepWords* gone, const StepWords* come,
+                       std::uint64_t* changed) {
+    withWidestRegisters([ =, this ](auto registers) __attribute__((always_inline)) {
+        using Words = EightWords<decltype(registers)>;
+        for (int row = first; row < end; ++row) {
+            const Words before(gone[row]), after(come[row]);
+            const Words less = before & ~after, more = after & ~before;
+            if (anySet(less)) remove(row, less, changed[row]);
+            if (anySet(more)) add(row, more, changed[row]);
+        }
+    });
 }
 
 }  // namespace noonmark

@@ -10,6 +10,9 @@
 
 namespace noonmark {
 
+template <class Register>
+struct EightWords;
+
 /// How many buildings shade each of 64 x 64 cells at eight steps: a raster of the cells that any shades, and
 /// bit by bit how many do so besides one. There are as many rasters as the darkest cell needs, of 4 kB each;
 /// none where no shadow ever fell.
@@ -32,9 +35,11 @@ public:
 private:
     using Plane = std::array<StepWords, rows>;
     static constexpr StepWords lit{};
-    void add(int row, const StepBits& come, std::uint64_t& changed);
-    void remove(int row, const StepBits& gone, std::uint64_t& changed);
-    [[nodiscard]] StepBits& at(std::size_t plane, int row) const;
+    template <class Register>
+    void add(int row, const EightWords<Register>& come, std::uint64_t& changed);
+    template <class Register>
+    void remove(int row, const EightWords<Register>& gone, std::uint64_t& changed);
+    [[nodiscard]] StepWords& at(std::size_t plane, int row) const;
     void addPlane();
 
     std::vector<std::unique_ptr<Plane>>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/projected/step_registers.h"
 
 namespace noonmark {
 
@@ -15,15 +15,20 @@ ShadowEvents::ShadowEvents(const BitLayout& layout, const RowBand& band,
       shaded_(noReceivers_),
       cells_(layout.words() * 64) {}
 
-NOONMARK_EVERY_ISA void ShadowEvents::add(std::span<const std::uint64_t> rasters,
-                                          const RunStarts& startsRun) {
+void ShadowEvents::add(std::span<const std::uint64_t> rasters, const RunStarts& startsRun) {
     const bool anyStart = std::ranges::count(startsRun, true) > 0;
-    for (std::size_t word = 0; word < shaded_.size(); ++word) {
-        const std::uint64_t* steps = &rasters[word * stepsTogether];
-        const StepBits difference = reinterpret_cast<const StepBits&>(*steps) ^ shaded_[word];
-        if (anySet(difference) || (anyStart && shaded_[word] != noReceivers_[word]))
-            passEight(&cells_[word * 64], shaded_[word], steps, startsRun, noReceivers_[word], step_);
-    }
+    const auto* all = reinterpret_cast<const StepWords*>(rasters.data());
+    withWidestRegisters([ =, this, &startsRun ](auto registers) __attribute__((always_inline)) {
+        using Register = decltype(registers);
+        for (std::size_t word = 0; word < shaded_.size(); ++word) {
+            const StepWords& steps = all[word];
+            WordsOf<Register> different{};
+            for (const auto& part : EightWords<Register>(steps).part) different |= part ^ shaded_[word];
+            if (anySetIn<Register>(different) || (anyStart && shaded_[word] != noReceivers_[word]))
+                passEight(&cells_[word * 64], shaded_[word], steps.words, startsRun, noReceivers_[word],
+                          step_);
+        }
+    });
     step_ += stepsTogether;
 }
 

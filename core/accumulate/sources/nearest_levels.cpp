@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/accumulate/horizon/registers.h"
+
 namespace noonmark {
 
 namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
 constexpr float farthest = std::numeric_limits<float>::max();  // beyond it: nothing
-using UnsignedInts16 = std::uint32_t __attribute__((vector_size(64), may_alias));
-constexpr Floats16 countingF{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// Where a block's levels lie in memory: those of a major position one after the other.
 struct Levels {
@@ -20,46 +19,59 @@ struct Levels {
     int count;
 };
 
-// Each lane carries its occluder down the levels: what is farther than it goes on in its place, and it ends
-// where the building was known already.
-NOONMARK_EVERY_ISA void insert(const Levels& levels, const NearestLevels::Span* spans, std::size_t spanCount,
-                               const NearestLevels::Facet& facet) {
+// Of the lanes from `first` on, as many as a register has, each carries its occluder down the levels: what is
+// farther than it goes on in its place, and it ends where the building was known already.
+template <class Register>
+[[gnu::always_inline]] inline void insertFrom(int first, const Levels& levels,
+                                              const NearestLevels::Span& span,
+                                              const NearestLevels::Facet& facet) {
+    using Floats = FloatsOf<Register>;
+    using Ints = IntsOf<Register>;
     const auto building = std::int32_t(facet.building);
-    const Floats16 nothing = none - Floats16{}, tooNear = farthest - Floats16{};
-    const Floats16 slope = countingF * facet.perLaneM;
-    for (std::size_t i = 0; i < spanCount; ++i) {
-        const NearestLevels::Span& span = spans[i];
-        const auto width = std::uint32_t(span.end - span.first);
-        const Floats16 height = span.heightM + slope;
-        // Two conditions that choose the same are taken apart lane by lane (GCC 12): these choose
-        // differently.
-        Floats16 carried = UnsignedInts16(counting - span.first) < width ? height : nothing;
-        carried = height >= facet.nearestM ? carried : tooNear;
-        Ints16 carriedBuilding = building - Ints16{};
-        const std::size_t line = std::size_t(span.major) * std::size_t(levels.count);
-        for (int level = 0; level < levels.count; ++level) {
-            auto& heights = reinterpret_cast<Floats16&>(levels.heightM[line + std::size_t(level)]);
-            auto& buildings = reinterpret_cast<Ints16&>(levels.building[line + std::size_t(level)]);
-            const Floats16 here = heights;
-            const Ints16 hereBuilding = buildings;
-            heights = carried <= here ? carried : here;
-            buildings = carried <= here ? carriedBuilding : hereBuilding;
-            carriedBuilding = carried <= here ? hereBuilding : carriedBuilding;
-            carried = carried <= here ? here : carried;
-            carried = hereBuilding == building ? nothing : carried;
-        }
+    const Floats nothing = none - Floats{}, tooNear = farthest - Floats{};
+    Ints lane;
+    count<Register>(lane);
+    lane += first;
+    const Floats height = span.heightM + __builtin_convertvector(lane, Floats) * facet.perLaneM;
+    // Two conditions that choose the same are taken apart lane by lane (GCC 12): these choose differently.
+    const Ints inside = (lane - span.first) | (span.end - 1 - lane);  // where not negative
+    Floats carried = inside >= 0 ? height : nothing;
+    carried = height >= facet.nearestM ? carried : tooNear;
+    Ints carriedBuilding = building - Ints{};
+    const std::size_t line = std::size_t(span.major) * std::size_t(levels.count);
+    for (int level = 0; level < levels.count; ++level) {
+        auto& heights = reinterpret_cast<Floats&>(levels.heightM[line + std::size_t(level)].values[first]);
+        auto& buildings = reinterpret_cast<Ints&>(levels.building[line + std::size_t(level)].values[first]);
+        const Floats here = heights;
+        const Ints hereBuilding = buildings;
+        heights = carried <= here ? carried : here;
+        buildings = carried <= here ? carriedBuilding : hereBuilding;
+        carriedBuilding = carried <= here ? hereBuilding : carriedBuilding;
+        carried = carried <= here ? here : carried;
+        carried = hereBuilding == building ? nothing : carried;
     }
 }
 
+void insert(const Levels& levels, std::span<const NearestLevels::Span> spans,
+            const NearestLevels::Facet& facet) {
+    withWidestRegisters([=](auto registers) __attribute__((always_inline)) {
+        using Register = decltype(registers);
+        const Levels into = levels;
+        const NearestLevels::Facet of = facet;
+        for (const NearestLevels::Span& span : spans)
+            for (int first = 0; first < Lanes::perBlock; first += lanesIn<Register>)
+                if (first < span.end && first + lanesIn < Register >> span.first)
+                    insertFrom<Register>(first, into, span, of);
+    });
+}
+
 NOONMARK_EVERY_ISA void keepFound(Line<float>* heightM, Line<std::uint32_t>* building, std::size_t lines) {
-    const Floats16 zero{};
-    const Ints16 nobody = std::int32_t(LaneSources::nobody) - Ints16{};
-    for (std::size_t i = 0; i < lines; ++i) {
-        auto& heights = reinterpret_cast<Floats16&>(heightM[i]);
-        auto& buildings = reinterpret_cast<Ints16&>(building[i]);
-        buildings = heights < farthest ? buildings : nobody;
-        heights = heights < farthest ? heights : zero;
-    }
+    for (std::size_t i = 0; i < lines; ++i)
+        for (int lane = 0; lane < Lanes::perBlock; ++lane) {
+            const bool found = heightM[i].values[lane] < farthest;
+            building[i].values[lane] = found ? building[i].values[lane] : LaneSources::nobody;
+            heightM[i].values[lane] = found ? heightM[i].values[lane] : 0;
+        }
 }
 
 }  // namespace
@@ -76,7 +88,7 @@ NearestLevels::NearestLevels(LaneSources& sources, int into)
 
 void NearestLevels::add(std::span<const Span> spans, const Facet& facet) {
     const Levels levels{&sources_.heightM[firstLine_], &sources_.building[firstLine_], sources_.levels};
-    insert(levels, spans.data(), spans.size(), facet);
+    insert(levels, spans, facet);
 }
 
 void NearestLevels::finish() {
