@@ -11,6 +11,7 @@
 #include "app/cli/table.h"
 #include "core/io/write_raster.h"
 #include "core/io/write_text.h"
+#include "scenarios/impact/impact_runs.h"
 
 namespace noonmark::cli {
 
@@ -39,12 +40,16 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const Project& proje
         });
 }
 
+std::vector<RasterBand> bandsOf(const Impact& impact) {
+    std::vector<RasterBand> bands{{"change of gross shadow", "min/day", &impact.grossMin}};
+    if (hasRuns(impact)) bands.push_back({"change of continuous shadow", "min", &impact.continuousMin});
+    return bands;
+}
+
 Result<void> writeFiles(const ImpactAnswer& answer, const MeasureOptions& options, const Frame& frame) {
     const Impact& impact = answer.study.total;
     return folderFor(options).and_then([&](const std::filesystem::path& folder) {
-        return writeGeoTiff(folder / "impact.tif", frame, impact.grid,
-                            {{"change of gross shadow", "min/day", &impact.grossMin},
-                             {"change of continuous shadow", "min", &impact.continuousMin}})
+        return writeGeoTiff(folder / "impact.tif", frame, impact.grid, bandsOf(impact))
             .and_then([&] { return writeText(folder / "impact.json", impactJson(answer)); })
             .and_then([&] { return writeText(folder / "impact.csv", impactCsv(answer)); });
     });

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "app/cli/table.h"
+#include "core/measures/has_runs.h"
 #include "core/study/error_words.h"
 
 namespace noonmark::cli {
@@ -49,8 +50,10 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     table.add("gross shadow",
               fmt::format("mean {:.1f}, most {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
                           figures.maxGrossMin, study.field.sunlitMinutesPerDay));
-    table.add("continuous shadow", fmt::format("mean {:.1f}, longest {:.1f} min", figures.meanContinuousMin,
-                                               figures.maxContinuousMin));
+    table.add("continuous shadow", hasRuns(figures)
+                                       ? fmt::format("mean {:.1f}, longest {:.1f} min",
+                                                     figures.meanContinuousMin, figures.maxContinuousMin)
+                                       : "not counted");
     for (const ErrorLine& line : errorLines(study)) table.add(line.name, line.value);
     addCost(table, study);
     table.print(out);

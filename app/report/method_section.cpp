@@ -1,6 +1,7 @@
 #include "app/report/report_sections.h"
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
+#include "core/measures/has_runs.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/error_words.h"
 
@@ -68,16 +69,22 @@ QString cellErrorWords(const Study& study, const CellError& error) {
              latLonWords(worst));
 }
 
+QString continuousErrorWords(const Study& study, const SampledError& error) {
+    if (!hasRuns(error)) return {};
+    return QStringLiteral("; continuous shadow by %1, of the longest day")
+        .arg(cellErrorWords(study, error.continuous));
+}
+
 QString measuredErrorWords(const Study& study, const SampledError& error) {
     return QStringLiteral(
                "Measured on %1 of the %2 receivers, spread over the region and traced again by the ray "
                "reference "
                "over the same %3 steps: shadow area off by %4 % of the ground (standard error %5); gross "
                "shadow "
-               "by %6, of the sunlit time; continuous shadow by %7, of the longest day.")
+               "by %6, of the sunlit time%7.")
         .arg(countWords(error.receivers), countWords(error.ofReceivers), countWords(study.sun.steps.size()),
              amountWords(error.areaPct, 4), amountWords(error.areaStandardErrorPct, 4),
-             cellErrorWords(study, error.gross), cellErrorWords(study, error.continuous));
+             cellErrorWords(study, error.gross), continuousErrorWords(study, error));
 }
 
 QString engineErrorWords(const Study& study) {
@@ -108,9 +115,11 @@ TextBlocks definitionBlocks(const Study& study) {
         body(QStringLiteral("Shadow area: sum over the receivers of share of the sunlit time in shadow × "
                             "cell area; in %, of the receivers' area."))};
     if (isInstant(study.field)) return blocks;
-    blocks.push_back(body(QStringLiteral(
-        "Gross shadow: minutes in shadow a day, mean over the days; in %, of the sunlit time. "
-        "Continuous shadow: longest unbroken run in shadow on any day. Means are over the receivers.")));
+    blocks.push_back(body(
+        QStringLiteral("Gross shadow: minutes in shadow a day, mean over the days; in %, of the sunlit time. "
+                       "Continuous shadow%1. Means are over the receivers.")
+            .arg(hasRuns(study.statistics) ? QStringLiteral(": longest unbroken run in shadow on any day")
+                                           : QStringLiteral(" was not counted"))));
     return blocks;
 }
 

@@ -8,6 +8,7 @@
 #include "app/report/output_folder.h"
 #include "app/report/study_report.h"
 #include "core/io/write_city.h"
+#include "core/measures/has_runs.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/map_bands.h"
 #include "core/study/region_text.h"
@@ -18,7 +19,8 @@ namespace noonmark {
 namespace {
 
 Result<void> writeRaster(const Study& study, const std::filesystem::path& file) {
-    return writeGeoTiff(file, study.city.frame, study.field.grid, mapBands(study.field));
+    return writeGeoTiff(file, study.city.frame, study.field.grid,
+                        mapBands(study.field, hasRuns(study.statistics)));
 }
 
 Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {

@@ -8,7 +8,7 @@
 namespace noonmark {
 
 struct StudyFileOptions {
-    bool cellsCsv = false;  ///< one line a receiver: x_m, y_m, lon_deg, lat_deg, gross_min, continuous_min
+    bool cellsCsv = false;  ///< one line a receiver: see cells_csv.h
 };
 
 /// Everything a user leaves with, into a folder that is made when missing: shadow.tif, shadow.png,

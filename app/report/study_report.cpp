@@ -11,6 +11,7 @@
 #include "app/report/map_painter.h"
 #include "app/report/pdf_page.h"
 #include "app/report/report_sections.h"
+#include "core/measures/has_runs.h"
 
 namespace noonmark {
 
@@ -78,7 +79,8 @@ private:
 
     double paintSideColumn(double top) {
         const double left = sidePt + largeMapPt + gutterPt;
-        const double y = isInstant(study_.field) ? top : paintSmallMap(left, top) + 4;
+        const bool mapped = !isInstant(study_.field) && hasRuns(study_.statistics);
+        const double y = mapped ? paintSmallMap(left, top) + 4 : top;
         return paintFigures(canvas_, area(left, y, sideColumnPt, 0), figuresOf(study_), figurePt) /
                canvas_.point;
     }

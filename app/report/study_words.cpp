@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/shadow_measure.h"
+#include "core/measures/has_runs.h"
 #include "core/version.h"
 
 namespace noonmark {
@@ -33,8 +34,12 @@ void addMinutes(std::vector<Figure>& figures, const Study& study) {
     const ShadowStatistics& s = study.statistics;
     figures.push_back({QStringLiteral("Gross shadow, mean"), minutesADayWords(study, s.meanGrossMin)});
     figures.push_back({QStringLiteral("Gross shadow, largest"), minutesADayWords(study, s.maxGrossMin)});
-    figures.push_back({QStringLiteral("Continuous shadow, mean"), minutesWords(s.meanContinuousMin)});
-    figures.push_back({QStringLiteral("Continuous shadow, largest"), minutesWords(s.maxContinuousMin)});
+    if (hasRuns(s)) {
+        figures.push_back({QStringLiteral("Continuous shadow, mean"), minutesWords(s.meanContinuousMin)});
+        figures.push_back({QStringLiteral("Continuous shadow, largest"), minutesWords(s.maxContinuousMin)});
+    } else {
+        figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
+    }
     figures.push_back({QStringLiteral("Sunlit time"),
                        amountWords(study.field.sunlitMinutesPerDay) + QStringLiteral(" min/day")});
 }

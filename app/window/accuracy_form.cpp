@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <cmath>
 
@@ -14,7 +15,22 @@ namespace {
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsizetype(view.size())); }
 
+bool isSwitch(const EngineOption& option) {
+    return option.whole && option.unit.empty() && option.lowest == 0 && option.highest == 1;
+}
+
+QString switchWords(bool on) { return on ? QObject::tr("yes") : QObject::tr("no"); }
+
+// What options say of 1 and 0 is of yes and no here.
+QString switchTipOf(const EngineOption& option) {
+    QString about = text(option.about);
+    for (const bool on : {true, false})
+        about.replace(QStringLiteral("%1:").arg(int(on)), QStringLiteral("%1:").arg(switchWords(on)));
+    return QObject::tr("%1.\nUsually %2").arg(about, switchWords(option.usual != 0));
+}
+
 QString tipOf(const EngineOption& option) {
+    if (isSwitch(option)) return switchTipOf(option);
     return QObject::tr("%1.\n%2 to %3 %4, usually %5")
         .arg(text(option.about))
         .arg(option.lowest)
@@ -36,16 +52,37 @@ int decimalsOf(const EngineOption& option) {
     return 9;
 }
 
-QDoubleSpinBox* fieldOf(const EngineOption& option) {
+/// Says yes for 1 and no for 0.
+class SwitchField final : public QDoubleSpinBox {
+public:
+    SwitchField() {
+        setDecimals(0);
+        setRange(0, 1);
+        setWrapping(true);
+        lineEdit()->setReadOnly(true);
+    }
+    [[nodiscard]] QString textFromValue(double value) const override { return switchWords(value != 0); }
+    [[nodiscard]] double valueFromText(const QString& text) const override {
+        return text == textFromValue(1) ? 1 : 0;
+    }
+    QValidator::State validate(QString&, int&) const override { return QValidator::Acceptable; }
+};
+
+QDoubleSpinBox* numberFieldOf(const EngineOption& option) {
     const QString unit = option.unit.empty() ? QString() : QLatin1Char(' ') + text(option.unit);
     // Nothing is the usual value: the engine chooses.
     const bool byItself = option.usual == 0 && option.lowest == 0;
     const double step = option.whole ? 1 : byItself ? option.highest / 20 : option.usual / 10;
     QDoubleSpinBox* box = numberField(option.lowest, option.highest, decimalsOf(option), step, unit);
+    if (byItself) box->setSpecialValueText(QObject::tr("automatic"));
+    return box;
+}
+
+QDoubleSpinBox* fieldOf(const EngineOption& option) {
+    QDoubleSpinBox* box = isSwitch(option) ? new SwitchField : numberFieldOf(option);
     box->setObjectName(QStringLiteral("option_") + text(option.key));
     box->setToolTip(tipOf(option));
     box->setValue(option.usual);
-    if (byItself) box->setSpecialValueText(QObject::tr("automatic"));
     return box;
 }
 

@@ -6,6 +6,7 @@
 #include "app/window/hover_text.h"
 #include "app/window/project/impact_picture.h"
 #include "app/window/project/score_picture.h"
+#include "core/measures/has_runs.h"
 
 namespace noonmark {
 
@@ -29,17 +30,28 @@ ShadowMeasure shown(const GroundAnswer& answer, ShadowMeasure wanted) {
 
 QString nameOf(const std::string& name) { return QString::fromStdString(name); }
 
+QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }
+
 }  // namespace
 
 GroundAnswer groundAnswerOf(const std::shared_ptr<const Study>& study) {
-    return {std::shared_ptr<const ShadowField>(study, &study->field),
-            std::shared_ptr<const Receivers>(study, &study->receivers),
-            {}};
+    return runsLookedFor({std::shared_ptr<const ShadowField>(study, &study->field),
+                          std::shared_ptr<const Receivers>(study, &study->receivers),
+                          {}});
 }
 
 GroundAnswer groundAnswerOf(const std::shared_ptr<const PartialField>& partial) {
     return {std::shared_ptr<const ShadowField>(partial, &partial->field), nullptr,
-            QObject::tr("So far: %1 (%2 %)").arg(nameOf(partial->part)).arg(int(partial->share * 100)), true};
+            QObject::tr("So far: %1 (%2 %)").arg(nameOf(partial->part)).arg(int(partial->share * 100)), true,
+            !hasRuns(partial->field)};
+}
+
+GroundAnswer runsLookedFor(GroundAnswer answer) {
+    answer.grossOnly = over(
+        answer.map, [](const Score&) { return false; },
+        [](const auto& map) { return !hasRuns(map.continuousMin); });
+    if (answer.grossOnly) answer.whyGross = notCounted();
+    return answer;
 }
 
 // Horizons that stay count no longest runs.
@@ -56,13 +68,19 @@ GroundAnswer groundAnswerOf(const std::shared_ptr<const LiveAnswer>& live) {
 }
 
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ImpactAnswer>& comparison) {
-    return {std::shared_ptr<const Impact>(comparison, &comparison->study.total), nullptr,
-            QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from))};
+    return runsLookedFor(
+        {std::shared_ptr<const Impact>(comparison, &comparison->study.total), nullptr,
+         QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from))});
 }
 
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ScoreAnswer>& score) {
     return {std::shared_ptr<const Score>(score, &score->score), nullptr,
             QObject::tr("%1 by the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
+}
+
+QString noteOf(const GroundAnswer& answer, ShadowMeasure measure) {
+    if (shown(answer, measure) == measure || answer.whyGross.isEmpty()) return answer.note;
+    return answer.note.isEmpty() ? answer.whyGross : QObject::tr("%1. %2").arg(answer.note, answer.whyGross);
 }
 
 Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure) {
@@ -74,7 +92,7 @@ Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure) {
 GroundPicture pictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {
     return over(
         answer.map, [&](const Score& score) { return scorePicture(score, top); },
-        [&](const Impact& impact) { return impactPicture(impact, measure, top); },
+        [&](const Impact& impact) { return impactPicture(impact, shown(answer, measure), top); },
         [&](const ShadowField& field) {
             return fieldPicture(field, answer.receivers.get(), shown(answer, measure), top);
         });

@@ -23,7 +23,8 @@ struct GroundAnswer {
     std::shared_ptr<const Receivers> receivers;
     QString note;            ///< what it is, beside the legend
     bool marked = false;     ///< the note is a warning
-    bool grossOnly = false;  ///< of a field that counts no longest runs: gross stands for both measures
+    bool grossOnly = false;  ///< no longest runs were counted: gross stands for both measures
+    QString whyGross{};      ///< said beside the note where it stands for continuous
 };
 
 /// Each shares the answer it is made from.
@@ -33,6 +34,12 @@ GroundAnswer groundAnswerOf(const std::shared_ptr<const TimeAnswer>& time);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const LiveAnswer>& live);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ImpactAnswer>& comparison);
 GroundAnswer groundAnswerOf(const std::shared_ptr<const ScoreAnswer>& score);
+
+/// With grossOnly and whyGross as its map asks for: a study, an impact or a kept result without runs.
+GroundAnswer runsLookedFor(GroundAnswer answer);
+
+/// The note, and why the measure is not what is shown.
+QString noteOf(const GroundAnswer& answer, ShadowMeasure measure);
 
 /// A score has no measure: it is the same for both.
 Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure);

@@ -114,7 +114,7 @@ void ResultLayer::showGround() {
     if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
         view_.showRoofPicture(*roofs);
     strip_.setLegend(legend);
-    strip_.setNote(answer.note, answer.marked);
+    strip_.setNote(noteOf(answer, strip_.measure()), answer.marked);
 }
 
 void ResultLayer::showNothing() {

@@ -4,6 +4,7 @@
 
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
+#include "core/measures/has_runs.h"
 
 namespace noonmark {
 
@@ -30,6 +31,11 @@ std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
     if (instant) return rows;
     rows.push_back(minutes(tr("Mean gross"), s.meanGrossMin,
                            tr("Minutes in shadow a day, mean over days and receivers")));
+    if (!hasRuns(s)) {
+        rows.push_back(
+            {tr("Continuous"), tr("not counted"), tr("The engine was asked for gross shadow only")});
+        return rows;
+    }
     rows.push_back(minutes(tr("Mean continuous"), s.meanContinuousMin,
                            tr("Longest unbroken run in shadow on any day, mean over the receivers")));
     rows.push_back(minutes(tr("Max continuous"), s.maxContinuousMin,

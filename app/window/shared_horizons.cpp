@@ -23,8 +23,8 @@ bool same(const City& a, const City& b) { return a.terrain == b.terrain && a.bui
 }  // namespace
 
 Result<ShadowField> SharedHorizons::field(const City& city, const Receivers& receivers,
-                                          const SunQuestion& question, KeptCounts counts, Progress& progress,
-                                          const std::stop_token& stop) {
+                                          const SunQuestion& question, ShadowCounts counts,
+                                          Progress& progress, const std::stop_token& stop) {
     const Lock lock = lockUnlessStopped(mutex_, stop);
     if (!lock) return cancelled();
     if (const auto set = setSun(question, stop); !set) return tl::make_unexpected(set.error());
@@ -67,12 +67,12 @@ Result<void> SharedHorizons::setGrid(const City& city, const Receivers& receiver
 }
 
 // A change needs a period: the sun first, in the city as it was.
-Result<ShadowField> SharedHorizons::counted(const City& city, const Receivers& receivers, KeptCounts counts,
+Result<ShadowField> SharedHorizons::counted(const City& city, const Receivers& receivers, ShadowCounts counts,
                                             Progress& progress, const std::stop_token& stop) {
     KeptHorizons& horizons = state_->horizons;
     const bool otherCity = !state_->known || !same(state_->city, city) || state_->kind != receivers.kind;
-    if (!counted_ || (!otherCity && counts == KeptCounts::gross)) {
-        auto field = horizons.retime(sun_, progress, stop, otherCity ? KeptCounts::gross : counts);
+    if (!counted_ || (!otherCity && counts == ShadowCounts::gross)) {
+        auto field = horizons.retime(sun_, progress, stop, otherCity ? ShadowCounts::gross : counts);
         if (!field || !otherCity) return field;
         counted_ = true;
     }

@@ -30,7 +30,7 @@ public:
     /// ground, for lower suns and around buildings that changed. Errors: those of KeptHorizons, a sun that is
     /// never there, cancelled(). After any of them the next question is answered as if it were the first one.
     Result<ShadowField> field(const City& city, const Receivers& receivers, const SunQuestion& question,
-                              KeptCounts counts, Progress& progress, const std::stop_token& stop);
+                              ShadowCounts counts, Progress& progress, const std::stop_token& stop);
 
     void forget();  ///< frees the memory; waits for an answer that is being worked out
     /// How many sets were begun so far.
@@ -48,7 +48,7 @@ private:
     };
     Result<void> setSun(const SunQuestion& question, const std::stop_token& stop);
     Result<void> setGrid(const City& city, const Receivers& receivers);
-    Result<ShadowField> counted(const City& city, const Receivers& receivers, KeptCounts counts,
+    Result<ShadowField> counted(const City& city, const Receivers& receivers, ShadowCounts counts,
                                 Progress& progress, const std::stop_token& stop);
     void note(const City& city, const Receivers& receivers, const Result<ShadowField>& field);
 

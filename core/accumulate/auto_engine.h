@@ -21,6 +21,7 @@ struct EngineLoad {
     std::size_t openTriangles = 0;  ///< of parts of these that hang
     std::size_t terrainCells = 0;
     bool level = true;  ///< no terrain, and receivers on the ground
+    bool runs = true;   ///< the sweep counts the longest runs too
 };
 
 /// Of some cities the most of each. Looks at every step and building: some ms.

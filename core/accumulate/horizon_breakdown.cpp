@@ -10,6 +10,7 @@
 
 #include "core/accumulate/horizon/horizon_case.h"
 #include "core/accumulate/horizon/step_sums.h"
+#include "core/accumulate/horizon/tile_sweep.h"
 #include "core/accumulate/reach.h"
 
 namespace noonmark {
@@ -29,15 +30,17 @@ struct Tile {
 
 class Breakdown {
 public:
-    /// All must outlive it.
-    Breakdown(const WallList& walls, const OpenTriangles& open, const Receivers& receivers,
-              const BinnedSun& binned, const StepSets& sets, bool byBuilding, Progress& progress,
-              std::stop_token stop)
+    /// All must outlive it. `open`: for who asks who did it; `shapes`: the same for the others.
+    Breakdown(const WallList& walls, const OpenTriangles& open, const OpenShapes& shapes,
+              const Receivers& receivers, const BinnedSun& binned, const StepSets& sets, bool byBuilding,
+              Progress& progress, std::stop_token stop)
         : walls_(walls),
           open_(open),
+          shapes_(shapes),
           casters_(byBuilding ? walls.terrainNumber + 1 : 0),
           receivers_(receivers),
-          binned_(binned),
+          bins_(sweptBins(binned.bins)),
+          fans_(fansOf(bins_)),
           tables_(setTables(binned, sets)),
           progress_(progress),
           stop_(std::move(stop)) {}
@@ -63,8 +66,8 @@ private:
     /// Of one thread.
     struct Work {
         StepSums sums;
-        SquareSweep squares;
-        std::vector<HorizonCode> codes;
+        TileSweep sweep;
+        std::vector<std::vector<HorizonCode>> codes;  // of each bin of a fan
         OpenSweep open;
         TileRanks ranks;
         OwnedGaps owned;
@@ -72,44 +75,60 @@ private:
 
     void sweep(const Tile& tile, std::size_t sets) {
         std::atomic<std::size_t> done{0};
-        tbb::parallel_for(std::size_t{0}, binned_.bins.size(), [&](std::size_t bin) {
+        tbb::parallel_for(std::size_t{0}, fans_.size(), [&](std::size_t fan) {
             if (stop_.stop_requested()) return;
             Work& work = works_.local();
             if (!work.sums.begun()) work.sums.begin(sets, tile.blocks.numbers(), casters_);
-            casters_ > 0 ? rank(tile, bin, work) : sweep(tile, bin, work);
-            const double share = double(++done) / double(binned_.bins.size());
+            if (casters_ == 0) sweep(tile, fans_[fan], work);
+            for (std::size_t bin = fans_[fan].first; bin < fans_[fan].end && casters_ > 0; ++bin)
+                rank(tile, bin, work);
+            const double share = double(++done) / double(fans_.size());
             progress_.report((double(receiversDone_) + share * double(tile.blocks.receivers())) /
                                  double(receivers_.cells.size()),
                              "sweeping horizons");
         });
     }
 
-    void sweep(const Tile& tile, std::size_t number, Work& work) {
-        const AzimuthBin& bin = binned_.bins[number];
-        work.codes.resize(tile.blocks.numbers());
-        sweepBin(work.squares, walls_, tile.blocks, tile.grounds, bin.away, bin.lowest(),
-                 receivers_.grid.cellM, work.codes, stop_);
-        if (stop_.stop_requested()) return;
-        work.sums.add(tables_[number], work.codes);
-        if (!open_.empty())
-            work.sums.add(tables_[number], work.codes,
-                          work.open.intervals(viewOf(tile, bin), work.codes, stop_));
+    void sweep(const Tile& tile, const FanRange& fan, Work& work) {
+        work.codes.resize(std::max(work.codes.size(), fan.size()));
+        for (auto& codes : work.codes) codes.resize(tile.blocks.numbers());
+        const auto take = [&](std::size_t bin, std::size_t i, const HorizonCode* square, bool swapped) {
+            writeSquare(square, tile.blocks, tile.blocks.blocks()[i], swapped, work.codes[bin].data());
+        };
+        work.sweep.run(sceneOf(tile), std::span(bins_).subspan(fan.first, fan.size()), take, stop_);
+        for (std::size_t bin = 0; bin < fan.size() && !stop_.stop_requested(); ++bin)
+            add(tile, fan.first + bin, work.codes[bin], work);
+    }
+
+    void add(const Tile& tile, std::size_t bin, std::span<const HorizonCode> codes, Work& work) {
+        work.sums.add(tables_[bin], codes);
+        if (shapes_.empty()) return;
+        OpenView view = viewOf(tile, bins_[bin]);
+        view.triangles = shapes_.triangles;
+        view.prisms = shapes_.prisms;
+        work.sums.add(tables_[bin], codes, work.open.intervals(view, codes, stop_));
     }
 
     // What hangs below the horizon counts too where its building may have that horizon.
-    void rank(const Tile& tile, std::size_t number, Work& work) {
-        const AzimuthBin& bin = binned_.bins[number];
-        rankBin(work.squares, walls_, tile.blocks, tile.grounds, bin.away, bin.lowest(),
-                receivers_.grid.cellM, work.ranks, stop_);
+    void rank(const Tile& tile, std::size_t bin, Work& work) {
+        work.ranks.clear(tile.blocks.numbers());
+        const auto take = [&](std::size_t i, const RankedCodes* square, bool swapped) {
+            if (square != nullptr) work.ranks.write(*square, tile.blocks, tile.blocks.blocks()[i], swapped);
+        };
+        work.sweep.runRanked(sceneOf(tile), bins_[bin], take, stop_);
         if (stop_.stop_requested()) return;
-        work.sums.add(tables_[number], work.ranks);
+        work.sums.add(tables_[bin], work.ranks);
         if (!open_.empty())
-            work.sums.add(tables_[number], work.ranks,
-                          work.owned.intervals(open_, viewOf(tile, bin), work.ranks.others, stop_));
+            work.sums.add(tables_[bin], work.ranks,
+                          work.owned.intervals(open_, viewOf(tile, bins_[bin]), work.ranks.others, stop_));
     }
 
-    [[nodiscard]] OpenView viewOf(const Tile& tile, const AzimuthBin& bin) const {
-        return {open_.all, tile.open, bin.away, bin.lowest(), receivers_.grid.cellM};
+    [[nodiscard]] TileScene sceneOf(const Tile& tile) const {
+        return {walls_, tile.blocks, tile.grounds, receivers_.grid.cellM};
+    }
+
+    [[nodiscard]] OpenView viewOf(const Tile& tile, const SweptBin& bin) const {
+        return {open_.all, tile.open, bin.away, bin.lowest, receivers_.grid.cellM};
     }
 
     static void addCells(const ReceiverBlocks& blocks, const StepSums& sums, ShadowBreakdown& breakdown) {
@@ -143,9 +162,11 @@ private:
 
     const WallList& walls_;
     const OpenTriangles& open_;
+    const OpenShapes& shapes_;
     std::size_t casters_;  // buildings and the terrain; 0: nobody asks
     const Receivers& receivers_;
-    const BinnedSun& binned_;
+    std::vector<SweptBin> bins_;
+    std::vector<FanRange> fans_;
     std::vector<SetTables> tables_;
     Progress& progress_;
     std::stop_token stop_;
@@ -172,10 +193,11 @@ Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& rece
     OpenParts open;
     const WallList walls = standingIn(city, buildingsInReach(city, receivers, sun), receivers, open);
     const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
-    if (!triangles) return tl::make_unexpected(triangles.error());
+    const auto shapes = openShapes(open, receivers.grid, walls.datumM);
+    if (!triangles || !shapes) return tl::make_unexpected(triangles ? shapes.error() : triangles.error());
     const BinnedSun binned = binnedSun(sun, settings.sweep);
     ShadowBreakdown breakdown = blank(receivers, sun, sets, binned);
-    Breakdown work(walls, *triangles, receivers, binned, sets, settings.byBuilding, progress,
+    Breakdown work(walls, *triangles, *shapes, receivers, binned, sets, settings.byBuilding, progress,
                    std::move(stop));
     if (const auto done = work.run(breakdown, sun.stepMinutes); !done)
         return tl::make_unexpected(done.error());

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <new>
 
 #include "core/accumulate/blank_field.h"
@@ -19,20 +21,22 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
                                 const HorizonSweepSettings& settings, Progress& progress,
                                 const std::stop_token& stop) {
     ShadowField field = blankField(receivers, sun);
+    if (settings.counts == ShadowCounts::gross)
+        std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
     const Stopwatch watch;
     const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, sun);
     OpenParts open;
     const WallList walls = standingIn(city, used, receivers, open);
-    const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
-    if (!triangles) return tl::make_unexpected(triangles.error());
+    const auto hanging = openShapes(open, receivers.grid, walls.datumM);
+    if (!hanging) return tl::make_unexpected(hanging.error());
     const BinnedSun binned = binnedSun(sun, settings);
     field.engine = fmt::format(
-        "Horizon sweep: the slope of each receiver's horizon in {}, every step of every day counted",
-        textOf(binned));
+        "Horizon sweep: the slope of each receiver's horizon in {}, every step of every day counted{}",
+        textOf(binned), settings.counts == ShadowCounts::gross ? ", gross shadow only" : "");
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
-    PeriodSweep sweep(walls, triangles->all, receivers, sun, binned, progress, stop);
+    PeriodSweep sweep(walls, *hanging, receivers, sun, binned, settings.counts, progress, stop);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms and solids whose shadow cannot reach a tile (each x azimuth bins)"] =

@@ -109,7 +109,7 @@ struct KeptHorizons::Kept {
                 "Choose a smaller region or larger cells"};
     }
 
-    std::size_t sweep(KeptTile& tile, KeptCounts counts, Progress& progress, const std::stop_token& stop) {
+    std::size_t sweep(KeptTile& tile, ShadowCounts counts, Progress& progress, const std::stop_token& stop) {
         std::size_t swept = 0;
         timed("sweep", [&] { swept = tile.retime(receivers, walls, period->binned(), progress, stop); });
         write(tile, counts, stop);
@@ -138,7 +138,7 @@ struct KeptHorizons::Kept {
     }
 
     void change(KeptTile& tile, std::span<const std::uint32_t> cells, const WallChange& change,
-                KeptCounts counts, Progress& progress, const std::stop_token& stop) {
+                ShadowCounts counts, Progress& progress, const std::stop_token& stop) {
         const bool dropped = tile.bytes() == 0;
         timed("change",
               [&] { tile.change(receivers, cells, walls, change, *period, settings.binDeg, stop); });
@@ -148,19 +148,19 @@ struct KeptHorizons::Kept {
             write(tile, counts, stop);
     }
 
-    void write(KeptTile& tile, KeptCounts counts, const std::stop_token& stop) {
+    void write(KeptTile& tile, ShadowCounts counts, const std::stop_token& stop) {
         if (stop.stop_requested()) return;
         timed("count", [&] { tile.writeGross(field, stop); });
-        if (counts == KeptCounts::grossAndRuns)
+        if (counts == ShadowCounts::grossAndRuns)
             timed("runs", [&] { tile.writeRuns(period->binned(), period->runs(), field, stop); });
     }
 
     // Sweeps again what did not stay.
     void writeRuns(KeptTile& tile, Progress& progress, const std::stop_token& stop) {
         if (tile.bytes() == 0)
-            sweep(tile, KeptCounts::grossAndRuns, progress, stop);
+            sweep(tile, ShadowCounts::grossAndRuns, progress, stop);
         else
-            write(tile, KeptCounts::grossAndRuns, stop);
+            write(tile, ShadowCounts::grossAndRuns, stop);
         keepWithinMemory(tile);
     }
 
@@ -182,12 +182,12 @@ struct KeptHorizons::Kept {
         if (bytes() > settings.memoryBytes) latest.drop();
     }
 
-    Result<ShadowField> result(KeptCounts counts, const std::stop_token& stop) {
+    Result<ShadowField> result(ShadowCounts counts, const std::stop_token& stop) {
         if (stop.stop_requested()) {
             period.reset();
             return cancelled();
         }
-        if (counts == KeptCounts::grossAndRuns) return field;
+        if (counts == ShadowCounts::grossAndRuns) return field;
         auto runs = std::exchange(field.continuousMin, {});
         ShadowField gross = field;
         field.continuousMin = std::move(runs);
@@ -208,7 +208,7 @@ Result<KeptHorizons> KeptHorizons::make(const City& city, const Receivers& recei
 }
 
 Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
-                                         KeptCounts counts) try {
+                                         ShadowCounts counts) try {
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
     kept_->begin(sun);
     if (const auto able = kept_->walls.check(kept_->lowestTan()); !able) {
@@ -230,7 +230,7 @@ Result<ShadowField> KeptHorizons::retime(const SunSteps& sun, Progress& progress
 }
 
 Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& receivers, Progress& progress,
-                                         std::stop_token stop, KeptCounts counts) try {
+                                         std::stop_token stop, ShadowCounts counts) try {
     if (!kept_->period) return noPeriod();
     if (const auto same = checkSame(kept_->receivers, receivers); !same)
         return tl::make_unexpected(same.error());
@@ -258,7 +258,7 @@ Result<ShadowField> KeptHorizons::withRuns(Progress& progress, std::stop_token s
         kept_->writeRuns(kept_->tiles[i], ofTile, stop);
     }
     progress.report(1, "sweeping horizons");
-    return kept_->result(KeptCounts::grossAndRuns, stop);
+    return kept_->result(ShadowCounts::grossAndRuns, stop);
 } catch (const std::bad_alloc&) {
     return tl::make_unexpected(kept_->outOfMemory());
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/accumulate/horizon_sweep.h"
+#include "core/accumulate/shadow_counts.h"
 
 namespace noonmark {
 
@@ -14,12 +15,6 @@ struct KeptHorizonsSettings {
     /// larger region some tiles are swept anew each time.
     std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     bool operator==(const KeptHorizonsSettings&) const = default;
-};
-
-/// What is counted: the longest runs cost several times what gross shadow costs.
-enum class KeptCounts {
-    gross,  ///< continuousMin is NaN everywhere; withRuns() gives it later
-    grossAndRuns,
 };
 
 /// A study by horizons that stay: other dates, hours, steps and weights are a walk through tables, and a city
@@ -43,12 +38,13 @@ public:
     KeptHorizons& operator=(KeptHorizons&&) noexcept;
     ~KeptHorizons();
 
-    /// The field of a period. Sweeps the bins that are not there yet, or not for suns as low. Cost: a sweep
-    /// of those; then some 0.3 ns a receiver and bin whose suns are not those of the period before, and the
-    /// walk of the longest runs if these are wanted. Error: what the horizon sweep refuses; of what hangs
-    /// only triangles count that the period's suns may throw into the region.
+    /// The field of a period; without runs withRuns() gives them later. Sweeps the bins that are not there
+    /// yet, or not for suns as low. Cost: a sweep of those; then some 0.3 ns a receiver and bin whose suns
+    /// are not those of the period before, and the walk of the longest runs if these are wanted. Error: what
+    /// the horizon sweep refuses; of what hangs only triangles count that the period's suns may throw into
+    /// the region.
     Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
-                               KeptCounts counts = KeptCounts::grossAndRuns);
+                               ShadowCounts counts = ShadowCounts::grossAndRuns);
 
     /// The field of the present period in another city. `receivers`: the same grid and region. Buildings that
     /// the cities share by address did not change. Cost: of the shadows that came and went; where what goes
@@ -56,7 +52,7 @@ public:
     /// terrain, receivers on roofs where there were none and a lowest receiver in another 64 m of height make
     /// all anew. Error, and nothing changed: no period yet, another grid, or what the horizon sweep refuses.
     Result<ShadowField> change(const City& city, const Receivers& receivers, Progress& progress,
-                               std::stop_token stop, KeptCounts counts = KeptCounts::grossAndRuns);
+                               std::stop_token stop, ShadowCounts counts = ShadowCounts::grossAndRuns);
 
     /// The present field with its longest runs: only those are counted that are out of date. Error: no period
     /// yet.

@@ -28,6 +28,15 @@ EngineOption binOption() {
             "Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks"};
 }
 
+EngineOption runsOption() {
+    return {
+        .key = "runs",
+        .name = "Continuous shadow",
+        .usual = 1,
+        .whole = true,
+        .about = "1: longest unbroken shadow is counted too; 0: gross shadow only, in about half the time"};
+}
+
 double valueOf(const EngineSettings& settings, const EngineOption& option) {
     const auto set = settings.find(option.key);
     return set == settings.end() ? option.usual : set->second;
@@ -35,10 +44,13 @@ double valueOf(const EngineSettings& settings, const EngineOption& option) {
 
 }  // namespace
 
-std::vector<EngineOption> sweepOptions() { return {errorOption(), binOption()}; }
+std::vector<EngineOption> sweepOptions() { return {errorOption(), binOption(), runsOption()}; }
 
 HorizonSweepSettings sweepSettings(const EngineSettings& settings) {
-    return {.errorTargetPercent = valueOf(settings, errorOption()), .binDeg = valueOf(settings, binOption())};
+    const bool runs = valueOf(settings, runsOption()) != 0;
+    return {.errorTargetPercent = valueOf(settings, errorOption()),
+            .binDeg = valueOf(settings, binOption()),
+            .counts = runs ? ShadowCounts::grossAndRuns : ShadowCounts::gross};
 }
 
 }  // namespace noonmark

@@ -30,7 +30,7 @@ Extent quickExtent() {
     quick.days = 2;
     quick.resolutions = {256, 512, 1024, 2048};
     quick.dayCounts = {1, 30, 365};
-    quick.binsDeg = {0.25, 0.5, 1, 2};
+    quick.binsDeg = {0.25, 0.5, 0.7, 1, 2};
     quick.factors = {0.5, 1, 2};
     quick.hoursADay = 1;
     quick.budgetS = 250;

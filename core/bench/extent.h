@@ -19,7 +19,7 @@ struct Extent {
     double hoursADay = 6;  ///< from 9:00 on, around noon, of the comparison of all engines
     std::vector<int> resolutions{256, 512, 800, 1024, 1600, 2048};
     std::vector<int> dayCounts{1, 2, 5, 10, 30, 90, 180, 365};
-    std::vector<double> binsDeg{0.125, 0.25, 0.5, 1, 2};  ///< of the horizon sweep's error curve
+    std::vector<double> binsDeg{0.125, 0.25, 0.5, 0.7, 1, 2};  ///< of the horizon sweep's error curve
     /// Every option of an engine is tried at these multiples of its usual value.
     std::vector<double> factors{0.25, 0.5, 1, 2, 4};
     /// Times are medians of so many runs, all that are compared in turn.

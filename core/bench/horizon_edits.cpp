@@ -20,11 +20,11 @@ public:
 
     /// Seconds, for gross shadow.
     Result<double> retime(const SunSteps& sun) {
-        return timed([&] { return kept_.retime(sun, silent_, work_.stop, KeptCounts::gross); });
+        return timed([&] { return kept_.retime(sun, silent_, work_.stop, ShadowCounts::gross); });
     }
     Result<double> change(const TowerPlace& state) {
         return timed([&] {
-            return kept_.change(state.city, state.receivers, silent_, work_.stop, KeptCounts::gross);
+            return kept_.change(state.city, state.receivers, silent_, work_.stop, ShadowCounts::gross);
         });
     }
     /// Seconds that the longest runs take besides.

@@ -12,9 +12,31 @@ namespace {
 
 constexpr double hoursADay = 8;
 
-// 0: as the error target asks.
-double binOf(const Contestant& contestant) {
-    return contestant.setting.empty() ? 0 : std::stod(contestant.setting.substr(4));
+/// A sweep and what it is told.
+struct Sweep {
+    double binDeg;  ///< 0: as the error target asks
+    bool runs;      ///< whether the longest runs are counted too
+    [[nodiscard]] const char* counted() const { return runs ? "gross, runs" : "gross"; }
+    [[nodiscard]] std::string width() const { return binDeg > 0 ? fmt::format("{:g}", binDeg) : "by error"; }
+};
+
+// Gross shadow at all widths, and with the longest runs at the usual one.
+std::vector<Sweep> sweepsOf(const Extent& extent) {
+    std::vector<Sweep> sweeps{{0, false}, {0, true}};
+    for (const double binDeg : extent.binsDeg) sweeps.push_back({binDeg, false});
+    return sweeps;
+}
+
+Result<std::vector<Contestant>> contestantsOf(std::span<const Sweep> sweeps, const EngineList& engines) {
+    std::vector<Contestant> contestants;
+    for (const Sweep& sweep : sweeps) {
+        auto made =
+            makeAccumulator("horizon", {{"bin", sweep.binDeg}, {"runs", sweep.runs ? 1 : 0}}, engines);
+        if (!made) return tl::make_unexpected(made.error());
+        contestants.push_back({"horizon", "Horizon sweep",
+                               fmt::format("bin {}, {}", sweep.width(), sweep.counted()), std::move(*made)});
+    }
+    return contestants;
 }
 
 void addPoints(Finding& finding, double binDeg, const Placing& placing) {
@@ -24,26 +46,28 @@ void addPoints(Finding& finding, double binDeg, const Placing& placing) {
     finding.charts[1].series[0].points.push_back({1 / binDeg, placing.medianS, {}});
 }
 
-void addTo(Finding& finding, const Contestant& contestant, const Placing& placing, double raySeconds) {
-    const double binDeg = binOf(contestant);
+void addTo(Finding& finding, const Sweep& sweep, const Placing& placing, double raySeconds) {
     TableCell seconds, ratio;
     if (placing.timed()) {
         seconds = placing.medianS;
         ratio = raySeconds / placing.medianS;
-        if (binDeg > 0) addPoints(finding, binDeg, placing);
+        if (sweep.binDeg > 0) addPoints(finding, sweep.binDeg, placing);
     }
-    finding.table.rows.push_back({binDeg, placing.error.cellMeanPct, placing.error.cellP99Pct,
-                                  placing.error.cellMaxPct, seconds, double(placing.runs), ratio,
-                                  placing.refusal});
-    finding.comparisons[0].rows.push_back({binDeg > 0 ? fmt::format("{:g}", binDeg) : "by error",
-                                           fmt::format("{:.4f}", placing.error.cellMeanPct),
-                                           fmt::format("{:.3f}", placing.error.cellMaxPct),
-                                           placing.timed() ? threeDigits(placing.medianS) : "",
-                                           placing.timed() ? threeDigits(raySeconds / placing.medianS) : ""});
-    if (!contestant.setting.empty() || !placing.timed()) return;
-    finding.summary = {{"year_vs_ray", raySeconds / placing.medianS},
-                       {"year_cell_error_mean_pct", placing.error.cellMeanPct},
-                       {"year_cell_error_max_pct", placing.error.cellMaxPct}};
+    finding.table.rows.push_back({sweep.binDeg, std::string(sweep.counted()), placing.error.cellMeanPct,
+                                  placing.error.cellP99Pct, placing.error.cellMaxPct, seconds,
+                                  double(placing.runs), ratio, placing.refusal});
+    finding.comparisons[0].rows.push_back(
+        {sweep.width(), sweep.counted(), fmt::format("{:.4f}", placing.error.cellMeanPct),
+         fmt::format("{:.3f}", placing.error.cellMaxPct), placing.timed() ? threeDigits(placing.medianS) : "",
+         placing.timed() ? threeDigits(raySeconds / placing.medianS) : ""});
+    if (sweep.binDeg > 0 || !placing.timed()) return;
+    if (sweep.runs) {
+        finding.summary["year_with_runs_vs_ray"] = raySeconds / placing.medianS;
+        return;
+    }
+    finding.summary["year_vs_ray"] = raySeconds / placing.medianS;
+    finding.summary["year_cell_error_mean_pct"] = placing.error.cellMeanPct;
+    finding.summary["year_cell_error_max_pct"] = placing.error.cellMaxPct;
 }
 
 Finding emptyFinding(const Extent& extent, double raySeconds) {
@@ -52,16 +76,16 @@ Finding emptyFinding(const Extent& extent, double raySeconds) {
     finding.title = "A year by the horizon sweep";
     finding.text = fmt::format(
         "A year of 8 h days at every minute in the middle of the city. Errors of gross shadow against the "
-        "ray "
-        "reference at {} receivers, of the sunlit time; the ray reference's time for all, {} s, is worked "
-        "out "
-        "from them. Medians of {} runs. Bins of 0 deg are those of the usual error target, {:g} %. All suns "
-        "of a bin are taken at their mean azimuth: cells whose "
-        "horizon "
-        "ends within a bin, behind the corner of a tower, are farthest off.",
+        "ray reference at {} receivers, of the sunlit time; the ray reference's time for all, {} s, is "
+        "worked "
+        "out from them: it counts the longest runs too, which costs it nothing to speak of. Medians of {} "
+        "runs. Bins of 0 deg are those of the usual error target, {:g} %. All suns of a bin are taken at "
+        "their mean azimuth: cells whose horizon ends within a bin, behind the corner of a tower, are "
+        "farthest off.",
         extent.sampleReceivers, threeDigits(raySeconds), extent.runs,
         HorizonSweepSettings{}.errorTargetPercent);
     finding.table.columns = {"bin_deg",
+                             "counted",
                              "cell_error_mean_pct",
                              "cell_error_p99_pct",
                              "cell_error_max_pct",
@@ -69,7 +93,8 @@ Finding emptyFinding(const Extent& extent, double raySeconds) {
                              "runs",
                              "times_ray",
                              "refusal"};
-    finding.comparisons[0].header = {"bin, deg", "error, mean, %", "largest, %", "time, s", "x rays"};
+    finding.comparisons[0].header = {"bin, deg",   "counted", "error, mean, %",
+                                     "largest, %", "time, s", "x rays"};
     finding.charts = {
         {"Error by bin width",
          {"bin, deg", true},
@@ -91,14 +116,14 @@ Result<Finding> horizonYear(const BenchSite& site, const Extent& extent, const E
     const Scene scene{site.city, *receivers, *sun};
     const auto truth = truthOf(scene, sampleOf(*receivers, extent.sampleReceivers, site.seed), work);
     if (!truth) return tl::make_unexpected(truth.error());
-    std::vector<double> binsDeg = extent.binsDeg;
-    binsDeg.insert(binsDeg.begin(), HorizonSweepSettings{}.binDeg);
-    const auto widths = ladderOf(engines, "horizon", "bin", binsDeg);
-    const auto placings = contest(scene, widths, *truth, extent, work);
+    const std::vector<Sweep> sweeps = sweepsOf(extent);
+    const auto contestants = contestantsOf(sweeps, engines);
+    if (!contestants) return tl::make_unexpected(contestants.error());
+    const auto placings = contest(scene, *contestants, *truth, extent, work);
     if (!placings) return tl::make_unexpected(placings.error());
     const double raySeconds = secondsForAll(*truth, *receivers);
     Finding finding = emptyFinding(extent, raySeconds);
-    for (std::size_t i = 0; i < widths.size(); ++i) addTo(finding, widths[i], (*placings)[i], raySeconds);
+    for (std::size_t i = 0; i < sweeps.size(); ++i) addTo(finding, sweeps[i], (*placings)[i], raySeconds);
     return finding;
 }
 

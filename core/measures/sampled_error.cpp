@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace noonmark {
@@ -32,6 +33,13 @@ double continuousDifference(const ComparedCell& cell) {
     return cell.continuousMin - cell.referenceContinuousMin;
 }
 
+CellError continuousErrorOf(std::span<const ComparedCell> cells, double longestDayMin) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    if (std::ranges::any_of(cells, [](const ComparedCell& cell) { return std::isnan(cell.continuousMin); }))
+        return {.meanMin = unknown, .p99Min = unknown, .maxMin = unknown, .wholeMin = longestDayMin};
+    return cellErrorOf(cells, longestDayMin, continuousDifference);
+}
+
 // Cells are of one size: the error of the area is the mean of theirs.
 void addArea(SampledError& error, std::span<const ComparedCell> cells) {
     const auto count = double(cells.size());
@@ -48,7 +56,7 @@ void addArea(SampledError& error, std::span<const ComparedCell> cells) {
 SampledError errorOf(std::span<const ComparedCell> cells, double sunlitMinutesPerDay, double longestDayMin) {
     SampledError error{.receivers = cells.size()};
     error.gross = cellErrorOf(cells, sunlitMinutesPerDay, grossDifference);
-    error.continuous = cellErrorOf(cells, longestDayMin, continuousDifference);
+    error.continuous = continuousErrorOf(cells, longestDayMin);
     addArea(error, cells);
     return error;
 }

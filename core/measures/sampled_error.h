@@ -12,7 +12,7 @@ struct ComparedCell {
     glm::dvec2 centreM{0};  ///< local metres
     double grossMin = 0;    ///< minutes a day
     double referenceGrossMin = 0;
-    double continuousMin = 0;
+    double continuousMin = 0;  ///< NaN where runs were not counted
     double referenceContinuousMin = 0;
 };
 
@@ -37,7 +37,7 @@ struct SampledError {
     double areaPct = 0;               ///< of the receivers' area
     double areaStandardErrorPct = 0;  ///< of areaPct, from the spread of the sample
     CellError gross;                  ///< of the sunlit minutes of a mean day
-    CellError continuous;             ///< of the sunlit minutes of the longest day
+    CellError continuous;  ///< of the sunlit minutes of the longest day; minutes are NaN without runs
 };
 
 /// Figures of a sample; all zero for an empty one. `sunlitMinutesPerDay` and `longestDayMin` are 100 % of

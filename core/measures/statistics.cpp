@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/measures/has_runs.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -39,7 +41,8 @@ ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay
     statistics.meanGrossMin = sums.grossMin / count;
     statistics.meanContinuousMin = sums.continuousMin / count;
     statistics.maxGrossMin = sums.maxGrossMin;
-    statistics.maxContinuousMin = sums.maxContinuousMin;
+    statistics.maxContinuousMin =
+        hasRuns(statistics) ? sums.maxContinuousMin : std::numeric_limits<double>::quiet_NaN();
     if (sunlitMinutesPerDay > 0) statistics.shadowAreaM2 = sums.grossMin / sunlitMinutesPerDay * cellAreaM2;
     return statistics;
 }

@@ -13,15 +13,15 @@ struct ShadowStatistics {
     double shadowAreaM2 = 0;
     double meanGrossMin = 0;
     double maxGrossMin = 0;
-    double meanContinuousMin = 0;
+    double meanContinuousMin = 0;  ///< NaN, as the largest, where runs were not counted
     double maxContinuousMin = 0;
 };
 
 /// What the figures of several pieces of one field are made from. Pieces have the same period and cell size.
 struct ShadowSums {
     std::size_t receivers = 0;
-    double grossMin = 0;  ///< sum over the receivers
-    double continuousMin = 0;
+    double grossMin = 0;       ///< sum over the receivers
+    double continuousMin = 0;  ///< NaN where runs of a receiver were not counted
     double maxGrossMin = 0;
     double maxContinuousMin = 0;
 

@@ -9,27 +9,32 @@ namespace noonmark {
 
 namespace {
 
-Result<void> copyTile(GeoTiffWriter& map, const Grid& tile, const std::filesystem::path& file, bool empty) {
+Result<void> copyTile(GeoTiffWriter& map, const Grid& tile, const std::filesystem::path& file, bool empty,
+                      std::size_t bandCount) {
     if (empty) {
         const std::vector<float> nothing(tile.size(), std::numeric_limits<float>::quiet_NaN());
-        return map.write(tile, {&nothing, &nothing});
+        return map.write(tile, std::vector<const std::vector<float>*>(bandCount, &nothing));
     }
     return readGeoTiff(file, tile).and_then([&](const std::vector<std::vector<float>>& bands) {
-        return map.write(tile, {&bands.at(0), &bands.at(1)});
+        std::vector<const std::vector<float>*> copied;
+        for (std::size_t band = 0; band < bandCount; ++band) copied.push_back(&bands.at(band));
+        return map.write(tile, copied);
     });
 }
 
 }  // namespace
 
 Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
-                         const std::filesystem::path& file, Progress& progress, const std::stop_token& stop) {
+                         const std::filesystem::path& file, bool runs, Progress& progress,
+                         const std::stop_token& stop) {
     const ShadowField names;
-    auto map = GeoTiffWriter::create(file, frame, plan.whole, mapBands(names));
+    const std::vector<RasterBand> bands = mapBands(names, runs);
+    auto map = GeoTiffWriter::create(file, frame, plan.whole, bands);
     if (!map) return tl::make_unexpected(map.error());
     for (const auto& [number, result] : journal.finished()) {
         if (stop.stop_requested()) return cancelled();
         progress.report(double(number) / double(plan.count()), "writing the map");
-        auto copied = copyTile(*map, plan.tile(number), journal.fileOf(number), result.empty());
+        auto copied = copyTile(*map, plan.tile(number), journal.fileOf(number), result.empty(), bands.size());
         if (!copied) return copied;
     }
     return map->finish(true, stop);

@@ -10,9 +10,11 @@
 
 namespace noonmark {
 
-/// One GeoTIFF with overviews from the finished tiles of a journal, NaN in empty ones. Holds one tile in
-/// memory. Error: a tile that can't be read, a map that can't be written; cancelled().
+/// One GeoTIFF with overviews from the finished tiles of a journal, NaN in empty ones; continuous shadow is
+/// in it with `runs`. Holds one tile in memory. Error: a tile that can't be read, a map that can't be
+/// written; cancelled().
 Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
-                         const std::filesystem::path& file, Progress& progress, const std::stop_token& stop);
+                         const std::filesystem::path& file, bool runs, Progress& progress,
+                         const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -1,5 +1,6 @@
 #include "core/study/error_json.h"
 
+#include "core/measures/has_runs.h"
 #include "core/study/error_words.h"
 
 namespace noonmark {
@@ -31,7 +32,7 @@ Json errorJson(const SampledError& error, const Frame& frame) {
             {"area_pct", error.areaPct},
             {"area_standard_error_pct", error.areaStandardErrorPct},
             {"gross", cellErrorJson(error.gross, frame)},
-            {"continuous", cellErrorJson(error.continuous, frame)}};
+            {"continuous", hasRuns(error) ? cellErrorJson(error.continuous, frame) : Json()}};
 }
 
 Json errorJson(const Study& study) {

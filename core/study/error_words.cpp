@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/measures/has_runs.h"
+
 namespace noonmark {
 
 namespace {
@@ -52,7 +54,8 @@ std::vector<ErrorLine> errorLines(const Study& study) {
     add("area error", fmt::format("{:+.4f} % of the ground, standard error {:.4f}", error.areaPct,
                                   error.areaStandardErrorPct));
     add("cell error, gross", cellWords(study, error.gross));
-    if (study.sun.steps.size() > 1) add("cell error, continuous", cellWords(study, error.continuous));
+    if (study.sun.steps.size() > 1 && hasRuns(error))
+        add("cell error, continuous", cellWords(study, error.continuous));
     add("error measured on", sampleWords(study, error));
     return lines;
 }

@@ -7,9 +7,12 @@
 
 namespace noonmark {
 
-/// The bands of a study's map. They hold pointers to the field's arrays: it outlives them.
-inline std::vector<RasterBand> mapBands(const ShadowField& field) {
-    return {{"gross shadow", "min/day", &field.grossMin}, {"continuous shadow", "min", &field.continuousMin}};
+/// The bands of a study's map, gross and, with `runs`, continuous shadow. They hold pointers to the field's
+/// arrays: it outlives them.
+inline std::vector<RasterBand> mapBands(const ShadowField& field, bool runs) {
+    std::vector<RasterBand> bands{{"gross shadow", "min/day", &field.grossMin}};
+    if (runs) bands.push_back({"continuous shadow", "min", &field.continuousMin});
+    return bands;
 }
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "core/accumulate/blank_field.h"
+#include "core/measures/has_runs.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
@@ -81,6 +82,7 @@ void addFigures(Json& json, const ShadowStatistics& statistics) {
     json["shadow_area_m2"] = statistics.shadowAreaM2;
     json["mean_gross_min"] = statistics.meanGrossMin;
     json["max_gross_min"] = statistics.maxGrossMin;
+    // NaN, where runs were not counted, is null in JSON.
     json["mean_continuous_min"] = statistics.meanContinuousMin;
     json["max_continuous_min"] = statistics.maxContinuousMin;
 }
@@ -113,10 +115,11 @@ Json monthsJson(const Study& study) {
     return json;
 }
 
-Json definitions() {
+Json definitions(bool runs) {
+    const std::string continuous = "longest unbroken run in shadow on any day of the period, minutes";
     return {
         {"gross", "minutes a receiver is in shadow per day, averaged over the days of the period"},
-        {"continuous", "longest unbroken run in shadow on any day of the period, minutes"},
+        {"continuous", runs ? continuous : continuous + "; null: it was not counted"},
         {"shadow_area_m2", "sum over receivers of the fraction of time in shadow times the cell area"},
         {"fraction_of_time",
          "of the time in the period that the sun is above the horizon; steps with the sun below it are "
@@ -156,7 +159,7 @@ std::string studyJson(const Study& study) {
     json["inputs"] = inputsJson(study.inputs);
     json["attribution"] = study.attribution;
     json["repeat"] = repeatCommand(study, std::numeric_limits<std::size_t>::max());
-    json["definitions"] = definitions();
+    json["definitions"] = definitions(hasRuns(study.statistics));
     json["warnings"] = warningsJson(study.warnings);
     return jsonText(json);
 }

@@ -1,5 +1,7 @@
 #include "core/study/tile_result.h"
 
+#include <limits>
+
 namespace noonmark {
 
 using Json = nlohmann::json;
@@ -11,13 +13,19 @@ Json jsonOf(const ComparedCell& cell) {
             cell.referenceGrossMin, cell.continuousMin, cell.referenceContinuousMin};
 }
 
+// NaN, what was not counted, is null in JSON.
+double minutesFrom(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
 ComparedCell comparedCellFrom(const Json& json) {
-    return {{json.at(0), json.at(1)}, json.at(2), json.at(3), json.at(4), json.at(5)};
+    return {{json.at(0), json.at(1)}, json.at(2), json.at(3), minutesFrom(json.at(4)), json.at(5)};
 }
 
 TileResult resultFrom(const Json& json) {
     const Json& sums = json.at("sums");
-    TileResult result{json.at("tile"), {sums.at(0), sums.at(1), sums.at(2), sums.at(3), sums.at(4)}};
+    TileResult result{json.at("tile"),
+                      {sums.at(0), sums.at(1), minutesFrom(sums.at(2)), sums.at(3), sums.at(4)}};
     result.cost.rays = json.at("rays");
     result.cost.skipped = json.at("skipped");
     result.cost.seconds = json.at("stages");

@@ -14,8 +14,9 @@ namespace {
 // Of a city's box some 40 to 80 % are receivers: so many places for each that is wanted.
 constexpr std::size_t placesAReceiver = 2;
 
+// Both bands in every tile, whatever was counted: that is asked of all of them together.
 Result<void> writeTile(const std::filesystem::path& file, const Frame& frame, const ShadowField& field) {
-    auto writer = GeoTiffWriter::create(file, frame, field.grid, mapBands(field));
+    auto writer = GeoTiffWriter::create(file, frame, field.grid, mapBands(field, true));
     if (!writer) return tl::make_unexpected(writer.error());
     return writer->write(field.grid, {&field.grossMin, &field.continuousMin}).and_then([&] {
         return writer->finish(false);

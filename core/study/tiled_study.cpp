@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/accumulate/reach.h"
+#include "core/measures/has_runs.h"
 #include "core/stopwatch.h"
 #include "core/study/assemble_map.h"
 #include "core/study/memory_need.h"
@@ -158,7 +159,9 @@ Result<TiledStudy> computed(TiledStudy tiled, const Accumulator& engine, const s
     addTiles(tiled, *journal);
     if (auto some = checkOpenGround(study); !some) return tl::make_unexpected(some.error());
     const Stopwatch writing;
-    if (auto made = assembleMap(tiled.plan, *journal, study.city.frame, file, progress, stop); !made)
+    if (auto made = assembleMap(tiled.plan, *journal, study.city.frame, file, hasRuns(study.statistics),
+                                progress, stop);
+        !made)
         return tl::make_unexpected(made.error());
     journal->remove();
     study.seconds["write"] = writing.seconds();

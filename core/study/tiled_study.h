@@ -31,9 +31,10 @@ struct TiledStudy {
     std::size_t resumedTiles = 0;                      ///< found finished by a run before this one
 };
 
-/// The shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross and
-/// continuous minutes, NaN where there is no receiver. Cells and figures are those of runStudy over the whole
-/// region, where the engine's cells do not depend on what is around them (sums in another order: 1e-12).
+/// The shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross and, where
+/// every tile counted them, continuous minutes, NaN where there is no receiver. Cells and figures are those
+/// of runStudy over the whole region, where the engine's cells do not depend on what is around them (sums in
+/// another order: 1e-12).
 ///
 /// What is finished lies in the folder `file` + ".tiles" until all is done (TileJournal): who runs the same
 /// study again after a kill goes on there. Another engine may be picked for each tile by `auto`;

@@ -20,7 +20,7 @@ enum class CellChange : std::uint8_t {
 struct Impact {
     Grid grid;
     std::vector<float> grossMin;       ///< minutes a day; NaN where it is no receiver in both; grid order
-    std::vector<float> continuousMin;  ///< minutes; likewise
+    std::vector<float> continuousMin;  ///< minutes; likewise; NaN everywhere where runs were not counted
     std::vector<CellChange> change;    ///< one a cell
     double sunlitMinutesPerDay = 0;
     double stepMinutes = 1;

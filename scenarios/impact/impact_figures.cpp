@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/receivers/rasterize.h"
 
@@ -10,6 +11,9 @@ namespace noonmark {
 namespace {
 
 constexpr double noChangeMin = 1e-3;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr ChangeFigures notCounted{unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 
 // Cells counted and minutes summed of one measure.
 class Sum {
@@ -27,6 +31,7 @@ public:
     }
 
     [[nodiscard]] ChangeFigures figures(double cellM2, double receivers) const {
+        if (std::isnan(figures_.meanMin)) return notCounted;
         ChangeFigures figures = figures_;
         for (double* areaM2 : {&figures.gainedM2, &figures.lostM2, &figures.touchedM2, &figures.easedM2})
             *areaM2 *= cellM2;

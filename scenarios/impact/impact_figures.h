@@ -20,7 +20,7 @@ struct ImpactFigures {
     double thresholdMin = 30;
     double receiverAreaM2 = 0;  ///< receivers in both cities
     ChangeFigures gross;
-    ChangeFigures continuous;
+    ChangeFigures continuous;       ///< all NaN where runs were not counted
     double shadowAreaChangeM2 = 0;  ///< of the sum of (share of the sunlit time in shadow x cell area)
     double becameBuildingM2 = 0;
     double becameGroundM2 = 0;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/study/warnings_json.h"
 #include "scenarios/settings_json.h"
 
@@ -12,6 +14,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Json changeJson(const ChangeFigures& figures) {
+    if (std::isnan(figures.meanMin)) return nullptr;
     return {{"gained_m2", figures.gainedM2},       {"lost_m2", figures.lostM2},
             {"touched_m2", figures.touchedM2},     {"eased_m2", figures.easedM2},
             {"mean_min", figures.meanMin},         {"most_gained_min", figures.mostGainedMin},
@@ -43,14 +46,18 @@ Json definitions() {
             {"became_building_m2", "open ground in `from`, under a building in `to`: no receiver"}};
 }
 
+// Gained and lost; empty fields where it was not counted.
+std::string areasText(const ChangeFigures& figures) {
+    return std::isnan(figures.meanMin) ? "," : fmt::format("{:.1f},{:.1f}", figures.gainedM2, figures.lostM2);
+}
+
 std::string line(const std::string& id, const std::string& name, const ImpactFigures& figures) {
     const ChangeFigures& gross = figures.gross;
-    const ChangeFigures& continuous = figures.continuous;
     return fmt::format(
-        "{},{},{:g},{:.1f},{:.1f},{:.1f},{:.1f},{:.3f},{:.2f},{:.2f},{:.1f},{:.1f},{:.1f},{:.1f},{:.1f}\r\n",
+        "{},{},{:g},{:.1f},{:.1f},{:.1f},{:.1f},{:.3f},{:.2f},{:.2f},{},{:.1f},{:.1f},{:.1f}\r\n",
         csvField(id), csvField(name), figures.thresholdMin, gross.gainedM2, gross.lostM2, gross.touchedM2,
-        gross.easedM2, gross.meanMin, gross.mostGainedMin, gross.mostLostMin, continuous.gainedM2,
-        continuous.lostM2, figures.shadowAreaChangeM2, figures.becameBuildingM2, figures.becameGroundM2);
+        gross.easedM2, gross.meanMin, gross.mostGainedMin, gross.mostLostMin, areasText(figures.continuous),
+        figures.shadowAreaChangeM2, figures.becameBuildingM2, figures.becameGroundM2);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/study/inputs_json.h"
 #include "core/study/study_hash.h"
 #include "core/study/warnings_json.h"
+#include "scenarios/impact/impact_runs.h"
 #include "scenarios/project/changed_cells_json.h"
 #include "scenarios/settings_json.h"
 #include "scenarios/weights/weights_text.h"
@@ -49,6 +50,19 @@ Json originOf(const Project& project, const ScoreAnswer& answer, std::chrono::sy
 
 std::string inputsOf(const Project& project) { return inputsJson(project.inputs).dump(); }
 
+// Other programs open each as a map: none is without a value.
+std::vector<KeptLayer> layersOf(const ShadowField& field) {
+    std::vector<KeptLayer> layers{{"gross shadow", "min/day", field.grossMin}};
+    if (hasRuns(field)) layers.push_back({"continuous shadow", "min", field.continuousMin});
+    return layers;
+}
+
+std::vector<KeptLayer> layersOf(const Impact& impact) {
+    std::vector<KeptLayer> layers{{"change of gross shadow", "min/day", impact.grossMin}};
+    if (hasRuns(impact)) layers.push_back({"change of continuous shadow", "min", impact.continuousMin});
+    return layers;
+}
+
 Project named(Project project, const std::string& name, KeptResult result) {
     result.name = name;
     return withResult(std::move(project), std::move(result));
@@ -66,7 +80,7 @@ KeptResult keptResult(const Project& project, const std::string& scenario, const
             withOrigin(studyJson(study), originJson(at, cityHash(study.city))),
             inputsOf(project),
             field.grid,
-            {{"gross shadow", "min/day", field.grossMin}, {"continuous shadow", "min", field.continuousMin}}};
+            layersOf(field)};
 }
 
 KeptResult keptResult(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
@@ -78,8 +92,7 @@ KeptResult keptResult(const Project& project, const ImpactAnswer& answer, std::c
             withOrigin(impactJson(answer), originOf(project, answer, at)),
             inputsOf(project),
             impact.grid,
-            {{"change of gross shadow", "min/day", impact.grossMin},
-             {"change of continuous shadow", "min", impact.continuousMin}}};
+            layersOf(impact)};
 }
 
 KeptResult keptResult(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {

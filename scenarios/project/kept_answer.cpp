@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/study/inputs_json.h"
 #include "core/study/study_hash.h"
+#include "scenarios/impact/impact_runs.h"
 #include "scenarios/project/changed_cells_json.h"
 #include "scenarios/project/kept_figures_json.h"
 #include "scenarios/weights/weights_text.h"
@@ -21,6 +23,12 @@ const std::vector<float>& layerOf(const KeptResult& result, std::size_t number) 
     const std::vector<float>& values = result.layers[number].values;
     if (values.size() != result.grid.size()) throw std::invalid_argument("a layer has another size");
     return values;
+}
+
+// Of a map of runs, which are not kept where they were not counted.
+std::vector<float> runsOf(const KeptResult& result, std::size_t number, bool counted) {
+    if (counted) return layerOf(result, number);
+    return std::vector<float>(result.grid.size(), std::numeric_limits<float>::quiet_NaN());
 }
 
 std::optional<TimeWeights> weightsOf(const Json& json, const Json& kept) {
@@ -48,12 +56,12 @@ KeptStudy studyOf(const KeptResult& result, const Json& json) {
     ShadowField& field = study.field;
     field.grid = result.grid;
     field.grossMin = layerOf(result, 0);
-    field.continuousMin = layerOf(result, 1);
+    study.statistics = statisticsFrom(json);
+    field.continuousMin = runsOf(result, 1, hasRuns(study.statistics));
     field.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
     field.stepMinutes = json.at("period").at("step_min");
     field.days = json.at("period").at("days");
     field.engine = json.at("engine_settings");
-    study.statistics = statisticsFrom(json);
     study.steps = json.at("steps");
     study.belowHorizon = json.at("steps_below_horizon");
     study.seconds = json.at("seconds").value("accumulate", 0.0);
@@ -66,7 +74,7 @@ KeptImpact impactOf(const KeptResult& result, const Json& json) {
     Impact& impact = kept.impact;
     impact.grid = result.grid;
     impact.grossMin = layerOf(result, 0);
-    impact.continuousMin = layerOf(result, 1);
+    impact.continuousMin = runsOf(result, 1, hasRuns(kept.figures.all.front()));
     impact.change = changedCellsFrom(json.value("kept", Json::object()).value("changed_cells", Json::array()),
                                      result.grid.size());
     impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");

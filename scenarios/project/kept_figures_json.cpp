@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -10,7 +12,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// null: it was not counted.
+double minutesFrom(const Json& json) { return json.is_null() ? unknown : json.get<double>(); }
+
 ChangeFigures changeFrom(const Json& json) {
+    if (json.is_null()) return {unknown, unknown, unknown, unknown, unknown, unknown, unknown};
     return {json.at("gained_m2"), json.at("lost_m2"),         json.at("touched_m2"),   json.at("eased_m2"),
             json.at("mean_min"),  json.at("most_gained_min"), json.at("most_lost_min")};
 }
@@ -36,9 +44,13 @@ std::string nameOrId(const Json& building) {
 }  // namespace
 
 ShadowStatistics statisticsFrom(const Json& study) {
-    return {study.at("receivers"),         study.at("receiver_area_m2"), study.at("shadow_area_m2"),
-            study.at("mean_gross_min"),    study.at("max_gross_min"),    study.at("mean_continuous_min"),
-            study.at("max_continuous_min")};
+    return {study.at("receivers"),
+            study.at("receiver_area_m2"),
+            study.at("shadow_area_m2"),
+            study.at("mean_gross_min"),
+            study.at("max_gross_min"),
+            minutesFrom(study.at("mean_continuous_min")),
+            minutesFrom(study.at("max_continuous_min"))};
 }
 
 ComparisonFigures comparisonFrom(const Json& impact) {

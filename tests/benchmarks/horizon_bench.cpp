@@ -123,7 +123,7 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
     City now = withTower(city, middle, 0);
     KeptHorizons kept =
         taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}));
-    const double full = secondsOf([&] { taken(kept.retime(sun, progress, {}, KeptCounts::gross)); });
+    const double full = secondsOf([&] { taken(kept.retime(sun, progress, {}, ShadowCounts::gross)); });
     SunSteps day = sun;
     day.days = {sun.days[100]};
     day.days[0].first = 0;
@@ -131,15 +131,15 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
                      sun.steps.begin() + sun.days[100].first + sun.days[100].count);
     std::vector<double> again, ofDay, edits;
     for (int round = 0; round < rounds; ++round) {
-        ofDay.push_back(secondsOf([&] { taken(kept.retime(day, progress, {}, KeptCounts::gross)); }));
-        again.push_back(secondsOf([&] { taken(kept.retime(sun, progress, {}, KeptCounts::gross)); }));
+        ofDay.push_back(secondsOf([&] { taken(kept.retime(day, progress, {}, ShadowCounts::gross)); }));
+        again.push_back(secondsOf([&] { taken(kept.retime(sun, progress, {}, ShadowCounts::gross)); }));
     }
     for (int round = 1; round <= 2 * rounds; ++round) {
         now = withTower(city, middle, round % 2 == 0 ? 0.0F : 10.0F);
         const Receivers receivers = receiversOf(now);
         ShadowField field;
-        edits.push_back(
-            secondsOf([&] { field = taken(kept.change(now, receivers, progress, {}, KeptCounts::gross)); }));
+        edits.push_back(secondsOf(
+            [&] { field = taken(kept.change(now, receivers, progress, {}, ShadowCounts::gross)); }));
         if (round == 1) printStages(field);
     }
     fmt::print(

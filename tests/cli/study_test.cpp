@@ -111,6 +111,36 @@ TEST_F(StudyCommand, theErrorIsMeasuredUnlessItIsSwitchedOff) {
     EXPECT_FALSE(without["seconds"].contains("error_sample"));
 }
 
+TEST_F(StudyCommand, grossShadowAloneIsSaidAsSuchInEveryFile) {
+    for (const char* engine : {"horizon", "auto"}) {
+        // Automatic: projected shadows, which count both anyway.
+        const Spoken both = study({"--days", "30", "--engine", engine, "--json"});
+        const Spoken spoken =
+            study({"--days", "30", "--engine", engine, "--option", "runs=0", "--cells-csv"});
+        ASSERT_EQ(spoken.code, exitOk) << spoken.err;
+        const auto json = nlohmann::json::parse(contentOf(out / "study.json"));
+        EXPECT_EQ(json["engine_options"]["runs"], 0);
+        EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--option runs=0"));
+        EXPECT_EQ(json["mean_gross_min"], both.json()["mean_gross_min"]);
+        const bool swept = json["engine_used"] == "horizon";
+        EXPECT_EQ(json["mean_continuous_min"].is_null(), swept) << engine;
+        EXPECT_EQ(json["max_continuous_min"].is_null(), swept);
+        EXPECT_EQ(json["error"]["continuous"].is_null(), swept);
+        EXPECT_TRUE(json["error"]["gross"]["mean_pct"].is_number());
+        EXPECT_EQ(spoken.out.find("not counted") != std::string::npos, swept) << spoken.out;
+        EXPECT_EQ(spoken.out.find("nan"), std::string::npos) << spoken.out;
+        const std::string cells = contentOf(out / "cells.csv");
+        EXPECT_EQ(cells.find(",continuous_min") == std::string::npos, swept);
+        EXPECT_EQ(cells.find("nan"), std::string::npos);
+    }
+}
+
+TEST_F(StudyCommand, runsAreCountedOrNot) {
+    EXPECT_NE(study({"--engine", "horizon", "--option", "runs=2"}).code, exitOk);
+    EXPECT_NE(study({"--engine", "horizon", "--option", "runs=0.5"}).code, exitOk);
+    EXPECT_EQ(study({"--engine", "horizon", "--option", "runs=1"}).code, exitOk);
+}
+
 TEST_F(StudyCommand, refractionCanBeLeftOut) {
     EXPECT_EQ(study({"--json"}).json()["period"]["refraction"], true);
     EXPECT_EQ(study({"--json", "--no-refraction"}).json()["period"]["refraction"], false);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
@@ -132,6 +133,30 @@ TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
     EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("cannot be shown")));
     EXPECT_EQ(workbench().kept(), nullptr);
     EXPECT_NE(workbench().study(), nullptr);
+}
+
+TEST_F(AnswersWindow, GrossShadowAloneStandsForContinuousAndSaysSo) {
+    StudySettings question = workbench().document().settings();
+    question.engine = "horizon";
+    question.engineSettings["runs"] = 0;
+    workbench().document().change(question, QStringLiteral("runs"));
+    EXPECT_EQ(window->findChild<QDoubleSpinBox*>(QStringLiteral("option_runs"))->value(), 0);
+    study();
+    LegendStrip& legend = window->panel().legend();
+    EXPECT_EQ(legend.note(), QString());
+    legend.setMeasure(ShadowMeasure::continuous);
+    EXPECT_EQ(legend.note(), QStringLiteral("Continuous shadow was not counted"));
+    EXPECT_EQ(legend.legend()->title, QStringLiteral("Gross shadow"));
+    EXPECT_EQ(figures().at(figures().indexOf(QStringLiteral("Continuous")) + 1),
+              QStringLiteral("not counted"));
+    EXPECT_FALSE(figures().join(QLatin1Char(' ')).contains(QStringLiteral("nan")));
+    keep("Gross");
+    showKept("Gross");
+    EXPECT_TRUE(legend.note().endsWith(QStringLiteral("Gross. Continuous shadow was not counted")))
+        << legend.note().toStdString();
+    EXPECT_TRUE(figures().contains(QStringLiteral("not counted")));
+    legend.setMeasure(ShadowMeasure::gross);
+    EXPECT_FALSE(legend.note().contains(QStringLiteral("not counted"))) << legend.note().toStdString();
 }
 
 TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {

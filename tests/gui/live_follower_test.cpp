@@ -21,7 +21,7 @@ public:
               const City city = smallCity();
               const auto receivers =
                   receiversOnGround(city, regionFromLocalBox({{-50, -50}, {50, 50}}), {.cellM = 5}).value();
-              (void)horizons.field(city, receivers, sunOf(spring(1, 30)), KeptCounts::gross, *this, {});
+              (void)horizons.field(city, receivers, sunOf(spring(1, 30)), ShadowCounts::gross, *this, {});
           }) {
         begun_.wait();
     }

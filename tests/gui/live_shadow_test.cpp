@@ -19,7 +19,7 @@ struct LiveShadowTest : ::testing::Test {
         return LiveShadow::at(placeIn(city), question, horizons, progress, {}).value();
     }
     LiveAnswer answer(LiveShadow& live, const LiveReceivers::Shape& shape,
-                      KeptCounts counts = KeptCounts::grossAndRuns) {
+                      ShadowCounts counts = ShadowCounts::grossAndRuns) {
         return live.with(shape, counts, progress, {}).value();
     }
     // Bit for bit what a study of the city with the shape would count on these cells.
@@ -65,7 +65,7 @@ TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
     const Period period = spring(1, 2);
     const auto live = at(smallCity(), asked(period));
     EXPECT_EQ(live->engine(), LiveEngine::shadows);
-    const LiveAnswer shown = answer(*live, tower(), KeptCounts::gross);
+    const LiveAnswer shown = answer(*live, tower(), ShadowCounts::gross);
     EXPECT_TRUE(shown.runs) << "polygons know them at once";
     EXPECT_EQ(shown.counted, shown.steps);
     const SunQuestion sun = sunOf(period);
@@ -123,7 +123,7 @@ TEST_F(LiveShadowTest, OfALongPeriodEveryStepCounts) {
     const Period period = spring(30, 5);
     const auto live = at(city, asked(period));
     ASSERT_EQ(live->engine(), LiveEngine::horizons);
-    const LiveAnswer gross = answer(*live, tower(), KeptCounts::gross);
+    const LiveAnswer gross = answer(*live, tower(), ShadowCounts::gross);
     EXPECT_FALSE(gross.runs);
     EXPECT_EQ(gross.steps, 30U * 36U);
     EXPECT_EQ(gross.counted, gross.steps);

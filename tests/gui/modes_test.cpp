@@ -77,6 +77,20 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
     }
 }
 
+TEST(AccuracyForm, ASwitchSaysYesOrNo) {
+    AccuracyForm form;
+    StudySettings settings;
+    settings.engine = "horizon";
+    form.show(settings);
+    auto* runs = form.findChild<QDoubleSpinBox*>(QStringLiteral("option_runs"));
+    EXPECT_EQ(runs->text(), QStringLiteral("yes"));
+    EXPECT_TRUE(runs->toolTip().contains(QStringLiteral("no: gross shadow only")))
+        << qPrintable(runs->toolTip());
+    runs->stepDown();
+    EXPECT_EQ(runs->text(), QStringLiteral("no"));
+    EXPECT_EQ(form.applied(settings).engineSettings, (EngineSettings{{"runs", 0}}));
+}
+
 TEST(AccuracyForm, OptionsChangeTheStudyAndGoWithTheirEngine) {
     AccuracyForm form;
     StudySettings settings;

@@ -255,7 +255,8 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     build();
     session().compareWith(existingCity);
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    const ImpactAnswer& answer = *workbench().comparison();
+    const auto held = workbench().comparison();  // so that no other comes to lie at its address
+    const ImpactAnswer& answer = *held;
     EXPECT_EQ(answer.from, existingCity);
     EXPECT_EQ(answer.to, "Proposal A");
     EXPECT_GT(figuresOf(answer.study.total, 0).gross.touchedM2, 0);

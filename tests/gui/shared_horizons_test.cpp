@@ -21,7 +21,7 @@ struct SharedHorizonsTest : ::testing::Test {
         return receiversOnGround(city, region, {.cellM = cellM}).value();
     }
     Result<ShadowField> field(const City& city, const Period& period,
-                              KeptCounts counts = KeptCounts::grossAndRuns,
+                              ShadowCounts counts = ShadowCounts::grossAndRuns,
                               const std::stop_token& stop = {}) {
         return shared.field(city, receiversOf(city), sunOf(period), counts, progress, stop);
     }
@@ -43,7 +43,7 @@ TEST_F(SharedHorizonsTest, OneSetAnswersSlidersAndShapesInTurn) {
     for (int round = 0; round < 40; ++round) {
         const City& city = cities[random() % 3];
         const Period& period = periods[random() % 3];
-        const auto counts = random() % 3 == 0 ? KeptCounts::grossAndRuns : KeptCounts::gross;
+        const auto counts = random() % 3 == 0 ? ShadowCounts::grossAndRuns : ShadowCounts::gross;
         expectFresh(field(city, period, counts), city, period);
     }
     EXPECT_EQ(shared.sets(), 1);
@@ -55,7 +55,7 @@ TEST_F(SharedHorizonsTest, AnotherGridIsAnotherSet) {
     const City city = smallCity();
     ASSERT_TRUE(field(city, spring(1, 10)));
     ASSERT_TRUE(
-        shared.field(city, receiversOf(city, 4), sunOf(spring(1, 10)), KeptCounts::gross, progress, {}));
+        shared.field(city, receiversOf(city, 4), sunOf(spring(1, 10)), ShadowCounts::gross, progress, {}));
     EXPECT_EQ(shared.sets(), 2);
     shared.forget();
     expectFresh(field(city, spring(1, 10)), city, spring(1, 10));
@@ -67,7 +67,7 @@ TEST_F(SharedHorizonsTest, AfterAStopOrAnErrorTheNextAnswerIsWhole) {
     stopped.request_stop();
     const City city = smallCity(), other = with(smallCity(), tower());
     ASSERT_TRUE(field(city, spring(1, 5)));
-    EXPECT_TRUE(isCancelled(field(other, spring(1, 5), KeptCounts::gross, stopped.get_token()).error()));
+    EXPECT_TRUE(isCancelled(field(other, spring(1, 5), ShadowCounts::gross, stopped.get_token()).error()));
     expectFresh(field(other, spring(1, 5)), other, spring(1, 5));
     Period night = spring(1, 5);
     night.from = std::chrono::hours(0);
@@ -92,7 +92,7 @@ TEST_F(SharedHorizonsTest, WhatIsStoppedAnywhereIsWholeAfterwards) {
         StopAfter stopper(5 * round);
         const City &before = cities[round % 2], &after = cities[(round + 1) % 2];
         const Period period = spring(round, 10);
-        (void)shared.field(before, receiversOf(before), sunOf(period), KeptCounts::grossAndRuns, stopper,
+        (void)shared.field(before, receiversOf(before), sunOf(period), ShadowCounts::grossAndRuns, stopper,
                            stopper.source.get_token());
         expectFresh(field(after, period), after, period);
     }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/report/report_sections.h"
 #include "tests/report/synthetic_study.h"
 
@@ -29,6 +31,20 @@ TEST(ErrorSection, SaysWhatWasMeasured) {
     EXPECT_TRUE(text.contains("off by -0.0123 % of the ground")) << text.toStdString();
     EXPECT_TRUE(text.contains("0.1 % in the mean, 0.5 % at the 99th percentile, 1 % (3.6 min)"))
         << text.toStdString();
+}
+
+TEST(ErrorSection, LeavesOutContinuousShadowThatWasNotCounted) {
+    Study study = tests::grossOnly(byTheSweep());
+    study.error = SampledError{.receivers = 300, .ofReceivers = 9200};
+    study.error->gross = {.meanMin = 0.36, .p99Min = 1.8, .maxMin = 3.6, .wholeMin = 360};
+    EXPECT_TRUE(methodTextOf(study).contains("continuous shadow by"));
+    study.error->continuous.meanMin = std::nan("");
+    const QString text = methodTextOf(study);
+    EXPECT_FALSE(text.contains("continuous", Qt::CaseInsensitive)) << text.toStdString();
+    EXPECT_TRUE(text.contains("of the sunlit time. ")) << text.toStdString();
+    const auto definitions = definitionBlocks(study);
+    EXPECT_TRUE(definitions.at(1).text.contains("Continuous shadow was not counted."))
+        << definitions.at(1).text.toStdString();
 }
 
 TEST(ErrorSection, SaysWhatWasSwitchedOffAndWhatTheReferenceIs) {

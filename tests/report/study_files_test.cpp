@@ -74,6 +74,27 @@ TEST(CellsCsv, HasARowForEachReceiver) {
     EXPECT_TRUE(lines.back().ends_with(",360.000,180.000"));
 }
 
+TEST(StudyReport, GrossShadowAloneHasOneMap) {
+    const auto imagesOf = [](const QByteArray& pdf) { return pdf.count("/Subtype /Image"); };
+    const QByteArray both = reportOf(tests::syntheticStudy());
+    const QByteArray gross = reportOf(tests::grossOnly(tests::syntheticStudy()));
+    EXPECT_EQ(pagesOf(gross), 1);
+    EXPECT_LT(imagesOf(gross), imagesOf(both));
+    EXPECT_GT(imagesOf(gross), 0);
+}
+
+TEST(CellsCsv, LeavesOutRunsThatWereNotCounted) {
+    const Study study = tests::grossOnly(tests::syntheticStudy());
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    ASSERT_TRUE(writeCellsCsv(study.field, study.city.frame, buffer));
+    const auto lines = linesOf(buffer.data());
+    ASSERT_EQ(lines.size(), 1 + study.receivers.cells.size());
+    EXPECT_EQ(lines[0], "x_m,y_m,lon_deg,lat_deg,gross_min");
+    EXPECT_EQ(std::ranges::count(lines.back(), ','), 4);
+    EXPECT_TRUE(lines.back().ends_with(",360.000"));
+}
+
 TEST(CellsCsv, SaysWhenTheDeviceIsFull) {
     const Study study = tests::syntheticStudy();
     QFile full(QStringLiteral("/dev/full"));

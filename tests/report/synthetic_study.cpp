@@ -76,4 +76,10 @@ Study syntheticStudy() {
     return study;
 }
 
+Study grossOnly(Study study) {
+    study.field.continuousMin.assign(study.field.grid.size(), std::numeric_limits<float>::quiet_NaN());
+    study.statistics = statisticsOf(study.field);
+    return study;
+}
+
 }  // namespace noonmark::tests

@@ -15,4 +15,7 @@ namespace noonmark::tests {
 /// Continuous is half of gross.
 Study syntheticStudy();
 
+/// The same without its longest runs.
+Study grossOnly(Study study);
+
 }  // namespace noonmark::tests

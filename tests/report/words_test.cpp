@@ -51,5 +51,13 @@ TEST(StudyWords, FiguresCarryTheirUnits) {
     EXPECT_EQ(figures[1].value, "150 min/day (41.7 %)");
 }
 
+TEST(StudyWords, ContinuousShadowThatWasNotCountedIsNoNumber) {
+    QString text;
+    for (const Figure& figure : figuresOf(tests::grossOnly(tests::syntheticStudy())))
+        text += figure.name + u'=' + figure.value + u';';
+    EXPECT_TRUE(text.contains("Continuous shadow=not counted;")) << text.toStdString();
+    EXPECT_FALSE(text.contains("nan", Qt::CaseInsensitive)) << text.toStdString();
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
-#include "scenarios/impact/impact_figures.h"
+#include "scenarios/impact/impact_runs.h"
+#include "scenarios/impact/impact_text.h"
 #include "scenarios/impact/reached_receivers.h"
 #include "scenarios/scenario.h"
 #include "tests/scenarios/small_town.h"
@@ -118,6 +120,27 @@ TEST(Impact, FiguresOfAFieldByHand) {
     EXPECT_EQ(figuresOf(impact, east, 4).becameBuildingM2, 0);
 }
 
+TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
+    Impact impact{.grid = {.cellM = 2, .columns = 3, .rows = 1}};
+    impact.grossMin = {none, 40, -31};
+    impact.continuousMin = {none, none, none};
+    impact.change.assign(3, CellChange::none);
+    impact.sunlitMinutesPerDay = 340;
+    ImpactAnswer answer;
+    answer.thresholdsMin = {30};
+    answer.study.total = impact;
+    const ImpactFigures figures = figuresOf(impact);
+    EXPECT_EQ(figures.gross.gainedM2, 4);
+    EXPECT_FALSE(hasRuns(figures));
+    EXPECT_TRUE(std::isnan(figures.continuous.touchedM2)) << "0 would say that nothing changed";
+    const auto json = nlohmann::json::parse(impactJson(answer));
+    EXPECT_TRUE(json["impact"][0]["continuous"].is_null());
+    EXPECT_EQ(json["impact"][0]["gross"]["lost_m2"], 4);
+    const std::string csv = impactCsv(answer);
+    EXPECT_EQ(csv.find("nan"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",31.00,,,"), std::string::npos) << csv;
+}
+
 TEST(Impact, EveryEngineSeesTheSame) {
     const City before = threeHouses();
     const City after = with(before, {tower("t", 0, 60)});
@@ -145,7 +168,7 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     empty.buildings.clear();
     ImpactSettings settings = morning("auto");
     settings.study.region = regionFromLocalBox({{0, 0}, {80, 160}});
-    settings.study.period.days = 100;  // for the empty city alone projected shadows would do
+    settings.study.period.days = 200;  // for the empty city alone projected shadows would do
     settings.study.period.hours = 8;
     settings.study.period.stepMinutes = 1;
     const ImpactStudy study = impactOf(empty, manyHouses(20, 20), settings);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/impact/impact_runs.h"
 #include "scenarios/project/keep_result.h"
 #include "scenarios/project/project_file.h"
 #include "tests/core/io/temporary_folder.h"
@@ -113,6 +114,34 @@ TEST(KeptAnswers, anImpactComesBackWithThresholdsAndBuildings) {
     EXPECT_EQ(back.figures.byBuilding[0].figures.gross.touchedM2,
               wanted.byBuilding[0].figures.gross.touchedM2);
     EXPECT_THAT(changesSince(*result, kept.origin, project), IsEmpty());
+}
+
+TEST(KeptAnswers, whatHasNoRunsComesBackWithoutThem) {
+    StudySettings gross = question();
+    gross.engine = "horizon";
+    gross.engineSettings["runs"] = 0;
+    NoProgress progress;
+    const Study study = runStudy(*town().city, gross, progress, {}).value();
+    ImpactAnswer answer{existingCity, "Tower", {gross, true}, {30, 60}, {}};
+    answer.study =
+        runImpact(*town().city, cityOf(town(), "Tower")->city, answer.settings, progress, {}).value();
+    const Project project =
+        saved(withResult(withResult(town(), "June", existingCity, study, keptAt), "Tower", answer, keptAt));
+    for (const auto& result : project.results) EXPECT_EQ(result->layers.size(), 1U) << result->name;
+    const auto june = answerOf(*project.results.at(0));
+    ASSERT_TRUE(june) << june.error().text();
+    const auto& back = std::get<KeptStudy>(june->answer);
+    EXPECT_FALSE(hasRuns(back.field));
+    EXPECT_FALSE(hasRuns(back.statistics));
+    EXPECT_EQ(back.statistics.meanGrossMin, study.statistics.meanGrossMin);
+    EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
+    const auto tower = answerOf(*project.results.at(1));
+    ASSERT_TRUE(tower) << tower.error().text();
+    const auto& impact = std::get<KeptImpact>(tower->answer);
+    EXPECT_FALSE(hasRuns(impact.impact));
+    EXPECT_FALSE(hasRuns(impact.figures.all.at(0)));
+    EXPECT_FALSE(hasRuns(impact.figures.byBuilding.at(0).figures));
+    EXPECT_GT(impact.figures.all.at(0).gross.touchedM2, 0);
 }
 
 TEST(KeptAnswers, aScoreComesBackMonthByMonth) {

@@ -50,10 +50,10 @@ void LiveFollower::follow(const LiveReceivers::Shape& shape) {
     rest_.stop();
     for (QElapsedTimer* newer : {&newerThanAsked_, &newerThanShown_})
         if (!newer->isValid()) newer->start();
-    if (!slot_.busy() || asked_ == KeptCounts::grossAndRuns) ask(KeptCounts::gross);
+    if (!slot_.busy() || asked_ == ShadowCounts::grossAndRuns) ask(ShadowCounts::gross);
 }
 
-void LiveFollower::ask(KeptCounts counts) {
+void LiveFollower::ask(ShadowCounts counts) {
     asked_ = counts;
     newerThanAsked_.invalidate();
     age_.start();
@@ -80,7 +80,7 @@ void LiveFollower::take(Result<Followed> followed) {
     answer_ = std::make_shared<const LiveAnswer>(std::move(followed->answer));
     newerThanShown_ = newerThanAsked_;
     if (newerThanAsked_.isValid()) {
-        ask(KeptCounts::gross);
+        ask(ShadowCounts::gross);
     } else {
         age_.stop();
         rest_.start();
@@ -90,7 +90,7 @@ void LiveFollower::take(Result<Followed> followed) {
 
 void LiveFollower::rested() {
     const bool missing = answer_ && answer_->engine == LiveEngine::horizons && !answer_->runs;
-    if (missing && !slot_.busy()) ask(KeptCounts::grossAndRuns);
+    if (missing && !slot_.busy()) ask(ShadowCounts::grossAndRuns);
 }
 
 }  // namespace noonmark

@@ -43,7 +43,7 @@ private:
         std::shared_ptr<LiveShadow> live;
         LiveAnswer answer;
     };
-    void ask(KeptCounts counts);
+    void ask(ShadowCounts counts);
     void take(Result<Followed> followed);
     void rested();
 
@@ -52,8 +52,8 @@ private:
     std::shared_ptr<LiveShadow> live_;    // null before the first answer
     std::shared_ptr<const LiveAnswer> answer_;
     LiveReceivers::Shape shape_;
-    KeptCounts asked_ = KeptCounts::gross;  // of the job at work
-    QElapsedTimer newerThanAsked_;          // invalid: nothing newer
+    ShadowCounts asked_ = ShadowCounts::gross;  // of the job at work
+    QElapsedTimer newerThanAsked_;              // invalid: nothing newer
     QElapsedTimer newerThanShown_;
     QTimer rest_;
     QTimer age_;

@@ -99,7 +99,8 @@ Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress&
     engine_ = engine;
     counted_ = engine == LiveEngine::moments ? LiveRule::someMoments : steps_;
     if (engine == LiveEngine::horizons)
-        return fieldOf(city_, receivers(), KeptCounts::gross, progress, stop).map([](const ShadowField&) {});
+        return fieldOf(city_, receivers(), ShadowCounts::gross, progress, stop).map([](const ShadowField&) {
+        });
     const SunSteps steps = engine == LiveEngine::moments ? spread(sun) : sun;
     City around = shading(city_, receivers(), steps);
     auto kept = KeptShadows::make(around, receivers(), steps, progress, stop);
@@ -109,8 +110,8 @@ Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress&
     return {};
 }
 
-Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, KeptCounts counts, Progress& progress,
-                                    const std::stop_token& stop) {
+Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, ShadowCounts counts,
+                                    Progress& progress, const std::stop_token& stop) {
     City city = city_;
     city.buildings.insert(city.buildings.end(), shape.begin(), shape.end());
     LiveAnswer answer{.receivers = receivers_.with(shape),
@@ -118,7 +119,7 @@ Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, KeptCount
                       .counted = counted_,
                       .steps = steps_,
                       .runs = engine_ == LiveEngine::shadows ||
-                              (engine_ == LiveEngine::horizons && counts == KeptCounts::grossAndRuns)};
+                              (engine_ == LiveEngine::horizons && counts == ShadowCounts::grossAndRuns)};
     auto field = fieldOf(city, answer.receivers, counts, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     answer.field = *std::move(field);
@@ -126,7 +127,7 @@ Result<LiveAnswer> LiveShadow::with(const LiveReceivers::Shape& shape, KeptCount
     return answer;
 }
 
-Result<ShadowField> LiveShadow::fieldOf(const City& city, const Receivers& receivers, KeptCounts counts,
+Result<ShadowField> LiveShadow::fieldOf(const City& city, const Receivers& receivers, ShadowCounts counts,
                                         Progress& progress, const std::stop_token& stop) {
     if (!shadows_) return horizons_->field(city, receivers, sun_, counts, progress, stop);
     if (const auto done = shadows_->change(city, receivers, progress, stop); !done)

@@ -54,7 +54,7 @@ public:
     /// Shadow of the city and these buildings in place of those before. `counts`: of horizons; polygons
     /// always know the runs, and single moments never do. Error: too little memory, more that hangs than
     /// horizons take, cancelled(). By polygons for one thread at a time.
-    [[nodiscard]] Result<LiveAnswer> with(const LiveReceivers::Shape& shape, KeptCounts counts,
+    [[nodiscard]] Result<LiveAnswer> with(const LiveReceivers::Shape& shape, ShadowCounts counts,
                                           Progress& progress, const std::stop_token& stop);
 
     [[nodiscard]] const Receivers& receivers() const { return receivers_.base(); }
@@ -71,7 +71,7 @@ private:
     Result<void> begin(const SunSteps& sun, Progress& progress, const std::stop_token& stop);
     Result<void> begin(LiveEngine engine, const SunSteps& sun, Progress& progress,
                        const std::stop_token& stop);
-    Result<ShadowField> fieldOf(const City& city, const Receivers& receivers, KeptCounts counts,
+    Result<ShadowField> fieldOf(const City& city, const Receivers& receivers, ShadowCounts counts,
                                 Progress& progress, const std::stop_token& stop);
     void spreadMoments(ShadowField& field) const;
     void leaveGroundOut(LiveAnswer& answer) const;

@@ -4,6 +4,7 @@
 
 #include "app/report/study_words.h"
 #include "app/window/region_words.h"
+#include "scenarios/impact/impact_runs.h"
 
 namespace noonmark {
 
@@ -50,8 +51,12 @@ std::vector<ResultRow> comparisonRowsOf(const ComparisonFigures& figures) {
          tr("Minutes of the first less minutes of the second: same engine, steps and cells")}};
     addThresholds(rows, figures, tr("Gross"), &ImpactFigures::gross,
                   tr("Ground whose minutes of shadow a day rise or fall by more than that"));
-    addThresholds(rows, figures, tr("Continuous"), &ImpactFigures::continuous,
-                  tr("Ground whose longest unbroken shadow grows or shrinks by more than that"));
+    if (hasRuns(all))
+        addThresholds(rows, figures, tr("Continuous"), &ImpactFigures::continuous,
+                      tr("Ground whose longest unbroken shadow grows or shrinks by more than that"));
+    else
+        rows.push_back(
+            {tr("Continuous"), tr("not counted"), tr("The engine was asked for gross shadow only")});
     rows.push_back({tr("Touched at all"),
                     tr("%1 more\n%2 less").arg(areaWords(all.gross.touchedM2), areaWords(all.gross.easedM2)),
                     tr("Ground with any change of gross shadow")});

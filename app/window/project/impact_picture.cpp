@@ -75,8 +75,9 @@ QString changeText(const Impact& impact, glm::dvec2 point) {
         return gross > 0   ? QObject::tr("now in shadow")
                : gross < 0 ? QObject::tr("now in the sun")
                            : QObject::tr("no change");
-    return QObject::tr("change: gross %1 min a day, continuous %2 min")
-        .arg(signedMinutes(gross), signedMinutes(continuous));
+    const QString text = QObject::tr("change: gross %1 min a day").arg(signedMinutes(gross));
+    if (std::isnan(continuous)) return text;
+    return text + QObject::tr(", continuous %1 min").arg(signedMinutes(continuous));
 }
 
 }  // namespace noonmark

@@ -4,6 +4,7 @@
 
 #include "app/report/study_words.h"
 #include "app/window/project/project_session.h"
+#include "core/measures/has_runs.h"
 
 namespace noonmark {
 
@@ -25,6 +26,7 @@ constexpr Column columns[] = {
 QString figureAt(const Study& study, int column) {
     const ShadowStatistics& figures = study.statistics;
     if (column == 2) return amountWords(figures.shadowAreaM2, 0);
+    if (column == 4 && !hasRuns(figures)) return QObject::tr("not counted");
     return amountWords(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
 }
 

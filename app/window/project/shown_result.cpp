@@ -72,7 +72,7 @@ std::optional<ShownResult> reweighed(const ShownResult& result, const Project& p
 GroundAnswer groundAnswerOf(const ShownResult& result) {
     const QString kept = tr("Kept %1: %2").arg(keptAt(result.answer->origin), textOf(result.name));
     const QString note = result.upToDate() ? kept : tr("%1. Out of date").arg(kept);
-    return {mapOf(result.answer), nullptr, note, !result.upToDate()};
+    return runsLookedFor({mapOf(result.answer), nullptr, note, !result.upToDate()});
 }
 
 std::vector<ResultRow> rowsOf(const ShownResult& result) {

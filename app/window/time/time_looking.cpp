@@ -37,7 +37,7 @@ Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizons& ho
                                          const std::stop_token& stop) {
     const Study& study = *question.study;
     const SunQuestion sun{periodOf(question.look, study.settings.period), observerOf(study)};
-    auto field = horizons.field(study.city, study.receivers, sun, KeptCounts::gross, progress, stop);
+    auto field = horizons.field(study.city, study.receivers, sun, ShadowCounts::gross, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     question.field = std::move(*field);
     return question;

@@ -20,8 +20,14 @@ struct Place {
     HorizonCode sun;
 };
 
+// Of directions of length 1: nothing overflows.
+double acrossOf(glm::vec3 direction) {
+    const double x = double(direction.x), y = double(direction.y);
+    return std::sqrt(x * x + y * y);
+}
+
 HorizonCode codeOf(const SunStep& step) {
-    const double across = std::hypot(double(step.direction.x), double(step.direction.y));
+    const double across = acrossOf(step.direction);
     return codeOfSun(double(step.direction.z) / std::max(across, 1e-9));
 }
 
@@ -36,13 +42,13 @@ std::vector<Place> placesOf(const SunSteps& sun, const NumberOf& numberOf) {
     return places;
 }
 
-/// Places bin by bin, in each by sun and step.
+/// Places bin by bin, in each in time order.
 struct BinPlaces {
     std::vector<Place> places;
     std::vector<std::size_t> ends;  ///< of each number, and one more
 };
 
-// By counting, then bin by bin.
+// By counting.
 template <class NumberOf>
 BinPlaces sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
     const std::vector<Place> inTime = placesOf(sun, numberOf);
@@ -53,12 +59,6 @@ BinPlaces sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
     }
     for (std::size_t i = 2; i < sorted.ends.size(); ++i) sorted.ends[i] += sorted.ends[i - 1];
     for (const Place& place : inTime) sorted.places[sorted.ends[place.bin + 1]++] = place;
-    tbb::parallel_for(std::size_t{1}, sorted.ends.size(), [&](std::size_t i) {
-        const auto from = sorted.places.begin();
-        std::sort(
-            from + std::ptrdiff_t(sorted.ends[i - 1]), from + std::ptrdiff_t(sorted.ends[i]),
-            [](const Place& a, const Place& b) { return a.sun != b.sun ? a.sun < b.sun : a.step < b.step; });
-    });
     return sorted;
 }
 
@@ -67,7 +67,7 @@ glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
     glm::dvec2 sum(0);
     for (const Place& place : places) {
         const glm::vec3 towards = sun.steps[place.step].direction;
-        const double length = std::hypot(double(towards.x), double(towards.y));
+        const double length = acrossOf(towards);
         if (length > 0) sum -= glm::dvec2(double(towards.x), double(towards.y)) / length;
     }
     const double length = std::hypot(sum.x, sum.y);
@@ -97,6 +97,7 @@ BinnedSun binnedBy(const SunSteps& sun, const NumberOf& numberOf, const AwayOf& 
         AzimuthBin& bin = binned.bins[i];
         bin = {bins[i].front().bin, awayOf(bins[i]), std::vector<HorizonCode>(bins[i].size())};
         std::ranges::transform(bins[i], bin.suns.begin(), &Place::sun);
+        std::ranges::sort(bin.suns);
         for (const Place& place : bins[i]) binned.places[place.step] = {std::uint16_t(i), place.sun};
     });
     return binned;
@@ -162,11 +163,11 @@ BinnedSun binnedSun(const SunSteps& sun, const BinCuts& cuts) {
 
 BinnedSun binnedSun(const SunSteps& sun, const HorizonSweepSettings& settings) {
     if (settings.binDeg > 0) return binnedSun(sun, settings.binDeg);
-    return binnedSun(sun, cutsFor(sun, settings.errorTargetPercent));
+    return binnedSun(sun, cutsFor(sun, settings.errorTargetPercent, settings.counts));
 }
 
 std::size_t binCount(const SunSteps& sun, const HorizonSweepSettings& settings) {
-    if (settings.binDeg <= 0) return cutsFor(sun, settings.errorTargetPercent).bins;
+    if (settings.binDeg <= 0) return cutsFor(sun, settings.errorTargetPercent, settings.counts).bins;
     std::vector<std::uint8_t> visited(std::size_t(360 / settings.binDeg) + 2);
     for (const SunStep& step : sun.steps) visited[std::size_t(azimuthDegOf(step) / settings.binDeg)] = 1;
     return std::size_t(std::ranges::count(visited, 1));

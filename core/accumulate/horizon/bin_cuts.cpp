@@ -1,5 +1,8 @@
 #include "core/accumulate/horizon/bin_cuts.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +38,11 @@ struct Slots {
 class SunsByAzimuth {
 public:
     explicit SunsByAzimuth(const SunSteps& sun) : before_(BinCuts::slots + 1) {
-        for (const SunStep& step : sun.steps) add(step);
+        std::vector<Place> places(sun.steps.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 4096), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) places[i] = placeOf(sun.steps[i]);
+        });
+        for (const Place& place : places) add(place);
         for (std::size_t slot = 0; slot + 1 < before_.size(); ++slot) before_[slot + 1] += before_[slot];
     }
 
@@ -82,14 +89,20 @@ private:
         }
     };
 
-    // Into the entry after its slot: sums are of all before.
-    void add(const SunStep& step) {
-        const int slot = slotOf(azimuthDegOf(step));
+    struct Place {
+        int slot, band;
+    };
+    static Place placeOf(const SunStep& step) {
         const double altitude = std::asin(std::min(1.0, double(step.direction.z))) * degrees;
-        Before& entry = before_[std::size_t(slot) + 1];
+        return {slotOf(azimuthDegOf(step)), std::clamp(int(altitude) / bandDeg, 0, bands - 1)};
+    }
+
+    // Into the entry after its slot: sums are of all before.
+    void add(const Place& place) {
+        Before& entry = before_[std::size_t(place.slot) + 1];
         entry.count += 1;
-        entry.slotSum += slot;
-        entry.ofBand[std::size_t(std::clamp(int(altitude) / bandDeg, 0, bands - 1))] += 1;
+        entry.slotSum += place.slot;
+        entry.ofBand[std::size_t(place.band)] += 1;
     }
 
     [[nodiscard]] const Before& at(int slot) const { return before_[std::size_t(slot)]; }
@@ -171,10 +184,12 @@ double expectedErrorPercent(const SunSteps& sun, const BinCuts& cuts) {
 }
 
 // The error grows with what suns may be off: by halving.
-BinCuts cutsFor(const SunSteps& sun, double targetPercent) {
+BinCuts cutsFor(const SunSteps& sun, double targetPercent, ShadowCounts counts) {
     constexpr double finest = 1.01;
     const SunsByAzimuth suns(sun);
-    const double widestDeg = std::min(widestBinDeg, widthOfAPercentDeg * targetPercent);
+    const double widestDeg = counts == ShadowCounts::gross
+                                 ? widestBinDeg
+                                 : std::min(widestBinDeg, widthOfAPercentDeg * targetPercent);
     const int widest = std::max(1, int(std::lround(widestDeg / slotDeg)));
     double within = 0, beyond = std::max(1.0, suns.count()) * BinCuts::slots;
     while (beyond > finest * std::max(within, slotDeg)) {

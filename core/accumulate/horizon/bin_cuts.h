@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/accumulate/shadow_counts.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -30,9 +31,9 @@ int slotOf(double azimuthDeg);
 double expectedErrorPercent(const SunSteps& sun, const BinCuts& cuts);
 
 /// The fewest bins whose expected error is within `targetPercent`; each has the same sum of degrees that its
-/// suns are off its mean, so bins are narrow where the sun spends its time. None is wider than 2 deg, or 0.5
-/// deg for each 0.05 % of the target, for the sake of the longest runs. Where a target asks for it each sun
-/// has a bin of its own, to 0.01 deg. O(steps) + 5 ms.
-BinCuts cutsFor(const SunSteps& sun, double targetPercent);
+/// suns are off its mean, so bins are narrow where the sun spends its time. None is wider than 2 deg; for the
+/// sake of the longest runs, where these are counted, nor than 0.5 deg for each 0.05 % of the target. Where a
+/// target asks for it each sun has a bin of its own, to 0.01 deg. O(steps) + 5 ms.
+BinCuts cutsFor(const SunSteps& sun, double targetPercent, ShadowCounts counts = ShadowCounts::grossAndRuns);
 
 }  // namespace noonmark

@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "core/accumulate/horizon/bin_sweep.h"
 #include "core/accumulate/horizon/changed_cells.h"
 #include "core/accumulate/horizon/edit_block.h"
 #include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/kept_walls.h"
 #include "core/accumulate/horizon/open_parts.h"
 #include "core/accumulate/horizon/shaded_blocks.h"
+#include "core/accumulate/horizon/square_sweep.h"
 #include "core/accumulate/horizon/sun_change.h"
 #include "core/accumulate/horizon/tile_steps.h"
 

@@ -10,6 +10,8 @@ namespace {
 // Wide of the rounding of distances, cells.
 constexpr float onTheWall = 1e-3F;
 
+constexpr double mostAcross = 32;  // cells of a piece
+
 // A receiver on a wall counts as just east and north of it. So little behind that it is inside, it would be
 // no receiver.
 float nearestOf(const StandingWall& wall) {
@@ -27,127 +29,167 @@ float nearestOf(glm::vec3 outward) {
 
 void BinWalls::find(const WallList& list, const Obstacles& obstacles, glm::dvec2 away,
                     const ShadowExtent& tile, double cellM, float lowestTan, const std::stop_token& stop) {
-    const ShadowAxes axes(away);
-    begin(axes, tile, cellM, lowestTan);
-    for (const StandingPrism& prism : obstacles.prisms) addPrism(list, prism, axes);
-    for (const StandingSolid& solid : obstacles.solids) addSolid(solid, axes, glm::vec2(away));
-    if (obstacles.terrain != nullptr) addTerrain(*obstacles.terrain, list.terrainNumber, axes, away, stop);
+    begin({ShadowAxes(away)}, tile, cellM, lowestTan);
+    for (const StandingPrism& prism : obstacles.prisms) addPrism(list, prism);
+    for (const StandingSolid& solid : obstacles.solids) addSolid(solid, glm::vec2(away));
+    if (obstacles.terrain != nullptr) addTerrain(*obstacles.terrain, list.terrainNumber, away, stop);
     sort();
 }
 
-void BinWalls::begin(const ShadowAxes& axes, const ShadowExtent& tile, double cellM, float lowestTan) {
+void BinWalls::find(const WallList& list, std::span<const StandingPrism> prisms, const AzimuthFan& fan,
+                    const ShadowExtent& tile, double cellM, float lowestTan) {
+    begin(fan, tile, cellM, lowestTan);
+    for (const StandingPrism& prism : prisms) addPrism(list, prism);
+    sort();
+}
+
+void BinWalls::begin(const AzimuthFan& fan, const ShadowExtent& tile, double cellM, float lowestTan) {
     found_.clear();
     outOfReach_ = 0;
-    alongPerMetre_ = axes.alongPerDistance / cellM;
+    axes_ = fan.axes;
+    spread_ = fan.spread;
+    alongPerMetre_ = axes_.alongPerDistance / cellM;
     lowestTan_ = double(lowestTan);
     tile_ = tile;
 }
 
+// Along some azimuth of the fan.
 bool BinWalls::inReach(const ShadowExtent& extent, double reach) const {
-    return extent.highQ > tile_.lowQ && extent.lowQ < tile_.highQ && extent.lowAlong <= tile_.highAlong &&
-           extent.highAlong + reach >= tile_.lowAlong;
+    const double farthest = std::min(extent.highAlong + reach, tile_.highAlong) - extent.lowAlong;
+    const double aside = spread_ * std::max(0.0, farthest);
+    return extent.highQ + aside > tile_.lowQ && extent.lowQ - aside < tile_.highQ &&
+           extent.lowAlong <= tile_.highAlong && extent.highAlong + reach >= tile_.lowAlong;
 }
 
 // How far an obstacle of this rise can shade, in cells along, is kept in reach_.
-bool BinWalls::reachesTile(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 high, double rise) {
+bool BinWalls::reachesTile(glm::dvec2 low, glm::dvec2 high, double rise) {
     reach_ = rise / lowestTan_ + 1;
     ShadowExtent extent;
-    extent.addBox(axes, low, high);
+    extent.addBox(axes_, low, high);
     const bool reaches = inReach(extent, reach_);
     if (!reaches) ++outOfReach_;
     return reaches;
 }
 
-void BinWalls::addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes) {
+// Across and along.
+glm::dvec2 BinWalls::from(glm::dvec2 cells) const {
+    return {axes_.swapped ? cells.y : cells.x, axes_.sign * (axes_.swapped ? cells.x : cells.y)};
+}
+
+// Whether a wall from low a to high b faces away from the sun along some azimuth of the fan.
+bool BinWalls::facesAway(glm::dvec2 a, glm::dvec2 b) const {
+    return qOf(b) - qOf(a) + spread_ * std::abs(b.y - a.y) > 0;
+}
+
+void BinWalls::addPrism(const WallList& list, const StandingPrism& prism) {
     const double rise = double(prism.topM) * alongPerMetre_;
-    if (!reachesTile(axes, prism.low, prism.high, rise)) return;
-    glm::dvec2 corner{};  // where the wall before ends, as a rule this one begins
-    ShadowAxes::Point b = axes.from(corner);
+    if (!(rise > 0) || !reachesTile(prism.low, prism.high, rise)) return;
     for (const StandingWall& wall : list.wallsOf(prism)) {
-        const ShadowAxes::Point a = wall.a == corner ? b : axes.from(wall.a);
-        b = axes.from(corner = wall.b);
-        const bool facesAway = axes.mirrored() ? a.q < b.q : b.q < a.q;
-        if (facesAway)
-            addPieces({a, rise}, {b, rise}, {.nearest = nearestOf(wall), .building = prism.building});
+        const glm::dvec2 a = from(axes_.mirrored() ? wall.a : wall.b),
+                         b = from(axes_.mirrored() ? wall.b : wall.a);
+        if (facesAway(a, b))
+            addPieces({a, rise}, {b, rise},
+                      {.topM = prism.topM, .nearest = nearestOf(wall), .building = prism.building});
     }
 }
 
-void BinWalls::addSolid(const StandingSolid& solid, const ShadowAxes& axes, glm::vec2 away) {
-    if (!reachesTile(axes, solid.low, solid.high, double(solid.topM) * alongPerMetre_)) return;
+void BinWalls::addSolid(const StandingSolid& solid, glm::vec2 away) {
+    if (!reachesTile(solid.low, solid.high, double(solid.topM) * alongPerMetre_)) return;
     backLit_.clear();
     for (const glm::vec3 normal : solid.normals) backLit_.push_back(backLitBelow(normal, away));
     for (const SolidEdge& edge : solid.edges)
         if (edge.right == SolidEdge::noFace ||
             isOutline(backLit_[edge.left], backLit_[edge.right], float(lowestTan_)))
-            addEdge(solid, edge, axes);
+            addEdge(solid, edge);
 }
 
-void BinWalls::addEdge(const StandingSolid& solid, const SolidEdge& edge, const ShadowAxes& axes) {
+void BinWalls::addEdge(const StandingSolid& solid, const SolidEdge& edge) {
     const glm::dvec3 a = solid.vertices[edge.a], b = solid.vertices[edge.b];
     const bool leftIsBehind = edge.right == SolidEdge::noFace || backLit_[edge.left] > backLit_[edge.right];
     const glm::vec3 behind = solid.normals[leftIsBehind ? edge.left : edge.right];
-    addPieces({axes.from(glm::dvec2(a)), a.z * alongPerMetre_},
-              {axes.from(glm::dvec2(b)), b.z * alongPerMetre_},
-              {.nearest = nearestOf(behind), .building = solid.building});
+    addUpwards({from(glm::dvec2(a)), a.z * alongPerMetre_}, {from(glm::dvec2(b)), b.z * alongPerMetre_},
+               {.nearest = nearestOf(behind), .building = solid.building});
 }
 
 // Of all squares of the terrain; a receiver lies at the datum or above.
-void BinWalls::addTerrain(const TerrainEdges& terrain, std::uint32_t number, const ShadowAxes& axes,
-                          glm::dvec2 away, const std::stop_token& stop) {
-    terrain.find(
-        {.axes = axes, .away = away, .tile = tile_, .lowestTan = lowestTan_, .alongPerMetre = alongPerMetre_},
-        edges_, stop);
+void BinWalls::addTerrain(const TerrainEdges& terrain, std::uint32_t number, glm::dvec2 away,
+                          const std::stop_token& stop) {
+    terrain.find({.axes = axes_,
+                  .away = away,
+                  .tile = tile_,
+                  .lowestTan = lowestTan_,
+                  .alongPerMetre = alongPerMetre_},
+                 edges_, stop);
+    const auto at = [&](const ShadowAxes::Point& point) {
+        return glm::dvec2(point.q + axes_.k * point.along, point.along);
+    };
     for (const TerrainEdges::Edge& edge : edges_) {
         const double rise = std::max(edge.aM, edge.bM) * alongPerMetre_;
         reach_ = rise / lowestTan_ + 1;
         if (rise > 0)
-            addPieces({edge.a, edge.aM * alongPerMetre_}, {edge.b, edge.bM * alongPerMetre_},
-                      {.nearest = onTheWall, .building = number});
+            addUpwards({at(edge.a), edge.aM * alongPerMetre_}, {at(edge.b), edge.bM * alongPerMetre_},
+                       {.nearest = onTheWall, .building = number});
     }
 }
 
-void BinWalls::addPieces(End a, End b, WallPiece piece) {
-    if (b.at.q < a.at.q) std::swap(a, b);
-    if (!(a.at.q < b.at.q) || !(std::max(a.rise, b.rise) > 0)) return;
-    const double wide = b.at.q - a.at.q, deep = b.at.along - a.at.along;
-    const double slope = deep / wide, riseSlope = a.rise == b.rise ? 0 : (b.rise - a.rise) / wide;
-    const double parts = std::max(wide / bandWidth, std::abs(deep) / rowDepth);
+// Either end may be the low one.
+void BinWalls::addUpwards(const End& a, const End& b, const WallPiece& piece) {
+    if (!(std::max(a.rise, b.rise) > 0)) return;
+    if (qOf(a.at) < qOf(b.at))
+        addPieces(a, b, piece);
+    else if (qOf(b.at) < qOf(a.at))
+        addPieces(b, a, piece);
+}
+
+void BinWalls::addPieces(const End& a, const End& b, WallPiece piece) {
+    const glm::dvec2 size = b.at - a.at;
+    const double parts = std::max(std::abs(size.x) / mostAcross, std::abs(size.y) / rowDepth);
     const int count = parts <= 1 ? 1 : int(std::ceil(parts));
-    const auto cut = [&](int i) { return i == count ? b.at.q : a.at.q + wide * i / count; };
-    piece.slope = float(slope);
-    piece.riseSlope = float(riseSlope);
+    const auto cut = [&](int i) { return i == count ? b.at : a.at + size * (double(i) / count); };
     for (int i = 0; i < count; ++i) {
-        piece.lowQ = cut(i);
-        piece.highQ = cut(i + 1);
-        piece.along0 = a.at.along + slope * (piece.lowQ - a.at.q);
-        const double other = i + 1 == count ? b.at.along : a.at.along + slope * (piece.highQ - a.at.q);
-        const double rise = a.rise + riseSlope * (piece.lowQ - a.at.q),
-                     otherRise = a.rise + riseSlope * (piece.highQ - a.at.q);
-        piece.highAlong = float(std::max(piece.along0, other));
-        piece.rise = float(rise);
-        piece.perRise = 1 / piece.rise;
-        piece.highRise = float(std::max(rise, otherRise));
-        if (inReach({piece.lowQ, piece.highQ, std::min(piece.along0, other), double(piece.highAlong)},
-                    reach_))
+        piece.low = cut(i);
+        piece.high = cut(i + 1);
+        setRises(a, b, piece);
+        const auto [lowQ, highQ] = std::minmax(piece.lowQ, piece.highQ);
+        if (inReach({lowQ, highQ, std::min(piece.low.y, piece.high.y), double(piece.highAlong)}, reach_))
             found_.push_back(piece);
     }
+}
+
+void BinWalls::setRises(const End& a, const End& b, WallPiece& piece) const {
+    piece.lowQ = qOf(piece.low);
+    piece.highQ = qOf(piece.high);
+    piece.highAlong = float(std::max(piece.low.y, piece.high.y));
+    const double firstQ = qOf(a.at), slope = a.rise == b.rise ? 0 : (b.rise - a.rise) / (qOf(b.at) - firstQ);
+    const double rise = a.rise + slope * (piece.lowQ - firstQ),
+                 other = a.rise + slope * (piece.highQ - firstQ);
+    piece.riseSlope = float(slope);
+    piece.rise = float(rise);
+    piece.highRise = float(std::max(rise, other));
 }
 
 int BinWalls::rowOf(double along) const { return lastStep_ - int(std::floor(along / rowDepth)); }
 
 std::size_t BinWalls::slotOf(const WallPiece& piece) const {
     return std::size_t(std::max(0, rowOf(double(piece.highAlong)))) * std::size_t(bands_) +
-           std::size_t(int(std::floor(piece.lowQ / bandWidth)) - firstBand_);
+           std::size_t(int(std::floor(std::min(piece.lowQ, piece.highQ) / bandWidth)) - firstBand_);
 }
 
 // By counting.
 void BinWalls::sort() {
-    double lowest = tile_.highAlong;
-    for (const WallPiece& piece : found_) lowest = std::min(lowest, double(piece.highAlong));
-    firstBand_ = int(std::floor(tile_.lowQ / bandWidth)) - 2;  // pieces may begin a band before the tile
-    bands_ = int(std::floor(tile_.highQ / bandWidth)) - firstBand_ + 1;
+    double lowest = tile_.highAlong, highest = found_.empty() ? lowest : double(found_.front().highAlong),
+           lowQ = tile_.lowQ, highQ = tile_.highQ;
+    for (const WallPiece& piece : found_) {
+        lowest = std::min(lowest, double(piece.highAlong));
+        highest = std::max(highest, double(piece.highAlong));
+        lowQ = std::min({lowQ, piece.lowQ, piece.highQ});
+        highQ = std::max(highQ, piece.lowQ);
+    }
+    firstBand_ = int(std::floor(lowQ / bandWidth));
+    bands_ = int(std::floor(highQ / bandWidth)) - firstBand_ + 1;
     lastStep_ = int(std::floor(tile_.highAlong / rowDepth)) + 1;
     rows_ = rowOf(lowest) + 1;
+    firstRow_ = std::max(0, rowOf(highest));
     starts_.assign(std::size_t(rows_) * std::size_t(bands_) + 2, 0);
     tallestIn_.assign(std::size_t(rows_ + 1) * std::size_t(bands_), 0);
     for (const WallPiece& piece : found_) {
@@ -166,13 +208,19 @@ void BinWalls::sort() {
 
 void BinWalls::put(const WallPiece& piece, std::size_t at) {
     sorted_[at] = piece;
-    bounds_.set(at, float(piece.lowQ - tile_.lowQ), float(piece.highQ - tile_.lowQ),
+    const auto [lowQ, highQ] = std::minmax(piece.lowQ, piece.highQ);
+    bounds_.set(at, float(lowQ - tile_.lowQ), float(highQ - tile_.lowQ),
                 float(double(piece.highAlong) - tile_.lowAlong), piece.rise);
 }
 
 BinWalls::Bands BinWalls::bandsOf(double lowQ, double highQ) const {
     return {std::clamp(int(std::floor(lowQ / bandWidth)) - 1 - firstBand_, 0, bands_),
             std::clamp(int(std::floor(highQ / bandWidth)) + 1 - firstBand_, 0, bands_)};
+}
+
+BinWalls::Bands BinWalls::bandsOf(double lowQ, double highQ, double highestAlong, int row) const {
+    const double aside = spread_ * std::max(0.0, highestAlong - this->highestAlong(row) + 2 * rowDepth);
+    return bandsOf(lowQ - aside, highQ + aside);
 }
 
 BinWalls::Range BinWalls::rangeOf(int row, const Bands& bands) const {

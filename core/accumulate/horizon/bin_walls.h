@@ -13,25 +13,32 @@ namespace noonmark {
 
 /// A piece of what hides the sun, the top of a wall that faces away from it or an edge of a roof or of the
 /// terrain, in the axes of one azimuth: at most 32 cells across and 16 along. They are cut at places of their
-/// own, whatever the tile, and each cut belongs to one side.
+/// own, whatever the tile and the azimuth, and each cut belongs to one side.
 struct WallPiece {
-    double lowQ, highQ;  ///< it shades lowQ <= q < highQ
-    double along0;       ///< `along` of the wall at lowQ
-    float slope;         ///< of `along` against q
-    float highAlong;     ///< highest `along` of the piece
+    glm::dvec2 low, high;  ///< its ends, across and along: it shades cells from low's q up to before high's
+    double lowQ, highQ;    ///< of the ends; along the middle of a fan highQ may lie below lowQ
+    float highAlong;       ///< highest `along` of the piece
     float rise;  ///< height at lowQ, such that rise / (distance in `along`) is the tangent of the horizon
     float riseSlope;  ///< of `rise` against q; 0 for walls
-    float perRise;    ///< 1 / rise
     float highRise;   ///< highest of the piece
+    float topM;       ///< height above the datum; walls only
     float nearest;  ///< it shades cells at a greater distance; below 0 where a cell on the wall is behind it
     std::uint32_t building;
 };
 
-/// The pieces of wall that matter to a tile at one azimuth, in bands of q and, from the sun's far end of the
-/// tile towards the sun, in rows of 16 `along`: those that a cell may see first come first.
+/// Azimuths that are looked at together: the `k` of each (horizon/shadow_axes.h) is off that of these axes by
+/// `spread` at most.
+struct AzimuthFan {
+    ShadowAxes axes;
+    double spread = 0;
+};
+
+/// The pieces of wall that matter to a tile at one azimuth, or at any of a fan, in bands of q and, from the
+/// sun's far end of the tile towards the sun, in rows of 16 `along`: those that a cell may see first come
+/// first.
 class BinWalls {
 public:
-    static constexpr double bandWidth = 32;
+    static constexpr double bandWidth = 48;  // as wide as a piece may be in q
     static constexpr double rowDepth = 16;
 
     /// Replaces what is there by what these obstacles hide the sun with. `tile`: cells that matter. `cellM`:
@@ -40,9 +47,16 @@ public:
     void find(const WallList& list, const Obstacles& obstacles, glm::dvec2 away, const ShadowExtent& tile,
               double cellM, float lowestTan, const std::stop_token& stop);
 
+    /// The same of prisms for all azimuths of a fan. `lowestTan`: a sun of that altitude in the fan's middle
+    /// throws shadows as far along as the lowest of its suns.
+    void find(const WallList& list, std::span<const StandingPrism> prisms, const AzimuthFan& fan,
+              const ShadowExtent& tile, double cellM, float lowestTan);
+
     /// Row of the walls with the highest `along` up to this one; rows count towards the sun.
     [[nodiscard]] int rowOf(double along) const;
     [[nodiscard]] int rows() const { return rows_; }
+    /// The first row that any are in; 0 or more.
+    [[nodiscard]] int firstRow() const { return firstRow_; }
     /// Highest `along` in a row.
     [[nodiscard]] double highestAlong(int row) const { return (lastStep_ - row + 1) * rowDepth; }
 
@@ -51,6 +65,8 @@ public:
         int first, end;
     };
     [[nodiscard]] Bands bandsOf(double lowQ, double highQ) const;
+    /// The same of pieces in this row, along all azimuths of a fan, for cells up to this `along`.
+    [[nodiscard]] Bands bandsOf(double lowQ, double highQ, double highestAlong, int row) const;
     [[nodiscard]] std::span<const WallPiece> pieces(int row, const Bands& bands) const;
     /// Calls visit(piece) for those in a row that may raise horizons of a block; `sight`: from sightFrom().
     template <class Visit>
@@ -62,8 +78,8 @@ public:
     }
     /// Of a block with these bounds.
     [[nodiscard]] BlockSight sightFrom(double lowQ, double highQ, double lowestAlong, float cot) const {
-        return {float(lowQ - tile_.lowQ), float(highQ - tile_.lowQ), float(lowestAlong - tile_.lowAlong),
-                cot};
+        return {float(lowQ - tile_.lowQ), float(highQ - tile_.lowQ), float(lowestAlong - tile_.lowAlong), cot,
+                float(spread_)};
     }
     /// Rise of the tallest piece in this row and all farther ones.
     [[nodiscard]] float tallest(int row, const Bands& bands) const { return highest(tallest_, row, bands); }
@@ -77,18 +93,23 @@ public:
 private:
     /// One end of what is cut into pieces.
     struct End {
-        ShadowAxes::Point at;
+        glm::dvec2 at;  ///< across and along
         double rise;
     };
-    void begin(const ShadowAxes& axes, const ShadowExtent& tile, double cellM, float lowestTan);
+    void begin(const AzimuthFan& fan, const ShadowExtent& tile, double cellM, float lowestTan);
     [[nodiscard]] bool inReach(const ShadowExtent& extent, double reach) const;
-    [[nodiscard]] bool reachesTile(const ShadowAxes& axes, glm::dvec2 low, glm::dvec2 high, double rise);
-    void addPrism(const WallList& list, const StandingPrism& prism, const ShadowAxes& axes);
-    void addSolid(const StandingSolid& solid, const ShadowAxes& axes, glm::vec2 away);
-    void addEdge(const StandingSolid& solid, const SolidEdge& edge, const ShadowAxes& axes);
-    void addTerrain(const TerrainEdges& terrain, std::uint32_t number, const ShadowAxes& axes,
-                    glm::dvec2 away, const std::stop_token& stop);
-    void addPieces(End a, End b, WallPiece piece);
+    [[nodiscard]] bool facesAway(glm::dvec2 a, glm::dvec2 b) const;
+    [[nodiscard]] bool reachesTile(glm::dvec2 low, glm::dvec2 high, double rise);
+    [[nodiscard]] glm::dvec2 from(glm::dvec2 cells) const;
+    [[nodiscard]] double qOf(glm::dvec2 at) const { return at.x - axes_.k * at.y; }
+    void addPrism(const WallList& list, const StandingPrism& prism);
+    void addSolid(const StandingSolid& solid, glm::vec2 away);
+    void addEdge(const StandingSolid& solid, const SolidEdge& edge);
+    void addTerrain(const TerrainEdges& terrain, std::uint32_t number, glm::dvec2 away,
+                    const std::stop_token& stop);
+    void addUpwards(const End& a, const End& b, const WallPiece& piece);
+    void addPieces(const End& a, const End& b, WallPiece piece);
+    void setRises(const End& a, const End& b, WallPiece& piece) const;
     void sort();
     void put(const WallPiece& piece, std::size_t at);
     struct Range {
@@ -99,8 +120,9 @@ private:
     [[nodiscard]] std::size_t slotOf(const WallPiece& piece) const;
 
     ShadowExtent tile_;
-    double alongPerMetre_ = 0, lowestTan_ = 0, reach_ = 0;
-    int firstBand_ = 0, bands_ = 0, lastStep_ = 0, rows_ = 0;
+    ShadowAxes axes_{{0, 1}};
+    double alongPerMetre_ = 0, lowestTan_ = 0, reach_ = 0, spread_ = 0;
+    int firstBand_ = 0, bands_ = 0, lastStep_ = 0, rows_ = 0, firstRow_ = 0;
     std::uint64_t outOfReach_ = 0;
     std::vector<WallPiece> found_, sorted_;
     PieceBounds bounds_;                 // of sorted_

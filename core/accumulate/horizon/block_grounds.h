@@ -21,6 +21,7 @@ public:
     /// 2 kB a block.
     BlockGrounds(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
 
+    [[nodiscard]] bool flat() const { return rows_.empty(); }
     [[nodiscard]] BlockGround of(std::size_t block, bool swapped) const;
 
 private:

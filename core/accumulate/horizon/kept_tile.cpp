@@ -63,7 +63,7 @@ struct KeptTile::Sweeping {
     double cellM;
     const std::stop_token& stop;
     struct Memory {
-        SquareSweep squares;
+        TileSweep tiles;
         OpenSweep open;
         std::vector<HorizonCode> horizons;
         std::vector<OpenTriangle> triangles;
@@ -73,37 +73,51 @@ struct KeptTile::Sweeping {
 
 std::size_t KeptTile::sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                             Progress& progress, const std::stop_token& stop) {
-    std::vector<const AzimuthBin*> missing;
+    std::vector<AzimuthBin> missing;
     for (const AzimuthBin& bin : binned.bins)
-        if (!bins_[bin.number].holds(bin)) missing.push_back(&bin);
+        if (!bins_[bin.number].holds(bin)) missing.push_back({bin.number, bin.away, {KeptBin::below(bin)}});
     if (missing.empty()) return 0;
     dropPages();
     known_ = KnownCells(blocks_);
     lookAtGround(receivers, walls, false);
     Sweeping sweeping{walls, receivers.grid.cellM, stop};
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+    const std::vector<FanRange> fans = fansOf(sweptBins(missing));
+    tbb::parallel_for(std::size_t{0}, fans.size(), [&](std::size_t i) {
         if (stop.stop_requested()) return;
-        sweep(bins_[missing[i]->number], *missing[i], sweeping);
-        progress.report(double(++done) / double(missing.size()), "sweeping horizons");
+        sweep(std::span(missing).subspan(fans[i].first, fans[i].size()), sweeping);
+        progress.report(double(++done) / double(fans.size()), "sweeping horizons");
     });
     return missing.size();
 }
 
-void KeptTile::sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const {
+// `missing`: bins of a fan.
+void KeptTile::sweep(std::span<const AzimuthBin> missing, Sweeping& sweeping) {
+    std::vector<SweptBin> swept = sweptBins(missing);
+    for (std::size_t i = 0; i < swept.size(); ++i) {
+        KeptBin& kept = bins_[missing[i].number];
+        kept.lowest = kept.codes.empty() ? swept[i].lowest : std::min(kept.lowest, swept[i].lowest);
+        kept.codes.resize(blocks_.numbers());
+        swept[i].lowest = kept.lowest;
+    }
+    const auto take = [&](std::size_t bin, std::size_t block, const HorizonCode* square, bool swapped) {
+        writeSquare(square, blocks_, blocks_.blocks()[block], swapped,
+                    bins_[missing[bin].number].codes.data());
+    };
+    sweeping.memory.local().tiles.run({sweeping.walls.list(), blocks_, grounds_, sweeping.cellM}, swept, take,
+                                      sweeping.stop);
+    for (const AzimuthBin& bin : missing) findGaps(bins_[bin.number], bin.away, sweeping);
+}
+
+void KeptTile::findGaps(KeptBin& kept, glm::dvec2 away, Sweeping& sweeping) const {
     const KeptWalls& walls = sweeping.walls;
     Sweeping::Memory& memory = sweeping.memory.local();
-    const HorizonCode lowest = KeptBin::below(bin);
-    kept.lowest = kept.codes.empty() ? lowest : std::min(kept.lowest, lowest);
-    kept.codes.resize(blocks_.numbers());
-    sweepBin(memory.squares, walls.list(), blocks_, grounds_, bin.away, kept.lowest, sweeping.cellM,
-             kept.codes, sweeping.stop);
     if (!walls.open().empty() && !sweeping.stop.stop_requested()) {
-        const ShadowAxes axes(bin.away);
+        const ShadowAxes axes(away);
         walls.open().across(axes, extentOf(box_, axes), tanOf(kept.lowest),
                             axes.alongPerDistance / sweeping.cellM, memory.triangles);
         const auto gaps =
-            memory.open.intervals({memory.triangles, open_, bin.away, kept.lowest, sweeping.cellM},
+            memory.open.intervals({memory.triangles, open_, away, kept.lowest, sweeping.cellM},
                                   ofReceivers(blocks_, kept.codes, memory.horizons), sweeping.stop);
         kept.gaps.assign(gaps.begin(), gaps.end());
     }

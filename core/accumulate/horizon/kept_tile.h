@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/kept_walls.h"
 #include "core/accumulate/horizon/tile_count.h"
+#include "core/accumulate/horizon/tile_sweep.h"
 #include "core/progress.h"
 
 namespace noonmark {
@@ -51,7 +53,8 @@ private:
     struct EditMemory;
     std::size_t sweep(const Receivers& receivers, const KeptWalls& walls, const BinnedSun& binned,
                       Progress& progress, const std::stop_token& stop);
-    void sweep(KeptBin& kept, const AzimuthBin& bin, Sweeping& sweeping) const;
+    void sweep(std::span<const AzimuthBin> missing, Sweeping& sweeping);
+    void findGaps(KeptBin& kept, glm::dvec2 away, Sweeping& sweeping) const;
     void lookAtGround(const Receivers& receivers, const KeptWalls& walls, bool hung);
     ChangedCells become(const Receivers& receivers, std::span<const std::uint32_t> cells, bool again);
     void change(std::uint32_t number, Editing& editing);

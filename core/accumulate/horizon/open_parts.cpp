@@ -11,12 +11,6 @@ namespace {
 
 // Gaps that are collected before those of one receiver are made one.
 constexpr std::size_t gapsAMerge = std::size_t{1} << 20U;
-constexpr double onTheWall = 1e-3;  // cells; nearer than that a receiver is on the triangle
-
-HorizonCode codeAt(double rise, double distance) {
-    return rise <= 0 ? noHorizon : codeOfHorizon(float(rise / (rise + distance)));
-}
-
 /// Where the vertical plane through the receiver meets a side.
 struct Crossing {
     double along, rise;
@@ -38,11 +32,19 @@ std::span<const Gap> OpenSweep::intervals(const OpenView& view, std::span<const 
     lowestTan_ = double(steepnessOf(view.lowest) / (1 - steepnessOf(view.lowest)));
     findLines();
     horizons_ = horizons;
+    ++views_;
+    lows_.resize(std::max(lows_.size(), view.tile.squares.size()));
     gaps_.clear();
     merged_ = 0;
     for (const OpenTriangle& triangle : view.triangles) {
         if (stop.stop_requested()) return {};
         add(triangle);
+        if (gaps_.size() - merged_ > gapsAMerge) merge();
+    }
+    for (const OpenPrism& prism : view.prisms) {
+        if (stop.stop_requested()) return {};
+        add(prism);
+        if (gaps_.size() - merged_ > gapsAMerge) merge();
     }
     merge();
     return gaps_;
@@ -68,29 +70,72 @@ void OpenSweep::add(const OpenTriangle& triangle) {
     if (corners_[2].q <= view_->within.lowQ || corners_[0].q >= view_->within.highQ) return;
     const double first = std::max(std::ceil(near), lines_.first),
                  last = std::min(std::floor(far + rise / lowestTan_ + 1), lines_.last);
-    for (double along = first; along <= last; ++along)
-        addLine(int(along), along > far ? codeAt(rise, along - far) : codeAt(1, 0));
-    if (gaps_.size() - merged_ > gapsAMerge) merge();
+    forEachLine(
+        {first, last}, {corners_[0].q, corners_[2].q},
+        [&](double along) { return along > far ? codeAt(rise, along - far) : codeAt(1, 0); },
+        [&](int along, HorizonCode most) { addLine(along, most); });
+}
+
+// Lines of one row of squares, or of one column where swapped.
+bool OpenSweep::mayBeSeen(const Range& lines, const Range& q, HorizonCode most) {
+    constexpr int side = ReceiverBlocks::side;
+    const TileBox& box = view_->tile.box;
+    const LineCells one = cellsOf(int(lines.first), q.first, q.last),
+                    other = cellsOf(int(lines.last), q.first, q.last);
+    const int low = axes_.swapped ? box.firstRow : box.firstColumn,
+              lineLow = axes_.swapped ? box.firstColumn : box.firstRow;
+    const int first = std::min(one.first, other.first) - low,
+              end = std::min(std::max(one.end, other.end) - low, axes_.swapped ? box.rows : box.columns);
+    const auto columns = std::size_t((box.columns + side - 1) / side),
+               line = std::size_t((one.line - lineLow) / side);
+    for (int across = std::max(0, first / side * side); across < end; across += side) {
+        const auto square = std::size_t(across / side);
+        if (lowestIn(axes_.swapped ? square * columns + line : line * columns + square) <= most) return true;
+    }
+    return false;
+}
+
+// `blind` where nobody is.
+HorizonCode OpenSweep::lowestIn(std::size_t square) {
+    SquareLow& low = lows_[square];
+    if (low.view == views_) return low.code;
+    const auto [first, end] = view_->tile.squares[square];
+    low = {views_, blind};
+    for (const HorizonCode code : horizons_.subspan(first, end - first)) low.code = std::min(low.code, code);
+    return low.code;
+}
+
+OpenSweep::LineCells OpenSweep::cellsOf(int along, double lowQ, double highQ) const {
+    const TileBox& box = view_->tile.box;
+    const double shift = axes_.k * along;
+    const int low = axes_.swapped ? box.firstRow : box.firstColumn,
+              count = axes_.swapped ? box.rows : box.columns;
+    const double first = std::max(std::ceil(std::max(lowQ, view_->within.lowQ) + shift), double(low)),
+                 end = std::min(std::ceil(std::min(highQ, view_->within.highQ) + shift), double(low + count));
+    return {int(axes_.sign) * along, int(first), int(std::max(first, end)), shift};
+}
+
+std::int32_t OpenSweep::numberAt(int line, int across) const {
+    const TileBox& box = view_->tile.box;
+    const int column = axes_.swapped ? line : across, row = axes_.swapped ? across : line;
+    return view_->tile.numbers[std::size_t(row - box.firstRow) * std::size_t(box.columns) +
+                               std::size_t(column - box.firstColumn)];
+}
+
+// Such that height over it is as `rise`.
+double OpenSweep::groundOf(std::int32_t number) const {
+    const std::vector<float>& grounds = view_->tile.groundsM;
+    return grounds.empty() ? 0 : double(grounds[std::size_t(number)]) * alongPerMetre_;
 }
 
 // The cells of one line across whose shadow line meets the triangle: lowest q <= q < highest q. None of them
 // can see it higher than `most`, but for a level of rounding.
 void OpenSweep::addLine(int along, HorizonCode most) {
-    const OpenTile& tile = view_->tile;
-    const double shift = axes_.k * along;
-    const int low = axes_.swapped ? tile.box.firstRow : tile.box.firstColumn,
-              count = axes_.swapped ? tile.box.rows : tile.box.columns;
-    const double lowQ = std::max(corners_[0].q, view_->within.lowQ),
-                 highQ = std::min(corners_[2].q, view_->within.highQ);
-    const double first = std::max(std::ceil(lowQ + shift), double(low)),
-                 end = std::min(std::ceil(highQ + shift), double(low + count));
-    const int line = int(axes_.sign) * along;
-    for (int across = int(first); across < end; ++across) {
-        const int column = axes_.swapped ? line : across, row = axes_.swapped ? across : line;
-        const std::int32_t number =
-            tile.numbers[std::size_t(row - tile.box.firstRow) * std::size_t(tile.box.columns) +
-                         std::size_t(column - tile.box.firstColumn)];
-        if (number >= 0 && horizons_[std::size_t(number)] <= most) addCell(number, across - shift, along);
+    const LineCells cells = cellsOf(along, corners_[0].q, corners_[2].q);
+    for (int across = cells.first; across < cells.end; ++across) {
+        const std::int32_t number = numberAt(cells.line, across);
+        if (number >= 0 && horizons_[std::size_t(number)] <= most)
+            addCell(number, across - cells.shift, along);
     }
 }
 
@@ -100,16 +145,18 @@ void OpenSweep::addCell(std::int32_t number, double q, double along) {
         q < corners_[1].q ? crossing(corners_[0], corners_[1], q) : crossing(corners_[1], corners_[2], q);
     const Crossing near = a.along > b.along ? a : b, far = a.along > b.along ? b : a;
     const double toNear = along - near.along, toFar = along - far.along;
-    if (toFar <= onTheWall) return;
-    const std::vector<float>& grounds = view_->tile.groundsM;
-    const double ground = grounds.empty() ? 0 : double(grounds[std::size_t(number)]) * alongPerMetre_;
+    if (toFar <= onWhatHangs) return;
+    const double ground = groundOf(number);
     // Over the receiver itself: everything up to the zenith.
     const bool over = toNear <= 0 && (near.rise * toFar - far.rise * toNear) / (toFar - toNear) > ground;
     const HorizonCode atNear = toNear > 0 ? codeAt(near.rise - ground, toNear)
                                : over     ? codeAt(1, 0)
                                           : noHorizon,
                       atFar = codeAt(far.rise - ground, toFar);
-    const HorizonCode low = std::min(atNear, atFar), high = std::max(atNear, atFar);
+    addGap(number, std::min(atNear, atFar), std::max(atNear, atFar));
+}
+
+void OpenSweep::addGap(std::int32_t number, HorizonCode low, HorizonCode high) {
     // Below the horizon it changes nothing: what it would join begins at the horizon or below, too.
     if (high > std::max(view_->lowest, horizons_[std::size_t(number)]))
         gaps_.push_back({std::uint32_t(number), low, high});
@@ -123,7 +170,13 @@ void OpenSweep::merge() {
 OpenTile::OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)
     : box(blocks.box()), numbers(std::size_t(box.columns) * std::size_t(box.rows), -1) {
     if (!receivers.flat()) groundsM.resize(blocks.numbers());
+    constexpr int side = ReceiverBlocks::side;
+    const glm::ivec2 all = blocks.squares();
+    squares.assign(std::size_t(all.x) * std::size_t(all.y), {0, 0});
     for (const ReceiverBlocks::Block& block : blocks.blocks()) {
+        squares[std::size_t((block.row - box.firstRow) / side) * std::size_t(all.x) +
+                std::size_t((block.column - box.firstColumn) / side)] = {block.first,
+                                                                         block.first + block.count};
         const std::uint8_t* places = blocks.places(block, false);
         for (std::uint32_t n = 0; n < block.count; ++n) {
             const int column = block.column - box.firstColumn + places[n] % ReceiverBlocks::side,

@@ -70,12 +70,13 @@ void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& vis
 
 }  // namespace
 
-PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, bool gaps)
-    : runs_(runsOf(sun, binned)), suns_(binned.bins.size()) {
+PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wanted& wanted)
+    : suns_(binned.bins.size()) {
+    if (wanted.runs) runs_ = runsOf(sun, binned);
     tbb::parallel_for(std::size_t{0}, suns_.size(),
                       [&](std::size_t bin) { suns_[bin] = sunChanges(binned.bins[bin].suns, {}); });
     for (const AzimuthBin& bin : binned.bins)
-        if (gaps) hidden_.emplace_back(bin.suns);
+        if (wanted.gaps) hidden_.emplace_back(bin.suns);
 }
 
 RunLanes RunCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
@@ -118,12 +119,6 @@ void writeRuns(const ReceiverBlocks& blocks, std::size_t part, const RunLanes& l
     forEachCell(blocks, part, [&](std::size_t number, std::uint32_t cell) {
         field.continuousMin[cell] = float(longest.values[number % lanesARun] * field.stepMinutes);
     });
-}
-
-void writeMinutes(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
-                  const RunLanes& longest, ShadowField& field) {
-    writeGross(blocks, part, hidden, field);
-    writeRuns(blocks, part, longest, field);
 }
 
 }  // namespace noonmark

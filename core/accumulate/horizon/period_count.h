@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -51,19 +52,22 @@ private:
 /// A period ready to be counted from horizons. Immutable.
 class PeriodCount {
 public:
-    /// `gaps`: whether gaps are asked for, too.
-    PeriodCount(const SunSteps& sun, const BinnedSun& binned, bool gaps);
+    /// What is asked for besides the suns of each bin.
+    struct Wanted {
+        bool gaps = false, runs = true;
+    };
+    PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wanted& wanted);
 
-    [[nodiscard]] std::size_t steps() const { return runs_.steps(); }
     /// The suns of a bin, to look up many horizons.
     [[nodiscard]] std::span<const SunChange> suns(std::size_t bin) const { return suns_[bin]; }
     /// The same, to look up one; only where gaps are asked for.
     [[nodiscard]] const HiddenSuns& hidden(std::size_t bin) const { return hidden_[bin]; }
 
-    [[nodiscard]] const RunCount& runs() const { return runs_; }
+    /// Null where they are not wanted.
+    [[nodiscard]] const RunCount* runs() const { return runs_ ? &*runs_ : nullptr; }
 
 private:
-    RunCount runs_;
+    std::optional<RunCount> runs_;
     std::vector<std::vector<SunChange>> suns_;
     std::vector<HiddenSuns> hidden_;
 };
@@ -72,10 +76,6 @@ private:
 void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
                 ShadowField& field);
 void writeRuns(const ReceiverBlocks& blocks, std::size_t part, const RunLanes& longest, ShadowField& field);
-
-/// Both.
-void writeMinutes(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
-                  const RunLanes& longest, ShadowField& field);
 
 /// Parts of 64 numbers.
 inline std::size_t partsOf(const ReceiverBlocks& blocks) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "core/accumulate/horizon/short_sums.h"
 #include "core/stopwatch.h"
@@ -16,9 +17,9 @@ namespace noonmark {
 
 namespace {
 
-// For the ranks of one tile, were all its cells receivers.
+// For the horizons of one tile, were all its cells receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
-constexpr std::size_t partsShown = 16;
+constexpr std::size_t partsShown = 16, fansAPart = 4;
 constexpr std::size_t tasks = 64;  // at least, so that all cores have work to the end
 constexpr int largestTile = 1024;  // cells a side: a line of horizons stays in the first-level cache
 
@@ -33,52 +34,62 @@ int evenSide(int cells, int most) {
     return (side + ReceiverBlocks::side - 1) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
-// One tile where the receivers' horizons fit.
-std::vector<TileBox> tilesFor(const Receivers& receivers, std::size_t bins) {
-    const Grid& grid = receivers.grid;
-    const int size = std::max({1, grid.columns, grid.rows});
+// Of one tile's receivers.
+bool horizonsFit(const Receivers& receivers, std::size_t bins) {
     constexpr std::size_t paddingABlock = 32, cellsABlock = ReceiverBlocks::cells;
-    const std::size_t numbers = receivers.cells.size() + grid.size() / cellsABlock * paddingABlock;
-    const bool fits = size <= largestTile && numbers * bins * sizeof(HorizonCode) <= tileBytes;
-    return tilesOf(grid, evenSide(size, fits ? largestTile : tileSide(bins)));
+    const std::size_t numbers = receivers.cells.size() + receivers.grid.size() / cellsABlock * paddingABlock;
+    return numbers * bins * sizeof(HorizonCode) <= tileBytes;
 }
 
 }  // namespace
 
-/// What the threads share while a tile is swept.
-struct PeriodSweep::TileWork {
-    const ReceiverBlocks& blocks;
+/// What the threads share while a tile is swept and counted.
+struct PeriodSweep::Tile {
+    Tile(const Receivers& receivers, const TileBox& box, double datumM, std::size_t bins)
+        : blocks(receivers, box), grounds(receivers, blocks, datumM), horizons(bins, blocks.numbers()) {}
+    ReceiverBlocks blocks;
     BlockGrounds grounds;
-    TileHorizons& horizons;
+    TileHorizons horizons;  ///< of no bins, where none are kept
     OpenTile open;
-    std::atomic<std::size_t> done{0};
+    std::vector<std::vector<Gap>> gaps;  ///< of each bin
+    std::atomic<std::size_t> done{0};    ///< bins
 };
 
-PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenTriangle> open,
-                         const Receivers& receivers, const SunSteps& sun, const BinnedSun& binned,
+PeriodSweep::PeriodSweep(const WallList& walls, const OpenShapes& open, const Receivers& receivers,
+                         const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts,
                          Progress& progress, std::stop_token stop)
     : walls_(walls),
       open_(open),
       receivers_(receivers),
       binned_(binned),
-      count_(sun, binned, !open.empty()),
+      bins_(sweptBins(binned.bins)),
+      fans_(fansOf(bins_)),
+      count_(sun, binned, {.gaps = !open.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
+      keeps_(counts == ShadowCounts::grossAndRuns || !open.empty()),
       progress_(progress),
       stop_(std::move(stop)) {}
 
 std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>()); }
 
+// One tile where the receivers' horizons fit.
+std::vector<TileBox> PeriodSweep::tiles() const {
+    const Grid& grid = receivers_.grid;
+    const int size = std::max({1, grid.columns, grid.rows});
+    const bool whole = !keeps_ || (size <= largestTile && horizonsFit(receivers_, bins_.size()));
+    return tilesOf(grid, evenSide(size, whole ? largestTile : tileSide(bins_.size())));
+}
+
 Result<void> PeriodSweep::run(ShadowField& field) {
-    const std::vector<TileBox> tiles = tilesFor(receivers_, binned_.bins.size());
+    const std::vector<TileBox> tiles = this->tiles();
     oneTile_ = tiles.size() == 1;
     for (const TileBox& box : tiles) {
-        const ReceiverBlocks blocks(receivers_, box);
-        if (blocks.receivers() == 0) continue;
-        TileHorizons horizons(binned_.bins.size(), blocks.numbers());
-        timed(field, "sweep", [&] { sweep(blocks, horizons, field); });
+        Tile tile(receivers_, box, walls_.datumM, keeps_ ? bins_.size() : 0);
+        if (tile.blocks.receivers() == 0) continue;
+        timed(field, "sweep", [&] { sweep(tile, field); });
         if (stop_.stop_requested()) return cancelled();
-        timed(field, "count", [&] { count(blocks, horizons, field); });
+        timed(field, "count", [&] { count(tile, field); });
         if (stop_.stop_requested()) return cancelled();
-        receiversDone_ += blocks.receivers();
+        receiversDone_ += tile.blocks.receivers();
     }
     return {};
 }
@@ -90,88 +101,121 @@ void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
     field.cost.seconds[stage] += watch.seconds();
 }
 
-// Where somebody looks, bins from all over the sky in turn, and in between what they come to.
-void PeriodSweep::sweep(const ReceiverBlocks& blocks, TileHorizons& horizons, const ShadowField& field) {
-    TileWork work{blocks, {receivers_, blocks, walls_.datumM}, horizons, {}};
-    if (!open_.empty()) work.open = OpenTile(receivers_, blocks, walls_.datumM);
-    gaps_.assign(binned_.bins.size(), {});
+// Where somebody looks, fans from all over the sky in turn, and in between what they come to.
+void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
+    if (!open_.empty()) tile.open = OpenTile(receivers_, tile.blocks, walls_.datumM);
+    tile.gaps.assign(bins_.size(), {});
+    for (SquareSums& sums : squareSums_) sums.begin(tile.blocks.blocks().size());
     PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
-    const std::size_t turns = sink == nullptr ? 1 : std::min(partsShown, binned_.bins.size());
+    const std::size_t turns =
+        sink == nullptr ? 1 : std::clamp(fans_.size() / fansAPart, std::size_t{1}, partsShown);
     for (std::size_t turn = 0; turn < turns; ++turn) {
-        const std::size_t some = (binned_.bins.size() - turn + turns - 1) / turns;
-        tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweep(turn + i * turns, work); });
+        const std::size_t some = (fans_.size() - turn + turns - 1) / turns;
+        tbb::parallel_for(std::size_t{0}, some, [&](std::size_t i) { sweep(fans_[turn + i * turns], tile); });
         if (sink != nullptr && turn + 1 < turns && !stop_.stop_requested() && sink->wants())
-            sink->take(partialOf(blocks, horizons, {turn, turns}, field));
+            sink->take(partialOf(tile, {turn, turns}, field));
     }
 }
 
-void PeriodSweep::sweep(std::size_t bin, TileWork& work) {
+void PeriodSweep::sweep(const FanRange& fan, Tile& tile) {
     if (stop_.stop_requested()) return;
-    const AzimuthBin& of = binned_.bins[bin];
-    const double cellM = receivers_.grid.cellM;
-    const std::span<HorizonCode> codes = work.horizons.of(bin);
-    outOfReach_.local() += sweepBin(sweeps_.local(), walls_, work.blocks, work.grounds, of.away, of.lowest(),
-                                    cellM, codes, stop_);
-    if (!open_.empty())
-        gaps_[bin] = openAbove(
-            openSweeps_.local().intervals({open_, work.open, of.away, of.lowest(), cellM}, codes, stop_),
-            of.lowest(), count_.hidden(bin), codes);
+    SquareSums& sums = squareSums_.local();
+    if (!sums.begun()) sums.begin(tile.blocks.blocks().size());
+    const TileScene scene{walls_, tile.blocks, tile.grounds, receivers_.grid.cellM};
+    const auto take = [&](std::size_t i, std::size_t square, const HorizonCode* codes, bool swapped) {
+        const std::size_t bin = fan.first + i;
+        if (keeps_)
+            writeSquare(codes, tile.blocks, tile.blocks.blocks()[square], swapped,
+                        tile.horizons.of(bin).data());
+        else
+            sums.add(square, swapped, codes, count_.suns(bin));
+    };
+    outOfReach_.local() +=
+        sweeps_.local().run(scene, std::span(bins_).subspan(fan.first, fan.size()), take, stop_);
+    for (std::size_t bin = fan.first; bin < fan.end && !open_.empty(); ++bin) addOpen(bin, tile);
     if (stop_.stop_requested()) return;
-    report(work.blocks, 0.8 * double(++work.done) / double(binned_.bins.size()));
+    tile.done += fan.size();
+    report(tile.blocks, 0.8 * double(tile.done) / double(bins_.size()));
 }
 
-// Steps hidden by the bins of some turns, one a number.
-PeriodSweep::Sums PeriodSweep::hidden(const ReceiverBlocks& blocks, const TileHorizons& horizons,
-                                      const Turns& turns) const {
-    Sums sums(blocks.numbers());
+void PeriodSweep::addOpen(std::size_t bin, Tile& tile) {
+    if (stop_.stop_requested()) return;
+    const auto [away, lowest] = bins_[bin];
+    const std::span<HorizonCode> codes = tile.horizons.of(bin);
+    const OpenView view{.triangles = open_.triangles,
+                        .tile = tile.open,
+                        .away = away,
+                        .lowest = lowest,
+                        .cellM = receivers_.grid.cellM,
+                        .prisms = open_.prisms};
+    tile.gaps[bin] =
+        openAbove(openSweeps_.local().intervals(view, codes, stop_), lowest, count_.hidden(bin), codes);
+}
+
+// Steps hidden by the fans of some turns, one a number.
+PeriodSweep::Sums PeriodSweep::hidden(Tile& tile, const Turns& turns) {
+    if (keeps_) return hiddenByKept(tile, turns);
+    Sums sums(tile.blocks.numbers());
+    for (SquareSums& some : squareSums_) some.addTo(tile.blocks, sums);
+    return sums;
+}
+
+PeriodSweep::Sums PeriodSweep::hiddenByKept(Tile& tile, const Turns& turns) const {
+    Sums sums(tile.blocks.numbers());
     const std::size_t numbers =
-        std::min(ShortSums::mostNumbers,
-                 (blocks.numbers() / tasks + lanesARun - 1) / lanesARun * lanesARun + lanesARun);
+        std::min(mostShortNumbers, (sums.size() / tasks + lanesARun - 1) / lanesARun * lanesARun + lanesARun);
     tbb::parallel_for(std::size_t{0}, (sums.size() + numbers - 1) / numbers, [&](std::size_t task) {
         const auto first = std::uint32_t(task * numbers),
                    end = std::uint32_t(std::min(sums.size(), (task + 1) * numbers));
         const Stretch own{first, end};
-        ShortSums some(first, {&own, 1}, sums.data());
-        for (std::size_t bin = 0; bin < binned_.bins.size() && !stop_.stop_requested(); ++bin)
-            if (turns.have(bin))
-                for (const SunChange& suns : count_.suns(bin)) some.add(suns, horizons.of(bin).data());
+        TileShortSums some(first, {&own, 1}, sums.data());
+        for (std::size_t fan = 0; fan < fans_.size() && !stop_.stop_requested(); ++fan)
+            for (std::size_t bin = fans_[fan].first; bin < fans_[fan].end && turns.have(fan); ++bin)
+                for (const SunChange& suns : count_.suns(bin)) some.add(suns, tile.horizons.of(bin).data());
         some.flush();
     });
-    for (std::size_t bin = 0; bin < gaps_.size(); ++bin)
-        for (const Gap& gap : gaps_[bin])
+    for (std::size_t bin = 0; bin < tile.gaps.size(); ++bin)
+        for (const Gap& gap : tile.gaps[bin])
             sums[gap.number] += count_.hidden(bin)(gap.high) - count_.hidden(bin)(gap.low);
     return sums;
 }
 
-PartialField PeriodSweep::partialOf(const ReceiverBlocks& blocks, const TileHorizons& horizons,
-                                    const Turns& turns, const ShadowField& blank) const {
-    const Sums hidden = this->hidden(blocks, horizons, turns);
+PartialField PeriodSweep::partialOf(Tile& tile, const Turns& turns, const ShadowField& blank) {
+    const Sums hidden = this->hidden(tile, turns);
     PartialField partial{.field = blank};
     std::size_t steps = 0, bins = 0;
-    for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin)
-        if (turns.have(bin)) steps += binned_.bins[bin].suns.size(), ++bins;
+    for (std::size_t fan = 0; fan < fans_.size(); ++fan)
+        for (std::size_t bin = fans_[fan].first; bin < fans_[fan].end && turns.have(fan); ++bin)
+            steps += binned_.bins[bin].suns.size(), ++bins;
     const double minutes = blank.stepMinutes / blank.days;
     partial.field.sunlitMinutesPerDay = double(steps) * minutes;
     std::ranges::fill(partial.field.continuousMin, std::numeric_limits<float>::quiet_NaN());
     for (std::size_t i = 0; i < hidden.size(); ++i)
-        if (blocks.cell(i) != ReceiverBlocks::padding)
-            partial.field.grossMin[blocks.cell(i)] = float(double(hidden[i]) * minutes);
-    partial.share = double(steps) / double(std::max<std::size_t>(1, count_.steps()));
-    partial.part = fmt::format("{} of {} azimuth bins", bins, binned_.bins.size());
+        if (const std::uint32_t cell = tile.blocks.cell(i); cell != ReceiverBlocks::padding)
+            partial.field.grossMin[cell] = float(double(hidden[i]) * minutes);
+    partial.share = double(steps) / double(std::max<std::size_t>(1, binned_.places.size()));
+    partial.part = fmt::format("{} of {} azimuth bins", bins, bins_.size());
     return partial;
 }
 
-void PeriodSweep::count(const ReceiverBlocks& blocks, const TileHorizons& horizons, ShadowField& field) {
-    const Sums hidden = this->hidden(blocks, horizons, {});
+void PeriodSweep::count(Tile& tile, ShadowField& field) {
+    const Sums hidden = this->hidden(tile, {});
+    for (std::size_t part = 0; part < partsOf(tile.blocks); ++part)
+        writeGross(tile.blocks, part, hidden, field);
+    if (count_.runs() != nullptr) countRuns(tile, field);
+}
+
+void PeriodSweep::countRuns(const Tile& tile, ShadowField& field) {
     BinCodes codes;
-    for (std::size_t bin = 0; bin < binned_.bins.size(); ++bin) codes.push_back(horizons.of(bin));
-    const BinGaps gaps(gaps_.begin(), gaps_.end());
+    for (std::size_t bin = 0; bin < bins_.size(); ++bin) codes.push_back(tile.horizons.of(bin));
+    const BinGaps gaps(tile.gaps.begin(), tile.gaps.end());
     std::atomic<std::size_t> done{0};
-    tbb::parallel_for(std::size_t{0}, partsOf(blocks), [&](std::size_t part) {
+    const std::size_t parts = partsOf(tile.blocks);
+    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
         if (stop_.stop_requested()) return;
-        writeMinutes(blocks, part, hidden, count_.runs().longestRuns(codes, gaps, part, runMemory_.local()),
-                     field);
-        report(blocks, 0.8 + 0.2 * double(++done) / double(partsOf(blocks)));
+        writeRuns(tile.blocks, part, count_.runs()->longestRuns(codes, gaps, part, runMemory_.local()),
+                  field);
+        report(tile.blocks, 0.8 + 0.2 * double(++done) / double(parts));
     });
 }
 

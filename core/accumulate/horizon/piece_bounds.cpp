@@ -1,5 +1,8 @@
 #include "core/accumulate/horizon/piece_bounds.h"
 
+#include <algorithm>
+
+#include "core/accumulate/horizon/block_place.h"
 #include "core/accumulate/horizon/lanes16.h"
 
 #ifdef NOONMARK_PICKS_ISA
@@ -11,39 +14,48 @@ namespace noonmark {
 namespace {
 
 // Of distances in cells: wide of the rounding of bounds and of the block's own sums.
-constexpr float nearly = 1 - 1e-5F, margin = 2e-2F;
+constexpr float nearly = nearlyOfDistance, margin = 2 * roundingOfDistance;
+// From the block's lowest cell to its highest, and from a piece's highest point to its lowest, and more.
+constexpr float depths = 33;
 
 [[maybe_unused]] bool mayRaiseOne(float lowQ, float highQ, float highAlong, float rise,
                                   const BlockSight& sight) {
-    const float distance = (sight.lowestAlong - highAlong) * nearly - margin;
-    return highQ > sight.lowQ && lowQ < sight.highQ && rise * sight.cot > distance;
+    const float ahead = sight.lowestAlong - highAlong, distance = ahead * nearly - margin,
+                aside = std::max(0.0F, ahead + depths) * sight.spread;
+    return highQ + aside > sight.lowQ && lowQ - aside < sight.highQ && rise * sight.cot > distance;
 }
 
 #ifdef NOONMARK_PICKS_ISA
 [[gnu::target("avx512f")]] std::uint32_t mayRaise512(const float* lowQ, const float* highQ,
                                                      const float* highAlong, const float* rise,
                                                      const BlockSight& sight) {
-    const __m512 distance = _mm512_sub_ps(
-        _mm512_mul_ps(_mm512_sub_ps(_mm512_set1_ps(sight.lowestAlong), _mm512_loadu_ps(highAlong)),
-                      _mm512_set1_ps(nearly)),
-        _mm512_set1_ps(margin));
+    const __m512 ahead = _mm512_sub_ps(_mm512_set1_ps(sight.lowestAlong), _mm512_loadu_ps(highAlong));
+    const __m512 distance =
+        _mm512_sub_ps(_mm512_mul_ps(ahead, _mm512_set1_ps(nearly)), _mm512_set1_ps(margin));
+    const __m512 aside = _mm512_mul_ps(
+        _mm512_maskz_max_ps(0xFFFF, _mm512_setzero_ps(), _mm512_add_ps(ahead, _mm512_set1_ps(depths))),
+        _mm512_set1_ps(sight.spread));
     const __m512 seen = _mm512_mul_ps(_mm512_loadu_ps(rise), _mm512_set1_ps(sight.cot));
-    __mmask16 may = _mm512_cmp_ps_mask(_mm512_loadu_ps(highQ), _mm512_set1_ps(sight.lowQ), _CMP_GT_OQ);
-    may = _mm512_mask_cmp_ps_mask(may, _mm512_loadu_ps(lowQ), _mm512_set1_ps(sight.highQ), _CMP_LT_OQ);
+    __mmask16 may = _mm512_cmp_ps_mask(_mm512_add_ps(_mm512_loadu_ps(highQ), aside),
+                                       _mm512_set1_ps(sight.lowQ), _CMP_GT_OQ);
+    may = _mm512_mask_cmp_ps_mask(may, _mm512_sub_ps(_mm512_loadu_ps(lowQ), aside),
+                                  _mm512_set1_ps(sight.highQ), _CMP_LT_OQ);
     return _mm512_mask_cmp_ps_mask(may, seen, distance, _CMP_GT_OQ);
 }
 
 [[gnu::target("avx2")]] std::uint32_t mayRaise256(const float* lowQ, const float* highQ,
                                                   const float* highAlong, const float* rise,
                                                   const BlockSight& sight) {
-    const __m256 distance = _mm256_sub_ps(
-        _mm256_mul_ps(_mm256_sub_ps(_mm256_set1_ps(sight.lowestAlong), _mm256_loadu_ps(highAlong)),
-                      _mm256_set1_ps(nearly)),
-        _mm256_set1_ps(margin));
+    const __m256 ahead = _mm256_sub_ps(_mm256_set1_ps(sight.lowestAlong), _mm256_loadu_ps(highAlong));
+    const __m256 distance =
+        _mm256_sub_ps(_mm256_mul_ps(ahead, _mm256_set1_ps(nearly)), _mm256_set1_ps(margin));
+    const __m256 aside =
+        _mm256_mul_ps(_mm256_max_ps(_mm256_setzero_ps(), _mm256_add_ps(ahead, _mm256_set1_ps(depths))),
+                      _mm256_set1_ps(sight.spread));
     const __m256 seen = _mm256_mul_ps(_mm256_loadu_ps(rise), _mm256_set1_ps(sight.cot));
-    const __m256 across =
-        _mm256_and_ps(_mm256_cmp_ps(_mm256_loadu_ps(highQ), _mm256_set1_ps(sight.lowQ), _CMP_GT_OQ),
-                      _mm256_cmp_ps(_mm256_loadu_ps(lowQ), _mm256_set1_ps(sight.highQ), _CMP_LT_OQ));
+    const __m256 across = _mm256_and_ps(
+        _mm256_cmp_ps(_mm256_add_ps(_mm256_loadu_ps(highQ), aside), _mm256_set1_ps(sight.lowQ), _CMP_GT_OQ),
+        _mm256_cmp_ps(_mm256_sub_ps(_mm256_loadu_ps(lowQ), aside), _mm256_set1_ps(sight.highQ), _CMP_LT_OQ));
     return std::uint32_t(
         _mm256_movemask_ps(_mm256_and_ps(across, _mm256_cmp_ps(seen, distance, _CMP_GT_OQ))));
 }

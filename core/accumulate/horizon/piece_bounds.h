@@ -12,6 +12,7 @@ struct BlockSight {
     float lowQ, highQ;  ///< bounds of its cells
     float lowestAlong;  ///< of its cells
     float cot;          ///< of its lowest horizon
+    float spread = 0;   ///< cells aside for each cell of distance, where it looks along a fan of azimuths
 };
 
 /// Bounds of pieces of wall, sixteen of which are looked at together.

@@ -48,6 +48,17 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
     }
 }
 
+NOONMARK_EVERY_ISA
+void clearAny(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
+    constexpr float level = std::numeric_limits<float>::infinity();
+    for (std::size_t line = 0; line < masks.size(); ++line) {
+        const std::uint32_t receivers = masks[line];
+        float* cots = lanesOf(horizons.lines[line]);
+        for (unsigned i = 0; i < side; ++i)
+            cots[i] = (receivers >> i & 1U) != 0 ? level : BlockHorizons::nobody;
+    }
+}
+
 // Uses up what it is given.
 [[gnu::always_inline]] inline float highestOf(float* values) {
     for (int half = side / 2; half > 0; half /= 2)
@@ -67,9 +78,8 @@ float lowestOfAny(const BlockHorizons& horizons) {
 #ifdef NOONMARK_PICKS_ISA
 // What is the same for a line's cells, found for all lines at once.
 struct WallBeforeLines {
-    alignas(64) std::uint32_t cells[side];  // that the wall is before, as bits
-    alignas(64) float cotAtFirst[side];     // of the horizon at the line's first cell
-    unsigned lines;                         // with such cells, as bits
+    alignas(64) std::uint32_t cells[side];    // that the wall is before, as bits
+    alignas(64) float minusCotAtFirst[side];  // of the horizon at the line's first cell
 };
 
 // The place of a line's first cell that is not below this one: 0 to 16.
@@ -87,45 +97,81 @@ struct WallBeforeLines {
     const __m512 shifts = _mm512_loadu_ps(lines.shifts.data());
     const __m512 low = _mm512_sub_ps(_mm512_set1_ps(wall.low), shifts),
                  high = _mm512_sub_ps(_mm512_set1_ps(wall.high), shifts);
-    const __m512i first = placeFrom(low), end = placeFrom(high), line16 = _mm512_set1_epi32(all);
-    before.lines = _mm512_cmplt_epi32_mask(first, end);
-    _mm512_store_si512(before.cells, _mm512_maskz_andnot_epi32(all, _mm512_maskz_sllv_epi32(all, line16, end),
-                                                               _mm512_maskz_sllv_epi32(all, line16, first)));
+    const __m512i line16 = _mm512_set1_epi32(all);
+    _mm512_store_si512(before.cells,
+                       _mm512_maskz_andnot_epi32(all, _mm512_maskz_sllv_epi32(all, line16, placeFrom(high)),
+                                                 _mm512_maskz_sllv_epi32(all, line16, placeFrom(low))));
     const __m512 along = _mm512_add_ps(_mm512_set1_ps(wall.along), _mm512_loadu_ps(lines.alongs.data()));
     const __m512 distance = _mm512_sub_ps(along, _mm512_mul_ps(_mm512_set1_ps(wall.slope), low));
-    _mm512_store_ps(before.cotAtFirst, _mm512_mul_ps(distance, _mm512_set1_ps(wall.perRise)));
+    _mm512_store_ps(before.minusCotAtFirst, _mm512_mul_ps(distance, _mm512_set1_ps(-wall.perRise)));
+    // Each line's numbers are to be read from memory, which is free; GCC would take them out of registers.
+    asm volatile("" : "+m"(before));
 }
 
-// The same sums in the same order as raiseLine().
-[[gnu::target("avx512f")]] void raiseLines512(const WallOnBlock& wall, const BlockLines& lines,
-                                              BlockHorizons& horizons) {
-    WallBeforeLines before;
-    findLines(wall, lines, before);
-    const __m512 zero = _mm512_setzero_ps(), nearest = _mm512_set1_ps(wall.nearest * wall.perRise);
-    const __m512 less = _mm512_mul_ps(_mm512_set1_ps(wall.slope * wall.perRise), _mm512_load_ps(&places));
-    for (unsigned wanted = before.lines & horizons.peopled; wanted != 0; wanted &= wanted - 1) {
-        const int line = std::countr_zero(wanted);
-        const __m512 cot = _mm512_sub_ps(_mm512_set1_ps(before.cotAtFirst[line]), less);
-        const __mmask16 shaded =
-            _mm512_mask_cmp_ps_mask(__mmask16(before.cells[line]), cot, nearest, _CMP_GT_OQ);
-        const __m512 horizon = _mm512_load_ps(horizons.lines + line),
-                     behind = _mm512_maskz_max_ps(0xFFFF, cot, zero);
-        _mm512_store_ps(horizons.lines + line, _mm512_mask_min_ps(horizon, shaded, horizon, behind));
+[[gnu::target("avx512f")]] inline __mmask16 cellsOf(const WallBeforeLines& before, int line) {
+    return _load_mask16(reinterpret_cast<__mmask16*>(const_cast<std::uint32_t*>(&before.cells[line])));
+}
+
+// The same sums in the same order as raiseLine(). All lines stay in registers.
+[[gnu::target("avx512f")]] inline void raiseAhead512(const WallBeforeLines& before, __m512 minusLess,
+                                                     __m512* horizons) {
+#pragma GCC unroll 16
+    for (int line = 0; line < side; ++line)
+        horizons[line] =
+            _mm512_mask_min_ps(horizons[line], cellsOf(before, line), horizons[line],
+                               _mm512_sub_ps(minusLess, _mm512_set1_ps(before.minusCotAtFirst[line])));
+}
+
+[[gnu::target("avx512f")]] inline void raiseBeside512(const WallBeforeLines& before, __m512 minusLess,
+                                                      __m512 nearest, __m512* horizons) {
+    const __m512 zero = _mm512_setzero_ps();
+#pragma GCC unroll 16
+    for (int line = 0; line < side; ++line) {
+        const __m512 cot = _mm512_sub_ps(minusLess, _mm512_set1_ps(before.minusCotAtFirst[line]));
+        const __mmask16 shaded = _mm512_mask_cmp_ps_mask(cellsOf(before, line), cot, nearest, _CMP_GT_OQ);
+        horizons[line] = _mm512_mask_min_ps(horizons[line], shaded, horizons[line],
+                                            _mm512_maskz_max_ps(0xFFFF, cot, zero));
     }
 }
 
-[[gnu::target("avx512f")]] float lowestOf512(const BlockHorizons& horizons) {
+[[gnu::target("avx512f")]] inline float lowestOf512(const __m512* horizons) {
     constexpr __mmask16 all = 0xFFFF;
     __m512 low[4];
-    for (int i = 0; i < 4; ++i) {
-        low[i] = _mm512_load_ps(horizons.lines + i);
-        for (int line = i + 4; line < side; line += 4)
-            low[i] = _mm512_maskz_max_ps(all, low[i], _mm512_load_ps(horizons.lines + line));
-    }
+#pragma GCC unroll 4
+    for (int i = 0; i < 4; ++i)
+        low[i] = _mm512_maskz_max_ps(all, _mm512_maskz_max_ps(all, horizons[i], horizons[i + 4]),
+                                     _mm512_maskz_max_ps(all, horizons[i + 8], horizons[i + 12]));
     alignas(64) float lowest[side];
     _mm512_store_ps(lowest, _mm512_maskz_max_ps(all, _mm512_maskz_max_ps(all, low[0], low[1]),
                                                 _mm512_maskz_max_ps(all, low[2], low[3])));
     return highestOf(lowest);
+}
+
+[[gnu::target("avx512f")]] float raise512(std::span<const WallOnBlock> walls, const BlockLines& lines,
+                                          BlockHorizons& of) {
+    const __m512 places512 = _mm512_load_ps(&places);
+    __m512 horizons[side];
+#pragma GCC unroll 16
+    for (int line = 0; line < side; ++line) horizons[line] = _mm512_load_ps(of.lines + line);
+    WallBeforeLines before;
+    for (const WallOnBlock& wall : walls) {
+        findLines(wall, lines, before);
+        const __m512 minusLess = _mm512_mul_ps(_mm512_set1_ps(-(wall.slope * wall.perRise)), places512);
+        if (wall.ahead)
+            raiseAhead512(before, minusLess, horizons);
+        else
+            raiseBeside512(before, minusLess, _mm512_set1_ps(wall.nearest * wall.perRise), horizons);
+    }
+#pragma GCC unroll 16
+    for (int line = 0; line < side; ++line) _mm512_store_ps(of.lines + line, horizons[line]);
+    return lowestOf512(horizons);
+}
+
+[[gnu::target("avx512f")]] void clear512(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
+    const __m512 level = _mm512_set1_ps(std::numeric_limits<float>::infinity()),
+                 nobody = _mm512_set1_ps(BlockHorizons::nobody);
+    for (std::size_t line = 0; line < masks.size(); ++line)
+        _mm512_store_ps(horizons.lines + line, _mm512_mask_mov_ps(nobody, masks[line], level));
 }
 
 [[gnu::target("avx512f")]] void codesOf512(const BlockHorizons& horizons, HorizonCode lowest,
@@ -163,30 +209,18 @@ BlockLines::BlockLines(double k, double sign) : linesAQ(k == 0 ? 0 : float(sign 
     }
 }
 
-NOONMARK_EVERY_ISA
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
-    constexpr float level = std::numeric_limits<float>::infinity();
-    horizons.peopled = 0;
-    for (std::size_t line = 0; line < masks.size(); ++line) {
-        horizons.peopled |= std::uint32_t(masks[line] != 0) << line;
-        const std::uint32_t receivers = masks[line];
-        float* cots = lanesOf(horizons.lines[line]);
-        for (unsigned i = 0; i < side; ++i)
-            cots[i] = (receivers >> i & 1U) != 0 ? level : BlockHorizons::nobody;
-    }
+#ifdef NOONMARK_PICKS_ISA
+    if (__builtin_cpu_supports("avx512f")) return clear512(masks, horizons);
+#endif
+    clearAny(masks, horizons);
 }
 
-void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons& horizons) {
+float raiseBlock(std::span<const WallOnBlock> walls, const BlockLines& lines, BlockHorizons& horizons) {
 #ifdef NOONMARK_PICKS_ISA
-    if (__builtin_cpu_supports("avx512f")) return raiseLines512(wall, lines, horizons);
+    if (__builtin_cpu_supports("avx512f")) return raise512(walls, lines, horizons);
 #endif
-    raiseLines(wall, lines, linesOf(wall, lines), horizons.lines);
-}
-
-float lowestOf(const BlockHorizons& horizons) {
-#ifdef NOONMARK_PICKS_ISA
-    if (__builtin_cpu_supports("avx512f")) return lowestOf512(horizons);
-#endif
+    for (const WallOnBlock& wall : walls) raiseLines(wall, lines, linesOf(wall, lines), horizons.lines);
     return lowestOfAny(horizons);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "core/accumulate/horizon/horizon_code.h"
 #include "core/accumulate/horizon/lanes16.h"
@@ -14,7 +15,6 @@ namespace noonmark {
 struct BlockHorizons {
     static constexpr float nobody = -1;  ///< of cells that are no receivers: no horizon is higher
     Floats16 lines[ReceiverBlocks::side];
-    std::uint32_t peopled = 0;  ///< lines with receivers, as bits
 };
 
 /// How q and `along` go from a block's first line to its others.
@@ -31,6 +31,7 @@ struct WallOnBlock {
     float along;      ///< `along` of the cell, less that of the wall at lowQ
     float slope, rise, riseSlope, nearest;
     float perRise;          ///< 1 / rise
+    bool ahead;             ///< all cells are farther behind it than `nearest`, and than 0
     std::int32_t building;  ///< only for who asks
 };
 
@@ -43,13 +44,11 @@ LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines);
 /// Level for receivers, `nobody` for the rest.
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);
 
-/// Raises horizons to those that the wall gives them: cells with low + place >= 0 > high + place that are
-/// farther behind it than `nearest`. A cell on the wall gets cotangent 0. The same bits on every instruction
-/// set. Some 50 ns.
-void raiseBlock(const WallOnBlock& wall, const BlockLines& lines, BlockHorizons& horizons);
-
-/// The cotangent of the lowest horizon of all cells; `nobody` where there are no receivers.
-float lowestOf(const BlockHorizons& horizons);
+/// Raises horizons to those that some walls give them: of each wall cells with low + place >= 0 > high + place
+/// that are farther behind it than `nearest`. A cell on a wall gets cotangent 0. Returns the cotangent of the
+/// lowest horizon of all cells then; `nobody` where there are no receivers. The same bits on every
+/// instruction set, in whatever order walls come. Some 20 ns a wall.
+float raiseBlock(std::span<const WallOnBlock> walls, const BlockLines& lines, BlockHorizons& horizons);
 
 /// Codes of all cells, 16 a line; noHorizon for those that hide no sun of code `lowest`, and for nobody's.
 void codesOf(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes);

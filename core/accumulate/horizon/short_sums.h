@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
 #include "core/accumulate/horizon/sun_change.h"
@@ -14,11 +13,10 @@ namespace noonmark {
 
 /// Sums of some numbers in 16 bits, for as long as they cannot overflow. Through all bins they stay in the
 /// first-level cache. `lines`: of numbers from `first` on, up to `mostNumbers` of them; flush() before they
-/// are read.
+/// are read. `lines` and `all` must outlive it.
+template <std::size_t mostNumbers>
 class ShortSums {
 public:
-    static constexpr std::size_t mostNumbers = 16'384;
-
     ShortSums(std::size_t first, std::span<const Stretch> lines, std::uint32_t* all)
         : first_(first), lines_(lines), all_(all) {}
 
@@ -32,8 +30,8 @@ public:
 
     void flush() {
         for (const auto& [first, end] : lines_)
-            for (std::size_t i = first; i < end; ++i)
-                all_[i] += std::uint32_t(int(std::exchange(sums_[i - first_], std::int16_t(0))));
+            for (std::size_t i = first; i < end; ++i) all_[i] += std::uint32_t(int(sums_[i - first_]));
+        sums_.fill(0);
         most_ = 0;
     }
 
@@ -44,5 +42,9 @@ private:
     int most_ = 0;
     std::array<std::int16_t, mostNumbers> sums_{};
 };
+
+/// For numbers of a tile: half of a first-level cache.
+inline constexpr std::size_t mostShortNumbers = 16'384;
+using TileShortSums = ShortSums<mostShortNumbers>;
 
 }  // namespace noonmark

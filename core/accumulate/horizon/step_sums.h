@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
-#include "core/accumulate/horizon/bin_sweep.h"
 #include "core/accumulate/horizon/gaps.h"
 #include "core/accumulate/horizon/open_shares.h"
+#include "core/accumulate/horizon/tile_ranks.h"
 #include "core/accumulate/step_sets.h"
 
 namespace noonmark {

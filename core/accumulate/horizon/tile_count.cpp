@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t numbersATask = ShortSums::mostNumbers;
+constexpr std::size_t numbersATask = mostShortNumbers;
 constexpr std::uint32_t numbersALine = 32;
 
 bool hasReceivers(const ReceiverBlocks& blocks, std::size_t first, std::size_t end) {
@@ -90,7 +90,7 @@ void TileCount::addHidden(const ReceiverBlocks& blocks, std::span<const KeptBin>
     tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
         const std::size_t first = task * numbersATask;
         const std::vector<Stretch> lines = linesOfReceivers(blocks, task);
-        ShortSums sums(first, lines, hidden_.data());
+        TileShortSums sums(first, lines, hidden_.data());
         for (const BinChange& change : changes) {
             if (stop.stop_requested()) return;
             for (const SunChange& some : change.changes) sums.add(some, bins[change.number].codes.data());

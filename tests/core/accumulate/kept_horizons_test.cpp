@@ -116,7 +116,7 @@ TEST(KeptHorizons, theSweepOfOneTileSaysHowFarItIs) {
     } heard;
     const City city = blocks(2, 3);
     KeptHorizons kept = keptOf(city, smallRegion(city));
-    ASSERT_TRUE(kept.retime(someDays(30, 3), heard, {}, KeptCounts::gross));
+    ASSERT_TRUE(kept.retime(someDays(30, 3), heard, {}, ShadowCounts::gross));
     EXPECT_GT(heard.fractions.size(), 50U);
     EXPECT_GT(*heard.fractions.begin(), 0);
     EXPECT_EQ(*heard.fractions.rbegin(), 1);
@@ -328,10 +328,10 @@ TEST(KeptHorizons, longestRunsMayBeCountedLater) {
     const std::vector<SunSteps> periods{someDays(25, 3), someDays(25, 2), someDays(50, 2)};
     for (int round = 0; round < 60; ++round) {
         const SunSteps& sun = periods[std::size_t(round) % periods.size()];
-        kept.retime(sun, progress, {}, KeptCounts::gross).value();
+        kept.retime(sun, progress, {}, ShadowCounts::gross).value();
         editAnything(city, random);
         receivers = smallRegion(city, 4);
-        const ShadowField gross = kept.change(city, receivers, progress, {}, KeptCounts::gross).value();
+        const ShadowField gross = kept.change(city, receivers, progress, {}, ShadowCounts::gross).value();
         const ShadowField whole = fresh(city, receivers, sun);
         ASSERT_TRUE(sameBits(gross.grossMin, whole.grossMin)) << round;
         ASSERT_TRUE(

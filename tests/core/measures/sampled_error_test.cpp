@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/measures/has_runs.h"
+
 namespace noonmark {
 namespace {
 
@@ -31,6 +33,14 @@ TEST(SampledError, knownFigures) {
     EXPECT_DOUBLE_EQ(error.continuous.p99Min, 0);
     EXPECT_DOUBLE_EQ(error.continuous.percent(error.continuous.maxMin), 10);
     EXPECT_EQ(error.continuous.worstM, glm::dvec2(7, 0.5));
+}
+
+TEST(SampledError, withoutRunsNothingIsSaidOfThem) {
+    std::vector<ComparedCell> cells = hundredCells();
+    cells[50].continuousMin = std::nan("");
+    const SampledError error = errorOf(cells, 1000, 600);
+    EXPECT_FALSE(hasRuns(error));
+    EXPECT_DOUBLE_EQ(error.gross.meanMin, 50.5);
 }
 
 TEST(SampledError, differencesThatCancelAreNoAreaErrorButCellError) {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "tests/core/io/temporary_folder.h"
 
@@ -57,6 +59,22 @@ TEST_F(TileJournalTest, whatWasFinishedComesBackToTheLastBit) {
     EXPECT_EQ(result.cost.rays, 12U);
     EXPECT_EQ(result.engineKey, "ray");
     EXPECT_TRUE(again->finished().at(5).empty());
+}
+
+TEST_F(TileJournalTest, runsThatWereNotCountedComeBackAsSuch) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    {
+        auto journal = opened();
+        TileResult result{.number = 1, .sums = {7, 0.1, none, 2, 0}};
+        result.compared = {{{1.5, 2.5}, 1, 2, none, 4}};
+        std::ofstream(journal->fileOf(1)) << "cells";
+        ASSERT_TRUE(journal->add(result));
+    }
+    const auto again = opened();
+    ASSERT_THAT(again->finished(), ElementsAre(Key(1)));
+    EXPECT_TRUE(std::isnan(again->finished().at(1).sums.continuousMin));
+    EXPECT_TRUE(std::isnan(again->finished().at(1).compared.at(0).continuousMin));
+    EXPECT_EQ(again->finished().at(1).compared.at(0).referenceContinuousMin, 4);
 }
 
 TEST_F(TileJournalTest, aLineThatWasCutOffIsNotThereAndDoesNoHarm) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/io/write_raster.h"
+#include "core/measures/has_runs.h"
 #include "core/study/memory_need.h"
 #include "core/study/remaining_time.h"
 #include "core/study/study_hash.h"
@@ -108,6 +109,21 @@ TEST_F(TiledStudyTest, projectedShadowsAndTheSweepTooButForCellsAtAnEdge) {
     }
 }
 
+TEST_F(TiledStudyTest, grossShadowOnlyHasOneBandAndNoFiguresOfRuns) {
+    StudySettings settings = question("horizon");
+    settings.engineSettings["runs"] = 0;
+    const auto tiled = run(settings);
+    ASSERT_TRUE(tiled) << tiled.error().text();
+    EXPECT_FALSE(hasRuns(tiled->study.statistics));
+    EXPECT_GT(tiled->study.statistics.meanGrossMin, 0);
+    EXPECT_EQ(bands(tiled->plan.whole).size(), 1U);
+    const auto json = nlohmann::json::parse(tiledStudyJson(*tiled));
+    EXPECT_TRUE(json["mean_continuous_min"].is_null());
+    EXPECT_TRUE(json["max_continuous_min"].is_null());
+    EXPECT_TRUE(json["error"]["continuous"].is_null());
+    EXPECT_TRUE(json["error"]["gross"]["mean_pct"].is_number());
+}
+
 TEST_F(TiledStudyTest, jsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
     const auto whole = nlohmann::json::parse(studyJson(inOnePiece(city, question("ray"))));
     const auto tiled = nlohmann::json::parse(tiledStudyJson(*run(question("ray"))));
@@ -155,6 +171,17 @@ TEST_F(TiledStudyTest, goesOnWhereItWasStoppedAndGivesTheSame) {
         EXPECT_EQ(differences(bands(unbroken->plan.whole).at(0), cells.at(0)), 0U);
         EXPECT_EQ(differences(bands(unbroken->plan.whole).at(1), cells.at(1)), 0U);
     }
+}
+
+TEST_F(TiledStudyTest, grossShadowOnlyGoesOnWhereItWasStopped) {
+    StudySettings settings = question("horizon");
+    settings.engineSettings["runs"] = 0;
+    StopAtTile watcher(11);
+    ASSERT_FALSE(run(settings, watcher, watcher.stop.get_token()));
+    const auto resumed = run(settings);
+    ASSERT_TRUE(resumed) << resumed.error().text();
+    EXPECT_EQ(resumed->resumedTiles, 10U);
+    EXPECT_FALSE(hasRuns(resumed->study.statistics));
 }
 
 TEST_F(TiledStudyTest, aBrokenTileIsSaidAndTheMapIsNotMade) {
