@@ -30,13 +30,13 @@ struct Tile {
 
 class Breakdown {
 public:
-    /// All must outlive it. `open`: for who asks who did it; `shapes`: the same for the others.
-    Breakdown(const WallList& walls, const OpenTriangles& open, const OpenShapes& shapes,
-              const Receivers& receivers, const BinnedSun& binned, const StepSets& sets, bool byBuilding,
-              Progress& progress, std::stop_token stop)
+    /// All must outlive it.
+    Breakdown(const WallList& walls, std::span<const OpenShapes> open, const Receivers& receivers,
+              const BinnedSun& binned, const StepSets& sets, bool byBuilding, Progress& progress,
+              std::stop_token stop)
         : walls_(walls),
           open_(open),
-          shapes_(shapes),
+          openList_(listOf(open)),
           casters_(byBuilding ? walls.terrainNumber + 1 : 0),
           receivers_(receivers),
           bins_(sweptBins(binned.bins)),
@@ -102,11 +102,8 @@ private:
 
     void add(const Tile& tile, std::size_t bin, std::span<const HorizonCode> codes, Work& work) {
         work.sums.add(tables_[bin], codes);
-        if (shapes_.empty()) return;
-        OpenView view = viewOf(tile, bins_[bin]);
-        view.triangles = shapes_.triangles;
-        view.prisms = shapes_.prisms;
-        work.sums.add(tables_[bin], codes, work.open.intervals(view, codes, stop_));
+        if (!open_.empty())
+            work.sums.add(tables_[bin], codes, work.open.intervals(viewOf(tile, bins_[bin]), codes, stop_));
     }
 
     // What hangs below the horizon counts too where its building may have that horizon.
@@ -128,7 +125,7 @@ private:
     }
 
     [[nodiscard]] OpenView viewOf(const Tile& tile, const SweptBin& bin) const {
-        return {open_.all, tile.open, bin.away, bin.lowest, receivers_.grid.cellM};
+        return {openList_, tile.open, bin.away, bin.lowest, receivers_.grid.cellM};
     }
 
     static void addCells(const ReceiverBlocks& blocks, const StepSums& sums, ShadowBreakdown& breakdown) {
@@ -161,8 +158,8 @@ private:
     }
 
     const WallList& walls_;
-    const OpenTriangles& open_;
-    const OpenShapes& shapes_;
+    std::span<const OpenShapes> open_;
+    OpenList openList_;
     std::size_t casters_;  // buildings and the terrain; 0: nobody asks
     const Receivers& receivers_;
     std::vector<SweptBin> bins_;
@@ -192,13 +189,11 @@ Result<ShadowBreakdown> horizonBreakdown(const City& city, const Receivers& rece
     if (const auto able = checkSweepSettings(settings.sweep); !able) return tl::make_unexpected(able.error());
     OpenParts open;
     const WallList walls = standingIn(city, buildingsInReach(city, receivers, sun), receivers, open);
-    const auto triangles = openTriangles(open, receivers.grid, walls.datumM);
     const auto shapes = openShapes(open, receivers.grid, walls.datumM);
-    if (!triangles || !shapes) return tl::make_unexpected(triangles ? shapes.error() : triangles.error());
+    if (!shapes) return tl::make_unexpected(shapes.error());
     const BinnedSun binned = binnedSun(sun, settings.sweep);
     ShadowBreakdown breakdown = blank(receivers, sun, sets, binned);
-    Breakdown work(walls, *triangles, *shapes, receivers, binned, sets, settings.byBuilding, progress,
-                   std::move(stop));
+    Breakdown work(walls, *shapes, receivers, binned, sets, settings.byBuilding, progress, std::move(stop));
     if (const auto done = work.run(breakdown, sun.stepMinutes); !done)
         return tl::make_unexpected(done.error());
     return breakdown;

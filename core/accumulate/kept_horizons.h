@@ -41,7 +41,7 @@ public:
     /// The field of a period; without runs withRuns() gives them later. Sweeps the bins that are not there
     /// yet, or not for suns as low. Cost: a sweep of those; then some 0.3 ns a receiver and bin whose suns
     /// are not those of the period before, and the walk of the longest runs if these are wanted. Error: what
-    /// the horizon sweep refuses; of what hangs only triangles count that the period's suns may throw into
+    /// the horizon sweep refuses; of what hangs only that counts which the period's suns may throw into
     /// the region.
     Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
                                ShadowCounts counts = ShadowCounts::grossAndRuns);

@@ -41,17 +41,17 @@ void GapEdit::mark(std::uint32_t number, State state) {
 
 // Where parts reach above the horizon as it is now. Where it was lower it has risen over them; where it was
 // higher it is marked already.
-void GapEdit::markHit(const TileEdit& edit, const Bin& bin, std::span<const OpenTriangle> triangles) {
-    if (triangles.empty()) return;
-    for (const Gap& gap : sweep_.intervals(viewOf(edit, bin, triangles), bin.codes, edit.stop)) {
+void GapEdit::markHit(const TileEdit& edit, const Bin& bin, std::span<const OpenShapes> shapes) {
+    if (shapes.empty()) return;
+    for (const Gap& gap : sweep_.intervals(viewOf(edit, bin, listOf(shapes)), bin.codes, edit.stop)) {
         if (edit.blocks.cell(gap.number) == ReceiverBlocks::padding) continue;
         if (states_[gap.number] == untouched) before_[gap.number] = bin.codes[gap.number];
         mark(gap.number, again);
     }
 }
 
-OpenView GapEdit::viewOf(const TileEdit& edit, const Bin& bin, std::span<const OpenTriangle> triangles) {
-    return {triangles, edit.open, bin.away, bin.lowest, edit.cellM};
+OpenView GapEdit::viewOf(const TileEdit& edit, const Bin& bin, std::span<const OpenShapes* const> shapes) {
+    return {shapes, edit.open, bin.away, bin.lowest, edit.cellM};
 }
 
 // What the gaps hid before, or hide now, of those that are marked.
@@ -79,8 +79,8 @@ void GapEdit::findAgain(const TileEdit& edit, const Bin& bin) {
     found_.clear();
     if (extent.lowQ > extent.highQ) return;
     extent = {extent.lowQ - 1, extent.highQ + 1, extent.lowAlong - 1, extent.highAlong + 1};
-    edit.walls.open().across(axes, extent, tanOf(bin.lowest), axes.alongPerDistance / edit.cellM, triangles_);
-    OpenView view = viewOf(edit, bin, triangles_);
+    edit.walls.open().across(axes, extent, tanOf(bin.lowest), axes.alongPerDistance / edit.cellM, list_);
+    OpenView view = viewOf(edit, bin, list_);
     view.within = extent;
     const auto found = sweep_.intervals(view, horizons_, edit.stop);
     found_.assign(found.begin(), found.end());

@@ -43,9 +43,9 @@ private:
 
     void begin(const TileEdit& edit, const Bin& bin);
     void mark(std::uint32_t number, State state);
-    void markHit(const TileEdit& edit, const Bin& bin, std::span<const OpenTriangle> triangles);
+    void markHit(const TileEdit& edit, const Bin& bin, std::span<const OpenShapes> shapes);
     [[nodiscard]] static OpenView viewOf(const TileEdit& edit, const Bin& bin,
-                                         std::span<const OpenTriangle> triangles);
+                                         std::span<const OpenShapes* const> shapes);
     void add(const Bin& bin, std::span<const Gap> gaps, bool before);
     void findAgain(const TileEdit& edit, const Bin& bin);
     void merge(std::span<const Gap> gaps);
@@ -57,7 +57,7 @@ private:
     std::vector<HorizonCode> before_;     // codes, of those touched
     std::vector<HorizonCode> horizons_;   // blind but for those found again
     std::vector<std::uint32_t> numbers_;  // not untouched
-    std::vector<OpenTriangle> triangles_;
+    OpenList list_;
     std::vector<Gap> found_, merged_;
     std::vector<GapChange> changes_;
 };

@@ -66,7 +66,7 @@ struct KeptTile::Sweeping {
         TileSweep tiles;
         OpenSweep open;
         std::vector<HorizonCode> horizons;
-        std::vector<OpenTriangle> triangles;
+        OpenList list;
     };
     tbb::enumerable_thread_specific<Memory> memory{};
 };
@@ -115,9 +115,9 @@ void KeptTile::findGaps(KeptBin& kept, glm::dvec2 away, Sweeping& sweeping) cons
     if (!walls.open().empty() && !sweeping.stop.stop_requested()) {
         const ShadowAxes axes(away);
         walls.open().across(axes, extentOf(box_, axes), tanOf(kept.lowest),
-                            axes.alongPerDistance / sweeping.cellM, memory.triangles);
+                            axes.alongPerDistance / sweeping.cellM, memory.list);
         const auto gaps =
-            memory.open.intervals({memory.triangles, open_, away, kept.lowest, sweeping.cellM},
+            memory.open.intervals({memory.list, open_, away, kept.lowest, sweeping.cellM},
                                   ofReceivers(blocks_, kept.codes, memory.horizons), sweeping.stop);
         kept.gaps.assign(gaps.begin(), gaps.end());
     }

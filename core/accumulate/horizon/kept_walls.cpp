@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/accumulate/horizon/take_out.h"
+
 namespace noonmark {
 
 namespace {
@@ -33,27 +35,6 @@ struct SquareGrid {
     float west = 0, south = 0, side = 0;
     std::size_t columns = 0, rows = 0;
 };
-
-/// Moves out of `items` those of some owners. Both ascend.
-template <class T>
-std::vector<T> takeOut(std::vector<T>& items, std::vector<std::uint64_t>& ownerOf,
-                       std::span<const std::uint64_t> owners) {
-    std::vector<T> taken;
-    if (owners.empty()) return taken;
-    auto kept = std::size_t(std::ranges::lower_bound(ownerOf, owners.front()) - ownerOf.begin());
-    for (std::size_t i = kept; i < items.size(); ++i) {
-        while (!owners.empty() && owners.front() < ownerOf[i]) owners = owners.subspan(1);
-        if (!owners.empty() && owners.front() == ownerOf[i]) {
-            taken.push_back(std::move(items[i]));
-            continue;
-        }
-        if (kept != i) items[kept] = std::move(items[i]);
-        ownerOf[kept++] = ownerOf[i];
-    }
-    items.resize(kept);
-    ownerOf.resize(kept);
-    return taken;
-}
 
 // Below all receivers, and seldom another when receivers come and go: what counts from it is rounded.
 double datumOf(const Receivers& receivers) {
@@ -84,13 +65,12 @@ bool KeptWalls::sameGround(const City& city, const Receivers& receivers) const {
 Result<WallChange> KeptWalls::become(const City& city, double lowestTan) {
     const ChangedBuildings changed = changedBuildings(buildings_, city.buildings);
     KeptOpen coming;
-    const Coming more = comingOf(changed.come);
-    for (const OpenTriangles::Owner& owner : more.open.owners)
-        coming.add(more.open.of(owner), owner.building);
+    Coming more = comingOf(changed.come);
+    for (const OpenShapes& shapes : more.open) coming.add(shapes, shapes.building);
     const std::size_t reaching =
         open_.reaching(grid_, lowestTan, ownersOf(changed.gone)) + coming.reaching(grid_, lowestTan);
-    if (const auto able = checkTriangles(reaching); !able) return tl::make_unexpected(able.error());
-    return replace(changed, more, city.buildings);
+    if (const auto able = checkShapes(reaching); !able) return tl::make_unexpected(able.error());
+    return replace(changed, std::move(more), city.buildings);
 }
 
 KeptWalls::Coming KeptWalls::comingOf(const Buildings& buildings) const {
@@ -98,7 +78,7 @@ KeptWalls::Coming KeptWalls::comingOf(const Buildings& buildings) const {
     OpenParts parts;
     for (std::uint32_t i = 0; i < buildings.size(); ++i)
         addStandingWalls(*buildings[i], i, grid_, coming.list, parts);
-    coming.open = trianglesOf(parts, grid_, list_.datumM);
+    coming.open = shapesOf(parts, grid_, list_.datumM);
     return coming;
 }
 
@@ -109,7 +89,7 @@ WallChange KeptWalls::replace(const ChangedBuildings& changed, Coming more, cons
     for (const auto& building : changed.gone) forget(building.get(), gone);
     WallChange change{.removed = remove(gone), .added = {}, .again = again};
     noteBefore(again);
-    change.added = add(std::move(more.list), more.open);
+    change.added = add(std::move(more.list), std::move(more.open));
     firstOfLast_ = next_;
     for (const auto& building : changed.come) numbers_.emplace(building.get(), next_++);
     takeOver(buildings_, now, changed.first);
@@ -146,18 +126,18 @@ void KeptWalls::forget(const Building* building, const Owners& owners) {
 }
 
 // Buildings in `more` and `open` count from the next one.
-WallSet KeptWalls::add(WallList more, const OpenTriangles& open) {
+WallSet KeptWalls::add(WallList more, std::vector<OpenShapes> open) {
     for (StandingPrism& prism : more.prisms) {
         prism.firstWall += std::uint32_t(list_.walls.size());
         owners_.push_back(next_ + prism.building);
     }
     for (const StandingSolid& solid : more.solids) solidOwners_.push_back(next_ + solid.building);
-    for (const OpenTriangles::Owner& owner : open.owners) open_.add(open.of(owner), next_ + owner.building);
+    for (const OpenShapes& shapes : open) open_.add(shapes, next_ + shapes.building);
     list_.walls.insert(list_.walls.end(), more.walls.begin(), more.walls.end());
     wallsUsed_ += more.walls.size();
     list_.prisms.insert(list_.prisms.end(), more.prisms.begin(), more.prisms.end());
     list_.solids.insert(list_.solids.end(), more.solids.begin(), more.solids.end());
-    return {std::move(more.prisms), std::move(more.solids), open.all};
+    return {std::move(more.prisms), std::move(more.solids), std::move(open)};
 }
 
 WallSet KeptWalls::remove(const Owners& owners) {

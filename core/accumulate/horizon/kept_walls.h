@@ -16,7 +16,7 @@ namespace noonmark {
 struct WallSet {
     std::vector<StandingPrism> prisms;  ///< their walls are in the list that was changed
     std::vector<StandingSolid> solids;
-    std::vector<OpenTriangle> open;  ///< of what hangs
+    std::vector<OpenShapes> open;  ///< what hangs
 
     [[nodiscard]] Obstacles standing() const { return {prisms, solids}; }
 };
@@ -33,9 +33,9 @@ class KeptWalls {
 public:
     static KeptWalls of(const City& city, const Receivers& receivers);
 
-    /// Error: more hangs within reach of suns of this tangent and higher than OpenTriangles take.
+    /// Error: more hangs within reach of suns of this tangent and higher than OpenShapes take.
     [[nodiscard]] Result<void> check(double lowestTan) const {
-        return checkTriangles(open_.reaching(grid_, lowestTan));
+        return checkShapes(open_.reaching(grid_, lowestTan));
     }
 
     [[nodiscard]] const WallList& list() const { return list_; }
@@ -64,12 +64,12 @@ private:
     /// Walls and what hangs of some buildings, numbered by their order.
     struct Coming {
         WallList list;
-        OpenTriangles open;
+        std::vector<OpenShapes> open;
     };
     [[nodiscard]] Coming comingOf(const Buildings& buildings) const;
     WallChange replace(const ChangedBuildings& changed, Coming more, const Buildings& now);
     [[nodiscard]] Owners ownersOf(const Buildings& buildings) const;
-    WallSet add(WallList more, const OpenTriangles& open);
+    WallSet add(WallList more, std::vector<OpenShapes> open);
     WallSet remove(const Owners& owners);
     void forget(const Building* building, const Owners& owners);
     [[nodiscard]] bool cameLast(const Owners& owners) const;

@@ -4,14 +4,15 @@
 
 namespace noonmark {
 
-std::span<const OwnedGap> OwnedGaps::intervals(const OpenTriangles& triangles, OpenView view,
+std::span<const OwnedGap> OwnedGaps::intervals(std::span<const OpenShapes> shapes, OpenView view,
                                                std::span<const HorizonCode> horizons,
                                                const std::stop_token& stop) {
     gaps_.clear();
-    for (const OpenTriangles::Owner& owner : triangles.owners) {
-        view.triangles = triangles.of(owner);
+    for (const OpenShapes& own : shapes) {
+        const OpenShapes* const one[]{&own};
+        view.shapes = one;
         for (const Gap& gap : sweep_.intervals(view, horizons, stop))
-            gaps_.push_back({gap.number, owner.building, gap.low, gap.high});
+            gaps_.push_back({gap.number, own.building, gap.low, gap.high});
     }
     sort_.run(
         gaps_, horizons.size(), [](const OwnedGap& gap) { return gap.number; },

@@ -20,8 +20,8 @@ struct OwnedGap {
 class OwnedGaps {
 public:
     /// As OpenSweep::intervals; of one receiver from below, those of one building disjoint, of several
-    /// perhaps not. `triangles`: those of the view.
-    std::span<const OwnedGap> intervals(const OpenTriangles& triangles, OpenView view,
+    /// perhaps not. `shapes`: what is in the view.
+    std::span<const OwnedGap> intervals(std::span<const OpenShapes> shapes, OpenView view,
                                         std::span<const HorizonCode> horizons, const std::stop_token& stop);
 
 private:

@@ -55,11 +55,11 @@ struct PeriodSweep::Tile {
     std::atomic<std::size_t> done{0};    ///< bins
 };
 
-PeriodSweep::PeriodSweep(const WallList& walls, const OpenShapes& open, const Receivers& receivers,
+PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenShapes> open, const Receivers& receivers,
                          const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts,
                          Progress& progress, std::stop_token stop)
     : walls_(walls),
-      open_(open),
+      open_(listOf(open)),
       receivers_(receivers),
       binned_(binned),
       bins_(sweptBins(binned.bins)),
@@ -142,12 +142,8 @@ void PeriodSweep::addOpen(std::size_t bin, Tile& tile) {
     if (stop_.stop_requested()) return;
     const auto [away, lowest] = bins_[bin];
     const std::span<HorizonCode> codes = tile.horizons.of(bin);
-    const OpenView view{.triangles = open_.triangles,
-                        .tile = tile.open,
-                        .away = away,
-                        .lowest = lowest,
-                        .cellM = receivers_.grid.cellM,
-                        .prisms = open_.prisms};
+    const OpenView view{
+        .shapes = open_, .tile = tile.open, .away = away, .lowest = lowest, .cellM = receivers_.grid.cellM};
     tile.gaps[bin] =
         openAbove(openSweeps_.local().intervals(view, codes, stop_), lowest, count_.hidden(bin), codes);
 }

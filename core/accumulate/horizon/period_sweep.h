@@ -25,7 +25,7 @@ namespace noonmark {
 class PeriodSweep {
 public:
     /// All must outlive it.
-    PeriodSweep(const WallList& walls, const OpenShapes& open, const Receivers& receivers,
+    PeriodSweep(const WallList& walls, std::span<const OpenShapes> open, const Receivers& receivers,
                 const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, Progress& progress,
                 std::stop_token stop);
 
@@ -57,7 +57,7 @@ private:
     void report(const ReceiverBlocks& blocks, double fraction);
 
     const WallList& walls_;
-    const OpenShapes& open_;
+    OpenList open_;
     const Receivers& receivers_;
     const BinnedSun& binned_;
     std::vector<SweptBin> bins_;
