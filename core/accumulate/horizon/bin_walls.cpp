@@ -7,8 +7,8 @@ namespace noonmark {
 
 namespace {
 
-// Wide of the rounding of distances, cells.
-constexpr float onTheWall = 1e-3F;
+// Wide of the rounding of distances to a wall that the azimuth crosses squarely, cells.
+constexpr float onTheWall = 1e-4F;
 
 constexpr double mostAcross = 32;  // cells of a piece
 

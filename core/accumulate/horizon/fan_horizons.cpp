@@ -48,7 +48,6 @@ void FanHorizons::raise(const BinWalls& walls, const ReceiverBlocks::Block& bloc
 }
 
 void FanHorizons::add(const WallPiece& piece, const BlockPlace& place, const ReceiverBlocks::Masks& masks) {
-    constexpr float aheadBy = 0.1F;  // cells, more than any wall's `nearest`
     const glm::dvec2 first(place.across, place.along);
     const WallAhead wall{first - piece.low, first - piece.high, piece.topM,
                          float(place.lowestAlong - double(piece.highAlong))};
@@ -60,7 +59,7 @@ void FanHorizons::add(const WallPiece& piece, const BlockPlace& place, const Rec
                                           .high = in.high[bin],
                                           .along = float(wall.low.y),
                                           .slope = in.slope[bin],
-                                          .nearest = piece.nearest,
+                                          .nearest = nearestAlong(piece.nearest, in.slope[bin]),
                                           .perRise = in.perRise[bin],
                                           .ahead = wall.nearestAlong > aheadBy};
         if (waiting.count == Waiting::most) raise(bin, masks);

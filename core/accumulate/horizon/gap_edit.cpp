@@ -1,6 +1,7 @@
 #include "core/accumulate/horizon/gap_edit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace noonmark {
 
@@ -54,16 +55,25 @@ OpenView GapEdit::viewOf(const TileEdit& edit, const Bin& bin, std::span<const O
     return {shapes, edit.open, bin.away, bin.lowest, edit.cellM};
 }
 
-// What the gaps hid before, or hide now, of those that are marked.
+// What the gaps hid before, or hide now, of those that are marked. Most are not.
 void GapEdit::add(const Bin& bin, std::span<const Gap> gaps, bool before) {
-    forEachReceiver(gaps, [&](std::span<const Gap> own) {
-        const std::uint32_t number = own.front().number;
+    if (bin.hidden == nullptr) return;
+    const auto isOf = [](std::uint32_t number) {
+        return [number](const Gap& gap) { return gap.number == number; };
+    };
+    for (auto first = gaps.begin(); first != gaps.end();) {
+        const std::uint32_t number = first->number;
         const std::uint8_t state = states_[number];
-        if (bin.hidden == nullptr || state == untouched || (state & gone) != 0) return;
-        if (before && (state & fresh) != 0) return;
+        if (state == untouched) {
+            ++first;
+            continue;
+        }
+        const auto end = std::find_if_not(first, gaps.end(), isOf(number));
+        const std::span<const Gap> own(std::exchange(first, end), end);
+        if ((state & gone) != 0 || (before && (state & fresh) != 0)) continue;
         const std::uint32_t hidden = hiddenIn(before ? before_[number] : bin.codes[number], own, *bin.hidden);
         changes_.push_back({number, before ? 0 - hidden : hidden});
-    });
+    }
 }
 
 void GapEdit::findAgain(const TileEdit& edit, const Bin& bin) {

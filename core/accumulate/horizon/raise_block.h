@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -16,6 +18,16 @@ struct BlockHorizons {
     static constexpr float nobody = -1;  ///< of cells that are no receivers: no horizon is higher
     Floats16 lines[ReceiverBlocks::side];
 };
+
+/// Cells, more than any nearestAlong().
+inline constexpr float aheadBy = 0.1F;
+
+/// How far along a cell counts as on a wall that takes `slope` cells along for each across. What is rounded off
+/// the distance grows with the slope. `nearest`: on a wall square to the azimuth, either sign.
+inline float nearestAlong(float nearest, float slope) {
+    const float along = nearest * (1 + std::abs(slope));
+    return std::clamp(along, -aheadBy / 2, aheadBy / 2);
+}
 
 /// How q and `along` go from a block's first line to its others.
 struct BlockLines {

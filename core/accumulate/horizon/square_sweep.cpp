@@ -10,13 +10,14 @@ namespace {
 WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block, double k) {
     const glm::dvec2 first(block.across, block.along), a = first - piece.low, b = first - piece.high;
     const double low = a.x - k * a.y, high = b.x - k * b.y;
+    const auto slope = float((a.y - b.y) / (low - high));
     return {.low = float(low),
             .high = float(high),
             .along = float(a.y),
-            .slope = float((a.y - b.y) / (low - high)),
+            .slope = slope,
             .rise = piece.rise,
             .riseSlope = piece.riseSlope,
-            .nearest = piece.nearest,
+            .nearest = nearestAlong(piece.nearest, slope),
             .building = std::int32_t(piece.building)};
 }
 

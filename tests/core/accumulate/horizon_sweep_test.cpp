@@ -178,6 +178,15 @@ TEST(HorizonSweep, receiversOnAWallStandInItsShadow) {
     EXPECT_EQ(field.grossMin[cellAt(receivers.grid, 10.5, 20.5)], 3);
 }
 
+TEST(HorizonSweep, receiversHalfAMillimetreFromAWallStandInItsShadow) {
+    const City city = cityOf({{{10.5004, 10.5004, 0}, {30, 30, 10}}});
+    const Receivers receivers = receiversOver(city, 0, 0, 40, 40);
+    const SunSteps sun = oneDay({{20, 30}, {45, 60}, {70, 5}, {85, 80}, {225, 30}});
+    const ShadowField field = swept(city, receivers, sun);
+    EXPECT_EQ(field.grossMin[cellAt(receivers.grid, 10.5, 20.5)], 4);
+    EXPECT_EQ(field.grossMin[cellAt(receivers.grid, 20.5, 10.5)], 4);
+}
+
 TEST(HorizonSweep, partyWallsLetNoLightThrough) {
     const City whole = cityOf({{{0, 0, 0}, {40, 20, 30}}});
     const City halves = cityOf({{{0, 0, 0}, {17, 20, 30}}, {{17, 0, 0}, {40, 20, 30}}});
