@@ -22,7 +22,8 @@ struct WallPiece {
     float riseSlope;  ///< of `rise` against q; 0 for walls
     float highRise;   ///< highest of the piece
     float topM;       ///< height above the datum; walls only
-    float nearest;  ///< it shades cells farther off than nearestAlong(); below 0 where a cell on the wall is behind it
+    float nearest;  ///< it shades cells farther off than nearestAlong(); below 0 where a cell on the wall is
+                    ///< behind it
     std::uint32_t building;
 };
 

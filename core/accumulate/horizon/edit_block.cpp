@@ -80,6 +80,17 @@ HorizonCode lowestOf(const HorizonCode* codes, const ReceiverBlocks::Masks& mask
 }
 
 NOONMARK_EVERY_ISA
+void setOthers(const ReceiverBlocks::Masks& masks, HorizonCode code, BlockCodes& codes) {
+    const Shorts16 others = Shorts16{} + code;
+    for (int line = 0; line < side; ++line) {
+        Shorts16 of;
+        load(codes.values + line * side, of);
+        const Shorts16 asked = bits & std::int16_t(masks[std::size_t(line)]);
+        store(asked != 0 ? of : others, codes.values + line * side);
+    }
+}
+
+NOONMARK_EVERY_ISA
 void transpose(const HorizonCode* from, BlockCodes& to) {
     Shorts16 a[side], b[side];
     for (int line = 0; line < side; ++line) load(from + line * side, a[line]);

@@ -15,6 +15,9 @@ struct alignas(64) BlockCodes {
 /// Of the cells in `masks`; the highest code where there is none.
 HorizonCode lowestOf(const HorizonCode* codes, const ReceiverBlocks::Masks& masks);
 
+/// Sets the codes of cells that are not in `masks`.
+void setOthers(const ReceiverBlocks::Masks& masks, HorizonCode code, BlockCodes& codes);
+
 /// Rows as columns.
 void transpose(const HorizonCode* from, BlockCodes& to);
 

@@ -22,6 +22,13 @@ inline std::span<const Gap> gapsOf(std::uint32_t number, std::span<const Gap> ga
     return {own.begin(), own.end()};
 }
 
+/// By number, those of one receiver from below.
+inline void sortByNumber(std::span<Gap> gaps) {
+    std::ranges::sort(gaps, [](const Gap& a, const Gap& b) {
+        return a.number != b.number ? a.number < b.number : a.low < b.low;
+    });
+}
+
 /// Makes gaps those of each receiver, by number and from below, joined where they meet.
 class GapMerge {
 public:

@@ -21,21 +21,32 @@ HorizonCode mostAt(double rise, double distance) {
 
 }  // namespace
 
-std::span<const Gap> OpenSweep::intervals(const OpenView& view, std::span<const HorizonCode> horizons,
-                                          const std::stop_token& stop) {
-    view_ = &view;
+void OpenSweep::begin(const OpenView& view, const std::stop_token& stop) {
+    view_.emplace(view);
     axes_ = ShadowAxes(view.away);
     alongPerMetre_ = axes_.alongPerDistance / view.cellM;
-    horizons_ = horizons;
     layers_.set(view.shapes, axes_, alongPerMetre_);
     entries_.clear();
     firsts_.assign(view.tile.squares.size(), -1);
-    gaps_.clear();
     const double lowestTan = tanOf(view.lowest);
     for (std::uint32_t layer = 0; layer < layers_.all().size() && !stop.stop_requested(); ++layer)
         findSquares(layer, layers_.all()[layer], lowestTan);
-    for (std::size_t square = 0; square < firsts_.size() && !stop.stop_requested(); ++square)
-        if (firsts_[square] >= 0) look(square);
+}
+
+std::span<const Gap> OpenSweep::intervals(const OpenView& view, std::span<const HorizonCode> horizons,
+                                          const std::stop_token& stop) {
+    gaps_.clear();
+    begin(view, stop);
+    for (std::size_t square = 0; square < firsts_.size() && !stop.stop_requested(); ++square) {
+        if (firsts_[square] < 0) continue;
+        const HorizonCode lowest = lowestIn(square, horizons);
+        if (!maySee(square, lowest)) continue;
+        const auto first = std::ptrdiff_t(gaps_.size());
+        look(square, squareAt(square, horizons), lowest, [&](int cell, HorizonCode low, HorizonCode high) {
+            gaps_.push_back({std::uint32_t(numbers_[std::size_t(cell)]), low, high});
+        });
+        if (axes_.swapped) sortByNumber({gaps_.begin() + first, gaps_.end()});
+    }
     if (stop.stop_requested()) gaps_.clear();
     return gaps_;
 }
@@ -77,51 +88,48 @@ void OpenSweep::addSquares(std::uint32_t layer, int line, const Range& across, H
 
 std::size_t OpenSweep::columns() const { return std::size_t((view_->tile.box.columns + side - 1) / side); }
 
-void OpenSweep::look(std::size_t square) {
-    const HorizonCode lowest = lowestIn(square);
-    bool begun = false;
-    for (std::int32_t i = firsts_[square]; i >= 0; i = entries_[std::size_t(i)].next) {
-        const Entry& entry = entries_[std::size_t(i)];
-        if (entry.most < lowest) continue;
-        if (!begun) begin(square);
-        begun = true;
-        const OpenLayer& layer = layers_.all()[entry.layer];
-        look_.look(layer, layers_.of(layer), entry.most);
-    }
-    if (begun) finish();
+bool OpenSweep::maySee(std::size_t square, HorizonCode lowest) const {
+    std::int32_t i = firsts_[square];
+    while (i >= 0 && entries_[std::size_t(i)].most < lowest) i = entries_[std::size_t(i)].next;
+    return i >= 0;
 }
 
 // `blind` where nobody is.
-HorizonCode OpenSweep::lowestIn(std::size_t square) const {
+HorizonCode OpenSweep::lowestIn(std::size_t square, std::span<const HorizonCode> horizons) const {
     const auto [first, end] = view_->tile.squares[square];
     HorizonCode lowest = blind;
-    for (const HorizonCode code : horizons_.subspan(first, end - first)) lowest = std::min(lowest, code);
+    for (const HorizonCode code : horizons.subspan(first, end - first)) lowest = std::min(lowest, code);
     return lowest;
 }
 
-void OpenSweep::begin(std::size_t square) {
+glm::ivec2 OpenSweep::firstOf(std::size_t square) const {
+    const TileBox& box = view_->tile.box;
+    return {box.firstColumn + int(square % columns()) * side, box.firstRow + int(square / columns()) * side};
+}
+
+SquareAxes OpenSweep::axesOf(std::size_t square) const {
+    const ShadowAxes::Point first = axes_.from(glm::dvec2(firstOf(square)));
+    return {first.q, first.along, float(axes_.k * axes_.sign), float(axes_.sign), float(alongPerMetre_)};
+}
+
+// Whose numbers its cells have is kept in numbers_.
+OpenSquare OpenSweep::squareAt(std::size_t square, std::span<const HorizonCode> horizons) {
     const OpenTile& tile = view_->tile;
-    const int column = int(square % columns()) * side, row = int(square / columns()) * side;
-    look_.begin(axes_, alongPerMetre_, {tile.box.firstColumn + column, tile.box.firstRow + row},
-                view_->lowest);
-    OpenSquare& at = look_.square();
+    const glm::ivec2 first = firstOf(square) - glm::ivec2(tile.box.firstColumn, tile.box.firstRow);
+    OpenSquare at;
     at.groundsM = tile.groundsM.empty() ? nullptr : groundsM_.data();
     for (int cell = 0; cell < ReceiverBlocks::cells; ++cell) {
-        const int x = column + cell % side, y = row + cell / side;
+        const int line = cell / side, place = cell % side;
+        const int x = first.x + (axes_.swapped ? line : place), y = first.y + (axes_.swapped ? place : line);
         const bool inside = x < tile.box.columns && y < tile.box.rows;
         const std::int32_t number =
             inside ? tile.numbers[std::size_t(y) * std::size_t(tile.box.columns) + std::size_t(x)] : -1;
         numbers_[std::size_t(cell)] = number;
-        at.horizons.values[cell] = number < 0 ? blind : horizons_[std::size_t(number)];
+        at.horizons.values[cell] = number < 0 ? blind : horizons[std::size_t(number)];
         if (at.groundsM != nullptr)
             groundsM_[std::size_t(cell)] = number < 0 ? 0 : tile.groundsM[std::size_t(number)];
     }
-}
-
-void OpenSweep::finish() {
-    look_.finish([&](int cell, HorizonCode low, HorizonCode high) {
-        gaps_.push_back({std::uint32_t(numbers_[std::size_t(cell)]), low, high});
-    });
+    return at;
 }
 
 OpenTile::OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -19,6 +20,13 @@ struct OpenTile {
     std::vector<std::int32_t> numbers;  ///< row by row; -1: none
     std::vector<float> groundsM;        ///< of each number, above the datum; empty: all lie on it
     std::vector<Stretch> squares;       ///< numbers of each square of cells (ReceiverBlocks), row by row
+
+    /// Of a cell of a block, 16 x row + column.
+    [[nodiscard]] std::uint32_t numberOf(const ReceiverBlocks::Block& block, int cell) const {
+        const int column = block.column - box.firstColumn + cell % ReceiverBlocks::side,
+                  row = block.row - box.firstRow + cell / ReceiverBlocks::side;
+        return std::uint32_t(numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)]);
+    }
 
     OpenTile() = default;
     OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
@@ -42,10 +50,20 @@ class OpenSweep {
 public:
     static constexpr HorizonCode blind = OpenSquare::blind;
 
+    /// From now on: this view, whose tile and shapes must outlive what follows. Squares from which nothing
+    /// can be seen, whatever their horizons, are found here; some 50 ns a layer (OpenLayers).
+    void begin(const OpenView& view, const std::stop_token& stop);
+
+    /// Whether something may be seen from a square of the tile (OpenTile::squares) whose lowest horizon that
+    /// matters is this.
+    [[nodiscard]] bool maySee(std::size_t square, HorizonCode lowest) const;
+    /// Looks from there, and calls visit as OpenLook::finish() does. Some 0.1 us a layer that may be seen.
+    template <class Visit>
+    void look(std::size_t square, const OpenSquare& from, HorizonCode lowest, const Visit& visit);
+
     /// `horizons`: of what stands, one a number; `blind` for those that do not matter. Returns the intervals
     /// that reach above them, receiver by receiver in ascending order, from below, disjoint and apart; none
-    /// once stopped. Valid until the next call. Squares are passed over from whose horizons nothing can be
-    /// seen; some 5 ns a layer (OpenLayers) and shaded cell of the others.
+    /// once stopped. Valid until the next call. Cost: of begin(), and of look() for all squares.
     std::span<const Gap> intervals(const OpenView& view, std::span<const HorizonCode> horizons,
                                    const std::stop_token& stop);
 
@@ -61,16 +79,15 @@ private:
     };
     void findSquares(std::uint32_t layer, const OpenLayer& of, double lowestTan);
     void addSquares(std::uint32_t layer, int line, const Range& across, HorizonCode most);
-    void look(std::size_t square);
-    [[nodiscard]] HorizonCode lowestIn(std::size_t square) const;
-    void begin(std::size_t square);
-    void finish();
+    [[nodiscard]] HorizonCode lowestIn(std::size_t square, std::span<const HorizonCode> horizons) const;
+    [[nodiscard]] OpenSquare squareAt(std::size_t square, std::span<const HorizonCode> horizons);
     [[nodiscard]] std::size_t columns() const;
+    [[nodiscard]] glm::ivec2 firstOf(std::size_t square) const;
+    [[nodiscard]] SquareAxes axesOf(std::size_t square) const;
 
-    const OpenView* view_ = nullptr;
+    std::optional<OpenView> view_;
     ShadowAxes axes_{{0, 1}};
     double alongPerMetre_ = 0;
-    std::span<const HorizonCode> horizons_;
     OpenLayers layers_;
     std::vector<Entry> entries_;
     std::vector<std::int32_t> firsts_;  // entry of each square; -1: none
@@ -79,5 +96,17 @@ private:
     std::array<float, ReceiverBlocks::cells> groundsM_{};
     std::vector<Gap> gaps_;
 };
+
+template <class Visit>
+void OpenSweep::look(std::size_t square, const OpenSquare& from, HorizonCode lowest, const Visit& visit) {
+    look_.begin(from, axesOf(square), view_->lowest);
+    for (std::int32_t i = firsts_[square]; i >= 0; i = entries_[std::size_t(i)].next) {
+        const Entry& entry = entries_[std::size_t(i)];
+        if (entry.most < lowest) continue;
+        const OpenLayer& layer = layers_.all()[entry.layer];
+        look_.look(layer, layers_.of(layer), entry.most);
+    }
+    look_.finish(visit);
+}
 
 }  // namespace noonmark

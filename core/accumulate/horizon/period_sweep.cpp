@@ -65,7 +65,7 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenShapes> open
       bins_(sweptBins(binned.bins)),
       fans_(fansOf(bins_)),
       count_(sun, binned, {.gaps = !open.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
-      keeps_(counts == ShadowCounts::grossAndRuns || !open.empty()),
+      keeps_(counts == ShadowCounts::grossAndRuns),
       progress_(progress),
       stop_(std::move(stop)) {}
 
@@ -105,7 +105,7 @@ void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
 void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
     if (!open_.empty()) tile.open = OpenTile(receivers_, tile.blocks, walls_.datumM);
     tile.gaps.assign(bins_.size(), {});
-    for (SquareSums& sums : squareSums_) sums.begin(tile.blocks.blocks().size());
+    for (Desk& desk : desks_) desk.sums.begin(tile.blocks.blocks().size());
     PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
     const std::size_t turns =
         sink == nullptr ? 1 : std::clamp(fans_.size() / fansAPart, std::size_t{1}, partsShown);
@@ -119,40 +119,49 @@ void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
 
 void PeriodSweep::sweep(const FanRange& fan, Tile& tile) {
     if (stop_.stop_requested()) return;
-    SquareSums& sums = squareSums_.local();
-    if (!sums.begun()) sums.begin(tile.blocks.blocks().size());
+    Desk& desk = desks_.local();
+    if (!desk.sums.begun()) desk.sums.begin(tile.blocks.blocks().size());
     const TileScene scene{walls_, tile.blocks, tile.grounds, receivers_.grid.cellM};
+    const std::span<const SweptBin> bins = std::span(bins_).subspan(fan.first, fan.size());
+    if (!open_.empty()) desk.open.begin(open_, tile.open, bins, scene.cellM, stop_);
     const auto take = [&](std::size_t i, std::size_t square, const HorizonCode* codes, bool swapped) {
         const std::size_t bin = fan.first + i;
+        if (!open_.empty()) codes = withOpen(fan, i, {square, codes, swapped}, tile, desk);
         if (keeps_)
             writeSquare(codes, tile.blocks, tile.blocks.blocks()[square], swapped,
                         tile.horizons.of(bin).data());
         else
-            sums.add(square, swapped, codes, count_.suns(bin));
+            desk.sums.add(square, swapped, codes, count_.suns(bin));
     };
-    outOfReach_.local() +=
-        sweeps_.local().run(scene, std::span(bins_).subspan(fan.first, fan.size()), take, stop_);
-    for (std::size_t bin = fan.first; bin < fan.end && !open_.empty(); ++bin) addOpen(bin, tile);
+    outOfReach_.local() += desk.sweep.run(scene, bins, take, stop_);
     if (stop_.stop_requested()) return;
+    for (std::size_t bin = fan.first; bin < fan.end && keeps_; ++bin) sortByNumber(tile.gaps[bin]);
     tile.done += fan.size();
     report(tile.blocks, 0.8 * double(tile.done) / double(bins_.size()));
 }
 
-void PeriodSweep::addOpen(std::size_t bin, Tile& tile) {
-    if (stop_.stop_requested()) return;
-    const auto [away, lowest] = bins_[bin];
-    const std::span<HorizonCode> codes = tile.horizons.of(bin);
-    const OpenView view{
-        .shapes = open_, .tile = tile.open, .away = away, .lowest = lowest, .cellM = receivers_.grid.cellM};
-    tile.gaps[bin] =
-        openAbove(openSweeps_.local().intervals(view, codes, stop_), lowest, count_.hidden(bin), codes);
+// Gaps with suns of the bin are kept, or counted.
+const HorizonCode* PeriodSweep::withOpen(const FanRange& fan, std::size_t i, const SweptSquare& square,
+                                         Tile& tile, Desk& desk) {
+    const std::size_t bin = fan.first + i;
+    const HiddenSuns& hidden = count_.hidden(bin);
+    return desk.open.raise(
+        i, square, tile.blocks, tile.grounds, [&](int cell, HorizonCode low, HorizonCode high) {
+            const std::uint32_t steps = hidden(high) - hidden(low);
+            if (steps == 0) return;
+            if (keeps_)
+                tile.gaps[bin].push_back(
+                    {tile.open.numberOf(tile.blocks.blocks()[square.block], cell), low, high});
+            else
+                desk.sums.add(square.block, std::size_t(cell), steps);
+        });
 }
 
 // Steps hidden by the fans of some turns, one a number.
 PeriodSweep::Sums PeriodSweep::hidden(Tile& tile, const Turns& turns) {
     if (keeps_) return hiddenByKept(tile, turns);
     Sums sums(tile.blocks.numbers());
-    for (SquareSums& some : squareSums_) some.addTo(tile.blocks, sums);
+    for (Desk& desk : desks_) desk.sums.addTo(tile.blocks, sums);
     return sums;
 }
 

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/fan_open.h"
 #include "core/accumulate/horizon/period_count.h"
 #include "core/accumulate/horizon/square_sums.h"
 #include "core/accumulate/horizon/tile_horizons.h"
@@ -21,7 +21,7 @@
 namespace noonmark {
 
 /// Sweeps the horizons of a period and counts what they hide, tile after tile. They are kept, one tile's at a
-/// time, where the longest runs are wanted or parts hang; else each is counted as soon as it is there.
+/// time, where the longest runs are wanted; else each is counted as soon as it is there.
 class PeriodSweep {
 public:
     /// All must outlive it.
@@ -48,7 +48,14 @@ private:
     void timed(ShadowField& field, const char* stage, Work&& work);
     void sweep(Tile& tile, const ShadowField& field);
     void sweep(const FanRange& fan, Tile& tile);
-    void addOpen(std::size_t bin, Tile& tile);
+    /// What a thread works with.
+    struct Desk {
+        TileSweep sweep;
+        SquareSums sums;
+        FanOpen open;
+    };
+    const HorizonCode* withOpen(const FanRange& fan, std::size_t i, const SweptSquare& square, Tile& tile,
+                                Desk& desk);
     Sums hidden(Tile& tile, const Turns& turns);
     [[nodiscard]] Sums hiddenByKept(Tile& tile, const Turns& turns) const;
     PartialField partialOf(Tile& tile, const Turns& turns, const ShadowField& blank);
@@ -68,9 +75,7 @@ private:
     std::stop_token stop_;
     std::size_t receiversDone_ = 0;
     bool oneTile_ = true;
-    tbb::enumerable_thread_specific<TileSweep> sweeps_;
-    tbb::enumerable_thread_specific<SquareSums> squareSums_;
-    tbb::enumerable_thread_specific<OpenSweep> openSweeps_;
+    tbb::enumerable_thread_specific<Desk> desks_;
     tbb::enumerable_thread_specific<RunMemory> runMemory_;
     tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};
 };

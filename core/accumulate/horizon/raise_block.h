@@ -22,8 +22,8 @@ struct BlockHorizons {
 /// Cells, more than any nearestAlong().
 inline constexpr float aheadBy = 0.1F;
 
-/// How far along a cell counts as on a wall that takes `slope` cells along for each across. What is rounded off
-/// the distance grows with the slope. `nearest`: on a wall square to the azimuth, either sign.
+/// How far along a cell counts as on a wall that takes `slope` cells along for each across. What is rounded
+/// off the distance grows with the slope. `nearest`: on a wall square to the azimuth, either sign.
 inline float nearestAlong(float nearest, float slope) {
     const float along = nearest * (1 + std::abs(slope));
     return std::clamp(along, -aheadBy / 2, aheadBy / 2);
@@ -56,9 +56,9 @@ LineRange linesOf(const WallOnBlock& wall, const BlockLines& lines);
 /// Level for receivers, `nobody` for the rest.
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);
 
-/// Raises horizons to those that some walls give them: of each wall cells with low + place >= 0 > high + place
-/// that are farther behind it than `nearest`. A cell on a wall gets cotangent 0. Returns the cotangent of the
-/// lowest horizon of all cells then; `nobody` where there are no receivers. The same bits on every
+/// Raises horizons to those that some walls give them: of each wall cells with low + place >= 0 > high +
+/// place that are farther behind it than `nearest`. A cell on a wall gets cotangent 0. Returns the cotangent
+/// of the lowest horizon of all cells then; `nobody` where there are no receivers. The same bits on every
 /// instruction set, in whatever order walls come. Some 20 ns a wall.
 float raiseBlock(std::span<const WallOnBlock> walls, const BlockLines& lines, BlockHorizons& horizons);
 

@@ -21,6 +21,11 @@ void SquareSums::add(std::size_t square, bool swapped, const HorizonCode* codes,
     for (const SunChange& change : suns) short_->add(change, codes);
 }
 
+void SquareSums::add(std::size_t square, std::size_t cell, std::uint32_t steps) {
+    if (rows_.empty()) rows_.assign(squares_ * cells, 0);
+    rows_[square * cells + cell] += steps;
+}
+
 void SquareSums::moveTo(std::size_t square, bool swapped) {
     if (short_) short_->flush();
     std::vector<std::uint32_t>& all = swapped ? columns_ : rows_;

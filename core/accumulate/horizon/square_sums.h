@@ -22,6 +22,9 @@ public:
     /// Counts what the codes of a square hide of some suns; null: nothing. Fastest square by square.
     void add(std::size_t square, bool swapped, const HorizonCode* codes, std::span<const SunChange> suns);
 
+    /// Adds steps to one cell of a square: 16 x row + column.
+    void add(std::size_t square, std::size_t cell, std::uint32_t steps);
+
     /// Adds all to the steps of a tile, one a number.
     void addTo(const ReceiverBlocks& blocks, std::span<std::uint32_t> steps);
 
