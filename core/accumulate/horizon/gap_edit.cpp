@@ -5,19 +5,22 @@
 
 namespace noonmark {
 
+namespace {
+constexpr std::uint32_t blockNumbers = ReceiverBlocks::cells;  // all cells have numbers
+}  // namespace
+
 std::span<const GapChange> GapEdit::run(const TileEdit& edit, const Bin& bin, std::vector<Gap>& gaps) {
     begin(edit, bin);
     markHit(edit, bin, edit.change.removed.open);
     markHit(edit, bin, edit.change.added.open);
     if (numbers_.empty()) return changes_;
-    const auto [first, last] = std::ranges::minmax(numbers_);
-    const auto low = std::ranges::lower_bound(gaps, first, {}, &Gap::number),
-               high = std::ranges::upper_bound(gaps, last, {}, &Gap::number);
-    add(bin, {low, high}, true);
     findAgain(edit, bin);
-    merge({low, high});
-    add(bin, merged_, false);
-    replace(gaps, std::size_t(low - gaps.begin()), std::size_t(high - gaps.begin()));
+    findBlocks();
+    rewritten_.clear();
+    merged_.clear();
+    auto found = found_.cbegin();
+    for (const std::uint32_t block : blocks_) rewrite(bin, gaps, block, found);
+    replace(gaps);
     clear();
     return changes_;
 }
@@ -96,26 +99,63 @@ void GapEdit::findAgain(const TileEdit& edit, const Bin& bin) {
     found_.assign(found.begin(), found.end());
 }
 
-// Of both, by number.
-void GapEdit::merge(std::span<const Gap> gaps) {
-    merged_.clear();
+// Of numbers that are marked.
+void GapEdit::findBlocks() {
+    blocks_.clear();
+    for (const std::uint32_t number : numbers_)
+        if (const std::uint32_t block = number / blockNumbers; blocks_.empty() || blocks_.back() != block)
+            blocks_.push_back(block);
+    std::ranges::sort(blocks_);
+    blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
+}
+
+// `found`: the first of the block's or of a later one's; moves on.
+void GapEdit::rewrite(const Bin& bin, std::span<const Gap> gaps, std::uint32_t block, FoundGap& found) {
+    const std::size_t before = rewritten_.empty() ? 0 : rewritten_.back().end;
+    const auto from = std::ranges::lower_bound(gaps.subspan(before), block * blockNumbers, {}, &Gap::number),
+               to = std::ranges::lower_bound(from, gaps.end(), (block + 1) * blockNumbers, {}, &Gap::number);
+    const std::size_t merged = merged_.size();
+    add(bin, {from, to}, true);
+    merge({from, to}, (block + 1) * blockNumbers, found);
+    add(bin, std::span(merged_).subspan(merged), false);
+    rewritten_.push_back({std::size_t(from - gaps.begin()), std::size_t(to - gaps.begin()), merged_.size()});
+}
+
+// What stays and what was found of numbers below `end`, by number.
+void GapEdit::merge(std::span<const Gap> gaps, std::uint32_t end, FoundGap& found) {
     const auto stays = [&](const Gap& gap) { return (states_[gap.number] & (again | gone)) == 0; };
-    auto found = found_.begin();
     for (const Gap& gap : gaps) {
         if (!stays(gap)) continue;
         for (; found != found_.end() && found->number < gap.number; ++found) merged_.push_back(*found);
         merged_.push_back(gap);
     }
-    merged_.insert(merged_.end(), found, found_.end());
+    for (; found != found_.end() && found->number < end; ++found) merged_.push_back(*found);
 }
 
-void GapEdit::replace(std::vector<Gap>& gaps, std::size_t first, std::size_t end) const {
-    const std::size_t common = std::min(merged_.size(), end - first);
-    const auto from = gaps.begin() + std::ptrdiff_t(first), to = gaps.begin() + std::ptrdiff_t(end);
-    const auto written = std::copy_n(merged_.begin(), common, from);
-    gaps.erase(written, to);
-    gaps.insert(gaps.begin() + std::ptrdiff_t(first + common), merged_.begin() + std::ptrdiff_t(common),
-                merged_.end());
+// In their places as long as blocks have as many as before; from there on all anew.
+void GapEdit::replace(std::vector<Gap>& gaps) {
+    std::size_t merged = 0;
+    auto block = rewritten_.begin();
+    for (; block != rewritten_.end() && block->mergedEnd - merged == block->end - block->first; ++block) {
+        std::copy_n(merged_.begin() + std::ptrdiff_t(merged), block->end - block->first,
+                    gaps.begin() + std::ptrdiff_t(block->first));
+        merged = block->mergedEnd;
+    }
+    if (block == rewritten_.end()) return;
+    const std::size_t kept = block->first;
+    rest_.assign(gaps.begin() + std::ptrdiff_t(kept), gaps.end());
+    gaps.resize(kept);
+    const auto append = [&](const std::vector<Gap>& from, std::size_t first, std::size_t end) {
+        gaps.insert(gaps.end(), from.begin() + std::ptrdiff_t(first), from.begin() + std::ptrdiff_t(end));
+    };
+    std::size_t at = kept;
+    for (; block != rewritten_.end(); ++block) {
+        append(rest_, at - kept, block->first - kept);
+        append(merged_, merged, block->mergedEnd);
+        merged = block->mergedEnd;
+        at = block->end;
+    }
+    append(rest_, at - kept, rest_.size());
 }
 
 void GapEdit::clear() {

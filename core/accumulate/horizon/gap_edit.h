@@ -48,8 +48,11 @@ private:
                                          std::span<const OpenShapes* const> shapes);
     void add(const Bin& bin, std::span<const Gap> gaps, bool before);
     void findAgain(const TileEdit& edit, const Bin& bin);
-    void merge(std::span<const Gap> gaps);
-    void replace(std::vector<Gap>& gaps, std::size_t first, std::size_t end) const;
+    using FoundGap = std::vector<Gap>::const_iterator;
+    void findBlocks();
+    void rewrite(const Bin& bin, std::span<const Gap> gaps, std::uint32_t block, FoundGap& found);
+    void merge(std::span<const Gap> gaps, std::uint32_t end, FoundGap& found);
+    void replace(std::vector<Gap>& gaps);
     void clear();
 
     OpenSweep sweep_;
@@ -58,7 +61,13 @@ private:
     std::vector<HorizonCode> horizons_;   // blind but for those found again
     std::vector<std::uint32_t> numbers_;  // not untouched
     OpenList list_;
-    std::vector<Gap> found_, merged_;
+    std::vector<Gap> found_, merged_, rest_;
+    std::vector<std::uint32_t> blocks_;  // with numbers that are not untouched; ascending
+    /// Gaps [first, end) of a block, and where what replaces them ends in merged_.
+    struct Rewritten {
+        std::size_t first, end, mergedEnd;
+    };
+    std::vector<Rewritten> rewritten_;
     std::vector<GapChange> changes_;
 };
 
