@@ -6,7 +6,7 @@
 #include "core/accumulate/horizon/edit_block.h"
 #include "core/accumulate/horizon/kept_bin.h"
 #include "core/accumulate/horizon/kept_walls.h"
-#include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/open_sweep.h"
 #include "core/accumulate/horizon/shaded_blocks.h"
 #include "core/accumulate/horizon/square_sweep.h"
 #include "core/accumulate/horizon/sun_change.h"

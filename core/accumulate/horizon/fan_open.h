@@ -6,7 +6,7 @@
 
 #include "core/accumulate/horizon/azimuth_fan.h"
 #include "core/accumulate/horizon/block_grounds.h"
-#include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/open_sweep.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
 
 namespace noonmark {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/accumulate/horizon/bin_edit.h"
-#include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/open_sweep.h"
 
 namespace noonmark {
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
-#include "core/accumulate/horizon/sort_by_number.h"
 
 namespace noonmark {
 
@@ -28,21 +26,6 @@ inline void sortByNumber(std::span<Gap> gaps) {
         return a.number != b.number ? a.number < b.number : a.low < b.low;
     });
 }
-
-/// Makes gaps those of each receiver, by number and from below, joined where they meet.
-class GapMerge {
-public:
-    /// `numbers`: all are below.
-    void run(std::vector<Gap>& gaps, std::size_t numbers);
-
-private:
-    NumberSort<Gap> sort_;
-};
-
-/// Raises horizons where gaps hide all from there up, and returns the rest, without those that hold no sun of
-/// the bin. `gaps`: joined. `codes`: one a number.
-std::vector<Gap> openAbove(std::span<const Gap> gaps, HorizonCode lowest, const HiddenSuns& hidden,
-                           std::span<HorizonCode> codes);
 
 /// Calls visit(own) for the gaps of each receiver that has any. `gaps`: by number.
 template <class T, class Visit>

@@ -6,7 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/open_sweep.h"
+#include "core/accumulate/horizon/sort_by_number.h"
 
 namespace noonmark {
 

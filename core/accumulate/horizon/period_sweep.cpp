@@ -41,6 +41,17 @@ bool horizonsFit(const Receivers& receivers, std::size_t bins) {
     return numbers * bins * sizeof(HorizonCode) <= tileBytes;
 }
 
+// Each azimuth of a fan notes which of what hangs may be seen from which square.
+std::vector<FanRange> fansAmong(std::span<const OpenShapes> open, std::span<const SweptBin> bins) {
+    constexpr std::size_t mostInFans = 4096;
+    std::size_t shapes = 0;
+    for (const OpenShapes& some : open) shapes += some.size();
+    if (shapes <= mostInFans) return fansOf(bins);
+    std::vector<FanRange> ones;
+    for (std::size_t bin = 0; bin < bins.size(); ++bin) ones.push_back({bin, bin + 1});
+    return ones;
+}
+
 }  // namespace
 
 /// What the threads share while a tile is swept and counted.
@@ -63,7 +74,7 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenShapes> open
       receivers_(receivers),
       binned_(binned),
       bins_(sweptBins(binned.bins)),
-      fans_(fansOf(bins_)),
+      fans_(fansAmong(open, bins_)),
       count_(sun, binned, {.gaps = !open.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
       keeps_(counts == ShadowCounts::grossAndRuns),
       progress_(progress),

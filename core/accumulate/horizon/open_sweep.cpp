@@ -1,10 +1,7 @@
-#include "core/accumulate/horizon/open_parts.h"
+#include "core/accumulate/horizon/open_sweep.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/accumulate/horizon/block_place.h"
-#include "core/accumulate/ray_reference.h"
 
 namespace noonmark {
 
@@ -130,28 +127,6 @@ OpenSquare OpenSweep::squareAt(std::size_t square, std::span<const HorizonCode> 
             groundsM_[std::size_t(cell)] = number < 0 ? 0 : tile.groundsM[std::size_t(number)];
     }
     return at;
-}
-
-OpenTile::OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM)
-    : box(blocks.box()), numbers(std::size_t(box.columns) * std::size_t(box.rows), -1) {
-    if (!receivers.flat()) groundsM.resize(blocks.numbers());
-    const glm::ivec2 all = blocks.squares();
-    squares.assign(std::size_t(all.x) * std::size_t(all.y), {0, 0});
-    for (const ReceiverBlocks::Block& block : blocks.blocks()) {
-        squares[std::size_t((block.row - box.firstRow) / side) * std::size_t(all.x) +
-                std::size_t((block.column - box.firstColumn) / side)] = {block.first,
-                                                                         block.first + block.count};
-        const std::uint8_t* places = blocks.places(block, false);
-        for (std::uint32_t n = 0; n < block.count; ++n) {
-            const int column = block.column - box.firstColumn + places[n] % ReceiverBlocks::side,
-                      row = block.row - box.firstRow + places[n] / ReceiverBlocks::side;
-            if (column >= box.columns || row >= box.rows) continue;
-            const std::uint32_t number = block.first + n, cell = blocks.cell(number);
-            numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)] = std::int32_t(number);
-            if (!receivers.flat() && cell != ReceiverBlocks::padding)
-                groundsM[number] = float(double(rayOrigin(receivers.position(cell)).z) - datumM);
-        }
-    }
 }
 
 }  // namespace noonmark

@@ -9,28 +9,10 @@
 
 #include "core/accumulate/horizon/gaps.h"
 #include "core/accumulate/horizon/open_look.h"
-#include "core/accumulate/horizon/receiver_blocks.h"
+#include "core/accumulate/horizon/open_tile.h"
 #include "core/accumulate/horizon/shadow_axes.h"
 
 namespace noonmark {
-
-/// The cells of a tile that have numbers.
-struct OpenTile {
-    TileBox box;
-    std::vector<std::int32_t> numbers;  ///< row by row; -1: none
-    std::vector<float> groundsM;        ///< of each number, above the datum; empty: all lie on it
-    std::vector<Stretch> squares;       ///< numbers of each square of cells (ReceiverBlocks), row by row
-
-    /// Of a cell of a block, 16 x row + column.
-    [[nodiscard]] std::uint32_t numberOf(const ReceiverBlocks::Block& block, int cell) const {
-        const int column = block.column - box.firstColumn + cell % ReceiverBlocks::side,
-                  row = block.row - box.firstRow + cell / ReceiverBlocks::side;
-        return std::uint32_t(numbers[std::size_t(row) * std::size_t(box.columns) + std::size_t(column)]);
-    }
-
-    OpenTile() = default;
-    OpenTile(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
-};
 
 /// What is looked at from the cells of a tile, at one azimuth.
 struct OpenView {
