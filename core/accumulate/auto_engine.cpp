@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/accumulate/engine_list.h"
 #include "core/accumulate/horizon/azimuth_bins.h"
@@ -50,17 +49,17 @@ EngineLoad engineLoad(std::span<const City* const> cities, const Receivers& rece
     return load;
 }
 
-// Fitted to processor times, shared by two cores, of a day, a week, a month and a year on 800 x 800 m of the
-// grid sample and of Midtown, with 912 to 6,828 triangles in parts that hang; they fit within a factor of
-// two, and without such parts the sweep's within a third. Rays, terrain and heights of their own: times of
-// single runs.
+// Fitted to processor times, shared by two cores, of a day, a week, a month and a year on 300 and 800 m of
+// the grid sample and of Midtown, with 708 to 3,604 triangles in parts that hang: the sweep's fit within a
+// third, but with the longest runs below such parts within a factor of two only. Rays, terrain and heights of
+// their own: times of single runs.
 ExpectedSeconds expectedSeconds(const EngineLoad& load) {
     const auto receivers = double(load.receivers), steps = double(load.steps), bins = double(load.bins),
                buildings = double(load.buildings);
-    const double sweepOfAReceiver = load.runs ? 3.3e-9 : 2.4e-9;
+    const double sweepOfAReceiver = load.runs ? 3.6e-9 : 2.9e-9;
     const double sweepOfABin = receivers * (load.level ? sweepOfAReceiver : 40e-9) + buildings * 10e-9 +
                                double(load.terrainCells) * 10e-9 +
-                               std::sqrt(double(load.openTriangles)) * 40e-6 / load.cellAreaM2;
+                               double(load.openTriangles) * 0.3e-6 / load.cellAreaM2;
     return {.ray = receivers * steps * 30e-9,
             .projected = steps * (buildings * 0.08e-6 + double(load.rows) * 0.12e-6),
             .horizon = bins * sweepOfABin + (load.runs ? receivers * steps * 5e-12 : 0)};

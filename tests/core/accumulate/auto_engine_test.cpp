@@ -92,7 +92,7 @@ TEST(AutoEngine, expectsTheSweepToTakeLongerBelowPartsThatHang) {
     const ExpectedSeconds seconds = expectedSeconds(month);
     EXPECT_LT(seconds.horizon, seconds.projected);
     month.openTriangles = 0;
-    EXPECT_LT(expectedSeconds(month).horizon * 1.5, seconds.horizon);
+    EXPECT_LT(expectedSeconds(month).horizon * 1.4, seconds.horizon);
 }
 
 TEST(AutoEngine, expectsGrossShadowAloneToTakeTheSweepLess) {
