@@ -51,7 +51,7 @@ EngineLoad engineLoad(std::span<const City* const> cities, const Receivers& rece
 
 // Fitted to processor times, shared by two cores, of a day, a week, a month and a year on 300 and 800 m of
 // the grid sample and of Midtown, with 708 to 3,604 triangles in parts that hang: the sweep's fit within a
-// third, but with the longest runs below such parts within a factor of two only. Rays, terrain and heights of
+// half, but with the longest runs below such parts within a factor of two only. Rays, terrain and heights of
 // their own: times of single runs.
 ExpectedSeconds expectedSeconds(const EngineLoad& load) {
     const auto receivers = double(load.receivers), steps = double(load.steps), bins = double(load.bins),
