@@ -124,17 +124,19 @@ struct KeptHorizons::Kept {
         return lowest / (1 - lowest);
     }
 
-    /// Takes what is new and returns what changed of it. Where the ground did nothing stays: all is swept.
-    Result<WallChange> become(const City& city, const Receivers& now,
-                              std::span<const std::uint32_t> changed) {
+    /// Takes what is new and returns what changed of it; nothing where no tile stays: they know it already.
+    Result<std::optional<WallChange>> become(const City& city, const Receivers& now,
+                                             std::span<const std::uint32_t> changed) {
         if (walls.sameGround(city, now) && sameCells(receivers, now, changed))
-            return walls.become(city, lowestTan());
+            return walls.become(city, lowestTan()).map([](WallChange change) {
+                return std::optional(std::move(change));
+            });
         KeptWalls others = KeptWalls::of(city, now);
         if (const auto able = others.check(lowestTan()); !able) return tl::make_unexpected(able.error());
         walls = std::move(others);
         receivers = now;
         makeTiles();
-        return WallChange{};
+        return std::optional<WallChange>();
     }
 
     void change(KeptTile& tile, std::span<const std::uint32_t> cells, const WallChange& change,
@@ -239,9 +241,12 @@ Result<ShadowField> KeptHorizons::change(const City& city, const Receivers& rece
     if (!change) return tl::make_unexpected(change.error());
     kept_->receivers = receivers;
     kept_->countCity();
+    const WallChange none;
+    const std::span<const std::uint32_t> cellsOfTiles =
+        *change ? std::span(cells) : std::span(cells).first(0);
     for (std::size_t i = 0; i < kept_->tiles.size(); ++i) {
         ProgressShare ofTile(progress, i, kept_->tiles.size());
-        kept_->change(kept_->tiles[i], cells, *change, counts, ofTile, stop);
+        kept_->change(kept_->tiles[i], cellsOfTiles, *change ? **change : none, counts, ofTile, stop);
         kept_->keepWithinMemory(kept_->tiles[i]);
     }
     kept_->mask(cells);
