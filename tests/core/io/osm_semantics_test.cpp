@@ -15,7 +15,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
-using tests::rectangle;
+using tests::sizedRectangle;
 
 class OsmSemantics : public testing::Test {
 protected:
@@ -65,7 +65,7 @@ double areaOf(const Building& building, const std::string& id) {
 
 TEST_F(OsmSemantics, aBuildingIsItsOutline) {
     const auto way =
-        osm.way(rectangle(0, 0, 20, 10), {{"building", "yes"}, {"height", "30 ft"}, {"name", "Shed"}});
+        osm.way(sizedRectangle(0, 0, 20, 10), {{"building", "yes"}, {"height", "30 ft"}, {"name", "Shed"}});
     const Building building = only();
     EXPECT_EQ(building.sourceId, way);
     EXPECT_EQ(building.name, "Shed");
@@ -80,16 +80,16 @@ TEST_F(OsmSemantics, aBuildingIsItsOutline) {
 }
 
 TEST_F(OsmSemantics, courtyardsStayOpen) {
-    const auto id = osm.relation(rectangle(0, 0, 40, 40), {rectangle(10, 10, 20, 20)}, {{"building", "yes"}});
+    const auto id = osm.relation(sizedRectangle(0, 0, 40, 40), {sizedRectangle(10, 10, 20, 20)}, {{"building", "yes"}});
     const Building building = only();
     EXPECT_EQ(building.sourceId, id);
     EXPECT_NEAR(area(building.parts[0].footprint), 1200, 0.5);
 }
 
 TEST_F(OsmSemantics, partsReplaceTheirOutline) {
-    const auto outline = osm.way(rectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
-    const auto low = osm.way(rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
-    const auto high = osm.way(rectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "90"}});
+    const auto outline = osm.way(sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto low = osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
+    const auto high = osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "90"}});
     const Building building = only();
     EXPECT_EQ(building.sourceId, outline);
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(low, high));
@@ -98,9 +98,9 @@ TEST_F(OsmSemantics, partsReplaceTheirOutline) {
 }
 
 TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
-    const auto outline = osm.way(rectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "200"}});
-    osm.way(rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "200"}});
-    osm.way(rectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "25"}});
+    const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "200"}});
+    osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "200"}});
+    osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "25"}});
     const Building building = only();
     EXPECT_NEAR(areaOf(building, outline), 400, 0.5);
     EXPECT_FLOAT_EQ(partOf(building, outline).topM, 25);
@@ -109,8 +109,8 @@ TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
 }
 
 TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
-    const auto outline = osm.way(rectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "20"}});
-    osm.way(rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "120"}});
+    const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "20"}});
+    osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "120"}});
     const Building building = only();
     EXPECT_NEAR(areaOf(building, outline), 800, 0.5);
     EXPECT_FLOAT_EQ(partOf(building, outline).topM, 20);
@@ -119,8 +119,8 @@ TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
 }
 
 TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
-    const auto podium = osm.way(rectangle(0, 0, 40, 40), {{"building", "yes"}, {"height", "20"}});
-    const auto tower = osm.way(rectangle(10, 10, 20, 20),
+    const auto podium = osm.way(sizedRectangle(0, 0, 40, 40), {{"building", "yes"}, {"height", "20"}});
+    const auto tower = osm.way(sizedRectangle(10, 10, 20, 20),
                                {{"building:part", "yes"}, {"height", "100"}, {"min_height", "20"}});
     const Building building = only();
     EXPECT_NEAR(areaOf(building, podium), 1600, 0.5);
@@ -129,27 +129,27 @@ TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
 }
 
 TEST_F(OsmSemantics, sliversOfOutlineAreNoBuilding) {
-    osm.way(rectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
-    const auto part = osm.way(rectangle(0, 0, 39.5F, 20), {{"building:part", "yes"}, {"height", "90"}});
+    osm.way(sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto part = osm.way(sizedRectangle(0, 0, 39.5F, 20), {{"building:part", "yes"}, {"height", "90"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(part));
 }
 
 TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
     const auto both =
-        osm.way(rectangle(0, 0, 40, 40), {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
-    const auto tower = osm.way(rectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
+        osm.way(sizedRectangle(0, 0, 40, 40), {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
+    const auto tower = osm.way(sizedRectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
     const Building building = only();
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(both, tower));
     EXPECT_NEAR(areaOf(building, both), 1600, 0.5);
 }
 
 TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
-    const auto base = osm.way(rectangle(0, 0, 60, 60), {{"building:part", "yes"}, {"height", "320"}});
-    const auto middle = osm.way(rectangle(10, 10, 40, 40),
+    const auto base = osm.way(sizedRectangle(0, 0, 60, 60), {{"building:part", "yes"}, {"height", "320"}});
+    const auto middle = osm.way(sizedRectangle(10, 10, 40, 40),
                                 {{"building:part", "yes"}, {"min_height", "320"}, {"height", "390"}});
-    const auto mast = osm.way(rectangle(28, 28, 4, 4),
+    const auto mast = osm.way(sizedRectangle(28, 28, 4, 4),
                               {{"building:part", "yes"}, {"min_height", "390"}, {"height", "443.2"}});
-    const auto elsewhere = osm.way(rectangle(200, 0, 10, 10), {{"building:part", "yes"}, {"height", "10"}});
+    const auto elsewhere = osm.way(sizedRectangle(200, 0, 10, 10), {{"building:part", "yes"}, {"height", "10"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->sourceId, base);
@@ -160,10 +160,10 @@ TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
 }
 
 TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
-    const auto west = osm.way(rectangle(0, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
-    const auto east = osm.way(rectangle(10, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
-    const auto westPart = osm.way(rectangle(0, 0, 10.02F, 20), {{"building:part", "yes"}, {"height", "15"}});
-    const auto eastPart = osm.way(rectangle(10, 0, 10, 20), {{"building:part", "yes"}, {"height", "25"}});
+    const auto west = osm.way(sizedRectangle(0, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto east = osm.way(sizedRectangle(10, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
+    const auto westPart = osm.way(sizedRectangle(0, 0, 10.02F, 20), {{"building:part", "yes"}, {"height", "15"}});
+    const auto eastPart = osm.way(sizedRectangle(10, 0, 10, 20), {{"building:part", "yes"}, {"height", "25"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->sourceId, west);
@@ -173,9 +173,9 @@ TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
 }
 
 TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
-    osm.way(rectangle(0, 0, 100, 100), {{"building", "yes"}, {"height", "9"}});
-    const auto inner = osm.way(rectangle(20, 20, 30, 30), {{"building", "yes"}, {"height", "40"}});
-    const auto part = osm.way(rectangle(20, 20, 30, 30), {{"building:part", "yes"}, {"height", "50"}});
+    osm.way(sizedRectangle(0, 0, 100, 100), {{"building", "yes"}, {"height", "9"}});
+    const auto inner = osm.way(sizedRectangle(20, 20, 30, 30), {{"building", "yes"}, {"height", "40"}});
+    const auto part = osm.way(sizedRectangle(20, 20, 30, 30), {{"building:part", "yes"}, {"height", "50"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 2U);
     EXPECT_EQ(piece.buildings[1]->sourceId, inner);
@@ -183,9 +183,9 @@ TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
 }
 
 TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
-    osm.way(rectangle(0, 0, 30, 10), {{"building", "yes"}, {"height", "30"}});
-    const auto leg = osm.way(rectangle(0, 0, 10, 10), {{"building:part", "yes"}, {"height", "30"}});
-    const auto bridge = osm.way(rectangle(10, 0, 20, 10),
+    osm.way(sizedRectangle(0, 0, 30, 10), {{"building", "yes"}, {"height", "30"}});
+    const auto leg = osm.way(sizedRectangle(0, 0, 10, 10), {{"building:part", "yes"}, {"height", "30"}});
+    const auto bridge = osm.way(sizedRectangle(10, 0, 20, 10),
                                 {{"building:part", "yes"}, {"height", "30"}, {"building:min_level", "4"}});
     const Building building = only();
     EXPECT_FALSE(partOf(building, leg).hangs);
@@ -195,18 +195,18 @@ TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
 
 TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
     const auto slab =
-        osm.way(rectangle(0, 0, 30, 10), {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
+        osm.way(sizedRectangle(0, 0, 30, 10), {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
     const auto top =
-        osm.way(rectangle(5, 0, 20, 10), {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
+        osm.way(sizedRectangle(5, 0, 20, 10), {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
     const Building building = only();
     EXPECT_TRUE(partOf(building, slab).hangs);
     EXPECT_TRUE(partOf(building, top).hangs);
 }
 
 TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
-    osm.way(rectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
+    osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
     const auto upper =
-        osm.way(rectangle(5, 5, 20, 20), {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
+        osm.way(sizedRectangle(5, 5, 20, 20), {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
     const Building building = only();
     EXPECT_FLOAT_EQ(partOf(building, upper).bottomM, 17);
     EXPECT_FALSE(partOf(building, upper).hangs);
@@ -214,20 +214,20 @@ TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
 }
 
 TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
-    osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}});
+    osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}});
     const auto station =
-        osm.way(rectangle(20, 0, 10, 10), {{"building", "train_station"}, {"location", "underground"}});
-    const auto cellar = osm.way(rectangle(40, 0, 10, 10), {{"building", "yes"}, {"layer", "-2"}});
+        osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "train_station"}, {"location", "underground"}});
+    const auto cellar = osm.way(sizedRectangle(40, 0, 10, 10), {{"building", "yes"}, {"layer", "-2"}});
     only();
     EXPECT_THAT(placesOf("underground"), ElementsAre(station, cellar));
 }
 
 TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
     const auto canopy =
-        osm.way(rectangle(0, 0, 10, 10), {{"building", "roof"}, {"height", "5"}, {"layer", "1"}});
-    const auto bare = osm.way(rectangle(20, 0, 10, 10), {{"building", "roof"}});
+        osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "roof"}, {"height", "5"}, {"layer", "1"}});
+    const auto bare = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "roof"}});
     const auto stated =
-        osm.way(rectangle(40, 0, 10, 10), {{"building", "roof"}, {"height", "4"}, {"min_height", "3"}});
+        osm.way(sizedRectangle(40, 0, 10, 10), {{"building", "roof"}, {"height", "4"}, {"min_height", "3"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 3U);
     for (const auto& building : piece.buildings) EXPECT_TRUE(building->parts[0].hangs);
@@ -239,31 +239,31 @@ TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
 
 TEST_F(OsmSemantics, noMeansNo) {
     const auto yes =
-        osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
-    const auto no = osm.way(rectangle(20, 0, 10, 10), {{"building", "no"}});
-    const auto noPart = osm.way(rectangle(40, 0, 10, 10), {{"building:part", "no"}});
+        osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
+    const auto no = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "no"}});
+    const auto noPart = osm.way(sizedRectangle(40, 0, 10, 10), {{"building:part", "no"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(yes));
     EXPECT_THAT(placesOf("no building"), ElementsAre(no, noPart));
 }
 
 TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
     const auto gabled =
-        osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
-    osm.way(rectangle(20, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
+        osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
+    osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
     piece = read();
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 9);
     EXPECT_THAT(placesOf("roof is not flat"), ElementsAre(gabled));
 }
 
 TEST_F(OsmSemantics, anyTagMayBeTheUsersHeight) {
-    osm.way(rectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"est:eaves", "70"}});
+    osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"est:eaves", "70"}});
     settings.heightField = "est:eaves";
     settings.heightUnit = LengthUnit::feet;
     EXPECT_NEAR(only().parts[0].topM, 21.336, 1e-4);
 }
 
 TEST_F(OsmSemantics, aBuildingInTheMakingSaysSo) {
-    osm.way(rectangle(0, 0, 10, 10), {{"building", "construction"}, {"height", "9"}});
+    osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "construction"}, {"height", "9"}});
     EXPECT_EQ(only().status, "under construction");
 }
 

@@ -14,7 +14,7 @@ namespace noonmark::tests {
 using Tags = std::vector<std::pair<std::string, std::string>>;
 
 /// An axis-aligned rectangle, metres.
-inline Ring rectangle(float west, float south, float width, float height) {
+inline Ring sizedRectangle(float west, float south, float width, float height) {
     return {{west, south}, {west + width, south}, {west + width, south + height}, {west, south + height}};
 }
 

@@ -31,9 +31,9 @@ void readAndJudge(const std::filesystem::path& file) {
 
 std::string osmText() {
     tests::OsmText osm;
-    osm.way(tests::rectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
-    osm.way(tests::rectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
-    osm.relation(tests::rectangle(60, 0, 40, 40), {tests::rectangle(70, 10, 10, 10)}, {{"building", "yes"}});
+    osm.way(tests::sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
+    osm.way(tests::sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
+    osm.relation(tests::sizedRectangle(60, 0, 40, 40), {tests::sizedRectangle(70, 10, 10, 10)}, {{"building", "yes"}});
     return osm.xml();
 }
 

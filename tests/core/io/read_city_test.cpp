@@ -16,7 +16,7 @@ namespace noonmark {
 namespace {
 
 using testing::HasSubstr;
-using tests::rectangle;
+using tests::sizedRectangle;
 
 class ReadCity : public testing::Test {
 protected:
@@ -34,7 +34,7 @@ protected:
     }
     std::filesystem::path osmFile(const std::string& name, float west) {
         tests::OsmText osm;
-        osm.way(rectangle(west, 0, 20, 20), {{"building", "yes"}, {"height", "30"}});
+        osm.way(sizedRectangle(west, 0, 20, 20), {{"building", "yes"}, {"height", "30"}});
         return folder.file(name, osm.xml());
     }
     // Ground that lies 5 m high in the west and 25 m in the east of 40.75 N 73.98 W.
@@ -112,12 +112,12 @@ TEST_F(ReadCity, groundElevationsWithoutTerrainAreTakenOffAndSaid) {
 
 TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
     tests::OsmText osm;
-    osm.way(rectangle(0, 0, 60, 60), {{"building", "yes"}, {"height", "40"}, {"name", "Hall"}});
-    osm.way(rectangle(0, 0, 60, 30), {{"building:part", "yes"}, {"height", "10"}});
-    osm.way(rectangle(10, 5, 20, 20), {{"building:part", "yes"}, {"height", "40"}, {"min_height", "10"}});
-    osm.way(rectangle(0, 30, 60, 30), {{"building:part", "yes"}, {"height", "22"}, {"min_height", "6"}});
-    osm.relation(rectangle(100, 0, 40, 40), {rectangle(110, 10, 20, 20)}, {{"building", "construction"}});
-    osm.way(rectangle(200, 0, 10, 10), {{"building", "roof"}, {"building:levels", "2"}});
+    osm.way(sizedRectangle(0, 0, 60, 60), {{"building", "yes"}, {"height", "40"}, {"name", "Hall"}});
+    osm.way(sizedRectangle(0, 0, 60, 30), {{"building:part", "yes"}, {"height", "10"}});
+    osm.way(sizedRectangle(10, 5, 20, 20), {{"building:part", "yes"}, {"height", "40"}, {"min_height", "10"}});
+    osm.way(sizedRectangle(0, 30, 60, 30), {{"building:part", "yes"}, {"height", "22"}, {"min_height", "6"}});
+    osm.relation(sizedRectangle(100, 0, 40, 40), {sizedRectangle(110, 10, 20, 20)}, {{"building", "construction"}});
+    osm.way(sizedRectangle(200, 0, 10, 10), {{"building", "roof"}, {"building:levels", "2"}});
     const City city = read({folder.file("a.osm", osm.xml())}).city;
     ASSERT_TRUE(writeCityGeoPackage(folder.path("a.gpkg"), city));
     settings.frame = city.frame;
@@ -163,7 +163,7 @@ TEST_F(ReadCity, midtownSurvivesItsGeoPackage) {
 
 TEST_F(ReadCity, warningsSayWhoseTheyAreAmongSeveralFiles) {
     tests::OsmText osm;
-    osm.way(rectangle(0, 0, 20, 20), {{"building", "yes"}});
+    osm.way(sizedRectangle(0, 0, 20, 20), {{"building", "yes"}});
     const CityRead read = this->read({osmFile("a.osm", 50), folder.file("b.osm", osm.xml())});
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_EQ(read.warnings[0].where, "b.osm: way 1");

@@ -83,7 +83,7 @@ void writeRectangle(const std::filesystem::path& file, const char* driver, const
     const std::unique_ptr<OGRCoordinateTransformation> there(
         OGRCreateCoordinateTransformation(&wgs84, &system));
     OGRLinearRing line;
-    for (const glm::vec2 point : tests::rectangle(-20, -10, 40, 20)) {
+    for (const glm::vec2 point : tests::sizedRectangle(-20, -10, 40, 20)) {
         const LonLat place = Frame(manhattan).lonLatFromLocal(glm::dvec2(point));
         double x = place.lonDeg;
         double y = place.latDeg;
@@ -108,7 +108,7 @@ void writeRectangle(const std::filesystem::path& file, const char* driver, const
 
 TEST_F(ReadFootprints, geoJsonInDegrees) {
     const FilePiece piece = readGeoJson(
-        feature(tests::rectangle(-20, -10, 40, 20), R"("id":"tower","name":"A","height":"30 m")"));
+        feature(tests::sizedRectangle(-20, -10, 40, 20), R"("id":"tower","name":"A","height":"30 m")"));
     ASSERT_EQ(piece.buildings.size(), 1U);
     ASSERT_TRUE(piece.frame);
     EXPECT_NEAR(piece.frame->origin().lonDeg, manhattan.lonDeg, 1e-7);
@@ -147,8 +147,8 @@ TEST_F(ReadFootprints, newYorksShapefileIsInFeet) {
 }
 
 TEST_F(ReadFootprints, theUserNamesFieldAndUnit) {
-    const auto file = geoJson(feature(tests::rectangle(0, 0, 10, 10), R"("height":5,"eaves":100)") + "," +
-                              feature(tests::rectangle(20, 0, 10, 10), R"("height":5,"eaves":"20 m")"));
+    const auto file = geoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":5,"eaves":100)") + "," +
+                              feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":5,"eaves":"20 m")"));
     settings.heightField = "EAVES";
     settings.heightUnit = LengthUnit::feet;
     const FilePiece piece = read(file);
@@ -185,9 +185,9 @@ TEST_F(ReadFootprints, elevationsInPolygonsAreNotTakenAndSaid) {
 
 TEST_F(ReadFootprints, tagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     const FilePiece piece = readGeoJson(
-        feature(tests::rectangle(0, 0, 40, 20), R"("@id":"way/5","building":"yes","height":"90")") + "," +
-        feature(tests::rectangle(0, 0, 40, 20), R"("@id":"way/6","building:part":"yes","height":"20")") +
-        "," + feature(tests::rectangle(80, 0, 40, 20), R"("@id":"way/7","leisure":"park")"));
+        feature(tests::sizedRectangle(0, 0, 40, 20), R"("@id":"way/5","building":"yes","height":"90")") + "," +
+        feature(tests::sizedRectangle(0, 0, 40, 20), R"("@id":"way/6","building:part":"yes","height":"20")") +
+        "," + feature(tests::sizedRectangle(80, 0, 40, 20), R"("@id":"way/7","leisure":"park")"));
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_EQ(piece.buildings[0]->parts.size(), 1U);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 20);
@@ -199,10 +199,10 @@ TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {
     std::string features;
     for (int i = 0; i < 9; ++i)
         features +=
-            feature(tests::rectangle(float(i) * 20, 0, 10, 10), fmt::format(R"("id":"h{}","height":9)", i)) +
+            feature(tests::sizedRectangle(float(i) * 20, 0, 10, 10), fmt::format(R"("id":"h{}","height":9)", i)) +
             ",";
     const FilePiece piece =
-        readGeoJson(features + feature(tests::rectangle(0, 0, 100, 20), R"("id":"ship","height":30)", sea));
+        readGeoJson(features + feature(tests::sizedRectangle(0, 0, 100, 20), R"("id":"ship","height":30)", sea));
     EXPECT_EQ(piece.buildings.size(), 9U);
     EXPECT_NEAR(piece.frame->origin().lonDeg, manhattan.lonDeg, 0.002);
     ASSERT_EQ(piece.warnings.size(), 1U);
@@ -212,10 +212,10 @@ TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {
 
 TEST_F(ReadFootprints, theOtherSideOfTheEarthIsFarAway) {
     const LonLat antipode{106.02, -40.75};
-    std::string features = feature(tests::rectangle(0, 0, 10, 10), R"("height":9)") + "," +
-                           feature(tests::rectangle(20, 0, 10, 10), R"("height":9)") + ",";
+    std::string features = feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)") + "," +
+                           feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":9)") + ",";
     const FilePiece piece =
-        readGeoJson(features + feature(tests::rectangle(0, 0, 10, 10), R"("height":9)", antipode));
+        readGeoJson(features + feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)", antipode));
     EXPECT_EQ(piece.buildings.size(), 2U);
 }
 
@@ -223,7 +223,7 @@ TEST_F(ReadFootprints, dataOnBothSidesOfTheDateLineStaysTogether) {
     const LonLat fiji{180, -17};
     std::string features;
     for (int i = -3; i <= 3; ++i)
-        features += feature(tests::rectangle(float(i) * 200 + 50, 0, 10, 10), R"("height":9)", fiji) +
+        features += feature(tests::sizedRectangle(float(i) * 200 + 50, 0, 10, 10), R"("height":9)", fiji) +
                     (i < 3 ? "," : "");
     const FilePiece piece = readGeoJson(features);
     EXPECT_EQ(piece.buildings.size(), 7U);
@@ -233,7 +233,7 @@ TEST_F(ReadFootprints, dataOnBothSidesOfTheDateLineStaysTogether) {
 TEST_F(ReadFootprints, joinsTheFrameOfAProject) {
     settings.frame = Frame({-73.97, 40.75}, 10);
     const FilePiece piece =
-        readGeoJson(feature(tests::rectangle(0, 0, 10, 10), R"("height":9,"ground_elevation":25)"));
+        readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9,"ground_elevation":25)"));
     EXPECT_FALSE(piece.frame);
     EXPECT_LT(bounds(*piece.buildings.at(0)).high.x, -800);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].bottomM, 15);
@@ -243,13 +243,13 @@ TEST_F(ReadFootprints, joinsTheFrameOfAProject) {
 
 TEST_F(ReadFootprints, featuresOfOneBuildingIdAreOneBuilding) {
     const FilePiece piece =
-        readGeoJson(feature(tests::rectangle(0, 0, 10, 10),
+        readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10),
                             R"("building_id":"b1","source_id":"low","height":9,"hangs":0)") +
                     "," +
-                    feature(tests::rectangle(50, 0, 10, 10),
+                    feature(tests::sizedRectangle(50, 0, 10, 10),
                             R"("building_id":"b2","source_id":"x","height":9,"hangs":0)") +
                     "," +
-                    feature(tests::rectangle(0, 0, 5, 5),
+                    feature(tests::sizedRectangle(0, 0, 5, 5),
                             R"("building_id":"b1","source_id":"high","height":30,"min_height":9,"hangs":1)"));
     ASSERT_EQ(piece.buildings.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->sourceId, "b1");
@@ -260,21 +260,21 @@ TEST_F(ReadFootprints, featuresOfOneBuildingIdAreOneBuilding) {
 
 TEST_F(ReadFootprints, aPlaceholderIsNoBuildingId) {
     const FilePiece piece =
-        readGeoJson(feature(tests::rectangle(0, 0, 10, 10), R"("building_id":0,"height":9)") + "," +
-                    feature(tests::rectangle(50, 0, 10, 10), R"("building_id":0,"height":9)"));
+        readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("building_id":0,"height":9)") + "," +
+                    feature(tests::sizedRectangle(50, 0, 10, 10), R"("building_id":0,"height":9)"));
     EXPECT_EQ(piece.buildings.size(), 2U);
 }
 
 TEST_F(ReadFootprints, aDrawingsLayersAreNotStoreysOfTheEarth) {
     const FilePiece piece = readGeoJson(
-        feature(tests::rectangle(0, 0, 10, 10), R"("layer":"-1","location":"underground","height":9)"));
+        feature(tests::sizedRectangle(0, 0, 10, 10), R"("layer":"-1","location":"underground","height":9)"));
     EXPECT_EQ(piece.buildings.size(), 1U);
 }
 
 TEST_F(ReadFootprints, oneBadFeatureIsAWarning) {
     const FilePiece piece = readGeoJson(
-        feature(tests::rectangle(0, 0, 10, 10), R"("height":9)") + "," +
-        feature(tests::rectangle(20, 0, 10, 10), R"("height":9)") + "," +
+        feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)") + "," +
+        feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":9)") + "," +
         R"({"type":"Feature","properties":{"id":"lost"},"geometry":{"type":"Polygon","coordinates":[[[0,95],[1,95],[1,96],[0,95]]]}},)"
         R"({"type":"Feature","properties":{"id":"none"},"geometry":null},)"
         R"({"type":"Feature","properties":{"id":"line"},"geometry":{"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.98,40.75],[-73.98,40.75]]]}})");
@@ -316,7 +316,7 @@ TEST_F(ReadFootprints, coordinatesThatCannotBeDegreesAreAnError) {
 }
 
 TEST_F(ReadFootprints, degreesThatCallThemselvesFeetAreAnError) {
-    const auto file = geoJson(feature(tests::rectangle(0, 0, 10, 10), R"("height":9)"));
+    const auto file = geoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)"));
     for (const char* crs : {"EPSG:2263", "EPSG:3857", "EPSG:32618"}) {
         settings.crs = crs;
         EXPECT_THAT(errorOf(file), testing::AllOf(HasSubstr("look like degrees"), HasSubstr("--crs"))) << crs;
@@ -343,7 +343,7 @@ TEST_F(ReadFootprints, filesThatCannotBeUsedAreOneClearError) {
 
 TEST_F(ReadFootprints, aMapWithoutBuildingsIsAnError) {
     tests::OsmText osm;
-    osm.way(tests::rectangle(0, 0, 10, 10), {{"building", "yes"}, {"location", "underground"}});
+    osm.way(tests::sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"location", "underground"}});
     EXPECT_THAT(errorOf(folder.file("cellar.osm", osm.xml())), HasSubstr("underground"));
 }
 
@@ -351,7 +351,7 @@ TEST_F(ReadFootprints, canBeStopped) {
     std::string features;
     for (int i = 0; i < 2000; ++i)
         features +=
-            feature(tests::rectangle(float(i) * 12, 0, 10, 10), R"("height":9)") + (i < 1999 ? "," : "");
+            feature(tests::sizedRectangle(float(i) * 12, 0, 10, 10), R"("height":9)") + (i < 1999 ? "," : "");
     std::stop_source stop;
     stop.request_stop();
     NoProgress quiet;
@@ -365,7 +365,7 @@ TEST_F(ReadFootprints, progressOnlyGrowsAndEndsAtOne) {
     std::string features;
     for (int i = 0; i < 1000; ++i)
         features +=
-            feature(tests::rectangle(float(i) * 12, 0, 10, 10), R"("height":9)") + (i < 999 ? "," : "");
+            feature(tests::sizedRectangle(float(i) * 12, 0, 10, 10), R"("height":9)") + (i < 999 ? "," : "");
     ASSERT_TRUE(readFootprints(geoJson(features), settings, progress, {}));
     EXPECT_TRUE(progress.grew);
     EXPECT_DOUBLE_EQ(progress.last, 1);
