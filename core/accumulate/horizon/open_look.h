@@ -51,7 +51,7 @@ private:
     std::vector<Apart> apart_;
     StripLanes strips_;
     SeenCells seen_;
-    alignas(64) HorizonCode low_[cells], high_[cells];  // of what is seen
+    alignas(64) HorizonCode low_[SeenCells::most], high_[SeenCells::most];  // of what is seen
 };
 
 template <class Visit>

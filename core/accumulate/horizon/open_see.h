@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "core/accumulate/horizon/edit_block.h"
 #include "core/accumulate/horizon/open_layers.h"

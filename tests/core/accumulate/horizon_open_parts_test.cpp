@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/core/accumulate/sweep_scenes.h"
 
@@ -89,6 +90,32 @@ City pitchedRoof() {
 }
 
 TEST(HorizonOpenParts, aPitchedRoofAgreesWithRays) { expectAgreement(pitchedRoof()); }
+
+// More strips in one square of cells than are looked at together.
+TEST(HorizonOpenParts, aFineRoundCanopyAgreesWithRays) {
+    Ring round;
+    for (int i = 0; i < 96; ++i) {
+        const float angle = float(i) * 2 * std::numbers::pi_v<float> / 96;
+        round.push_back({20 + 6 * std::cos(angle), 12 + 6 * std::sin(angle)});
+    }
+    City city;
+    city.buildings.push_back(buildingOf({round, {}}, 9, 11, true));
+    expectAgreement(city);
+}
+
+// So many are swept azimuth by azimuth.
+TEST(HorizonOpenParts, thousandsInOnePlaceHideWhatOneDoes) {
+    const City one = cityOf({{{0, 0, 0}, {8, 8, 20}}, {{10, 0, 10}, {30, 25, 13}}});
+    City many = one;
+    for (int i = 0; i < 4200; ++i) many.buildings.push_back(one.buildings[1]);
+    const Receivers receivers = receiversOver(one, -60, -40, 60, 60);
+    const SunSteps sun = oneDay({{100, 12}, {160, 35}, {200, 33}, {262, 9}});
+    const ShadowField few = swept(one, receivers, sun), all = swept(many, receivers, sun);
+    for (const std::uint32_t cell : receivers.cells) {
+        ASSERT_EQ(few.grossMin[cell], all.grossMin[cell]) << cell;
+        ASSERT_EQ(few.continuousMin[cell], all.continuousMin[cell]) << cell;
+    }
+}
 
 TEST(HorizonOpenParts, aMeshOfAPrismIsThatPrism) {
     const City prism = cityOf({{{3.3, -7.1, 0}, {31, 22.7, 40}}});
