@@ -51,7 +51,7 @@ struct HorizonSweepSettings {
 /// 32,767 steps.
 ///
 /// Cost, each shared by all cores: some 2 ms for each bin of 800 x 800 cells in a dense city for the sweep,
-/// and where runs are counted half as much again and steps x receivers x some 10 ps; in Midtown some 5 ms a
+/// and where runs are counted half as much again and steps x receivers x some 10 ps; in Midtown some 0.8 ms a
 /// bin for the 303 parts that hang. On terrain more by as much as it is rough where the
 /// sun is low: up to 100 ns a receiver and bin where every metre has a bump of its own. Memory: up to half a
 /// GiB, and on each thread some 160
