@@ -57,7 +57,8 @@ MainWindow::MainWindow(QSettings& settings)
       place_(unsavedFolder(settings)),
       saving_(
           workbench_.session(), [this] { return viewNow(); }, place_.file()),
-      askUnsaved_([this] { return askUnsaved(); }) {
+      askUnsaved_([this] { return askUnsaved(); }),
+      askSaveAs_([this](const QString& suggested) { return askForProject(this, suggested); }) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
@@ -149,6 +150,8 @@ void MainWindow::openWith(const QStringList& files, const ReadSettings& reading)
 
 // A stated place that does not fit is mended where it was stated.
 void MainWindow::showOpenFailure(const Error& error) {
+    saving_.keepUnsaved();  // what was discarded for the other file is still open
+    if (isCancelled(error)) return;
     panel_->messages().showError(error);
     if (asksForPlace(error) || reading_.crs || reading_.meshAnchor)
         panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
@@ -190,14 +193,7 @@ void MainWindow::savePicture(const QString& file) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!closing_ && workbench_.session().hasUnsavedWork()) {
-        event->ignore();
-        return whenSafe([this] {
-            closing_ = true;
-            close();
-        });
-    }
-    saving_.forgetUnsaved();
+    if (!maySafely([this] { close(); })) return event->ignore();
     settings_.setValue(QStringLiteral("geometry"), saveGeometry());
     settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
     QMainWindow::closeEvent(event);

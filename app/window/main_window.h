@@ -47,6 +47,10 @@ public:
     /// What to do with unsaved work before something would lose it. A test answers without a dialog.
     enum class Unsaved { save, discard, cancel };
     void setUnsavedQuestion(std::function<Unsaved()> question) { askUnsaved_ = std::move(question); }
+    /// In place of the dialog that asks where to save a project: the suggested name in, the file out; empty:
+    /// the user cancelled.
+    using SaveAsQuestion = std::function<QString(const QString& suggested)>;
+    void setSaveAsQuestion(SaveAsQuestion question) { askSaveAs_ = std::move(question); }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -74,7 +78,8 @@ private:
     void connectTree();
     void connectScenarios();
     void connectSaving();
-    void whenSafe(std::function<void()> then);
+    [[nodiscard]] bool maySafely(const std::function<void()>& afterSave);
+    void whenSafe(const std::function<void()>& then);
     void discardWork();
     void save();
     void saveAs();
@@ -122,10 +127,10 @@ private:
     UnsavedPlace place_;
     ProjectSaving saving_;
     std::function<Unsaved()> askUnsaved_;
+    SaveAsQuestion askSaveAs_;
     std::function<void()> afterSave_;  ///< what waits for the save that the user asked for
-    bool closing_ = false;
-    bool leftTaken_ = false;    ///< the work that an earlier run left is what is open
-    bool answerShown_ = false;  ///< a study or comparison of this project was shown
+    bool leftTaken_ = false;           ///< the work that an earlier run left is what is open
+    bool answerShown_ = false;         ///< a study or comparison of this project was shown
     QStringList opening_;
     ReadSettings reading_;    ///< of the files that were opened last
     StudySettings answered_;  ///< the settings of the study that is shown

@@ -87,7 +87,7 @@ void MainWindow::connectSaving() {
         recent_.add({file});
         if (std::exchange(leftTaken_, false)) place_.forgetLeft();
         panel_->messages().showNote(tr("Saved as %1").arg(file));
-        if (const auto then = std::exchange(afterSave_, nullptr)) whenSafe(then);
+        if (const auto then = std::exchange(afterSave_, nullptr)) then();
     });
     connect(&saving_, &ProjectSaving::failed, this, [this](const Error& error) {
         afterSave_ = nullptr;
@@ -98,17 +98,26 @@ void MainWindow::connectSaving() {
     connect(&saving_, &ProjectSaving::notKept, &panel_->messages(), &MessageBar::showError);
 }
 
-// Runs `then` once nothing can be lost: at once, after a save, or never.
-void MainWindow::whenSafe(std::function<void()> then) {
-    const bool unsaved = workbench_.session().hasUnsavedWork();
-    const Unsaved answer = unsaved ? askUnsaved_() : Unsaved::discard;
-    if (answer == Unsaved::cancel) return;
-    if (answer == Unsaved::save) {
-        afterSave_ = std::move(then);
-        return save();
+// Whether what would end the unsaved work may go on now: nothing is unsaved, or the user discards it. False:
+// the user cancelled, or saves first; then `afterSave` is called when the save is done. What waited for an
+// earlier save waits no longer.
+bool MainWindow::maySafely(const std::function<void()>& afterSave) {
+    afterSave_ = nullptr;
+    if (!workbench_.session().hasUnsavedWork()) {
+        saving_.forgetUnsaved();
+        return true;
     }
-    unsaved ? discardWork() : saving_.forgetUnsaved();
-    then();
+    const Unsaved answer = askUnsaved_();
+    if (answer == Unsaved::discard) discardWork();
+    if (answer != Unsaved::save) return answer == Unsaved::discard;
+    afterSave_ = afterSave;
+    save();
+    return false;
+}
+
+// Runs `then` once nothing can be lost: at once, after a save, or never.
+void MainWindow::whenSafe(const std::function<void()>& then) {
+    if (maySafely([this, then] { whenSafe(then); })) then();
 }
 
 // What was taken up from an earlier run goes too, else it would be offered again.
@@ -132,7 +141,7 @@ void MainWindow::save() {
 
 void MainWindow::saveAs() {
     if (!workbench_.city()) return;
-    const QString file = askForProject(this, projectName() + QLatin1String(projectEnding));
+    const QString file = askSaveAs_(projectName() + QLatin1String(projectEnding));
     if (file.isEmpty()) return void(afterSave_ = nullptr);
     saving_.saveAs(file.toStdString());
 }

@@ -47,10 +47,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     if (opened && session_.version() != version && session_.hasUnsavedWork())
         opened = failure("The file was not opened: the project was changed while it was read", {},
                          "Save or undo the change, then open the file again");
-    if (!opened) {
-        if (!isCancelled(opened.error())) Q_EMIT openFailed(opened.error());
-        return;
-    }
+    if (!opened) return Q_EMIT openFailed(opened.error());
     city_ = std::make_shared<const OpenCity>(std::move(opened->city));
     openedView_ = std::move(opened->view);
     forgetAnswers();

@@ -84,7 +84,7 @@ Q_SIGNALS:
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
     void studyStopped(bool cancelled);       ///< without a result; the answer before is still there
     void failed(noonmark::Error error);      ///< work that was cancelled does not fail
-    void openFailed(noonmark::Error error);  ///< what was open stays
+    void openFailed(noonmark::Error error);  ///< or cancelled: what was open stays
     void tookUp();                           ///< recover() has done it
     void noted(QString text);
 

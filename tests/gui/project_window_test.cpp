@@ -61,6 +61,11 @@ struct ProjectWindow : ::testing::Test {
         window->saving().save();
         ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
     }
+    [[nodiscard]] std::filesystem::path recovery() const { return recoveryPath(file.toStdString()); }
+    void keepUnsaved() {
+        window->saving().keepUnsaved();
+        ASSERT_TRUE(waitFor([this] { return std::filesystem::exists(recovery()); }));
+    }
     Workbench& workbench() { return window->workbench(); }
     ProjectSession& session() { return workbench().session(); }
     QString message() { return window->panel().messages().text(); }
@@ -126,6 +131,106 @@ TEST_F(ProjectWindow, UnsavedWorkIsAskedAboutBeforeAnotherIsOpenedOrTheWindowClo
     window->close();
     ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
     EXPECT_EQ(ProjectFile::open(file.toStdString()).value().project().scenarios.size(), 1U);
+}
+
+TEST_F(ProjectWindow, QuitAndDiscardClosesAtOnceAndForgetsTheWork) {
+    build();
+    keepUnsaved();
+    int asked = 0;
+    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::discard; });
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(window->isVisible());
+    EXPECT_EQ(asked, 1);
+    EXPECT_FALSE(std::filesystem::exists(recovery()));
+}
+
+TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
+    build();
+    int asked = 0;
+    MainWindow::Unsaved answer = MainWindow::Unsaved::cancel;
+    window->setUnsavedQuestion([&] { return ++asked, answer; });
+    for (int quit = 1; quit <= 3; ++quit) {
+        EXPECT_FALSE(window->close());
+        EXPECT_TRUE(window->isVisible());
+        EXPECT_EQ(asked, quit);
+        ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)})) << "work after the quit";
+        keepUnsaved();
+        EXPECT_TRUE(std::filesystem::exists(recovery()));
+    }
+    answer = MainWindow::Unsaved::discard;
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
+    build();
+    keepUnsaved();
+    auto other = ProjectFile::open(file.toStdString()).value();
+    ASSERT_TRUE(other.save(other.project()));  // someone else's save: this one's is refused
+    int asked = 0;
+    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::save; });
+    for (int quit = 1; quit <= 2; ++quit) {
+        window->panel().messages().hide();
+        EXPECT_FALSE(window->close());
+        ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+        EXPECT_TRUE(window->isVisible());
+        EXPECT_EQ(asked, quit);
+        EXPECT_TRUE(std::filesystem::exists(recovery()));
+    }
+    ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
+    keepUnsaved();
+    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::cancel; });
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(asked, 3) << "nothing remembers the quit that failed";
+    EXPECT_TRUE(std::filesystem::exists(recovery()));
+}
+
+TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotClose) {
+    open(QStringLiteral("sample:central-park-south"));
+    ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
+    window->setUnsavedQuestion([] { return MainWindow::Unsaved::save; });
+    const QString name = folder.filePath(QStringLiteral("mine.noonmark.gpkg"));
+    QString chosen;
+    window->setSaveAsQuestion([&](const QString&) { return chosen; });
+    EXPECT_FALSE(window->close());
+    EXPECT_FALSE(window->saving().writing().busy());
+    EXPECT_TRUE(window->isVisible());
+    window->saving().saveAs(name.toStdString());
+    ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
+    EXPECT_TRUE(window->isVisible()) << "the quit was given up with the dialog";
+    ASSERT_TRUE(session().addLot({"Mine too", test::square({0, 0}, 10)}));
+    const std::size_t lots = session().project().lots.size();
+    EXPECT_FALSE(window->close()) << "it is being saved";
+    ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
+    EXPECT_EQ(ProjectFile::open(name.toStdString()).value().project().lots.size(), lots);
+}
+
+TEST_F(ProjectWindow, WorkDoneWhileAQuitSavesIsAskedAboutAndACancelledSecondQuitEndsTheFirst) {
+    build();
+    int asked = 0;
+    window->setUnsavedQuestion(
+        [&] { return ++asked == 1 ? MainWindow::Unsaved::save : MainWindow::Unsaved::cancel; });
+    EXPECT_FALSE(window->close());
+    ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(window->isVisible());
+    asked = 0;
+    EXPECT_FALSE(window->close());
+    EXPECT_FALSE(window->close()) << "asked and cancelled while the first one saves";
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(window->isVisible());
+    EXPECT_TRUE(window->close()) << "all is saved";
+}
+
+TEST_F(ProjectWindow, WorkDiscardedForAFileThatCannotBeOpenedIsStillRecoverable) {
+    build();
+    keepUnsaved();
+    window->open({folder.filePath(QStringLiteral("missing.noonmark.gpkg"))});
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    EXPECT_TRUE(session().hasUnsavedWork());
+    EXPECT_TRUE(waitFor([this] { return std::filesystem::exists(recovery()); }));
 }
 
 TEST_F(ProjectWindow, WorkThatWasNotSavedIsOfferedAgain) {
