@@ -36,7 +36,7 @@ TextBlocks inputsOf(const Study& study) {
 }
 
 struct HeightCounts {
-    std::array<std::size_t, 4> bySource{};
+    std::array<std::size_t, heightSources.size()> bySource{};
     std::size_t parts = 0;
 };
 
@@ -64,6 +64,8 @@ QString heightWords(const Study& study) {
         QStringLiteral("not in the data, so that a default stands in (%1 m for a whole building)")
             .arg(amountWords(study.reading.defaultHeightM, 2)));
     add(HeightSource::mesh, QStringLiteral("three-dimensional in the data"));
+    add(HeightSource::designed, QStringLiteral("designed: stated by the scenario"));
+    add(HeightSource::madeUp, QStringLiteral("made up: a sample, of no real place"));
     return QStringLiteral("%1 buildings in %2 parts. Heights of the parts: %3.")
         .arg(countWords(study.city.buildings.size()), countWords(counts.parts),
              words.join(QStringLiteral("; ")));

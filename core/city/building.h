@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +19,17 @@ enum class HeightSource {
     levels,    ///< number of storeys x metres a storey
     assumed,   ///< nothing in the data; the stated default
     mesh,      ///< the geometry is three-dimensional by itself
+    designed,  ///< stated by the user: a massing, a variant, a changed height
+    madeUp,    ///< of a sample city: drawn by chance, of no real place
 };
+/// All of them, in the order in which they are counted: heightSources[i] == HeightSource(i).
+inline constexpr std::array heightSources{HeightSource::measured, HeightSource::levels,
+                                          HeightSource::assumed,  HeightSource::mesh,
+                                          HeightSource::designed, HeightSource::madeUp};
+/// "measured", "levels", "assumed", "mesh", "designed", "made up": in files and tables.
 std::string_view nameOf(HeightSource source);
+/// The source of that name; none for any other text.
+std::optional<HeightSource> heightSourceNamed(std::string_view name);
 
 /// One solid: a footprint between two elevations, or a general closed mesh whose outline the footprint is.
 struct Part {

@@ -1,6 +1,5 @@
 #include "core/io/feature_facts.h"
 
-#include <array>
 #include <charconv>
 #include <string_view>
 
@@ -30,14 +29,6 @@ bool isUnderground(const FeatureValues& values, bool tagged) {
 bool hasShapedRoof(const FeatureValues& values) {
     const std::string_view shape = textOf(values, FieldRole::roofShape);
     return !shape.empty() && shape != "flat" && shape != "no";
-}
-
-std::optional<HeightSource> sourceNamed(std::string_view text) {
-    constexpr std::array sources{HeightSource::measured, HeightSource::levels, HeightSource::assumed,
-                                 HeightSource::mesh};
-    for (const HeightSource source : sources)
-        if (nameOf(source) == text) return source;
-    return std::nullopt;
 }
 
 // Placeholders for "no id" would make one building of many.
@@ -80,7 +71,7 @@ std::optional<FeatureFacts> factsOf(const FeatureValues& values, const LayerRule
     const bool canopy = rules.tagged && (textOf(values, FieldRole::building) == "roof" ||
                                          textOf(values, FieldRole::buildingPart) == "roof");
     facts.heights = readHeights(values, rules.heights, canopy, facts.id, warnings);
-    if (const auto source = sourceNamed(textOf(values, FieldRole::heightSource)))
+    if (const auto source = heightSourceNamed(textOf(values, FieldRole::heightSource)))
         facts.heights.source = *source;
     if (const std::string_view hangs = textOf(values, FieldRole::hangs); !hangs.empty())
         facts.hangs = isYes(hangs);

@@ -114,7 +114,7 @@ Part partOf(Footprint footprint, double bottomM, double topM) {
     return {.footprint = std::move(footprint),
             .bottomM = float(bottomM),
             .topM = float(topM),
-            .heightSource = HeightSource::measured};
+            .heightSource = HeightSource::madeUp};
 }
 
 }  // namespace

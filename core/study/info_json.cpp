@@ -17,7 +17,7 @@ struct Counts {
     std::size_t parts = 0;
     std::size_t hanging = 0;
     std::size_t triangles = 0;
-    std::array<std::size_t, 4> bySource{};
+    std::array<std::size_t, heightSources.size()> bySource{};
     float tallestM = 0;
     std::string tallest;
 };
@@ -41,10 +41,10 @@ Counts countsOf(const City& city) {
     return counts;
 }
 
-Json heightSources(const Counts& counts) {
+Json sourceCounts(const Counts& counts) {
     Json sources = Json::object();
-    for (std::size_t i = 0; i < counts.bySource.size(); ++i)
-        sources[std::string(nameOf(HeightSource(i)))] = counts.bySource[i];
+    for (const HeightSource source : heightSources)
+        sources[std::string(nameOf(source))] = counts.bySource[std::size_t(source)];
     return sources;
 }
 
@@ -67,7 +67,7 @@ std::string infoJson(const CityRead& read) {
     info["parts"] = counts.parts;
     info["parts_hanging"] = counts.hanging;
     info["triangles"] = counts.triangles;
-    info["height_sources"] = heightSources(counts);
+    info["height_sources"] = sourceCounts(counts);
     info["tallest_m"] = double(counts.tallestM);
     info["tallest"] = counts.tallest;
     info["extent_lonlat"] = extentLonLat(read.city);

@@ -76,6 +76,7 @@ Building stretched(Building building, double groundM, double factor) {
     for (Part& part : building.parts) {
         part.bottomM = z(part.bottomM);
         part.topM = z(part.topM);
+        part.heightSource = HeightSource::designed;
         if (!part.mesh) continue;
         auto mesh = std::make_shared<TriangleMesh>(*part.mesh);
         for (glm::vec3& vertex : mesh->vertices) vertex.z = z(vertex.z);
@@ -90,7 +91,7 @@ Building cutOrRaised(Building building, float oldTop, float newTop) {
         const bool changes = part.topM == oldTop || part.topM > newTop;
         if (!changes) continue;
         part.topM = newTop;
-        part.heightSource = HeightSource::measured;  // the user states it
+        part.heightSource = HeightSource::designed;
     }
     return building;
 }

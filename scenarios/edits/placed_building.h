@@ -24,7 +24,8 @@ Building placed(const Building& building, const Placement& placement);
 Building lifted(Building building, double byM);
 
 /// With `groundM` the local z that heights count from. Prisms: the parts that reach the highest point go up
-/// to the new height; what stands above it is cut off. Where a part is a mesh, all is stretched instead.
+/// to the new height; what stands above it is cut off. Where a part is a mesh, all is stretched instead. The
+/// height of every part that changes is `designed`.
 /// Error: no height (0.1 to 2000 m), or nothing of the building is that low.
 Result<Building> withHeight(const Building& building, double groundM, double heightM);
 

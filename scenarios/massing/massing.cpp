@@ -161,7 +161,7 @@ Result<Building> buildingOf(const Massing& massing, const std::string& id) {
                                       .footprint = piece,
                                       .bottomM = float(tier.bottomM),
                                       .topM = float(tier.topM),
-                                      .heightSource = HeightSource::measured});
+                                      .heightSource = HeightSource::designed});
             if (const auto solid = checkSolid(building.parts.back(), id); !solid)
                 return tl::make_unexpected(solid.error());
         }

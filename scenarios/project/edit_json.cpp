@@ -1,6 +1,5 @@
 #include "scenarios/project/edit_json.h"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "scenarios/project/ring_json.h"
@@ -10,9 +9,6 @@ namespace noonmark {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-constexpr std::array heightSources{HeightSource::measured, HeightSource::levels, HeightSource::assumed,
-                                   HeightSource::mesh};
 
 Json jsonOf(const TriangleMesh& mesh) {
     Json vertices = Json::array(), triangles = Json::array();
@@ -55,8 +51,8 @@ Part partOf(const Json& json) {
     for (const Json& hole : json.at("holes")) part.footprint.holes.push_back(ringOf(hole));
     part.bottomM = json.at("bottom_m").get<float>();
     part.topM = json.at("top_m").get<float>();
-    for (const HeightSource source : heightSources)
-        if (json.at("height_source").get<std::string>() == nameOf(source)) part.heightSource = source;
+    if (const auto source = heightSourceNamed(json.at("height_source").get<std::string>()))
+        part.heightSource = *source;
     part.hangs = json.at("hangs").get<bool>();
     if (json.contains("mesh")) part.mesh = meshOf(json.at("mesh"));
     return part;

@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -11,9 +11,6 @@
 namespace noonmark {
 
 namespace {
-
-constexpr std::array heightSources{HeightSource::measured, HeightSource::levels, HeightSource::assumed,
-                                   HeightSource::mesh};
 
 template <class T>
 std::vector<T> valuesOf(std::string_view bytes) {
@@ -40,12 +37,6 @@ Meshes readMeshes(Database& database) {
     return meshes;
 }
 
-HeightSource sourceOf(const std::string& name) {
-    for (const HeightSource source : heightSources)
-        if (name == nameOf(source)) return source;
-    return HeightSource::assumed;
-}
-
 void addParts(const Statement& row, const Meshes& meshes, Building& building) {
     auto polygons = polygonsOf(row.blob(1));
     if (!polygons) throwDamaged("the outline of a building");
@@ -54,7 +45,7 @@ void addParts(const Statement& row, const Meshes& meshes, Building& building) {
                   .footprint = std::move(polygon),
                   .bottomM = float(row.real(8)),
                   .topM = float(row.real(9)),
-                  .heightSource = sourceOf(row.text(6)),
+                  .heightSource = heightSourceNamed(row.text(6)).value_or(HeightSource::assumed),
                   .hangs = row.integer(7) != 0};
         if (!(part.topM > part.bottomM)) throwDamaged("a building without a height");
         if (const auto mesh = meshes.find(row.integer(0)); mesh != meshes.end()) part.mesh = mesh->second;

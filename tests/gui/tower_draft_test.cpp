@@ -79,6 +79,9 @@ TEST(BuildingFacts, OfABox) {
     EXPECT_NEAR(facts.planM2, 1600, 0.1);
     EXPECT_NEAR(facts.grossFloorM2, 17 * 1600, 1);
     EXPECT_NEAR(area(lotUnder(*city.buildings[0], city).value()), 1600, 0.1);
+    const std::vector<Edit> higher{ChangeHeight{"South House", 297.5}};
+    const City changed = applied(city, higher).value().city;
+    EXPECT_EQ(factsOf(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
 }
 
 }  // namespace

@@ -81,6 +81,8 @@ TEST(ApplyEdits, LoweringCutsAndRaisingLiftsTheTopOnly) {
     const EditedCity higher = edited(city, {ChangeHeight{"tiers", 60}});
     EXPECT_EQ(higher.city.buildings[3]->parts[0].topM, 10);
     EXPECT_EQ(higher.city.buildings[3]->parts[1].topM, 60);
+    EXPECT_EQ(higher.city.buildings[3]->parts[0].heightSource, HeightSource::assumed);
+    EXPECT_EQ(higher.city.buildings[3]->parts[1].heightSource, HeightSource::designed);
     const EditedCity lower = edited(city, {ChangeHeight{"tiers", 8}});
     ASSERT_EQ(lower.city.buildings[3]->parts.size(), 1U);
     EXPECT_EQ(lower.city.buildings[3]->parts[0].topM, 8);
@@ -94,6 +96,7 @@ TEST(ApplyEdits, AMeshIsStretchedToItsHeight) {
     const auto tall = edited(city, {ChangeHeight{"solid", 25}}).city.buildings[0];
     EXPECT_EQ(boxOf(*tall->parts[0].mesh).high.z, 25);
     EXPECT_EQ(topM(*tall), 25);
+    EXPECT_EQ(tall->parts[0].heightSource, HeightSource::designed);
 }
 
 TEST(ApplyEdits, RotationKeepsTheMiddleAndTheArea) {

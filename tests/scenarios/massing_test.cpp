@@ -95,7 +95,9 @@ TEST(Massing, StatesItsFigures) {
     EXPECT_NEAR(massing.figures.coverage, 1, 1e-6);
     EXPECT_EQ(massing.figures.heightM, 70);
     EXPECT_EQ(massing.figures.storeys, 20);
-    EXPECT_NEAR(volumeOf(buildingOf(massing, "tower").value()), 70000, 1);
+    const Building tower = buildingOf(massing, "tower").value();
+    EXPECT_NEAR(volumeOf(tower), 70000, 1);
+    for (const Part& part : tower.parts) EXPECT_EQ(part.heightSource, HeightSource::designed);
 }
 
 TEST(Massing, ATotalHeightGivesWholeStoreys) {

@@ -79,6 +79,30 @@ TEST_F(ProjectFileTest, GivesBackAllToTheLastBit) {
     EXPECT_THAT(folder_.names(), ElementsAre("town.noonmark.gpkg"));
 }
 
+// Of the city as it stands and of what a scenario builds.
+TEST_F(ProjectFileTest, EverySourceOfAHeightIsGivenBack) {
+    Project project = sampleProject();
+    City city = *project.city;
+    Building tower = house("of every source", box(300, 0, 310, 10), 5);
+    for (const HeightSource source : heightSources) {
+        tower.parts.back().heightSource = source;
+        tower.parts.push_back(house("next", box(300, 0, 310, 10), tower.parts.back().topM + 5).parts[0]);
+    }
+    tower.parts.pop_back();
+    city.buildings.push_back(shared(tower));
+    project.city = std::make_shared<const City>(city);
+    tower.sourceId = "built so";
+    project.scenarios[0].edits.emplace_back(AddBuilding{shared(tower)});
+    made(project);
+    const Project again = opened();
+    const auto& built = std::get<AddBuilding>(again.scenarios[0].edits.back()).building;
+    for (const auto& building : {again.city->buildings.back(), built}) {
+        ASSERT_EQ(building->parts.size(), heightSources.size());
+        for (std::size_t i = 0; i < heightSources.size(); ++i)
+            EXPECT_EQ(building->parts[i].heightSource, heightSources[i]) << i;
+    }
+}
+
 // Its origin and what it holds are those of sampleProject() when version 1 was the newest.
 TEST_F(ProjectFileTest, AFileOfVersion1IsOpenedAndSaved) {
     fs::copy_file(testFile("scenarios/files/version-1.noonmark.gpkg"), file());

@@ -20,6 +20,10 @@ QString sourceWords(HeightSource source) {
             return QObject::tr("assumed");
         case HeightSource::mesh:
             return QObject::tr("of its mesh");
+        case HeightSource::designed:
+            return QObject::tr("designed");
+        case HeightSource::madeUp:
+            return QObject::tr("made up");
     }
     return {};
 }

@@ -45,6 +45,16 @@ TEST(City, boundsAndTops) {
     EXPECT_TRUE(bounds(City{}).empty());
 }
 
+TEST(City, everySourceOfAHeightHasItsOwnName) {
+    for (std::size_t i = 0; i < heightSources.size(); ++i) {
+        EXPECT_EQ(std::size_t(heightSources[i]), i);
+        EXPECT_EQ(heightSourceNamed(nameOf(heightSources[i])), heightSources[i]);
+    }
+    EXPECT_EQ(nameOf(HeightSource::designed), "designed");
+    EXPECT_EQ(nameOf(HeightSource::madeUp), "made up");
+    EXPECT_EQ(heightSourceNamed("unknown"), std::nullopt);
+}
+
 TEST(City, aPartWithItsOwnMeshKeepsIt) {
     Part part = box(0, 0, 10, 0, 20);
     part.mesh = std::make_shared<const TriangleMesh>(

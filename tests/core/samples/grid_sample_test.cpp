@@ -39,6 +39,12 @@ TEST(GridSample, everyBuildingIsAValidSolid) {
         EXPECT_EQ(troubleOf(*building), "") << building->sourceId;
 }
 
+TEST(GridSample, noHeightOfItIsMeasured) {
+    for (const City& city : {grid({.buildings = 300}), centralParkSouthSample()})
+        for (const auto& building : city.buildings)
+            for (const Part& part : building->parts) ASSERT_EQ(nameOf(part.heightSource), "made up");
+}
+
 TEST(GridSample, buildingsStandApart) {
     const City city = grid({.buildings = 2000, .roundness = 9});
     EXPECT_EQ(cellsInTwoBuildings(city, bounds(city), 0.5), 0U);

@@ -44,7 +44,12 @@ TEST(InfoJson, countsWhatIsThere) {
     EXPECT_EQ(info["parts_hanging"], 1);
     EXPECT_EQ(info["triangles"], 3 * 12);
     EXPECT_EQ(info["height_sources"],
-              (nlohmann::json{{"measured", 2}, {"levels", 1}, {"assumed", 0}, {"mesh", 0}}));
+              (nlohmann::json{{"measured", 2},
+                              {"levels", 1},
+                              {"assumed", 0},
+                              {"mesh", 0},
+                              {"designed", 0},
+                              {"made up", 0}}));
     EXPECT_EQ(info["tallest_m"], 40.0);  // above its own ground
     EXPECT_EQ(info["features"], 5);
     ASSERT_EQ(info["warnings"].size(), 1U);
