@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <optional>
 
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/geo/distance.h"
+#include "core/geo/longitude.h"
 #include "core/io/place_advice.h"
 
 namespace noonmark {
@@ -48,14 +50,18 @@ PlaceBox boxOf(const CityJsonObject& object, const std::vector<glm::dvec3>& plac
     return box;
 }
 
-// From the file's coordinates to longitude, latitude and metres.
+// From the file's coordinates to longitude, latitude and metres. All longitudes are near the first, so that a
+// city on both sides of 180 degrees stays together.
 void toPlaces(CityJsonData& data, const CrsToLonLat& crs) {
+    std::optional<double> nearDeg;
     for (CityJsonBlock& block : data.blocks) {
         std::vector<glm::dvec2> points(block.vertices.begin(), block.vertices.end());
         const std::vector<LonLat> places = crs.lonLat(points);
-        for (std::size_t i = 0; i < places.size(); ++i)
-            block.vertices[i] = {places[i].lonDeg, places[i].latDeg,
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!nearDeg && std::isfinite(places[i].lonDeg)) nearDeg = places[i].lonDeg;
+            block.vertices[i] = {longitudeNear(places[i].lonDeg, nearDeg.value_or(0)), places[i].latDeg,
                                  block.vertices[i].z * crs.metresPerElevationUnit()};
+        }
     }
 }
 
@@ -82,7 +88,7 @@ std::optional<LonLat> medianOf(const std::vector<PlaceBox>& boxes) {
         lats.push_back(box.middle().latDeg);
     }
     if (lons.empty()) return std::nullopt;
-    return LonLat{quantile(std::move(lons), 0.5), quantile(std::move(lats), 0.5)};
+    return LonLat{usualLongitude(quantile(std::move(lons), 0.5)), quantile(std::move(lats), 0.5)};
 }
 
 // Takes far objects out of the data and their boxes out of the list.
@@ -119,7 +125,8 @@ double groundLevel(const CityJsonData& data, const std::vector<PlaceBox>& boxes)
 Frame chosenFrame(const CityJsonData& data, const std::vector<PlaceBox>& boxes) {
     PlaceBox all;
     for (const PlaceBox& box : boxes) all.add(box);
-    return Frame(all.middle(), groundLevel(data, boxes));
+    const LonLat middle = all.middle();
+    return Frame({usualLongitude(middle.lonDeg), middle.latDeg}, groundLevel(data, boxes));
 }
 
 void toLocal(CityJsonData& data, const Frame& frame) {

@@ -38,6 +38,7 @@ private:
 
     CrsToLonLat toLonLat_;
     double longestSide_ = 0;  // in the system's units
+    bool inDegrees_ = false;  // longitudes are unwrapped next to the frame before sides are cut up
     Frame frame_;
     std::string where_;
 };

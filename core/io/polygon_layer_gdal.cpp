@@ -9,6 +9,7 @@
 
 #include "core/city/repair_footprint.h"
 #include "core/geo/distance.h"
+#include "core/geo/longitude.h"
 
 namespace noonmark {
 
@@ -22,6 +23,18 @@ std::vector<glm::dvec2> pointsOf(const OGRLinearRing& ring) {
     std::vector<glm::dvec2> points;
     for (const OGRPoint& point : ring) points.emplace_back(point.getX(), point.getY());
     return points;
+}
+
+// So that no side goes round the globe where a ring crosses the antimeridian.
+void unwrap(OGRPolygon& polygon, double nearDeg) {
+    for (OGRLinearRing* ring : polygon)
+        for (int i = 0; i < ring->getNumPoints(); ++i)
+            ring->setPoint(i, longitudeNear(ring->getX(i), nearDeg), ring->getY(i));
+}
+
+bool isInDegrees(const OGRSpatialReference& crs) {
+    constexpr double degree = 0.017453292519943295;
+    return crs.IsGeographic() != 0 && std::abs(crs.GetAngularUnits() / degree - 1) < 1e-9;
 }
 
 }  // namespace
@@ -48,7 +61,9 @@ Result<PolygonLayer> PolygonLayer::of(const OGRSpatialReference* crs, const Fram
     auto toLonLat = CrsToLonLat::of(wkt);
     if (!toLonLat) return tl::make_unexpected(Error{toLonLat.error().what, where, toLonLat.error().advice});
     const double metresPerUnit = crs->IsGeographic() != 0 ? metresPerDegree : crs->GetLinearUnits();
-    return PolygonLayer(*std::move(toLonLat), longestSideM / metresPerUnit, frame, where);
+    PolygonLayer layer(*std::move(toLonLat), longestSideM / metresPerUnit, frame, where);
+    layer.inDegrees_ = isInDegrees(*crs);
+    return layer;
 }
 
 Result<std::vector<Footprint>> PolygonLayer::polygons(const OGRGeometry& geometry) const {
@@ -66,6 +81,7 @@ Result<void> PolygonLayer::add(const OGRGeometry& geometry, std::vector<Footprin
     }
     if (type != wkbPolygon) return {};
     OGRPolygon& polygon = *straight->toPolygon();
+    if (inDegrees_) unwrap(polygon, frame_.origin().lonDeg);
     // Looked at before its sides are cut up: a point far off would make millions of pieces.
     for (const OGRLinearRing* ring : polygon)
         if (const auto near = localRing(pointsOf(*ring)); !near) return tl::make_unexpected(near.error());

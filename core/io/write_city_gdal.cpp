@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/city/building_ground.h"
+#include "core/geo/longitude.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/pending_file.h"
 #include "core/io/write_city.h"
@@ -44,11 +45,12 @@ OGRLayer* createLayer(GDALDataset& dataset, const Figures& figures) {
     return layer;
 }
 
-void addRing(OGRPolygon& polygon, const Ring& ring, const Frame& frame) {
+// A building on the antimeridian is written in one piece, with longitudes that run on past 180.
+void addRing(OGRPolygon& polygon, const Ring& ring, const Frame& frame, double nearDeg) {
     OGRLinearRing line;
     for (const glm::vec2 point : ring) {
         const LonLat place = frame.lonLatFromLocal(glm::dvec2(point));
-        line.addPoint(place.lonDeg, place.latDeg);
+        line.addPoint(longitudeNear(place.lonDeg, nearDeg), place.latDeg);
     }
     line.closeRings();
     polygon.addRing(&line);
@@ -56,8 +58,9 @@ void addRing(OGRPolygon& polygon, const Ring& ring, const Frame& frame) {
 
 OGRPolygon polygonOf(const Footprint& footprint, const Frame& frame) {
     OGRPolygon polygon;
-    addRing(polygon, footprint.outer, frame);
-    for (const Ring& hole : footprint.holes) addRing(polygon, hole, frame);
+    const double nearDeg = frame.lonLatFromLocal(glm::dvec2(footprint.outer.front())).lonDeg;
+    addRing(polygon, footprint.outer, frame, nearDeg);
+    for (const Ring& hole : footprint.holes) addRing(polygon, hole, frame, nearDeg);
     return polygon;
 }
 

@@ -22,12 +22,16 @@ Result<Region> regionFromLonLatBox(const Frame& frame, double westDeg, double so
     const std::string box = fmt::format("region {},{},{},{}", westDeg, southDeg, eastDeg, northDeg);
     const bool inRange = std::abs(westDeg) <= 180 && std::abs(eastDeg) <= 180 && std::abs(southDeg) <= 90 && std::abs(northDeg) <= 90;
     if (!inRange) return failure("A corner is not on the globe", box, "Give degrees: west,south,east,north");
-    if (!(westDeg < eastDeg) || !(southDeg < northDeg))
-        return failure("The box is empty", box, "Give west < east and south < north");
+    // A box whose west is the larger number lies across the antimeridian; one that would go most of the way
+    // round the globe has its sides confused.
+    const double lastDeg = eastDeg < westDeg ? eastDeg + 360 : eastDeg;
+    if (!(westDeg < lastDeg && lastDeg - westDeg <= 180) || !(southDeg < northDeg))
+        return failure("The box is empty", box,
+                       "Give west < east (or, across the meridian of 180 degrees, west > east) and south < north");
     Ring ring;
-    addSide(ring, frame, {westDeg, southDeg}, {eastDeg, southDeg});
-    addSide(ring, frame, {eastDeg, southDeg}, {eastDeg, northDeg});
-    addSide(ring, frame, {eastDeg, northDeg}, {westDeg, northDeg});
+    addSide(ring, frame, {westDeg, southDeg}, {lastDeg, southDeg});
+    addSide(ring, frame, {lastDeg, southDeg}, {lastDeg, northDeg});
+    addSide(ring, frame, {lastDeg, northDeg}, {westDeg, northDeg});
     addSide(ring, frame, {westDeg, northDeg}, {westDeg, southDeg});
     return Region{"box", {Footprint{std::move(ring), {}}}};
 }

@@ -17,7 +17,8 @@ struct Region {
 };
 
 /// The lon/lat box west, south, east, north (degrees) as a polygon in local metres, its sides bent as the
-/// projection bends them. Error when west >= east, south >= north or a value is out of range.
+/// projection bends them. Across the antimeridian west is the larger number: 179.9,-16.9,-179.9,-16.7. Error
+/// when it is empty, more than 180 degrees wide, or a value is out of range.
 Result<Region> regionFromLonLatBox(const Frame& frame, double westDeg, double southDeg, double eastDeg,
                                    double northDeg);
 

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/geo/longitude.h"
+
 namespace noonmark {
 
 namespace {
@@ -40,10 +42,14 @@ double doubleArea(const std::vector<LonLat>& ring) {
     return sum;
 }
 
+// Longitudes run on across the antimeridian: 179.9, 180.1.
 std::vector<LonLat> lonLatOf(const Ring& ring, const Frame& frame) {
     std::vector<LonLat> places;
     places.reserve(ring.size());
-    for (const glm::vec2 point : ring) places.push_back(frame.lonLatFromLocal(glm::dvec2(point)));
+    for (const glm::vec2 point : ring) {
+        const LonLat place = frame.lonLatFromLocal(glm::dvec2(point));
+        places.push_back({longitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg});
+    }
     return places;
 }
 
@@ -81,8 +87,9 @@ std::optional<std::string> boxTextOf(const Region& region, const Frame& frame) {
     const double lat = box.high.latDeg - box.low.latDeg;
     if (std::abs(std::abs(doubleArea(ring)) / 2 - lon * lat) > 2 * toleranceDeg * (lon + lat))
         return std::nullopt;
-    return fmt::format("{},{},{},{}", degreesText(box.low.lonDeg), degreesText(box.low.latDeg),
-                       degreesText(box.high.lonDeg), degreesText(box.high.latDeg));
+    return fmt::format("{},{},{},{}", degreesText(usualLongitude(box.low.lonDeg)),
+                       degreesText(box.low.latDeg), degreesText(usualLongitude(box.high.lonDeg)),
+                       degreesText(box.high.latDeg));
 }
 
 std::string regionGeoJson(const Region& region, const Frame& frame) {

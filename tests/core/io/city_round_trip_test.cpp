@@ -75,5 +75,10 @@ TEST(CityRoundTrip, partsThatHang) {
     expectSameCity({Frame({15.6, 78.2}), {std::make_shared<const Building>(building)}, nullptr});
 }
 
+// Fiji: houses on both sides of 180 degrees, and one across it.
+TEST(CityRoundTrip, acrossTheAntimeridian) {
+    expectSameCity(gridSample({.buildings = 200, .origin = {180, -16.85}}).value());
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/city/footprint.h"
+#include "core/study/region_text.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -38,6 +39,27 @@ TEST(ReadRegion, boxInDegrees) {
     ASSERT_TRUE(region) << errorOf(region);
     EXPECT_NEAR(areaOf(*region), 844.6 * 444.2, 0.002 * 844.6 * 444.2);
     EXPECT_TRUE(readRegion(" -73.985, 40.748, -73.975, 40.752", frame));
+}
+
+TEST(ReadRegion, acrossTheAntimeridian) {
+    const Frame taveuni({180, -16.85});
+    const auto box = readRegion("179.99,-16.86,-179.99,-16.84", taveuni);
+    ASSERT_TRUE(box) << errorOf(box);
+    EXPECT_NEAR(areaOf(*box), 2130.4 * 2213.1, 0.002 * 2130.4 * 2213.1);
+    // As people write it, and as regionGeoJson does.
+    for (const char* east : {"-179.99", "180.01"}) {
+        const std::string ring = std::string("((179.99 -16.86, ") + east + " -16.86, " + east +
+                                 " -16.84, 179.99 -16.84, 179.99 -16.86))";
+        const auto polygon = readRegion("POLYGON " + ring, taveuni);
+        ASSERT_TRUE(polygon) << errorOf(polygon);
+        EXPECT_NEAR(areaOf(*polygon), areaOf(*box), 1);
+    }
+    tests::TemporaryFolder folder;
+    const Region drawn{"drawn", {Footprint{{{-300, 0}, {400, 20}, {0, 500}}, {}}}};
+    const auto again =
+        readRegion(folder.file("region.geojson", regionGeoJson(drawn, taveuni)).string(), taveuni);
+    ASSERT_TRUE(again) << errorOf(again);
+    EXPECT_NEAR(areaOf(*again), areaOf(drawn), 0.1);
 }
 
 TEST(ReadRegion, boxThatIsNotOne) {

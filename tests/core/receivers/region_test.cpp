@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/study/region_text.h"
 
 namespace noonmark {
 namespace {
@@ -23,6 +26,21 @@ TEST(Region, lonLatBoxFollowsTheParallels) {
         const bool onParallel = std::abs(std::abs(place.latDeg - 40.75) - 0.01) < 1e-7;
         EXPECT_TRUE(onMeridian || onParallel) << place.lonDeg << ' ' << place.latDeg;
     }
+}
+
+// Taveuni, Fiji: the meridian of 180 degrees runs through its middle.
+TEST(Region, aBoxMayLieAcrossTheAntimeridian) {
+    const Frame taveuni({180, -16.85});
+    const Region across = regionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();
+    const Frame samePlace({10, -16.85});
+    const Region elsewhere = regionFromLonLatBox(samePlace, 9.98, -16.86, 10.03, -16.84).value();
+    ASSERT_EQ(across.polygons[0].outer.size(), elsewhere.polygons[0].outer.size());
+    for (std::size_t i = 0; i < across.polygons[0].outer.size(); ++i)
+        EXPECT_NEAR(glm::distance(across.polygons[0].outer[i], elsewhere.polygons[0].outer[i]), 0, 1e-3);
+    EXPECT_EQ(boxTextOf(across, taveuni), "179.98,-16.86,-179.97,-16.84");
+    EXPECT_EQ(boxTextOf(elsewhere, samePlace), "9.98,-16.86,10.03,-16.84");
+    const Region toIt = regionFromLonLatBox(taveuni, 179.98, -16.86, 180, -16.84).value();
+    EXPECT_EQ(boxTextOf(toIt, taveuni), "179.98,-16.86,180,-16.84");
 }
 
 TEST(Region, boxesThatAreNoneAreRefused) {
