@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/load_city.h"
 #include "app/cli/table.h"
+#include "core/study/height_words.h"
 
 namespace noonmark::cli {
 
@@ -17,13 +18,22 @@ struct InfoOptions {
     bool json = false;
 };
 
-std::string heightSources(const nlohmann::ordered_json& sources) {
+std::string sourceWords(const nlohmann::ordered_json& sources) {
     std::string text;
     for (const auto& [name, count] : sources.items()) {
         if (count == 0) continue;
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", withCommas(count.get<std::size_t>()), name);
     }
     return text.empty() ? "none" : text;
+}
+
+// What rests on a guess, and what to do about it.
+void printHeights(std::ostream& out, const CityRead& read) {
+    if (const auto headline = assumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
+    if (read.heights.unknown.empty()) return;
+    out << "fields that could hold heights or storeys; name one:\n";
+    for (const UnknownField& field : read.heights.unknown)
+        out << "  " << (field.whole ? "--levels-field " : "--height-field ") << wordsOf(field) << '\n';
 }
 
 // For people; the figures are those of the JSON.
@@ -36,7 +46,8 @@ void print(const CityRead& read, std::ostream& out) {
     table.add("buildings", number("buildings"));
     table.add("parts", fmt::format("{} ({} hang free)", number("parts"), number("parts_hanging")));
     table.add("triangles", number("triangles"));
-    table.add("heights of parts", heightSources(info["height_sources"]));
+    table.add("heights of parts", sourceWords(info["height_sources"]));
+    for (const HeightField& field : read.heights.fields) table.add("heights from", wordsOf(field));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));
     table.add("terrain", read.city.terrain ? "yes" : "none: flat ground");
@@ -46,6 +57,7 @@ void print(const CityRead& read, std::ostream& out) {
                               box[1].get<double>(), box[2].get<double>(), box[3].get<double>()));
     if (!read.attribution.empty()) table.add("data", read.attribution);
     table.print(out);
+    printHeights(out, read);
     printWarnings(out, read.warnings);
 }
 

@@ -9,15 +9,17 @@ namespace noonmark::cli {
 
 namespace {
 
-const std::map<std::string, LengthUnit> units{
-    {"m", LengthUnit::metres}, {"ft", LengthUnit::feet}, {"us-ft", LengthUnit::usSurveyFeet}};
+const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metres},
+                                              {"ft", LengthUnit::feet},
+                                              {"us-ft", LengthUnit::usSurveyFeet},
+                                              {"cm", LengthUnit::centimetres}};
 
 template <class Target>
 CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
     return command
         .add_option_function<std::string>(
             name, [&target](const std::string& unit) { target = units.at(unit); }, help)
-        ->check(CLI::IsMember({"m", "ft", "us-ft"}))
+        ->check(CLI::IsMember({"m", "ft", "us-ft", "cm"}))
         ->type_name("UNIT");
 }
 
@@ -26,8 +28,12 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
         .add_option("--height-field", settings.heightField,
                     "Field with the heights (default: found by its name)")
         ->type_name("NAME");
+    command
+        .add_option("--levels-field", settings.levelsField,
+                    "Field with the storeys above the ground (default: found by its name)")
+        ->type_name("NAME");
     addUnit(command, "--height-unit", settings.heightUnit,
-            "Unit of bare numbers in it: m, ft or us-ft (default m)");
+            "Unit of bare numbers in it: m, ft, us-ft or cm (default m)");
     command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
         ->capture_default_str()
         ->check(within(2.0, 6.0))
@@ -63,7 +69,7 @@ void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
         ->check(CLI::IsMember({"y", "z"}))
         ->type_name("AXIS");
     addUnit(command, "--mesh-unit", settings.meshUnit,
-            "Meshes: unit of the coordinates: m, ft or us-ft (default m)");
+            "Meshes: unit of the coordinates: m, ft, us-ft or cm (default m)");
 }
 
 void addReadOptions(CLI::App& command, ReadOptions& options) {

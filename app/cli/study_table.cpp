@@ -8,6 +8,7 @@
 #include "app/cli/table.h"
 #include "core/measures/has_runs.h"
 #include "core/study/error_words.h"
+#include "core/study/height_words.h"
 
 namespace noonmark::cli {
 
@@ -39,6 +40,7 @@ void addCost(Table& table, const Study& study) {
 void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
     const ShadowStatistics& figures = study.statistics;
     Table table;
+    if (const auto headline = assumedHeadline(countHeights(study.city))) table.add("heights", *headline);
     table.add("period", textOf(study.settings.period));
     table.add("engine", study.field.engine);
     table.add("steps", fmt::format("{} with the sun up, {} left out below the horizon",

@@ -72,6 +72,7 @@ void addReading(Study& study, const LoadedCity& loaded) {
     study.reading = loaded.settings;
     study.inputs = loaded.inputs;
     study.attribution = loaded.read.attribution;
+    study.heights = loaded.read.heights;
     study.warnings.insert(study.warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
     study.seconds["read"] = loaded.seconds;
     study.seconds["total"] += loaded.seconds;

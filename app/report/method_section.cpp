@@ -4,6 +4,7 @@
 #include "core/measures/has_runs.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/error_words.h"
+#include "core/study/height_words.h"
 
 namespace noonmark {
 
@@ -111,9 +112,12 @@ QString modelErrorWords() {
 }  // namespace
 
 TextBlocks definitionBlocks(const Study& study) {
-    TextBlocks blocks{
+    TextBlocks blocks;
+    if (const auto headline = assumedHeadline(countHeights(study.city)))
+        blocks.push_back(heading(QString::fromStdString(*headline)));
+    blocks.push_back(
         body(QStringLiteral("Shadow area: sum over the receivers of share of the sunlit time in shadow × "
-                            "cell area; in %, of the receivers' area."))};
+                            "cell area; in %, of the receivers' area.")));
     if (isInstant(study.field)) return blocks;
     blocks.push_back(body(
         QStringLiteral("Gross shadow: minutes in shadow a day, mean over the days; in %, of the sunlit time. "

@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-/// What the numbers of the table mean.
+/// What the numbers of the table mean; before that, where many heights are assumed, that they are.
 TextBlocks definitionBlocks(const Study& study);
 
 /// How it was computed; how far it can be trusted; what it rests on: files with their hashes, sources of the

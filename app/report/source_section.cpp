@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 
 #include "app/report/report_sections.h"
 #include "app/report/study_words.h"
+#include "core/study/height_words.h"
 #include "core/study/region_text.h"
 #include "core/study/repeat_command.h"
 
@@ -35,26 +35,11 @@ TextBlocks inputsOf(const Study& study) {
     return blocks;
 }
 
-struct HeightCounts {
-    std::array<std::size_t, heightSources.size()> bySource{};
-    std::size_t parts = 0;
-};
-
-HeightCounts countHeights(const City& city) {
-    HeightCounts counts;
-    for (const auto& building : city.buildings)
-        for (const Part& part : building->parts) {
-            ++counts.bySource[std::size_t(part.heightSource)];
-            ++counts.parts;
-        }
-    return counts;
-}
-
 QString heightWords(const Study& study) {
     const HeightCounts counts = countHeights(study.city);
     QStringList words;
     const auto add = [&](HeightSource source, const QString& meaning) {
-        const std::size_t parts = counts.bySource[std::size_t(source)];
+        const std::size_t parts = counts.of(source);
         if (parts > 0) words << countWords(parts) + u' ' + meaning;
     };
     add(HeightSource::measured, QStringLiteral("measured"));
@@ -69,6 +54,13 @@ QString heightWords(const Study& study) {
     return QStringLiteral("%1 buildings in %2 parts. Heights of the parts: %3.")
         .arg(countWords(study.city.buildings.size()), countWords(counts.parts),
              words.join(QStringLiteral("; ")));
+}
+
+TextBlocks heightsOf(const Study& study) {
+    TextBlocks blocks{heading(QStringLiteral("Heights")), body(heightWords(study))};
+    for (const HeightField& field : study.heights.fields)
+        blocks.push_back(body(QStringLiteral("From %1.").arg(QString::fromStdString(wordsOf(field)))));
+    return blocks;
 }
 
 QString groupWords(const WarningGroup& group) {
@@ -117,7 +109,7 @@ QString costWords(const Study& study) {
 
 std::vector<TextBlocks> sourceSections(const Study& study) {
     return {inputsOf(study),
-            {heading(QStringLiteral("Heights")), body(heightWords(study))},
+            heightsOf(study),
             warningsOf(study),
             {heading(QStringLiteral("Computed and left undone")), body(costWords(study))}};
 }

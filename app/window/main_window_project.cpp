@@ -12,6 +12,7 @@
 #include "app/window/project/weights_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
+#include "core/study/height_words.h"
 
 // The part of MainWindow that joins the project to menus, tree and view: scenarios, saving, recovery.
 namespace noonmark {
@@ -185,7 +186,17 @@ void MainWindow::showProject() {
         panel_->navigator().showSlanting(startView(workbench_.document().settings().region));
     if (!opening_.isEmpty()) recent_.add(opening_, reading_);
     showTitle();
+    showAssumedHeights();
     offerRecovery();
+}
+
+void MainWindow::showAssumedHeights() {
+    const CityRead& read = workbench_.city()->loaded.read;
+    const auto message = assumedHeightsMessage(countHeights(read.city), read.heights);
+    if (!message) return;
+    panel_->messages().showHelp(QString::fromStdString(*message));
+    if (opening_.isEmpty() || workbench_.session().file()) return;
+    panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
 }
 
 void MainWindow::offerRecovery() {

@@ -27,6 +27,7 @@ void addUnits(QComboBox& field) {
     field.addItem(QObject::tr("metres"), int(LengthUnit::metres));
     field.addItem(QObject::tr("feet"), int(LengthUnit::feet));
     field.addItem(QObject::tr("US survey feet"), int(LengthUnit::usSurveyFeet));
+    field.addItem(QObject::tr("centimetres"), int(LengthUnit::centimetres));
 }
 
 void choose(QComboBox& field, int data) { field.setCurrentIndex(field.findData(data)); }

@@ -42,6 +42,7 @@ ReadingForm::ReadingForm(QWidget* parent) : QWidget(parent) {
 
 void ReadingForm::makeFields() {
     heightField_ = textField(tr("found by its name"));
+    levelsField_ = textField(tr("found by its name"));
     heightUnit_ = new QComboBox;
     heightUnit_->addItem(tr("as in the file"), asInFile);
     addUnits(*heightUnit_);
@@ -65,6 +66,7 @@ QGroupBox* ReadingForm::makeHeights() {
     auto* group = new QGroupBox(tr("Heights"));
     auto* form = new QFormLayout(group);
     form->addRow(tr("Height field"), heightField_);
+    form->addRow(tr("Storeys field"), levelsField_);
     form->addRow(tr("Unit of heights"), heightUnit_);
     form->addRow(tr("Height of a storey"), metresPerLevel_);
     form->addRow(tr("Height when unknown"), defaultHeight_);
@@ -113,6 +115,9 @@ void ReadingForm::tell() {
     };
     add(heightField_, "heightField",
         tr("Name of the field with the heights.\nEmpty: the reader looks for the usual names."));
+    add(levelsField_, "levelsField",
+        tr("Name of the field with the storeys above the ground.\nEmpty: the reader looks for the usual "
+           "names."));
     add(heightUnit_, "heightUnit",
         tr("Unit of heights that are bare numbers.\nAs in the file: metres, unless the value or the field "
            "says otherwise."));
@@ -153,6 +158,7 @@ void ReadingForm::showAnchor(LonLat place) {
 ReadSettings ReadingForm::settings() const {
     ReadSettings settings;
     settings.heightField = textIn(*heightField_);
+    settings.levelsField = textIn(*levelsField_);
     const int unit = heightUnit_->currentData().toInt();
     if (unit != asInFile) settings.heightUnit = LengthUnit(unit);
     settings.metresPerLevel = metresPerLevel_->value();
@@ -170,6 +176,7 @@ ReadSettings ReadingForm::settings() const {
 
 void ReadingForm::show(const ReadSettings& settings) {
     showText(*heightField_, settings.heightField);
+    showText(*levelsField_, settings.levelsField);
     choose(*heightUnit_, settings.heightUnit ? int(*settings.heightUnit) : asInFile);
     metresPerLevel_->setValue(settings.metresPerLevel);
     defaultHeight_->setValue(settings.defaultHeightM);

@@ -34,6 +34,7 @@ private:
     void showAnchor(LonLat place);
 
     QLineEdit* heightField_;
+    QLineEdit* levelsField_;
     QComboBox* heightUnit_;
     QDoubleSpinBox* metresPerLevel_;
     QDoubleSpinBox* defaultHeight_;

@@ -20,7 +20,7 @@ void take(const Json& json, const char* key, T& value) {
 
 LengthUnit unitOf(const Json& json) {
     const int unit = json;
-    if (unit < 0 || unit > int(LengthUnit::usSurveyFeet)) throw std::out_of_range("unit");
+    if (unit < 0 || unit > int(LengthUnit::centimetres)) throw std::out_of_range("unit");
     return LengthUnit(unit);
 }
 
@@ -50,6 +50,7 @@ QString textOf(const ReadSettings& reading) {
     const ReadSettings usual;
     Json json = meshJson(reading);
     put(json, "height_field", reading.heightField, usual.heightField);
+    put(json, "levels_field", reading.levelsField, usual.levelsField);
     if (reading.heightUnit) json["height_unit"] = int(*reading.heightUnit);
     put(json, "metres_per_level", reading.metresPerLevel, usual.metresPerLevel);
     put(json, "default_height_m", reading.defaultHeightM, usual.defaultHeightM);
@@ -66,6 +67,7 @@ std::optional<ReadSettings> readingFrom(const QString& text) try {
     const Json json = Json::parse(text.toStdString());
     takeMesh(json, reading);
     take(json, "height_field", reading.heightField);
+    take(json, "levels_field", reading.levelsField);
     if (json.contains("height_unit")) reading.heightUnit = unitOf(json.at("height_unit"));
     take(json, "metres_per_level", reading.metresPerLevel);
     take(json, "default_height_m", reading.defaultHeightM);

@@ -13,6 +13,8 @@
 #include "core/city/mesh_parts.h"
 #include "core/city/mesh_topology.h"
 #include "core/city/tin_terrain.h"
+#include "core/io/height_origins.h"
+#include "core/io/height_reading.h"
 
 namespace noonmark {
 
@@ -56,6 +58,7 @@ public:
                   const std::string& file)
         : group_(group), settings_(settings), terrain_(terrain), file_(file), root_(*group.objects.front()) {}
     Warnings warnings;
+    HeightOrigins origins;  // of the objects that are extruded
 
     // Null where nothing of it can be used.
     std::shared_ptr<const Building> make() {
@@ -108,13 +111,14 @@ private:
     }
 
     // An object's own height, else its building's.
-    std::pair<double, HeightSource> heightOf(const CityJsonObject& object) {
-        for (const CityJsonObject* one : {&object, &root_})
-            if (one->heightM) return {*one->heightM, HeightSource::measured};
-        for (const CityJsonObject* one : {&object, &root_})
-            if (one->storeys) return {*one->storeys * settings_.metresPerLevel, HeightSource::levels};
-        warn(WarningKind::assumed, "no height; the default was taken", object);
-        return {settings_.defaultHeightM, HeightSource::assumed};
+    HeightReading heightOf(const CityJsonObject& object) {
+        FeatureValues values = object.values;
+        if (&object != &root_) values.insert(values.end(), root_.values.begin(), root_.values.end());
+        const HeightRules rules{settings_.metresPerLevel, settings_.defaultHeightM, true};
+        HeightReading reading = readHeights(values, rules, false, file_ + ": " + object.id, warnings);
+        if (reading.byDefault) warn(WarningKind::assumed, "no height; the default was taken", object);
+        ++origins[reading.origin];
+        return reading;
     }
 
     void extrude(const CityJsonObject& object, std::vector<Part>& parts) {
@@ -124,14 +128,14 @@ private:
             for (const auto& shell : body) append(mesh, meshOf(shell, object));
         const MeshOutline outline = outlineOf(mesh, false);
         if (outline.pieces.empty() || outline.convexHull) return;
-        const auto [height, source] = heightOf(object);
+        const HeightReading heights = heightOf(object);
         const float bottom = boxOf(mesh).low.z;
         for (const Footprint& piece : outline.pieces)
             parts.push_back({.sourceId = object.id,
                              .footprint = piece,
                              .bottomM = bottom,
-                             .topM = bottom + float(height),
-                             .heightSource = source});
+                             .topM = bottom + float(heights.topM),
+                             .heightSource = heights.source});
     }
 
     [[nodiscard]] std::function<float(glm::dvec2)> groundUnder(const std::vector<Part>& parts) const {
@@ -186,12 +190,14 @@ bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const 
     for (const CityJsonBlock& block : data.blocks) addGroups(block, groups);
     std::vector<std::shared_ptr<const Building>> buildings(groups.size());
     std::vector<Warnings> warnings(groups.size());
+    std::vector<HeightOrigins> origins(groups.size());
     std::atomic<std::size_t> done = 0;
     tbb::parallel_for(std::size_t(0), groups.size(), [&](std::size_t i) {
         if (stop.stop_requested()) return;
         BuildingMaker maker(groups[i], settings, piece.terrain.get(), file);
         buildings[i] = maker.make();
         warnings[i] = std::move(maker.warnings);
+        origins[i] = std::move(maker.origins);
         if (const std::size_t count = ++done; count % 64 == 0)
             progress.report(double(count) / double(groups.size()), "making the buildings");
     });
@@ -203,6 +209,10 @@ bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const 
         }
         std::move(warnings[i].begin(), warnings[i].end(), std::back_inserter(piece.warnings));
     }
+    HeightOrigins all;
+    for (const HeightOrigins& some : origins)
+        for (const auto& [origin, objects] : some) all[origin] += objects;
+    addHeightFacts(all, data.fields, data.unknown, file, piece.heights, piece.warnings);
     return true;
 }
 

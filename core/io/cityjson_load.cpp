@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -9,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/cityjson_geometry.h"
-#include "core/io/height_text.h"
 
 namespace noonmark {
 
@@ -134,27 +134,46 @@ private:
         const Json& attributes = member(source, "attributes");
         object.name = textOf(member(attributes, "name"));
         object.status = textOf(member(attributes, "status"));
-        object.heightM = positive(attributes, "measuredHeight", where, [&](const std::string& text) {
-            return metresFromText(text, settings_.heightUnit.value_or(LengthUnit::metres));
-        });
-        object.storeys = positive(attributes, "storeysAboveGround", where,
-                                  [](const std::string& text) { return levelsFromText(text); });
+        addValues(attributes, object);
         chooseGeometry(member(source, "geometry"), choice_, block.vertices.size(), where, object,
                        data.warnings);
         block.objects.push_back(std::move(object));
     }
 
-    template <class Parse>
-    std::optional<double> positive(const Json& attributes, const char* key, const std::string& where,
-                                   const Parse& parse) {
-        const Json& value = member(attributes, key);
-        if (value.is_null()) return std::nullopt;
-        const std::optional<double> number = parse(textOf(value));
-        if (number && *number > 0) return number;
-        warn(WarningKind::assumed, fmt::format("{} is not a height", key), where);
-        return std::nullopt;
+    // An object may have any attributes: what they mean is settled among its own.
+    void addValues(const Json& attributes, CityJsonObject& object) {
+        if (!attributes.is_object()) return;
+        std::vector<std::string> names;
+        for (const auto& [name, value] : attributes.items()) names.push_back(name);
+        for (const KnownField& field : fieldsOf(names)) {
+            const Json& value = attributes.at(field.name);
+            FeatureValue known{field.meaning.role, field.name, textOf(value), {}, field.unit};
+            if (value.is_number()) known.number = value.get<double>();
+            if (!known.text.empty()) object.values.push_back(std::move(known));
+        }
+        for (const std::string& name : names)
+            if (!meaningOf(name)) addUnknown(name, attributes.at(name));
     }
 
+    // Most objects have the attributes of the one before.
+    const std::vector<KnownField>& fieldsOf(const std::vector<std::string>& names) {
+        if (names == names_) return fields_;
+        names_ = names;
+        fields_ = knownFields(names, {settings_.heightField, settings_.levelsField}, false);
+        settleUnits(fields_, {settings_.heightUnit, false}, file_, data.warnings);
+        for (const KnownField& field : fields_)
+            if (std::ranges::find(data.fields, field.name, &KnownField::name) == data.fields.end())
+                data.fields.push_back(field);
+        return fields_;
+    }
+
+    void addUnknown(const std::string& name, const Json& value) {
+        if (value.is_number()) data.unknown.add(name, {}, value.get<double>());
+        if (value.is_string() && !textOf(value).empty()) data.unknown.add(name, textOf(value), {});
+    }
+
+    std::vector<std::string> names_;
+    std::vector<KnownField> fields_;
     std::string file_;
     const ReadSettings& settings_;
     LodChoice choice_;

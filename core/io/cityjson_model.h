@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "core/city/surface_mesher.h"
+#include "core/io/feature_value.h"
+#include "core/io/field_roles.h"
+#include "core/io/unknown_fields.h"
 #include "core/warnings.h"
 
 namespace noonmark {
@@ -29,8 +32,7 @@ struct CityJsonObject {
     std::string parent;  ///< id; empty for none
     std::string name;
     std::string status;
-    std::optional<double> heightM;  ///< measuredHeight
-    std::optional<double> storeys;
+    FeatureValues values;                       ///< attributes that make a height; see knownFields
     std::optional<CityJsonGeometry> body;       ///< of the level of detail that was chosen
     std::optional<CityJsonGeometry> footprint;  ///< of level of detail 0
 };
@@ -47,7 +49,9 @@ struct CityJsonData {
     std::string attribution;
     bool sequence = false;
     std::vector<CityJsonBlock> blocks;
-    std::size_t features = 0;  ///< objects read in all, also those left out
+    std::size_t features = 0;        ///< objects read in all, also those left out
+    std::vector<KnownField> fields;  ///< attributes of buildings, by name
+    UnknownFields unknown;           ///< those that mean nothing to us
     Warnings warnings;
 };
 

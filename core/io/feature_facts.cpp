@@ -16,14 +16,31 @@ bool isNo(std::string_view text) { return text == "no" || text == "false" || tex
 bool isYes(std::string_view text) { return text == "yes" || text == "true" || text == "1"; }
 bool isTagged(std::string_view text) { return !text.empty() && !isNo(text); }
 
-bool isUnderground(const FeatureValues& values, bool tagged) {
-    if (isYes(textOf(values, FieldRole::underground))) return true;
-    if (!tagged) return false;  // elsewhere fields of these names mean other things
-    if (textOf(values, FieldRole::location) == "underground") return true;
-    const std::string_view layer = textOf(values, FieldRole::layer);
-    int number = 0;
-    std::from_chars(layer.data(), layer.data() + layer.size(), number);
-    return number < 0;
+double numberOf(std::string_view text) {
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+enum class Place { surface, underground, contradictory };
+
+// OpenStreetMap's layer is the order in which things lie above each other, in places from the level of a
+// plaza or a deck, and level a floor's number: either alone below 0 tells of something below, unless a
+// height, storeys, an entrance or a location tell of something above.
+Place placeOf(const FeatureValues& values, bool tagged) {
+    if (isYes(textOf(values, FieldRole::underground))) return Place::underground;
+    if (!tagged) return Place::surface;  // elsewhere fields of these names mean other things
+    const std::string_view location = textOf(values, FieldRole::location);
+    if (location == "underground") return Place::underground;
+    const bool below = numberOf(textOf(values, FieldRole::layer)) < 0 ||
+                       numberOf(textOf(values, FieldRole::level)) < 0 ||
+                       textOf(values, FieldRole::tunnel) == "yes";
+    if (!below) return Place::surface;
+    const auto isAbove0 = [&](FieldRole role) { return numberOf(textOf(values, role)) > 0; };
+    const bool above = isAbove0(FieldRole::height) || isAbove0(FieldRole::levels) ||
+                       isAbove0(FieldRole::minHeight) || isAbove0(FieldRole::minLevel) ||
+                       isTagged(textOf(values, FieldRole::entrance)) || !location.empty();
+    return above ? Place::contradictory : Place::underground;
 }
 
 bool hasShapedRoof(const FeatureValues& values) {
@@ -53,9 +70,14 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
             warnings.push_back({WarningKind::leftOut, "says that it is no building", facts.id});
         return false;
     }
-    if (!isUnderground(values, rules.tagged)) return true;
-    warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
-    return false;
+    const Place place = placeOf(values, rules.tagged);
+    if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
+    if (place == Place::contradictory)
+        warnings.push_back({WarningKind::assumed,
+                            "its layer lies below the ground, but its height, storeys, entrance or location "
+                            "do not; it stands on the ground",
+                            facts.id});
+    return place != Place::underground;
 }
 
 }  // namespace

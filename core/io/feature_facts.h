@@ -29,8 +29,10 @@ struct LayerRules {
         false;  ///< warn of features without such a tag (a file of buildings should have none)
 };
 
-/// Nothing for what is no building (no, or not tagged so) or lies underground (location=underground, layer
-/// below 0); the latter is a warning, as is a roof that is not flat (drawn flat at full height).
+/// Nothing for what is no building (no, or not tagged so) or lies underground: location=underground; a layer
+/// or level below 0 or tunnel=yes where neither a height, storeys, an entrance nor a location say otherwise.
+/// The latter is a warning, as are tags that contradict each other so, and a roof that is not flat (drawn
+/// flat at full height).
 std::optional<FeatureFacts> factsOf(const FeatureValues& values, const LayerRules& rules, std::string id,
                                     Warnings& warnings);
 

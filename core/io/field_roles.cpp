@@ -1,75 +1,21 @@
 #include "core/io/field_roles.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <span>
+
+#include "core/io/field_names.h"
+#include "core/io/height_reading.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr std::size_t shapefileNameLength = 10;
-
-// In the order in which they are asked; lower-case letters and digits only.
-struct RoleName {
-    std::string_view name;
-    FieldRole role;
-};
 using enum FieldRole;
-constexpr std::array roleNames{
-    RoleName{"height", height},
-    RoleName{"buildingheight", height},
-    RoleName{"measuredheight", height},
-    RoleName{"heightroof", height},
-    RoleName{"bldgheight", height},
-    RoleName{"bldght", height},
-    RoleName{"bldghgt", height},
-    RoleName{"renderheight", height},
-    RoleName{"hgt", height},
-    RoleName{"buildinglevels", levels},
-    RoleName{"levels", levels},
-    RoleName{"numfloors", levels},
-    RoleName{"numberoffloors", levels},
-    RoleName{"nfloors", levels},
-    RoleName{"floors", levels},
-    RoleName{"numstories", levels},
-    RoleName{"stories", levels},
-    RoleName{"storeys", levels},
-    RoleName{"storeysaboveground", levels},
-    RoleName{"minheight", minHeight},
-    RoleName{"buildingminheight", minHeight},
-    RoleName{"renderminheight", minHeight},
-    RoleName{"baseheight", minHeight},
-    RoleName{"buildingminlevel", minLevel},
-    RoleName{"minlevel", minLevel},
-    RoleName{"minfloor", minLevel},
-    RoleName{"roofheight", roofHeight},
-    RoleName{"rooflevels", roofLevels},
-    RoleName{"roofshape", roofShape},
-    RoleName{"groundelevation", groundElevation},
-    RoleName{"groundelev", groundElevation},
-    RoleName{"groundz", groundElevation},
-    RoleName{"building", building},
-    RoleName{"buildingpart", buildingPart},
-    RoleName{"location", location},
-    RoleName{"layer", layer},
-    RoleName{"underground", underground},
-    RoleName{"isunderground", underground},
-    RoleName{"sourceid", id},
-    RoleName{"id", id},
-    RoleName{"osmid", id},
-    RoleName{"gmlid", id},
-    RoleName{"globalid", id},
-    RoleName{"objectid", id},
-    RoleName{"buildingid", buildingId},
-    RoleName{"name", name},
-    RoleName{"buildingname", name},
-    RoleName{"bldgname", name},
-    RoleName{"status", status},
-    RoleName{"heightsource", heightSource},
-    RoleName{"hangs", hangs},
-};
+
+constexpr std::size_t shapefileNameLength = 10;
 
 struct UnitEnding {
     std::string_view ending;
@@ -80,7 +26,7 @@ constexpr std::array unitEndings{
     UnitEnding{"foot", LengthUnit::feet},         UnitEnding{"ft", LengthUnit::feet},
     UnitEnding{"metres", LengthUnit::metres},     UnitEnding{"meters", LengthUnit::metres},
     UnitEnding{"metre", LengthUnit::metres},      UnitEnding{"meter", LengthUnit::metres},
-    UnitEnding{"m", LengthUnit::metres},
+    UnitEnding{"cm", LengthUnit::centimetres},    UnitEnding{"m", LengthUnit::metres},
 };
 
 std::string plain(std::string_view name) {
@@ -91,114 +37,218 @@ std::string plain(std::string_view name) {
     return letters;
 }
 
-FieldMeaning meaningAt(std::size_t rank, std::optional<LengthUnit> unit) {
-    const RoleName& known = roleNames[rank];
-    return {known.role, int(rank), unit, known.name == "heightroof" || known.name == "groundelev"};
+std::optional<FieldMeaning> meaningAt(std::size_t rank) {
+    const FieldName& known = fieldNames()[rank];
+    if (!known.role) return std::nullopt;
+    return FieldMeaning{*known.role, int(rank), known.unit, known.meaning, known.inFeetIn};
 }
 
-std::optional<FieldMeaning> exactMeaning(std::string_view letters, std::optional<LengthUnit> unit) {
-    const auto found = std::ranges::find(roleNames, letters, &RoleName::name);
-    if (found == roleNames.end()) return std::nullopt;
-    return meaningAt(std::size_t(found - roleNames.begin()), unit);
+// The place of a name in the list; its size for a name that is not there.
+std::size_t rankOf(std::string_view letters) {
+    return std::size_t(std::ranges::find(fieldNames(), letters, &FieldName::name) - fieldNames().begin());
 }
 
 bool isLength(FieldRole role) {
-    return role == height || role == minHeight || role == roofHeight || role == groundElevation;
+    return role == height || role == minHeight || role == roofHeight || role == groundElevation ||
+           role == topElevation;
 }
 
 std::optional<FieldMeaning> meaningWithUnit(std::string_view letters) {
     for (const UnitEnding& unit : unitEndings) {
         if (!letters.ends_with(unit.ending)) continue;
-        const auto meaning = exactMeaning(letters.substr(0, letters.size() - unit.ending.size()), unit.unit);
-        if (meaning && isLength(meaning->role)) return meaning;
+        const std::size_t rank = rankOf(letters.substr(0, letters.size() - unit.ending.size()));
+        if (rank == fieldNames().size()) continue;
+        auto meaning = meaningAt(rank);
+        if (!meaning || !isLength(meaning->role)) continue;
+        meaning->unit = unit.unit;
+        meaning->inFeetIn = {};
+        return meaning;
     }
     return std::nullopt;
 }
 
+bool areAlike(const FieldName& a, const FieldName& b) { return a.role == b.role && a.unit == b.unit; }
+
 std::optional<FieldMeaning> meaningOfBeginning(std::string_view beginning) {
-    std::optional<FieldMeaning> only;
-    for (std::size_t rank = 0; rank < roleNames.size(); ++rank) {
-        if (!roleNames[rank].name.starts_with(beginning)) continue;
-        if (only && only->role != roleNames[rank].role) return std::nullopt;
-        if (!only) only = meaningAt(rank, std::nullopt);
+    std::optional<std::size_t> only;
+    for (std::size_t rank = 0; rank < fieldNames().size(); ++rank) {
+        if (!fieldNames()[rank].name.starts_with(beginning)) continue;
+        if (only && !areAlike(fieldNames()[*only], fieldNames()[rank])) return std::nullopt;
+        if (!only) only = rank;
     }
-    return only;
+    return only ? meaningAt(*only) : std::nullopt;
 }
 
 bool before(const KnownField& a, const KnownField& b) {
     return std::pair(a.meaning.role, a.meaning.rank) < std::pair(b.meaning.role, b.meaning.rank);
 }
 
+// What fits under it, in OpenStreetMap; others write MAX_HEIGHT.
+constexpr std::string_view clearance = "maxheight";
+
 }  // namespace
 
 std::optional<FieldMeaning> meaningOf(std::string_view fieldName, bool cutShort) {
     const std::string letters = plain(fieldName);
-    if (const auto exact = exactMeaning(letters, std::nullopt)) return exact;
+    if (fieldName == clearance) return std::nullopt;
+    if (const std::size_t rank = rankOf(letters); rank < fieldNames().size()) return meaningAt(rank);
     if (const auto withUnit = meaningWithUnit(letters)) return withUnit;
     if (cutShort && fieldName.size() == shapefileNameLength) return meaningOfBeginning(letters);
     return std::nullopt;
 }
 
-std::vector<KnownField> knownFields(const std::vector<std::string>& names, const std::string& heightField,
-                                    bool cutShort) {
-    std::vector<KnownField> fields;
-    for (int i = 0; i < int(names.size()); ++i) {
-        const std::string& fieldName = names[std::size_t(i)];
-        const bool chosen = !heightField.empty() && plain(fieldName) == plain(heightField);
-        auto meaning = meaningOf(fieldName, cutShort);
-        if (chosen) meaning = FieldMeaning{height, 0, meaning ? meaning->unit : std::nullopt, false};
-        if (!meaning || (meaning->role == height && !heightField.empty() && !chosen)) continue;
-        fields.push_back({i, fieldName, *meaning});
-    }
-    std::ranges::stable_sort(fields, before);
-    return fields;
+bool isSameField(std::string_view a, std::string_view b) { return plain(a) == plain(b); }
+
+std::optional<FieldMeaning> meaningOfTag(std::string_view key) {
+    constexpr std::array<std::string_view, 4> tags{"height", "buildingheight", "buildinglevels", "levels"};
+    const auto meaning = meaningOf(key);
+    if (!meaning) return meaning;
+    const bool tells = meaning->role == height || meaning->role == levels || meaning->role == topElevation ||
+                       meaning->role == groundElevation;
+    if (tells && std::ranges::find(tags, plain(key)) == tags.end()) return std::nullopt;
+    return meaning;
+}
+
+bool hasRole(const std::vector<KnownField>& fields, FieldRole role) {
+    return std::ranges::any_of(fields, [&](const KnownField& field) { return field.meaning.role == role; });
 }
 
 namespace {
 
-bool isNewYork(const std::vector<KnownField>& fields) {
-    bool heightroof = false;
-    bool ground = false;
-    for (const KnownField& field : fields) {
-        heightroof |= field.meaning.newYork && field.meaning.role == height;
-        ground |= field.meaning.role == groundElevation;
+// The meanings of a layer's fields, settled in the order of these functions.
+class FieldChooser {
+public:
+    FieldChooser(const std::vector<std::string>& names, bool cutShort) {
+        for (int i = 0; i < int(names.size()); ++i)
+            if (const auto meaning = meaningOf(names[std::size_t(i)], cutShort))
+                fields_.push_back({i, names[std::size_t(i)], *meaning});
     }
-    return heightroof && ground;
+
+    void dropStatisticsAsUndersides() {
+        const bool statistics = std::ranges::any_of(fields_, [](const KnownField& field) {
+            return field.meaning.role == height && !field.meaning.meaning.empty();
+        });
+        if (statistics && !hasRole(fields_, buildingPart))
+            std::erase_if(fields_, [](const KnownField& field) { return isNamed(field, "minheight"); });
+    }
+
+    void takeBasesAsElevations() {
+        if (std::ranges::none_of(fields_, [](const auto& field) { return isNamed(field, "topheight"); }))
+            return;
+        for (KnownField& field : fields_)
+            if (isNamed(field, "baseheight")) field.meaning.role = groundElevation;
+    }
+
+    // `role`: height or levels. What competes with the user's field for it is left out.
+    void take(const std::string& chosen, FieldRole role, const std::vector<std::string>& names) {
+        if (chosen.empty()) return;
+        const auto isChosen = [&](const std::string& name) { return isSameField(name, chosen); };
+        const auto here = std::ranges::find_if(names, isChosen);
+        std::optional<FieldMeaning> known;
+        for (const KnownField& field : fields_)
+            if (isChosen(field.name)) known = field.meaning;
+        std::erase_if(fields_, [&](const KnownField& field) {
+            return isChosen(field.name) || field.meaning.role == role ||
+                   (role == height && field.meaning.role == topElevation);
+        });
+        if (here == names.end()) return;
+        KnownField field{int(here - names.begin()), *here, known.value_or(FieldMeaning{})};
+        const bool elevation = known && known->role == topElevation && hasRole(fields_, groundElevation);
+        field.meaning.role = role == height && elevation ? topElevation : role;
+        field.meaning.inFeetIn = {};
+        fields_.push_back(std::move(field));
+    }
+
+    void dropElevationsOfRoofsAlone() {
+        if (!hasRole(fields_, groundElevation))
+            std::erase_if(fields_,
+                          [](const KnownField& field) { return field.meaning.role == topElevation; });
+    }
+
+    std::vector<KnownField> ordered() {
+        std::ranges::stable_sort(fields_, before);
+        return std::move(fields_);
+    }
+
+private:
+    static bool isNamed(const KnownField& field, std::string_view name) {
+        return fieldNames()[std::size_t(field.meaning.rank)].name == name;
+    }
+    std::vector<KnownField> fields_;
+};
+
+}  // namespace
+
+std::vector<KnownField> knownFields(const std::vector<std::string>& names, const FieldChoice& choice,
+                                    bool cutShort) {
+    FieldChooser chooser(names, cutShort);
+    chooser.dropStatisticsAsUndersides();
+    chooser.takeBasesAsElevations();
+    chooser.take(choice.height, height, names);
+    chooser.take(choice.levels, levels, names);
+    chooser.dropElevationsOfRoofsAlone();
+    return chooser.ordered();
 }
 
-void settleUnit(KnownField& field, bool mapInFeet, bool newYork, const std::string& where,
+namespace {
+
+constexpr std::string_view newYork = "New York";
+
+bool isNewYork(const std::vector<KnownField>& fields) {
+    const bool heightroof = std::ranges::any_of(fields, [](const KnownField& field) {
+        return field.meaning.inFeetIn == newYork && field.meaning.role == height;
+    });
+    return heightroof && hasRole(fields, groundElevation);
+}
+
+void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::string& where,
                 Warnings& warnings) {
-    const auto assume = [&](LengthUnit unit, const char* what) {
+    const auto assume = [&](LengthUnit unit, const std::string& what) {
         field.unit = unit;
         warnings.push_back({WarningKind::assumed, what, where + ": " + field.name});
     };
-    const bool feetByName = field.meaning.newYork || (newYork && field.meaning.role == groundElevation);
-    if (feetByName && (newYork || mapInFeet))
-        assume(LengthUnit::feet, "no unit is stated; taken as feet, as in New York's building footprints");
-    else if (feetByName)
+    std::string_view city = field.meaning.inFeetIn;
+    if (inNewYork && field.meaning.role == groundElevation) city = newYork;
+    if (!city.empty() && (mapInFeet || (inNewYork && city == newYork)))
+        assume(LengthUnit::feet,
+               fmt::format("no unit is stated; taken as feet, as in {}'s building footprints", city));
+    else if (!city.empty())
         assume(LengthUnit::metres,
-               "no unit is stated; taken as metres, though New York's field of this name is in feet");
-    else if (mapInFeet && field.meaning.role == height)
+               fmt::format("no unit is stated; taken as metres, though {}'s field of this name is in feet",
+                           city));
+    else if (mapInFeet && (field.meaning.role == height || field.meaning.role == topElevation))
         assume(LengthUnit::metres,
                "the map is in feet, but its heights are taken as metres: state the unit if they are not");
+}
+
+std::string_view unitName(LengthUnit unit) {
+    constexpr std::array<std::string_view, 4> names{"m", "ft", "US survey ft", "cm"};
+    return names[std::size_t(unit)];
 }
 
 }  // namespace
 
 void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules, const std::string& where,
                  Warnings& warnings) {
-    const bool newYork = isNewYork(fields);
+    const bool inNewYork = isNewYork(fields);
     for (KnownField& field : fields) {
         if (!isLength(field.meaning.role)) continue;
         if (rules.stated || field.meaning.unit)
             field.unit = rules.stated ? *rules.stated : *field.meaning.unit;
         else
-            settleUnit(field, rules.mapInFeet, newYork, where, warnings);
+            settleUnit(field, rules.mapInFeet, inNewYork, where, warnings);
     }
 }
 
-bool hasRole(const std::vector<KnownField>& fields, FieldRole role) {
-    return std::ranges::any_of(fields, [&](const KnownField& field) { return field.meaning.role == role; });
+std::optional<HeightField> heightFieldOf(const std::vector<KnownField>& fields, const std::string& origin) {
+    const std::string_view name = std::string_view(origin).substr(0, origin.find(elevationsMinus));
+    const auto found = std::ranges::find(fields, name, &KnownField::name);
+    if (found == fields.end()) return std::nullopt;
+    const bool storeys = found->meaning.role == levels;
+    return HeightField{{},
+                       origin,
+                       std::string(found->meaning.meaning),
+                       std::string(storeys ? "storeys" : unitName(found->unit))};
 }
 
 }  // namespace noonmark

@@ -8,6 +8,7 @@
 #include "core/geo/crs_to_lon_lat.h"
 #include "core/io/feature_facts.h"
 #include "core/io/field_roles.h"
+#include "core/io/height_origins.h"
 #include "core/io/ogr_polygons.h"
 #include "core/io/place_features.h"
 
@@ -39,12 +40,17 @@ public:
     /// system says.
     Result<void> finish(std::vector<UnplacedFeature>& features, Warnings& warnings);
 
+    /// After all features: the fields that heights came from; and, where more than a tenth of the features
+    /// have none, those that could hold them.
+    void addHeightFacts(HeightFacts& facts, Warnings& warnings) const;
+
     [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
 
 private:
     FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings, LayerSource source);
     [[nodiscard]] std::string idOf(const OGRFeature& feature, const FeatureValues& values) const;
     [[nodiscard]] FeatureValues valuesOf(const OGRFeature& feature) const;
+    void watchUnknown(const OGRFeature& feature);
     void transform(std::vector<UnplacedFeature>& features, Warnings& warnings);
     Result<void> checkPlace(Warnings& warnings) const;
 
@@ -56,6 +62,9 @@ private:
     std::string name_;
     LayerSource source_;
     std::vector<KnownField> fields_;
+    std::vector<std::pair<int, std::string>> unknownFields_;  // their index and name
+    UnknownFields unknown_;
+    HeightOrigins origins_;
     int otherTags_ = -1;  // index of the field; -1 where there is none
     int osmId_ = -1;
     int osmWayId_ = -1;

@@ -86,6 +86,35 @@ bool isTagged(const std::vector<KnownField>& fields, const LayerSource& source, 
     return converted && hasRole(fields, FieldRole::building);
 }
 
+bool hasField(const std::vector<std::string>& names, const std::string& wanted) {
+    return std::ranges::any_of(names, [&](const std::string& name) { return isSameField(name, wanted); });
+}
+
+bool isKnownField(const std::vector<KnownField>& known, int index) {
+    return std::ranges::find(known, index, &KnownField::index) != known.end();
+}
+
+std::vector<std::pair<int, std::string>> unknownFields(const std::vector<std::string>& names,
+                                                       const std::vector<KnownField>& known, bool cutShort) {
+    std::vector<std::pair<int, std::string>> unknown;
+    for (int i = 0; i < int(names.size()); ++i)
+        if (!isKnownField(known, i) && !meaningOf(names[std::size_t(i)], cutShort))
+            unknown.emplace_back(i, names[std::size_t(i)]);
+    return unknown;
+}
+
+void warnOfElevationsAlone(const std::vector<std::string>& names, const std::vector<KnownField>& known,
+                           const LayerSource& source, Warnings& warnings) {
+    if (hasRole(known, FieldRole::height)) return;
+    for (int i = 0; i < int(names.size()); ++i) {
+        const auto meaning = meaningOf(names[std::size_t(i)], source.shapefile);
+        if (meaning && meaning->role == FieldRole::topElevation && !isKnownField(known, i))
+            warnings.push_back({WarningKind::leftOut,
+                                "the roof's elevation, which is no height without the ground's",
+                                source.file + ": " + names[std::size_t(i)]});
+    }
+}
+
 bool couldBeDegrees(const std::vector<CrsPolygon>& polygons) {
     return std::ranges::all_of(polygons, [](const CrsPolygon& polygon) {
         return std::ranges::all_of(polygon.front(), [](glm::dvec2 point) {
@@ -121,16 +150,20 @@ Result<FootprintLayer> FootprintLayer::of(OGRLayer& layer, const ReadSettings& s
     if (!transform) return tl::make_unexpected(transform.error());
     FootprintLayer made(layer, *std::move(transform), settings, source);
     const std::vector<std::string> names = fieldNames(*layer.GetLayerDefn());
-    made.fields_ = knownFields(names, settings.heightField, source.shapefile);
-    if (!settings.heightField.empty() && !hasRole(made.fields_, FieldRole::height))
-        return failure(fmt::format("There is no field \"{}\"", settings.heightField), source.file,
-                       fmt::format("Its fields are: {}", fmt::join(names, ", ")));
+    made.fields_ = knownFields(names, {settings.heightField, settings.levelsField}, source.shapefile);
+    for (const std::string& chosen : {settings.heightField, settings.levelsField})
+        if (!chosen.empty() && !hasField(names, chosen))
+            return failure(fmt::format("There is no field \"{}\"", chosen), source.file,
+                           fmt::format("Its fields are: {}", fmt::join(names, ", ")));
+    warnOfElevationsAlone(names, made.fields_, source, warnings);
+    if (!source.fromOsm) made.unknownFields_ = unknownFields(names, made.fields_, source.shapefile);
     const OGRSpatialReference system = systemOf(layer, settings);
     made.publishedPlane_ = system.IsProjected() != 0 && system.GetAuthorityCode(nullptr) != nullptr;
     settleUnits(made.fields_, {settings.heightUnit, isInFeet(system)}, source.file, warnings);
     const bool converted = made.otherTags_ >= 0 || made.osmWayId_ >= 0;
     made.rules_.tagged = isTagged(made.fields_, source, converted);
     made.rules_.sayNoBuilding = !source.fromOsm && !converted;
+    made.rules_.heights.decimalComma = !made.rules_.tagged;
     return made;
 }
 
@@ -164,7 +197,7 @@ FeatureValues FootprintLayer::valuesOf(const OGRFeature& feature) const {
         if (auto value = valueOf(feature, field)) values.push_back(*std::move(value));
     if (otherTags_ < 0 || feature.IsFieldSetAndNotNull(otherTags_) == FALSE) return values;
     for (auto& [key, text] : tagsFromText(feature.GetFieldAsString(otherTags_)))
-        if (const auto meaning = meaningOf(key))
+        if (const auto meaning = meaningOfTag(key))
             values.push_back(
                 {meaning->role, key, trimmed(text), {}, meaning->unit.value_or(LengthUnit::metres)});
     return values;
@@ -181,9 +214,28 @@ void FootprintLayer::read(const OGRFeature& feature, Warnings& warnings) {
         warnings.push_back({WarningKind::dropped, "has no polygon", facts->id});
         return;
     }
+    ++origins_[facts->heights.origin];
+    watchUnknown(feature);
     hasZ_ |= geometry->Is3D() != FALSE;
     nearZero_ += couldBeDegrees(polygons) ? 1 : 0;
     kept_.push_back({*std::move(facts), std::move(polygons)});
+}
+
+void FootprintLayer::watchUnknown(const OGRFeature& feature) {
+    for (const auto& [index, name] : unknownFields_) {
+        if (feature.IsFieldSetAndNotNull(index) == FALSE) continue;
+        const bool number = isNumber(feature.GetFieldDefnRef(index)->GetType());
+        const std::string text = trimmed(feature.GetFieldAsString(index));
+        if (!text.empty())
+            unknown_.add(name, text, number ? std::optional(feature.GetFieldAsDouble(index)) : std::nullopt);
+    }
+}
+
+void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) const {
+    if (!source_.fromOsm)
+        return noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, warnings);
+    Warnings unheard;  // tags are known: a map without heights has none
+    noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, unheard);
 }
 
 // All points in one call: GDAL spends 0.1 ms on choosing a transformation for each call.

@@ -24,17 +24,22 @@ public:
 
     HeightReading read(bool canopy) {
         HeightReading reading;
-        readTop(reading, canopy);
+        const auto groundM = ground();
+        if (groundM) reading.groundElevationM = groundM->number;
+        readTop(reading, canopy, groundM);
         const auto bottom = underside();
         reading.bottomM = bottom.value_or(0);
         if (reading.bottomM >= reading.topM) settle(reading);
         if (canopy && !bottom) makeSlab(reading);
-        reading.groundElevationM = ground();
         return reading;
     }
 
 private:
     using Check = bool (*)(double);
+    struct Found {
+        double number;
+        std::string field;
+    };
 
     void warn(const std::string& what, const std::string& where) {
         warnings_.push_back({WarningKind::assumed, what, where});
@@ -43,78 +48,98 @@ private:
         return fmt::format("{}: {} = \"{}\"", id_, value.field, value.text);
     }
 
-    static std::optional<double> lengthOf(const FeatureValue& value) {
-        if (!value.number) return metresFromText(value.text, value.unit);
+    std::string textOf(const FeatureValue& value) const {
+        return rules_.decimalComma ? withDecimalPoint(value.text) : value.text;
+    }
+    std::optional<double> lengthOf(const FeatureValue& value) const {
+        if (!value.number) return metresFromText(textOf(value), value.unit);
         if (!std::isfinite(*value.number)) return std::nullopt;
         return *value.number * metresPer(value.unit);
     }
-    static std::optional<double> levelsOf(const FeatureValue& value) {
-        if (!value.number) return levelsFromText(value.text);
+    std::optional<double> levelsOf(const FeatureValue& value) const {
+        if (!value.number) return levelsFromText(textOf(value));
         return std::isfinite(*value.number) ? value.number : std::nullopt;
     }
 
     // The first value of a role that can be read and passes `usable`; what does not is a warning.
-    template <class Parse>
-    std::optional<double> first(FieldRole role, Parse parse, Check usable, const char* unreadable,
-                                const char* unusable) {
+    std::optional<Found> first(FieldRole role, Check usable, const char* unreadable, const char* unusable) {
+        const bool storeys =
+            role == FieldRole::levels || role == FieldRole::minLevel || role == FieldRole::roofLevels;
         for (const FeatureValue& value : values_) {
             if (value.role != role) continue;
-            const auto number = parse(value);
-            if (number && usable(*number)) return number;
+            const auto number = storeys ? levelsOf(value) : lengthOf(value);
+            if (number && usable(*number)) return Found{*number, value.field};
             warn(number ? unusable : unreadable, placeOf(value));
         }
         return std::nullopt;
     }
 
-    std::optional<double> measured() {
+    std::optional<Found> measured() {
         return first(
-            FieldRole::height, lengthOf, [](double m) { return m > 0 && m <= tallestM; },
+            FieldRole::height, [](double m) { return m > 0 && m <= tallestM; },
             "a height that cannot be read; the next best source stands in",
             "a height of zero or less, or over 1,200 m; the next best source stands in");
     }
-    std::optional<double> levels(FieldRole role) {
+    std::optional<Found> overGround(const std::optional<Found>& groundM) {
+        const auto top = first(
+            FieldRole::topElevation,
+            [](double m) { return m >= lowestGroundM && m <= highestGroundM + tallestM; },
+            "a roof's elevation that cannot be read; the next best source stands in",
+            "a roof's elevation below -500 m or over 10,200 m; the next best source stands in");
+        if (!top || !groundM) return std::nullopt;
+        const double heightM = top->number - groundM->number;
+        const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
+        if (heightM > 0 && heightM <= tallestM) return Found{heightM, origin};
+        warn("a roof that is not above its ground, or over 1,200 m; the next best source stands in",
+             fmt::format("{}: {} = {:g} m", id_, origin, heightM));
+        return std::nullopt;
+    }
+    std::optional<Found> levels(FieldRole role) {
         return first(
-            role, levelsOf, [](double count) { return count >= 0 && count <= mostLevels; },
+            role, [](double count) { return count >= 0 && count <= mostLevels; },
             "a number of storeys that cannot be read; it is left out",
             "a number of storeys below 0 or over 300; it is left out");
     }
-    std::optional<double> fromLevels() {
-        const auto storeys = levels(FieldRole::levels);
-        const double body = storeys.value_or(0) * rules_.metresPerLevel;
-        if (!storeys || body + roof() <= 0) return std::nullopt;
-        return body + roof();
+    std::optional<Found> fromLevels() {
+        auto storeys = levels(FieldRole::levels);
+        if (!storeys) return storeys;
+        storeys->number = storeys->number * rules_.metresPerLevel + roof();
+        return storeys->number > 0 ? storeys : std::nullopt;
     }
     double roof() {
         Warnings unheard;  // a roof's odd height matters to nobody
         Reader quiet(values_, rules_, id_, unheard);
         const auto height = quiet.first(
-            FieldRole::roofHeight, lengthOf, [](double m) { return m >= 0 && m < tallestM / 2; }, "", "");
-        return height ? *height : quiet.levels(FieldRole::roofLevels).value_or(0) * rules_.metresPerLevel;
+            FieldRole::roofHeight, [](double m) { return m >= 0 && m < tallestM / 2; }, "", "");
+        if (height) return height->number;
+        const auto storeys = quiet.levels(FieldRole::roofLevels);
+        return storeys ? storeys->number * rules_.metresPerLevel : 0;
     }
 
-    void readTop(HeightReading& reading, bool canopy) {
+    void readTop(HeightReading& reading, bool canopy, const std::optional<Found>& groundM) {
         const auto storeys = fromLevels();  // asked first, so that what it cannot read is always said
-        if (const auto height = measured()) {
-            reading.topM = *height;
-            reading.source = HeightSource::measured;
-        } else if (storeys) {
-            reading.topM = *storeys;
-            reading.source = HeightSource::levels;
-        } else {
+        auto height = measured();
+        if (!height) height = overGround(groundM);
+        reading.byDefault = !height && !storeys;
+        if (reading.byDefault) {
             reading.topM = canopy ? rules_.metresPerLevel : rules_.defaultHeightM;
-            reading.byDefault = true;
+            return;
         }
+        const Found& from = height ? *height : *storeys;
+        reading.source = height ? HeightSource::measured : HeightSource::levels;
+        reading.topM = from.number;
+        reading.origin = from.field;
     }
 
     std::optional<double> underside() {
         const auto height = first(
-            FieldRole::minHeight, lengthOf, [](double m) { return m >= 0 && m <= tallestM; },
+            FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestM; },
             "a min_height that cannot be read; it is left out",
             "a min_height below the ground or over 1,200 m; it is left out");
-        if (height) return height;
+        if (height) return height->number;
         const auto storeys = levels(FieldRole::minLevel);
         if (!storeys) return std::nullopt;
-        return *storeys * rules_.metresPerLevel;
+        return storeys->number * rules_.metresPerLevel;
     }
 
     void settle(HeightReading& reading) {
@@ -137,10 +162,9 @@ private:
              id_);
     }
 
-    std::optional<double> ground() {
+    std::optional<Found> ground() {
         return first(
-            FieldRole::groundElevation, lengthOf,
-            [](double m) { return m >= lowestGroundM && m <= highestGroundM; },
+            FieldRole::groundElevation, [](double m) { return m >= lowestGroundM && m <= highestGroundM; },
             "a ground elevation that cannot be read; it is left out",
             "a ground elevation below -500 m or over 9,000 m; it is left out");
     }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/city/building.h"
 #include "core/io/feature_value.h"
@@ -13,7 +14,11 @@ namespace noonmark {
 struct HeightRules {
     double metresPerLevel = 3.2;
     double defaultHeightM = 9.6;
+    bool decimalComma = false;  ///< "12,5" is a number; in OpenStreetMap it is a list
 };
+
+/// Between the two fields of HeightReading::origin.
+constexpr std::string_view elevationsMinus = " - ";
 
 /// A feature's extent above its own ground, metres; 0 <= bottomM < topM.
 struct HeightReading {
@@ -22,17 +27,19 @@ struct HeightReading {
     HeightSource source = HeightSource::assumed;
     bool byDefault = false;  ///< nothing in the data: topM is the default; the caller warns where it is used
     bool slab = false;       ///< a canopy whose underside is not in the data
+    std::string origin;      ///< the field that topM came from, or "AbsH2 - AbsHMin"; empty where byDefault
     std::optional<double> groundElevationM;  ///< above the data's vertical datum
 };
 
 /// A canopy without min_height is drawn as a slab of this thickness under its top.
 constexpr double canopyThicknessM = 0.5;
 
-/// Height: the first height field that holds one; else storeys (and the roof's own height) x metres a storey;
-/// else the default, for a canopy (`canopy`: building=roof) one storey. The underside: min_height, else
-/// storeys below; else 0. Zero, negative and absurd heights (over 1,200 m) count as none. Where the underside
-/// is not below the top, a measured height is drawn from the ground, and a guessed one is put on the
-/// underside. Every value that was not taken as written is a warning (but see byDefault).
+/// Height: the first height field that holds one; else the roof's elevation over the ground's; else storeys
+/// (and the roof's own height) x metres a storey; else the default, for a canopy (`canopy`: building=roof)
+/// one storey. The underside: min_height, else storeys below; else 0. Zero, negative and absurd heights (over
+/// 1,200 m) count as none. Where the underside is not below the top, a measured height is drawn from the
+/// ground, and a guessed one is put on the underside. Every value that was not taken as written is a warning
+/// (but see byDefault).
 HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,
                           const std::string& featureId, Warnings& warnings);
 

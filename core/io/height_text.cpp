@@ -139,6 +139,8 @@ double metresPer(LengthUnit unit) {
             return feetM;
         case LengthUnit::usSurveyFeet:
             return 1200.0 / 3937.0;
+        case LengthUnit::centimetres:
+            return 0.01;
     }
     return 1;
 }
@@ -151,6 +153,17 @@ std::optional<double> metresFromText(std::string_view text, LengthUnit bareUnit)
     reader.skipBlanks();
     if (!reader.atEnd() && !repeats(reader, *metres, metresPer(bareUnit))) return std::nullopt;
     return reader.atEnd() ? metres : std::nullopt;
+}
+
+std::string withDecimalPoint(std::string_view text) {
+    std::string pointed(text);
+    const auto comma = pointed.find(',');
+    if (comma == pointed.npos || pointed.find(',', comma + 1) != pointed.npos) return pointed;
+    if (pointed.find('.') != pointed.npos || comma == 0 || !isDigit(pointed[comma - 1])) return pointed;
+    const auto decimals = pointed.find_first_not_of("0123456789", comma + 1);
+    const std::size_t count = std::min(decimals, pointed.size()) - (comma + 1);
+    if (count > 0 && count != 3) pointed[comma] = '.';
+    return pointed;
 }
 
 std::optional<double> levelsFromText(std::string_view text) {

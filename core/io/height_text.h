@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/io/read_city.h"
@@ -13,6 +14,10 @@ std::optional<double> metresFromText(std::string_view text, LengthUnit bareUnit 
 
 /// A number of storeys: "12", "3.5", full-width digits. Nothing for words, ranges, lists and negative numbers.
 std::optional<double> levelsFromText(std::string_view text);
+
+/// "12,5 m" as "12.5 m": for files whose numbers are text with a decimal comma. Other texts come back as they
+/// are, "1,250" too: that could be a thousand.
+std::string withDecimalPoint(std::string_view text);
 
 double metresPer(LengthUnit unit);
 

@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-// {}: one more tag, or nothing.
+// Each {}: one more tag, or nothing.
 constexpr std::string_view configuration = R"(closed_ways_are_polygons=building,building:part
 attribute_name_laundering=no
 [points]
@@ -23,7 +23,7 @@ osm_id=yes
 other_tags=no
 [multipolygons]
 osm_id=yes
-attributes=name,building,building:part,height,building:height,min_height,building:min_height,building:levels,building:min_level,roof:height,roof:levels,roof:shape,location,layer,status{}
+attributes=name,building,building:part,height,building:height,min_height,building:min_height,building:levels,building:min_level,roof:height,roof:levels,roof:shape,location,layer,level,tunnel,entrance,status{}{}
 other_tags=no
 [multilinestrings]
 osm_id=yes
@@ -49,9 +49,10 @@ constexpr const char* temporaryFolder = "CPL_TMPDIR";
 
 }  // namespace
 
-OsmConfiguration::OsmConfiguration(const std::string& heightTag) : path_(freshPath()) {
+OsmConfiguration::OsmConfiguration(const std::string& heightTag, const std::string& levelsTag)
+    : path_(freshPath()) {
     if (VSILFILE* file = VSIFOpenL(path_.c_str(), "wb")) {
-        const std::string text = fmt::format(configuration, columnFor(heightTag));
+        const std::string text = fmt::format(configuration, columnFor(heightTag), columnFor(levelsTag));
         VSIFWriteL(text.data(), 1, text.size(), file);
         VSIFCloseL(file);
     }

@@ -118,6 +118,12 @@ void joinWarnings(CityRead& all, const InputFile& file, bool several) {
     }
 }
 
+void joinHeights(HeightFacts& all, const HeightFacts& piece) {
+    all.fields.insert(all.fields.end(), piece.fields.begin(), piece.fields.end());
+    all.unknown.insert(all.unknown.end(), piece.unknown.begin(), piece.unknown.end());
+    std::ranges::stable_sort(all.fields, std::greater<>{}, &HeightField::features);
+}
+
 std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePiece::*text) {
     std::vector<std::string> texts;
     for (const InputFile& file : files) {
@@ -141,6 +147,7 @@ Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& se
     for (const InputFile& file : *files) {
         joinBuildings(all, file);
         joinWarnings(all, file, files->size() > 1);
+        joinHeights(all.heights, file.piece.heights);
         all.features += file.piece.features;
     }
     all.format = joinedTexts(*files, &FilePiece::format);

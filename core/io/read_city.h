@@ -7,18 +7,20 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/io/height_facts.h"
 #include "core/progress.h"
 #include "core/result.h"
 #include "core/warnings.h"
 
 namespace noonmark {
 
-enum class LengthUnit { metres, feet, usSurveyFeet };
+enum class LengthUnit { metres, feet, usSurveyFeet, centimetres };
 enum class UpAxis { z, y };
 
 /// How to read what a file does not say by itself. Every field has a default that is right for well-made files.
 struct ReadSettings {
     std::string heightField;        ///< empty: found by its name
+    std::string levelsField;        ///< of storeys; empty: found by its name
     std::optional<LengthUnit> heightUnit;  ///< empty: metres unless the value or the field says otherwise
     double metresPerLevel = 3.2;    ///< 2 to 6
     double defaultHeightM = 9.6;    ///< for buildings without any height, 1 to 1000
@@ -43,6 +45,7 @@ struct CityRead {
     std::string format;         ///< "OpenStreetMap PBF", for people
     std::size_t features = 0;   ///< read in all
     std::string attribution;    ///< of the data, where known ("(c) OpenStreetMap contributors")
+    HeightFacts heights;        ///< the fields that heights were read from, and those that could be named
 };
 
 /// Reads one or more files into one city: footprints (GeoJSON, GeoPackage, Shapefile, OSM XML and PBF), CityJSON and

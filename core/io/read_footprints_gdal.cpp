@@ -137,6 +137,7 @@ public:
 
     Warnings warnings;
     std::size_t features = 0;
+    HeightFacts heights;
 
 private:
     Result<void> readLayer(OGRLayer& layer, bool oneOfSeveral, const GdalCalls& calls) {
@@ -146,6 +147,7 @@ private:
         if (!reader) return tl::make_unexpected(reader.error());
         if (auto done = readFeatures(layer, *reader, calls); !done) return done;
         polygons_ += reader->polygonFeatures();
+        reader->addHeightFacts(heights, warnings);
         return reader->finish(found_, warnings);
     }
 
@@ -239,7 +241,7 @@ Result<void> build(FilePiece& piece, std::vector<UnplacedFeature> features, cons
 Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings, Progress& progress,
                                  std::stop_token stop) try {
     const GdalCalls calls;
-    const OsmConfiguration configuration(settings.heightField);
+    const OsmConfiguration configuration(settings.heightField, settings.levelsField);
     auto open = opened(file, configuration, calls);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
@@ -249,7 +251,8 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
     FilePiece piece{.warnings = std::move(reader.warnings),
                     .format = formatName(*open, file),
                     .features = reader.features,
-                    .attribution = open->isOsm() ? osmCredit : ""};
+                    .attribution = open->isOsm() ? osmCredit : "",
+                    .heights = std::move(reader.heights)};
     keepRemarks(calls, atOpening, file.filename().string(), piece.warnings);
     if (auto built = build(piece, *std::move(features), settings, progress, stop); !built)
         return tl::make_unexpected(built.error());

@@ -16,6 +16,7 @@ struct FilePiece {
     std::string format;
     std::size_t features = 0;
     std::string attribution;
+    HeightFacts heights;
 };
 
 /// One reader per family of formats; each in a .cpp that bears its backend's name. `settings.frame` is set

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "core/city/building_ground.h"
+#include "core/study/height_words.h"
 #include "core/study/study.h"
 #include "core/study/warnings_json.h"
 
@@ -17,7 +17,6 @@ struct Counts {
     std::size_t parts = 0;
     std::size_t hanging = 0;
     std::size_t triangles = 0;
-    std::array<std::size_t, heightSources.size()> bySource{};
     float tallestM = 0;
     std::string tallest;
 };
@@ -25,7 +24,6 @@ struct Counts {
 void add(Counts& counts, const Part& part) {
     ++counts.parts;
     if (part.hangs) ++counts.hanging;
-    ++counts.bySource[std::size_t(part.heightSource)];
     counts.triangles += meshOf(part).triangles.size();
 }
 
@@ -39,13 +37,6 @@ Counts countsOf(const City& city) {
         counts.tallest = building->name.empty() ? building->sourceId : building->name;
     }
     return counts;
-}
-
-Json sourceCounts(const Counts& counts) {
-    Json sources = Json::object();
-    for (const HeightSource source : heightSources)
-        sources[std::string(nameOf(source))] = counts.bySource[std::size_t(source)];
-    return sources;
 }
 
 Json extentLonLat(const City& city) {
@@ -67,7 +58,8 @@ std::string infoJson(const CityRead& read) {
     info["parts"] = counts.parts;
     info["parts_hanging"] = counts.hanging;
     info["triangles"] = counts.triangles;
-    info["height_sources"] = sourceCounts(counts);
+    info["heights"] = heightsJson(countHeights(read.city), read.heights);
+    info["height_sources"] = info["heights"]["by_source"];
     info["tallest_m"] = double(counts.tallestM);
     info["tallest"] = counts.tallest;
     info["extent_lonlat"] = extentLonLat(read.city);

@@ -69,6 +69,8 @@ std::string nameOf(LengthUnit unit) {
             return "ft";
         case LengthUnit::usSurveyFeet:
             return "us-ft";
+        case LengthUnit::centimetres:
+            return "cm";
     }
     return "m";
 }
@@ -76,6 +78,7 @@ std::string nameOf(LengthUnit unit) {
 void addReading(CommandLine& line, const ReadSettings& reading) {
     const ReadSettings usual;
     line.unless(reading.heightField.empty(), "--height-field", reading.heightField);
+    line.unless(reading.levelsField.empty(), "--levels-field", reading.levelsField);
     if (reading.heightUnit) line.option("--height-unit", nameOf(*reading.heightUnit));
     line.unless(reading.metresPerLevel == usual.metresPerLevel, "--metres-per-level",
                 fmt::to_string(reading.metresPerLevel));

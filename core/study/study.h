@@ -67,6 +67,7 @@ struct Study {
     [[nodiscard]] bool byReference() const { return field.engineKey == referenceEngine; }
     std::vector<InputFile> inputs;
     ReadSettings reading;  ///< how the inputs were read: a report says how to repeat it; set by who read them
+    HeightFacts heights;  ///< of the inputs' fields
     std::string attribution;
 };
 

@@ -6,6 +6,7 @@
 #include "core/receivers/roof_receivers.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
+#include "core/study/height_words.h"
 #include "core/study/inputs_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
@@ -157,6 +158,7 @@ std::string studyJson(const Study& study) {
     json["cells"] = cellsJson(study);
     json["observer"] = observerJson(observerOf(study));
     json["inputs"] = inputsJson(study.inputs);
+    json["heights"] = heightsJson(countHeights(study.city), study.heights);
     json["attribution"] = study.attribution;
     json["repeat"] = repeatCommand(study, std::numeric_limits<std::size_t>::max());
     json["definitions"] = definitions(hasRuns(study.statistics));

@@ -52,7 +52,7 @@ TEST(FieldRoles, knowsNamesCutShortUnlessTheyAreAmbiguous) {
 }
 
 TEST(FieldRoles, theUsersFieldIsTheOnlyHeight) {
-    const auto fields = knownFields({"height", "Roof_Top", "num_floors"}, "ROOF_TOP", false);
+    const auto fields = knownFields({"height", "Roof_Top", "num_floors"}, {.height = "ROOF_TOP"}, false);
     ASSERT_EQ(fields.size(), 2U);
     EXPECT_EQ(fields[0].name, "Roof_Top");
     EXPECT_EQ(fields[0].meaning.role, FieldRole::height);
@@ -60,16 +60,134 @@ TEST(FieldRoles, theUsersFieldIsTheOnlyHeight) {
 }
 
 TEST(FieldRoles, theBetterFieldComesFirst) {
-    const auto fields = knownFields({"BLDGHEIGHT", "height"}, "", false);
+    const auto fields = knownFields({"BLDGHEIGHT", "height"}, {}, false);
     ASSERT_EQ(fields.size(), 2U);
     EXPECT_EQ(fields[0].name, "height");
+}
+
+struct Published {
+    const char* name;
+    FieldRole role;
+    std::optional<LengthUnit> unit;
+};
+
+// As their producers publish them.
+TEST(FieldRoles, knowsThePublishedDatasets) {
+    constexpr auto m = LengthUnit::metres;
+    const Published fields[] = {
+        {"HAUTEUR", FieldRole::height, m},     // France, BD TOPO
+        {"NB_ETAGES", FieldRole::levels, {}},  //
+        {"altitude_minimale_sol", FieldRole::groundElevation, m},
+        {"altitude_maximale_toit", FieldRole::topElevation, m},
+        {"RELHMAX", FieldRole::height, m},  // Great Britain
+        {"RelH2", FieldRole::height, m},
+        {"AbsHMin", FieldRole::groundElevation, m},
+        {"AbsHMax", FieldRole::topElevation, m},
+        {"h_dak_max", FieldRole::topElevation, m},  // Netherlands
+        {"b3_h_dak_50p", FieldRole::topElevation, m},
+        {"b3_h_dak_70p", FieldRole::topElevation, m},
+        {"b3_h_maaiveld", FieldRole::groundElevation, m},
+        {"HOEHE", FieldRole::height, {}},  // Germany, Switzerland, Austria
+        {"Hoehe_m", FieldRole::height, m},
+        {"HoeheDach", FieldRole::topElevation, m},
+        {"HoeheGrund", FieldRole::groundElevation, m},
+        {"AnzahlGeschosse", FieldRole::levels, {}},
+        {"GASTW", FieldRole::levels, {}},
+        {"DACH_MAX", FieldRole::topElevation, m},
+        {"GELAENDEPUNKT", FieldRole::groundElevation, m},
+        {"altura", FieldRole::height, {}},  // Spain, Portugal, Latin America
+        {"NUMPISOS", FieldRole::levels, {}},
+        {"NUM_PISOS", FieldRole::levels, {}},
+        {"numberOfFloorsAboveGround", FieldRole::levels, {}},
+        {"hgt_median_m", FieldRole::height, m},  // San Francisco
+        {"hgt_mediancm", FieldRole::height, LengthUnit::centimetres},
+        {"gnd_min_m", FieldRole::groundElevation, m},
+        {"BLDG_HGT_2010", FieldRole::height, LengthUnit::feet},  // Boston
+        {"GRND_ELEV_2010", FieldRole::groundElevation, LengthUnit::feet},
+        {"AVG_HEIGHT", FieldRole::height, {}},  // Toronto
+        {"SURF_ELEV", FieldRole::groundElevation, {}},
+        {"HGT_AGL", FieldRole::height, {}},  // Vancouver
+        {"TOPELEV_M", FieldRole::topElevation, m},
+        {"BASEELEV_M", FieldRole::groundElevation, m},
+        {"NO_STORIES", FieldRole::levels, {}},           // Chicago
+        {"Floor", FieldRole::levels, {}},                // China
+        {"bldg:measuredHeight", FieldRole::height, {}},  // Japan
+        {"UN_VOL_AV", FieldRole::height, m},             // Italy
+        {"liczbaKondygnacji", FieldRole::levels, {}},    // Poland
+        {"kerrosluku", FieldRole::levels, {}},           // Finland
+    };
+    for (const Published& field : fields) {
+        const auto meaning = meaningOf(field.name);
+        ASSERT_TRUE(meaning) << field.name;
+        EXPECT_EQ(meaning->role, field.role) << field.name;
+        EXPECT_EQ(meaning->unit, field.unit) << field.name;
+    }
+}
+
+TEST(FieldRoles, falseFriendsAreNotTaken) {
+    // A vehicle's clearance; elevations of the gutter; one storey's height or all; storeys under the ground.
+    for (const char* name : {"maxheight", "Z_MIN", "Z_MAX", "story_ht_", "numberOfFloorsBelowGround",
+                             "heightBelowGround", "hgt_mincm", "b3_h_dak_min", "storeysBelowGround"})
+        EXPECT_EQ(roleOf(name), std::nullopt) << name;
+    // Cut short, above and below the ground are the same, and so are metres and centimetres.
+    EXPECT_EQ(roleOf("numberOfFl", true), std::nullopt);
+    EXPECT_EQ(roleOf("hgt_median", true), std::nullopt);
+    EXPECT_EQ(roleOf("BLDG_HGT_2", true), FieldRole::height);
+    EXPECT_EQ(meaningOf("BLDG_HGT_2", true)->unit, LengthUnit::feet);
+}
+
+TEST(FieldRoles, ofTagsOnlyTheirOwnAreHeights) {
+    EXPECT_TRUE(meaningOfTag("building:levels"));
+    EXPECT_TRUE(meaningOfTag("min_height"));
+    for (const char* key : {"maxheight", "floor", "hoogte", "altura"}) EXPECT_FALSE(meaningOfTag(key)) << key;
+}
+
+std::vector<std::string> namesOf(const std::vector<KnownField>& fields, FieldRole role) {
+    std::vector<std::string> names;
+    for (const KnownField& field : fields)
+        if (field.meaning.role == role) names.push_back(field.name);
+    return names;
+}
+
+TEST(FieldRoles, aTypicalHeightComesBeforeTheHighestPoint) {
+    using enum FieldRole;
+    EXPECT_THAT(namesOf(knownFields({"RelHMax", "RelH2"}, {}, false), height),
+                ElementsAre("RelH2", "RelHMax"));
+    EXPECT_THAT(
+        namesOf(knownFields({"b3_h_dak_max", "b3_h_dak_50p", "b3_h_maaiveld"}, {}, false), topElevation),
+        ElementsAre("b3_h_dak_50p", "b3_h_dak_max"));
+}
+
+TEST(FieldRoles, neighboursSettleWhatANameMeans) {
+    using enum FieldRole;
+    // Toronto: the lowest roof, not the underside.
+    const auto toronto = knownFields({"MIN_HEIGHT", "MAX_HEIGHT", "AVG_HEIGHT"}, {}, false);
+    EXPECT_FALSE(hasRole(toronto, minHeight));
+    EXPECT_THAT(namesOf(toronto, height), ElementsAre("AVG_HEIGHT", "MAX_HEIGHT"));
+    EXPECT_TRUE(hasRole(knownFields({"height", "min_height"}, {}, false), minHeight));
+    // Hong Kong: both are elevations.
+    const auto hongKong = knownFields({"BASEHEIGHT", "TOPHEIGHT"}, {}, false);
+    EXPECT_THAT(namesOf(hongKong, groundElevation), ElementsAre("BASEHEIGHT"));
+    EXPECT_FALSE(hasRole(hongKong, minHeight));
+    EXPECT_TRUE(hasRole(knownFields({"height", "base_height"}, {}, false), minHeight));
+    // An elevation of the roof alone is no height.
+    EXPECT_TRUE(knownFields({"AbsHMax"}, {}, false).empty());
+}
+
+TEST(FieldRoles, aChosenElevationIsTakenOverTheGround) {
+    using enum FieldRole;
+    const auto fields = knownFields({"RelH2", "AbsHMax", "AbsH2", "AbsHMin"}, {.height = "abshmax"}, false);
+    EXPECT_THAT(namesOf(fields, topElevation), ElementsAre("AbsHMax"));
+    EXPECT_FALSE(hasRole(fields, height));
+    EXPECT_THAT(namesOf(knownFields({"NIV", "num_floors"}, {.levels = "niv"}, false), levels),
+                ElementsAre("NIV"));
 }
 
 class Units : public testing::Test {
 protected:
     LengthUnit unitOf(const std::vector<std::string>& names, const UnitRules& rules) {
         warnings.clear();
-        auto fields = knownFields(names, "", false);
+        auto fields = knownFields(names, {}, false);
         settleUnits(fields, rules, "a.shp", warnings);
         return fields.at(0).unit;
     }
@@ -99,6 +217,13 @@ TEST_F(Units, ofAMapInFeetAreNotSilentlyMetres) {
     EXPECT_EQ(unitOf({"height"}, {.mapInFeet = true}), LengthUnit::metres);
     EXPECT_EQ(warnings.size(), 1U);
     EXPECT_EQ(unitOf({"heightroof"}, {.mapInFeet = true}), LengthUnit::feet);
+    EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST_F(Units, ofPortlandsFieldsAreFeetOnAMapInFeet) {
+    EXPECT_EQ(unitOf({"AVG_HEIGHT"}, {.mapInFeet = true}), LengthUnit::feet);
+    EXPECT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(unitOf({"AVG_HEIGHT"}, {}), LengthUnit::metres);
     EXPECT_EQ(warnings.size(), 1U);
 }
 

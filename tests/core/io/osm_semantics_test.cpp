@@ -16,6 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
 using tests::sizedRectangle;
+using tests::Tags;
 
 class OsmSemantics : public testing::Test {
 protected:
@@ -80,7 +81,8 @@ TEST_F(OsmSemantics, aBuildingIsItsOutline) {
 }
 
 TEST_F(OsmSemantics, courtyardsStayOpen) {
-    const auto id = osm.relation(sizedRectangle(0, 0, 40, 40), {sizedRectangle(10, 10, 20, 20)}, {{"building", "yes"}});
+    const auto id =
+        osm.relation(sizedRectangle(0, 0, 40, 40), {sizedRectangle(10, 10, 20, 20)}, {{"building", "yes"}});
     const Building building = only();
     EXPECT_EQ(building.sourceId, id);
     EXPECT_NEAR(area(building.parts[0].footprint), 1200, 0.5);
@@ -135,8 +137,8 @@ TEST_F(OsmSemantics, sliversOfOutlineAreNoBuilding) {
 }
 
 TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
-    const auto both =
-        osm.way(sizedRectangle(0, 0, 40, 40), {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
+    const auto both = osm.way(sizedRectangle(0, 0, 40, 40),
+                              {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
     const auto tower = osm.way(sizedRectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
     const Building building = only();
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(both, tower));
@@ -149,7 +151,8 @@ TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
                                 {{"building:part", "yes"}, {"min_height", "320"}, {"height", "390"}});
     const auto mast = osm.way(sizedRectangle(28, 28, 4, 4),
                               {{"building:part", "yes"}, {"min_height", "390"}, {"height", "443.2"}});
-    const auto elsewhere = osm.way(sizedRectangle(200, 0, 10, 10), {{"building:part", "yes"}, {"height", "10"}});
+    const auto elsewhere =
+        osm.way(sizedRectangle(200, 0, 10, 10), {{"building:part", "yes"}, {"height", "10"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->sourceId, base);
@@ -162,8 +165,10 @@ TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
 TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
     const auto west = osm.way(sizedRectangle(0, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
     const auto east = osm.way(sizedRectangle(10, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
-    const auto westPart = osm.way(sizedRectangle(0, 0, 10.02F, 20), {{"building:part", "yes"}, {"height", "15"}});
-    const auto eastPart = osm.way(sizedRectangle(10, 0, 10, 20), {{"building:part", "yes"}, {"height", "25"}});
+    const auto westPart =
+        osm.way(sizedRectangle(0, 0, 10.02F, 20), {{"building:part", "yes"}, {"height", "15"}});
+    const auto eastPart =
+        osm.way(sizedRectangle(10, 0, 10, 20), {{"building:part", "yes"}, {"height", "25"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->sourceId, west);
@@ -194,10 +199,10 @@ TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
 }
 
 TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
-    const auto slab =
-        osm.way(sizedRectangle(0, 0, 30, 10), {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
-    const auto top =
-        osm.way(sizedRectangle(5, 0, 20, 10), {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
+    const auto slab = osm.way(sizedRectangle(0, 0, 30, 10),
+                              {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
+    const auto top = osm.way(sizedRectangle(5, 0, 20, 10),
+                             {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
     const Building building = only();
     EXPECT_TRUE(partOf(building, slab).hangs);
     EXPECT_TRUE(partOf(building, top).hangs);
@@ -205,12 +210,46 @@ TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
 
 TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
     osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
-    const auto upper =
-        osm.way(sizedRectangle(5, 5, 20, 20), {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
+    const auto upper = osm.way(sizedRectangle(5, 5, 20, 20),
+                               {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
     const Building building = only();
     EXPECT_FLOAT_EQ(partOf(building, upper).bottomM, 17);
     EXPECT_FALSE(partOf(building, upper).hangs);
     EXPECT_THAT(placesOf("low gap"), ElementsAre(upper));
+}
+
+// Chicago's Marina City stands on a deck, and its towers are mapped below the street's layer.
+TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
+    const auto marinaCity = osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"},
+                                                                   {"building:levels", "61"},
+                                                                   {"height", "167"},
+                                                                   {"layer", "-1"},
+                                                                   {"min_height", "55"},
+                                                                   {"name", "Marina City"}});
+    const auto shop = osm.way(sizedRectangle(100, 0, 10, 10),
+                              {{"building", "retail"}, {"layer", "-1"}, {"location", "surface"}});
+    const auto door =
+        osm.way(sizedRectangle(200, 0, 10, 10), {{"building", "yes"}, {"layer", "-1"}, {"entrance", "main"}});
+    for (const Tags& buried : std::vector<Tags>{{{"layer", "-1"}},
+                                                {{"layer", "-1"}, {"building:levels", "0"}},
+                                                {{"level", "-2"}},
+                                                {{"tunnel", "yes"}},
+                                                {{"location", "underground"}, {"height", "12"}}}) {
+        Tags tags = buried;
+        tags.emplace_back("building", "yes");
+        osm.way(sizedRectangle(300, 0, 10, 10), tags);
+    }
+    piece = read();
+    std::vector<std::string> ids;
+    for (const auto& building : piece.buildings) ids.push_back(building->sourceId);
+    EXPECT_THAT(ids, UnorderedElementsAre(marinaCity, shop, door));
+    EXPECT_THAT(placesOf("underground"), testing::SizeIs(5));
+    EXPECT_THAT(placesOf("layer lies below the ground"), ElementsAre(marinaCity, shop, door));
+    const auto tower =
+        std::ranges::find(piece.buildings, marinaCity, [](const auto& b) { return b->sourceId; });
+    ASSERT_NE(tower, piece.buildings.end());
+    EXPECT_EQ((*tower)->parts[0].topM, 167);
+    EXPECT_EQ((*tower)->parts[0].bottomM, 55);
 }
 
 TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
@@ -238,8 +277,8 @@ TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
 }
 
 TEST_F(OsmSemantics, noMeansNo) {
-    const auto yes =
-        osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
+    const auto yes = osm.way(sizedRectangle(0, 0, 10, 10),
+                             {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
     const auto no = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "no"}});
     const auto noPart = osm.way(sizedRectangle(40, 0, 10, 10), {{"building:part", "no"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(yes));
@@ -247,8 +286,8 @@ TEST_F(OsmSemantics, noMeansNo) {
 }
 
 TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
-    const auto gabled =
-        osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
+    const auto gabled = osm.way(sizedRectangle(0, 0, 10, 10),
+                                {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
     osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
     piece = read();
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 9);

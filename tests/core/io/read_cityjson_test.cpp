@@ -229,8 +229,29 @@ TEST(ReadCityJson, footprintsAreExtruded) {
         EXPECT_EQ(part.mesh, nullptr);
         EXPECT_NEAR(area(part.footprint), 100, 0.1);
     }
-    EXPECT_TRUE(warns(*piece, "measuredHeight is not a height"));
+    EXPECT_TRUE(warns(*piece, "a height of zero or less"));
     EXPECT_TRUE(warns(*piece, "the default was taken"));
+}
+
+// The elevations of 3DBAG's LoD 0 lie above NAP: the height is what is left over the ground.
+TEST(ReadCityJson, heightsOverTheGroundsElevation) {
+    CityJsonMaker maker;
+    const int first = maker.addBox({0, 0, 0}, {10, 10, 1});
+    const Json flat{
+        {"type", "MultiSurface"},
+        {"lod", "0"},
+        {"boundaries", Json::array({Json::array({Json::array({first, first + 1, first + 3, first + 2})})})}};
+    maker.addBuilding("pand", flat);
+    maker.objects["pand"]["attributes"] = {
+        {"b3_h_dak_max", 19.5}, {"b3_h_dak_70p", 15.25}, {"b3_h_maaiveld", 2.5}};
+    const auto piece = read(maker.document());
+    ASSERT_TRUE(piece) << piece.error().text();
+    const Part& part = piece->buildings.at(0)->parts.at(0);
+    EXPECT_NEAR(part.topM - part.bottomM, 12.75, 1e-3);
+    EXPECT_EQ(part.heightSource, HeightSource::measured);
+    ASSERT_EQ(piece->heights.fields.size(), 1U);
+    EXPECT_EQ(piece->heights.fields[0].field, "b3_h_dak_70p - b3_h_maaiveld");
+    EXPECT_EQ(piece->heights.fields[0].meaning, "70th percentile of the roof");
 }
 
 TEST(ReadCityJson, aTinBecomesTheTerrain) {

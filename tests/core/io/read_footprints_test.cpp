@@ -122,6 +122,79 @@ TEST_F(ReadFootprints, geoJsonInDegrees) {
     EXPECT_EQ(piece.features, 1U);
 }
 
+double heightOf(const Building& building) {
+    return double(building.parts[0].topM) - double(building.parts[0].bottomM);
+}
+
+TEST_F(ReadFootprints, frenchHeightsAreRead) {
+    const FilePiece piece =
+        readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("HAUTEUR":17.3,"NB_ETAGES":5)") + "," +
+                    feature(tests::sizedRectangle(20, 0, 10, 10),
+                            R"("HAUTEUR":null,"Z_MIN_SOL":40.0,"Z_MIN_TOIT":52.5,"Z_MAX_TOIT":60.0)") +
+                    "," + feature(tests::sizedRectangle(40, 0, 10, 10), R"("HAUTEUR":null,"NB_ETAGES":4)"));
+    ASSERT_EQ(piece.buildings.size(), 3U);
+    EXPECT_NEAR(heightOf(*piece.buildings[0]), 17.3, 1e-4);
+    EXPECT_NEAR(heightOf(*piece.buildings[1]), 12.5, 1e-4);
+    EXPECT_NEAR(heightOf(*piece.buildings[2]), 12.8, 1e-4);
+    ASSERT_EQ(piece.heights.fields.size(), 3U);
+    const HeightField& hauteur = piece.heights.fields[0];
+    EXPECT_EQ(hauteur, (HeightField{"a.geojson", "HAUTEUR", "base of the roof", "m", 1}));
+    EXPECT_EQ(piece.heights.fields[2].field, "Z_MIN_TOIT - Z_MIN_SOL");
+    EXPECT_TRUE(piece.heights.unknown.empty());
+}
+
+TEST_F(ReadFootprints, bostonsHeightsAreFeet) {
+    const FilePiece piece = readGeoJson(feature(
+        tests::sizedRectangle(0, 0, 10, 10), R"("BLDG_HGT_2010":"788.19","GRND_ELEV_2010":"14","FLOOR":60)"));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 788.19 * 0.3048, 1e-3);
+}
+
+TEST_F(ReadFootprints, textWithADecimalCommaIsANumber) {
+    const FilePiece piece =
+        readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("altezza":"12,5")") + "," +
+                    feature(tests::sizedRectangle(20, 0, 10, 10), R"("altezza":"7,25 m")") + "," +
+                    feature(tests::sizedRectangle(40, 0, 10, 10), R"("altezza":"1,250")"));
+    EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 12.5, 1e-4);
+    EXPECT_NEAR(heightOf(*piece.buildings.at(1)), 7.25, 1e-4);
+    EXPECT_NEAR(heightOf(*piece.buildings.at(2)), 9.6, 1e-4) << "a thousand?";
+}
+
+TEST_F(ReadFootprints, fieldsThatCouldBeHeightsAreListed) {
+    std::string features;
+    for (int i = 0; i < 20; ++i)
+        features +=
+            (i == 0 ? "" : ",") +
+            feature(tests::sizedRectangle(float(20 * i), 0, 10, 10),
+                    fmt::format(R"("H_BAT":{},"NIV":"{}","FID_1":{},"AREA":{},"ANNEE":{},"USE":"home")",
+                                i == 0 ? -9999.0 : 4.5 + 0.5 * i, 1 + i % 6, i + 1, 100.5 + i, 1950 + i));
+    const FilePiece piece = readGeoJson(features);
+    ASSERT_EQ(piece.heights.unknown.size(), 2U);
+    EXPECT_EQ(piece.heights.unknown[0], (UnknownField{"a.geojson", "NIV", 1, 6, true, 20}));
+    EXPECT_EQ(piece.heights.unknown[1], (UnknownField{"a.geojson", "H_BAT", 5, 14, false, 19}));
+    EXPECT_THAT(whats(piece.warnings), testing::Contains(HasSubstr("NIV (1 to 6 in 20 features)")));
+
+    settings.heightField = "h_bat";
+    settings.levelsField = "NIV";
+    const FilePiece named = readGeoJson(features);
+    EXPECT_NEAR(heightOf(*named.buildings.at(1)), 5, 1e-4);
+    EXPECT_NEAR(heightOf(*named.buildings.at(0)), 3.2, 1e-4) << "from its storeys";
+    settings.levelsField = "NIVEAU";
+    EXPECT_THAT(errorOf(geoJson(features)), HasSubstr("There is no field \"NIVEAU\""));
+}
+
+TEST_F(ReadFootprints, aCityOnBothSidesOf180DegreesStaysTogether) {
+    const LonLat taveuni{179.9999, -16.85};
+    const FilePiece piece =
+        readGeoJson(feature(tests::sizedRectangle(-200, 0, 10, 10), R"("height":5)", taveuni) + "," +
+                    feature(tests::sizedRectangle(0, 0, 100, 10), R"("height":6)", taveuni) + "," +
+                    feature(tests::sizedRectangle(200, 0, 10, 10), R"("height":7)", taveuni));
+    ASSERT_EQ(piece.buildings.size(), 3U);
+    const double west = bounds(*piece.buildings[0]).low.x;
+    EXPECT_NEAR(bounds(*piece.buildings[1]).low.x - west, 200, 0.01);
+    EXPECT_NEAR(bounds(*piece.buildings[1]).high.x - west, 300, 0.01);
+    EXPECT_NEAR(bounds(*piece.buildings[2]).low.x - west, 400, 0.01);
+}
+
 TEST_F(ReadFootprints, everySystemIsReprojected) {
     for (const char* crs : {"EPSG:2263", "EPSG:3857", "EPSG:32618", "EPSG:4269"}) {
         const auto file = folder.path(std::string("a_") + (crs + 5) + ".gpkg");
@@ -147,8 +220,9 @@ TEST_F(ReadFootprints, newYorksShapefileIsInFeet) {
 }
 
 TEST_F(ReadFootprints, theUserNamesFieldAndUnit) {
-    const auto file = geoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":5,"eaves":100)") + "," +
-                              feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":5,"eaves":"20 m")"));
+    const auto file =
+        geoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":5,"eaves":100)") + "," +
+                feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":5,"eaves":"20 m")"));
     settings.heightField = "EAVES";
     settings.heightUnit = LengthUnit::feet;
     const FilePiece piece = read(file);
@@ -185,7 +259,8 @@ TEST_F(ReadFootprints, elevationsInPolygonsAreNotTakenAndSaid) {
 
 TEST_F(ReadFootprints, tagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     const FilePiece piece = readGeoJson(
-        feature(tests::sizedRectangle(0, 0, 40, 20), R"("@id":"way/5","building":"yes","height":"90")") + "," +
+        feature(tests::sizedRectangle(0, 0, 40, 20), R"("@id":"way/5","building":"yes","height":"90")") +
+        "," +
         feature(tests::sizedRectangle(0, 0, 40, 20), R"("@id":"way/6","building:part":"yes","height":"20")") +
         "," + feature(tests::sizedRectangle(80, 0, 40, 20), R"("@id":"way/7","leisure":"park")"));
     ASSERT_EQ(piece.buildings.size(), 1U);
@@ -198,11 +273,11 @@ TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {
     const LonLat sea{-77.0, 38.0};
     std::string features;
     for (int i = 0; i < 9; ++i)
-        features +=
-            feature(tests::sizedRectangle(float(i) * 20, 0, 10, 10), fmt::format(R"("id":"h{}","height":9)", i)) +
-            ",";
-    const FilePiece piece =
-        readGeoJson(features + feature(tests::sizedRectangle(0, 0, 100, 20), R"("id":"ship","height":30)", sea));
+        features += feature(tests::sizedRectangle(float(i) * 20, 0, 10, 10),
+                            fmt::format(R"("id":"h{}","height":9)", i)) +
+                    ",";
+    const FilePiece piece = readGeoJson(
+        features + feature(tests::sizedRectangle(0, 0, 100, 20), R"("id":"ship","height":30)", sea));
     EXPECT_EQ(piece.buildings.size(), 9U);
     EXPECT_NEAR(piece.frame->origin().lonDeg, manhattan.lonDeg, 0.002);
     ASSERT_EQ(piece.warnings.size(), 1U);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/study/height_words.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -43,13 +44,10 @@ TEST(InfoJson, countsWhatIsThere) {
     EXPECT_EQ(info["parts"], 3);
     EXPECT_EQ(info["parts_hanging"], 1);
     EXPECT_EQ(info["triangles"], 3 * 12);
-    EXPECT_EQ(info["height_sources"],
-              (nlohmann::json{{"measured", 2},
-                              {"levels", 1},
-                              {"assumed", 0},
-                              {"mesh", 0},
-                              {"designed", 0},
-                              {"made up", 0}}));
+    EXPECT_EQ(
+        info["height_sources"],
+        (nlohmann::json{
+            {"measured", 2}, {"levels", 1}, {"assumed", 0}, {"mesh", 0}, {"designed", 0}, {"made up", 0}}));
     EXPECT_EQ(info["tallest_m"], 40.0);  // above its own ground
     EXPECT_EQ(info["features"], 5);
     ASSERT_EQ(info["warnings"].size(), 1U);
@@ -60,6 +58,47 @@ TEST(InfoJson, countsWhatIsThere) {
 TEST(InfoJson, bytesThatAreNoTextDoNotBreakIt) {
     const auto info = nlohmann::json::parse(infoJson(twoBuildings()));
     EXPECT_EQ(info["tallest"], "Bad \xEF\xBF\xBD name");
+}
+
+City ofHeights(std::size_t assumed, std::size_t measured, float topM = 9.6F) {
+    Building all{.sourceId = "all"};
+    for (std::size_t i = 0; i < assumed + measured; ++i)
+        all.parts.push_back({.footprint = {square(float(20 * i), 0, 10), {}},
+                             .topM = topM,
+                             .heightSource = i < assumed ? HeightSource::assumed : HeightSource::measured});
+    City city;
+    city.buildings = {std::make_shared<const Building>(all)};
+    return city;
+}
+
+TEST(AssumedHeights, areAHeadlineAboveATenth) {
+    EXPECT_EQ(assumedHeadline(countHeights(ofHeights(10, 90))), std::nullopt);
+    EXPECT_EQ(assumedHeadline(countHeights(ofHeights(11, 89))), "11 of 100 heights are assumed (9.6 m)");
+    EXPECT_EQ(assumedHeadline(countHeights(ofHeights(2133, 0))),
+              "2,133 of 2,133 heights are assumed (9.6 m)");
+    EXPECT_EQ(assumedHeadline(countHeights(City{})), std::nullopt);
+    City mixed = ofHeights(3, 0);
+    mixed.buildings.push_back(ofHeights(1, 0, 3.2F).buildings[0]);
+    EXPECT_EQ(assumedHeadline(countHeights(mixed)), "4 of 4 heights are assumed (most of them 9.6 m)");
+}
+
+TEST(AssumedHeights, areCountedInJsonWithTheFieldsOfTheOthers) {
+    CityRead read;
+    read.city = ofHeights(1, 3);
+    read.heights.fields = {{"a.shp", "RelH2", "base of the roof", "m", 3}};
+    read.heights.unknown = {{"a.shp", "H_BAT", 2.5, 41, false, 4}};
+    const auto heights = nlohmann::json::parse(infoJson(read))["heights"];
+    EXPECT_EQ(heights["by_source"]["measured"], 3);
+    EXPECT_EQ(heights["assumed_share"], 0.25);
+    EXPECT_EQ(heights["assumed_m"], 9.6);
+    EXPECT_EQ(heights["fields"][0]["field"], "RelH2");
+    EXPECT_EQ(heights["fields"][0]["meaning"], "base of the roof");
+    EXPECT_EQ(heights["fields"][0]["unit"], "m");
+    EXPECT_EQ(heights["could_be"][0]["high"], 41);
+    EXPECT_EQ(
+        assumedHeightsMessage(countHeights(read.city), read.heights),
+        "1 of 4 heights are assumed (9.6 m). Fields that could hold heights or storeys: H_BAT (2.5 to 41 "
+        "in 4 features)");
 }
 
 TEST(InfoJson, anEmptyCity) {
