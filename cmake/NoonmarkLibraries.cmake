@@ -18,3 +18,5 @@ pkg_check_modules(GEOGRAPHICLIB REQUIRED IMPORTED_TARGET geographiclib)
 pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(OpenCL REQUIRED)
+# Cities with their time zones; without it the window guesses a zone from the tz database's cities alone.
+pkg_check_modules(GEONAMES IMPORTED_TARGET geonames)

@@ -102,7 +102,7 @@ private:
     void readRegionFile();
     void showCity();
     void showOpenFailure(const Error& error);
-    void showAssumedHeights();
+    void showGuesses();
     void showAnswer();
     void showStudy();
     void showScore();

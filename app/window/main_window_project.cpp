@@ -186,16 +186,23 @@ void MainWindow::showProject() {
         panel_->navigator().showSlanting(startView(workbench_.document().settings().region));
     if (!opening_.isEmpty()) recent_.add(opening_, reading_);
     showTitle();
-    showAssumedHeights();
+    showGuesses();
     offerRecovery();
 }
 
-void MainWindow::showAssumedHeights() {
+// What a result would rest on without a word in the files.
+void MainWindow::showGuesses() {
     const CityRead& read = workbench_.city()->loaded.read;
-    const auto message = assumedHeightsMessage(countHeights(read.city), read.heights);
-    if (!message) return;
-    panel_->messages().showHelp(QString::fromStdString(*message));
-    if (opening_.isEmpty() || workbench_.session().file()) return;
+    const auto heights = assumedHeightsMessage(countHeights(read.city), read.heights);
+    const ZoneGuess& zone = workbench_.zone();
+    QStringList lines;
+    if (heights) lines << QString::fromStdString(*heights) + u'.';
+    if (!zone.others.isEmpty() && !workbench_.openedView().study)
+        lines << tr("The time zone %1 is a guess; near by is also %2.")
+                     .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
+    if (lines.isEmpty()) return;
+    panel_->messages().showHelp(lines.join(u'\n'));
+    if (!heights || opening_.isEmpty() || workbench_.session().file()) return;
     panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
 }
 

@@ -1,7 +1,6 @@
 #include "app/window/open_city.h"
 
 #include "app/input/all_engines.h"
-#include "app/window/zone_guess.h"
 
 namespace noonmark {
 
@@ -29,11 +28,11 @@ Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> 
     return open;
 }
 
-StudySettings firstSettings(const LoadedCity& loaded) {
+StudySettings firstSettings(const LoadedCity& loaded, const ZoneGuess& zone) {
     StudySettings settings;
     settings.region = firstRegion(loaded);
     settings.receivers.cellM = 2;
-    settings.period.zone = zoneNear(loaded.read.city.frame.origin()).toStdString();
+    settings.period.zone = zone.zone.toStdString();
     return settings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/input/load_city.h"
+#include "app/window/zone_guess.h"
 #include "render/city_arrays.h"
 #include "render/scene_picker.h"
 
@@ -20,9 +21,9 @@ struct OpenCity {
 Result<OpenCity> shownCity(LoadedCity loaded, std::shared_ptr<const CityArrays> drawn, Progress& progress,
                            const std::stop_token& stop);
 
-/// Settings to begin with: first region, the time zone nearest to the city, cells of 2 m, the engine picked
-/// by itself.
-StudySettings firstSettings(const LoadedCity& loaded);
+/// Settings to begin with: first region, the time zone that was guessed, cells of 2 m, the engine picked by
+/// itself.
+StudySettings firstSettings(const LoadedCity& loaded, const ZoneGuess& zone);
 
 /// A study over a city that was read from files, with the files' hashes and warnings.
 Result<Study> studyOf(const LoadedCity& loaded, const StudySettings& settings, Progress& progress,

@@ -108,8 +108,7 @@ void PeriodForm::tell() {
     add(step_, "step", "step", tr("Minutes between two positions of the sun, 1/60 to 240"));
     add(zone_, "time zone", "zone",
         tr("IANA time zone of the wall clock, daylight saving included.\n"
-           "Set to the zone of the city nearest in the tz database when a file is opened: check it near "
-           "borders."));
+           "Set to the zone of the nearest city when a file is opened: check it near borders."));
     add(window_, "solar window", "solarWindow", tr("Count the hours from the sun instead of the clock"));
     add(afterSunrise_, "after sunrise", "afterSunrise",
         tr("The window begins this many hours after sunrise"));

@@ -50,6 +50,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     if (!opened) return Q_EMIT openFailed(opened.error());
     city_ = std::make_shared<const OpenCity>(std::move(opened->city));
     openedView_ = std::move(opened->view);
+    zone_ = std::move(opened->zone);
     forgetAnswers();
     known_.clear();
     keeping_.drop();
@@ -65,7 +66,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
 
 // Of a project that the window has not been used on: where it wants to know.
 StudySettings Workbench::firstQuestion() const {
-    StudySettings settings = firstSettings(city_->loaded);
+    StudySettings settings = firstSettings(city_->loaded, zone_);
     const auto& regions = session_.project().regions;
     if (!regions.empty()) settings.region = regions.front();
     return settings;

@@ -65,6 +65,7 @@ public:
 
     [[nodiscard]] StudyDocument& document() { return document_; }
     [[nodiscard]] ProjectSession& session() { return session_; }
+    [[nodiscard]] const ZoneGuess& zone() const { return zone_; }  ///< guessed of the city's place
     [[nodiscard]] const ViewState& openedView() const { return openedView_; }  ///< what the project came with
     [[nodiscard]] JobSlot& opening() { return opening_; }
     [[nodiscard]] JobSlot& following() { return following_; }  ///< works a change into what is shown
@@ -117,6 +118,7 @@ private:
     StudyDocument document_;
     ProjectSession session_{document_.undoStack()};
     ViewState openedView_;
+    ZoneGuess zone_;
     std::shared_ptr<const OpenCity> city_;
     std::vector<KnownStudy> known_;
     std::shared_ptr<const Study> study_;

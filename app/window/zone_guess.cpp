@@ -1,27 +1,58 @@
 #include "app/window/zone_guess.h"
 
+#include <QDateTime>
 #include <QFile>
 #include <QRegularExpression>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <glm/vec3.hpp>
+#include <QTimeZone>
+#include <limits>
+
+#include "app/window/gazetteer_cities.h"
+#include "core/geo/distance.h"
 
 namespace noonmark {
 
 namespace {
 
-glm::dvec3 onSphere(LonLat place) {
-    const double lon = glm::radians(place.lonDeg);
-    const double lat = glm::radians(place.latDeg);
-    return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
-}
+constexpr double nearbyM = 30000;  // across a large city
 
 // Digits are dd, ddmm or ddmmss; longitudes have one digit of degrees more.
 double degreesOf(QStringView digits, int degreeDigits) {
     double degrees = digits.left(degreeDigits).toInt();
     degrees += digits.mid(degreeDigits, 2).toInt() / 60.0;
     return degrees + digits.mid(degreeDigits + 2, 2).toInt() / 3600.0;
+}
+
+struct NearestCity {
+    const ZoneCity* city = nullptr;
+    double metres = std::numeric_limits<double>::infinity();
+
+    void look(const std::vector<ZoneCity>& cities, LonLat place) {
+        for (const ZoneCity& one : cities) {
+            const double away = greatCircleM(one.place, place);
+            if (away >= metres) continue;
+            city = &one;
+            metres = away;
+        }
+    }
+};
+
+// On the first of every month of a year: enough to tell summer times apart.
+bool showTheSameTime(const QString& one, const QString& other) {
+    if (one == other) return true;
+    const QTimeZone a(one.toUtf8()), b(other.toUtf8());
+    if (!a.isValid() || !b.isValid()) return false;
+    for (int month = 1; month <= 12; ++month) {
+        const QDateTime at(QDate(2026, month, 1), QTime(12, 0), Qt::UTC);
+        if (a.offsetFromUtc(at) != b.offsetFromUtc(at)) return false;
+    }
+    return true;
+}
+
+void addOthers(ZoneGuess& guess, const std::vector<ZoneCity>& cities, LonLat place, double withinM) {
+    for (const ZoneCity& city : cities)
+        if (!guess.others.contains(city.zone) && greatCircleM(city.place, place) <= withinM &&
+            !showTheSameTime(city.zone, guess.zone))
+            guess.others << city.zone;
 }
 
 }  // namespace
@@ -36,26 +67,39 @@ std::optional<LonLat> placeFromIso6709(const QString& text) {
     return LonLat{sign(3) * degreesOf(match.captured(4), 3), sign(1) * degreesOf(match.captured(2), 2)};
 }
 
-std::optional<QString> nearestZone(QTextStream& table, LonLat place) {
-    std::optional<QString> nearest;
-    double best = -2;
+std::vector<ZoneCity> zoneCities(QTextStream& table) {
+    std::vector<ZoneCity> cities;
     for (QString line; table.readLineInto(&line);) {
         const QStringList fields = line.split(QLatin1Char('\t'));
         if (line.startsWith(QLatin1Char('#')) || fields.size() < 3) continue;
-        const auto city = placeFromIso6709(fields[1]);
-        const double closeness = city ? glm::dot(onSphere(*city), onSphere(place)) : -2;
-        if (closeness <= best) continue;
-        best = closeness;
-        nearest = fields[2];
+        if (const auto place = placeFromIso6709(fields[1])) cities.push_back({*place, fields[0], fields[2]});
     }
-    return nearest;
+    return cities;
 }
 
-QString zoneNear(LonLat place) {
-    QFile file(QStringLiteral("/usr/share/zoneinfo/zone1970.tab"));
-    if (!file.open(QIODevice::ReadOnly | QIODevice::Text)) return QStringLiteral("UTC");
-    QTextStream table(&file);
-    return nearestZone(table, place).value_or(QStringLiteral("UTC"));
+ZoneGuess guessedZone(const std::vector<ZoneCity>& principal, const std::vector<ZoneCity>& cities,
+                      LonLat place) {
+    NearestCity first, nearest;
+    first.look(principal, place);
+    nearest.look(principal, place);
+    nearest.look(cities, place);
+    if (nearest.city == nullptr) return {};
+    const bool principalCounts = first.metres <= nearbyM && first.city->country == nearest.city->country;
+    ZoneGuess guess{principalCounts ? first.city->zone : nearest.city->zone, {}};
+    const double withinM = nearest.metres + nearbyM;
+    addOthers(guess, principal, place, withinM);
+    if (!principalCounts) addOthers(guess, cities, place, withinM);
+    return guess;
+}
+
+ZoneGuess zoneNear(LonLat place) {
+    QFile file(QStringLiteral("/usr/share/zoneinfo/zone.tab"));
+    std::vector<ZoneCity> principal;
+    if (file.open(QIODevice::ReadOnly | QIODevice::Text)) {
+        QTextStream table(&file);
+        principal = zoneCities(table);
+    }
+    return guessedZone(principal, gazetteerCities(), place);
 }
 
 }  // namespace noonmark

@@ -58,6 +58,7 @@ Result<OpenProject> openProject(const std::vector<std::string>& files, const Rea
     auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress)
                                    : readCityFiles(files, settings, opened, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
+    opened.zone = zoneNear(loaded->read.city.frame.origin());
     return shownCity(*std::move(loaded), nullptr, progress, std::move(stop)).map([&](OpenCity city) {
         opened.city = std::move(city);
         return std::move(opened);

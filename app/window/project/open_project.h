@@ -13,6 +13,7 @@ struct OpenProject {
     ViewState view;
     OpenCity city;           ///< of view.scenario
     bool recovered = false;  ///< work that an earlier run left unsaved
+    ZoneGuess zone;          ///< of the city
 };
 
 /// Whether the files are one project file, by its ending.
