@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/city/footprint.h"
+#include "core/city/plan_lines.h"
 #include "core/city/repair_footprint.h"
 
 // GEOS's own names, so that its header is needed only by files that bear its name.
@@ -41,6 +42,9 @@ Geos::Geometry polygonGeometry(const Geos& geos, const std::vector<RawRing>& rin
 /// over.
 Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeom_t*> polygons);
 Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footprints);
+
+/// Lines, each once, cut where they meet; what lies within a millimetre is one. Null for none.
+Geos::Geometry nodedLines(const Geos& geos, const std::vector<PlanLine>& lines);
 
 /// The union of a collection, without points within 1 mm of straight lines. Null where GEOS fails even on a
 /// grid of 1 mm.

@@ -100,6 +100,20 @@ Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footpr
     return collection(geos, std::move(polygons));
 }
 
+Geos::Geometry nodedLines(const Geos& geos, const std::vector<PlanLine>& lines) {
+    if (lines.empty()) return geos.owned(nullptr);
+    std::vector<GEOSGeometry*> shapes;
+    for (const PlanLine& line : lines) {
+        GEOSCoordSequence* points = GEOSCoordSeq_create_r(geos, 2, 2);
+        GEOSCoordSeq_setXY_r(geos, points, 0, line.a.x, line.a.y);
+        GEOSCoordSeq_setXY_r(geos, points, 1, line.b.x, line.b.y);
+        shapes.push_back(GEOSGeom_createLineString_r(geos, points));
+    }
+    const Geos::Geometry all = geos.owned(
+        GEOSGeom_createCollection_r(geos, GEOS_MULTILINESTRING, shapes.data(), unsigned(shapes.size())));
+    return geos.owned(all ? GEOSUnaryUnionPrec_r(geos, all.get(), overlayGridM) : nullptr);
+}
+
 // In full precision first: snapping to a grid takes several times as long, and in GEOS 3.11 may move a corner
 // that two polygons share for one of them only.
 Geos::Geometry unionGeometry(const Geos& geos, const Geos::Geometry& polygons) {

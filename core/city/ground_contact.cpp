@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "core/city/mesh_outline.h"
+#include "core/city/mesh_parts.h"
+
 namespace noonmark {
 
 namespace {
@@ -27,8 +30,12 @@ std::vector<Footprint> groundContact(const Part& part, float groundM) {
     std::vector<Footprint> contact;
     for (const glm::uvec3 triangle : part.mesh->triangles)
         addIfUnderside(*part.mesh, triangle, highestM, contact);
-    if (contact.empty()) return {part.footprint};
-    return contact;
+    if (!contact.empty()) return contact;
+    contact = enclosedByWalls(*part.mesh, openAirM);
+    if (!contact.empty()) return contact;
+    const double walled = walledShare(*part.mesh, part.footprint, openAirM);
+    if (walled > 0 && walled < walledEnough) return {};
+    return {part.footprint};
 }
 
 }  // namespace noonmark

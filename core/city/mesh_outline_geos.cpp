@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <memory>
 #include <numeric>
 
 #include "core/city/geos_shapes.h"
 #include "core/city/mesh_topology.h"
+#include "core/city/plan_lines.h"
 #include "core/city/plan_overlay.h"
 
 namespace noonmark {
@@ -32,16 +34,104 @@ std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpw
     return triangles;
 }
 
-std::vector<Footprint> convexHullOf(const Geos& geos, const TriangleMesh& mesh) {
-    std::vector<GEOSGeometry*> points;
-    for (const glm::uvec3 t : mesh.triangles)
+// A plumb face seen from above.
+struct WallTrace {
+    glm::dvec2 a, b;
+    float lowM;  // of the face's lowest point
+};
+
+std::vector<WallTrace> wallTraces(const TriangleMesh& mesh) {
+    constexpr double plumbLean = 0.0175;
+    std::vector<WallTrace> traces;
+    for (const glm::uvec3 t : mesh.triangles) {
+        const glm::dvec3 p[] = {glm::dvec3(mesh.vertices[t.x]), glm::dvec3(mesh.vertices[t.y]),
+                                glm::dvec3(mesh.vertices[t.z])};
+        const glm::dvec3 doubled = glm::cross(p[1] - p[0], p[2] - p[0]);
+        if (std::abs(doubled.z) > plumbLean * glm::length(doubled)) continue;
+        WallTrace longest{glm::dvec2(p[0]), glm::dvec2(p[0]), float(std::min({p[0].z, p[1].z, p[2].z}))};
         for (int i = 0; i < 3; ++i) {
-            const glm::vec3 point = mesh.vertices[t[i]];
-            points.push_back(GEOSGeom_createPointFromXY_r(geos, double(point.x), double(point.y)));
+            const glm::dvec2 a(p[i]), b(p[(i + 1) % 3]);
+            if (glm::distance(a, b) > glm::distance(longest.a, longest.b)) longest.a = a, longest.b = b;
         }
-    const auto cloud = geos.owned(
-        GEOSGeom_createCollection_r(geos, GEOS_MULTIPOINT, points.data(), unsigned(points.size())));
-    return polygonsOf(geos, geos.owned(cloud ? GEOSConvexHull_r(geos, cloud.get()) : nullptr));
+        if (longest.a != longest.b) traces.push_back(longest);
+    }
+    return traces;
+}
+
+std::vector<WallTrace> lowWallTraces(const TriangleMesh& mesh, float aboveM) {
+    std::vector<WallTrace> traces = wallTraces(mesh);
+    const float highestFoot = boxOf(mesh).low.z + aboveM;
+    std::erase_if(traces, [&](const WallTrace& trace) { return trace.lowM > highestFoot; });
+    return traces;
+}
+
+std::vector<PlanLine> linesOf(const std::vector<WallTrace>& traces) {
+    std::vector<PlanLine> lines;
+    for (const WallTrace& trace : traces) lines.push_back({trace.a, trace.b});
+    return lines;
+}
+
+// What has less is lost as a sliver when it is moved or read again.
+constexpr double leastStripM2 = 2 * sliverAreaM2;
+
+// A thin rectangle along a line.
+Footprint stripAlong(glm::dvec2 a, glm::dvec2 b) {
+    const double lengthM = std::max(1e-3, glm::distance(a, b));
+    const double widthM = std::max(wallStripM, leastStripM2 / lengthM);
+    const glm::dvec2 along = (b - a) / lengthM, end = along * (wallStripM / 2);
+    const glm::dvec2 side = glm::dvec2(-along.y, along.x) * (widthM / 2);
+    return {{glm::vec2(a - end - side), glm::vec2(b + end - side), glm::vec2(b + end + side),
+             glm::vec2(a - end + side)},
+            {}};
+}
+
+WallTrace farthestApart(const std::vector<WallTrace>& traces) {
+    WallTrace far = traces.front();
+    for (const WallTrace& trace : traces)
+        for (const glm::dvec2 end : {trace.a, trace.b})
+            if (glm::distance(traces.front().a, end) > glm::distance(far.a, far.b))
+                far = {traces.front().a, end, 0};
+    return far;
+}
+
+std::vector<Footprint> wallStrips(const Geos& geos, const std::vector<WallTrace>& traces) {
+    constexpr int segments = 1;
+    constexpr double mitre = 2;
+    const Geometry lines = nodedLines(geos, linesOf(traces));
+    const Geometry strips =
+        geos.owned(lines ? GEOSBufferWithStyle_r(geos, lines.get(), wallStripM / 2, segments,
+                                                 GEOSBUF_CAP_SQUARE, GEOSBUF_JOIN_MITRE, mitre)
+                         : nullptr);
+    return polygonsOf(geos, strips);
+}
+
+// Walls too short for GEOS's pieces are a rectangle.
+std::vector<Footprint> stripsOrRectangle(const Geos& geos, const std::vector<WallTrace>& traces) {
+    if (traces.empty()) return {};
+    std::vector<Footprint> strips = wallStrips(geos, traces);
+    if (strips.size() > 1 || (strips.size() == 1 && area(strips[0]) >= leastStripM2)) return strips;
+    const WallTrace far = farthestApart(traces);
+    return {stripAlong(far.a, far.b)};
+}
+
+bool holds(const Box2& box, glm::dvec2 point, float marginM) {
+    return float(point.x) >= box.low.x - marginM && float(point.x) <= box.high.x + marginM &&
+           float(point.y) >= box.low.y - marginM && float(point.y) <= box.high.y + marginM;
+}
+
+// An outline bounds its mesh: engines look no farther for what casts a shadow.
+std::vector<Footprint> withWallsOutside(const Geos& geos, const TriangleMesh& mesh,
+                                        std::vector<Footprint> pieces) {
+    constexpr float marginM = float(wallStripM);
+    Box2 box;
+    for (const Footprint& piece : pieces) box.add(bounds(piece));
+    std::vector<WallTrace> outside = wallTraces(mesh);
+    std::erase_if(outside, [&](const WallTrace& trace) {
+        return holds(box, trace.a, marginM) && holds(box, trace.b, marginM);
+    });
+    if (outside.empty()) return pieces;
+    std::ranges::move(stripsOrRectangle(geos, outside), std::back_inserter(pieces));
+    return polygonsOf(geos, unionGeometry(geos, collection(geos, pieces)));
 }
 
 Box2 boundsOf(const std::vector<Footprint>& outline) {
@@ -106,10 +196,34 @@ MeshOutline outlineOf(const TriangleMesh& mesh, bool closed) {
     const Geos geos;
     MeshOutline outline;
     outline.pieces = unionOfTriangles(geos, projectedTriangles(mesh, closed));
-    if (!outline.pieces.empty() || mesh.triangles.empty()) return outline;
-    outline.pieces = convexHullOf(geos, mesh);
-    outline.convexHull = true;
+    if (mesh.triangles.empty()) return outline;
+    if (!outline.pieces.empty()) {
+        if (!closed) outline.pieces = withWallsOutside(geos, mesh, std::move(outline.pieces));
+        return outline;
+    }
+    outline.wallsOnly = true;
+    outline.pieces = enclosedBy(linesOf(wallTraces(mesh)));
+    outline.pieces = outline.pieces.empty() ? stripsOrRectangle(geos, wallTraces(mesh))
+                                            : withWallsOutside(geos, mesh, std::move(outline.pieces));
     return outline;
+}
+
+std::vector<Footprint> enclosedByWalls(const TriangleMesh& mesh, float aboveM) {
+    return enclosedBy(linesOf(lowWallTraces(mesh, aboveM)));
+}
+
+double walledShare(const TriangleMesh& mesh, const Footprint& outline, float aboveM) {
+    constexpr double besideM = 1;
+    const Geos geos;
+    const Geometry lines = nodedLines(geos, linesOf(lowWallTraces(mesh, aboveM)));
+    const Geometry whole = collection(geos, std::vector<Footprint>{outline});
+    const Geometry around = geos.owned(whole ? GEOSBuffer_r(geos, whole.get(), besideM, 4) : nullptr);
+    if (!lines || !around) return 0;
+    const Geometry under = geos.owned(GEOSIntersection_r(geos, lines.get(), around.get()));
+    double walled = 0, length = 0;
+    if (under) GEOSLength_r(geos, under.get(), &walled);
+    GEOSLength_r(geos, whole.get(), &length);
+    return std::min(1.0, walled / std::max(1e-9, length));
 }
 
 std::vector<Footprint> unionOf(const std::vector<Footprint>& footprints) {

@@ -8,13 +8,12 @@
 #include <memory>
 
 #include "core/city/mesh_outline.h"
+#include "core/city/mesh_sheets.h"
 #include "core/city/mesh_topology.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr float leastHeightM = 0.01F;
 
 double distanceTo(const Ring& ring, glm::dvec2 point) {
     double least = 1e30;
@@ -73,9 +72,14 @@ Part partOf(TriangleMesh mesh, Footprint footprint, const std::string& sourceId)
     return part;
 }
 
-bool hasHeight(const TriangleMesh& mesh) {
-    const Box3 box = boxOf(mesh);
-    return box.high.z - box.low.z >= leastHeightM;
+// A level sheet is a prism, from its true height down.
+Part slabOf(const TriangleMesh& sheet, Footprint footprint, const std::string& sourceId) {
+    const float topM = boxOf(sheet).high.z;
+    return {.sourceId = sourceId,
+            .footprint = std::move(footprint),
+            .bottomM = topM - levelSheetM,
+            .topM = topM,
+            .heightSource = HeightSource::mesh};
 }
 
 // What of its faces look down clear of the bottom, m2 from above.
@@ -96,49 +100,117 @@ bool isCavity(const TriangleMesh& component, const Box3& whole) {
     return signedVolume(component) < 0 && boxOf(component).liesInside(whole);
 }
 
+// What of a sheet is clear of the bottom, m2 from above, whichever way it looks.
+double areaAbove(const TriangleMesh& sheet, float bottomM) {
+    double area = 0;
+    for (const glm::uvec3 t : sheet.triangles) {
+        const glm::vec3 a = sheet.vertices[t.x], b = sheet.vertices[t.y], c = sheet.vertices[t.z];
+        if ((a.z + b.z + c.z) / 3 > bottomM + openAirM)
+            area += std::abs(signedArea({glm::vec2(a), glm::vec2(b), glm::vec2(c)}));
+    }
+    return area;
+}
+
+bool isCarriedByWalls(const TriangleMesh& sheet, const TriangleMesh& whole) {
+    const auto isWalled = [&](const Footprint& piece) {
+        return walledShare(whole, piece, openAirM) >= walledEnough;
+    };
+    return std::ranges::all_of(outlineOf(sheet, false).pieces, isWalled);
+}
+
+// Of one component, m2 from above.
+double openArea(const TriangleMesh& component, const TriangleMesh& whole, const Box3& box) {
+    if (isCavity(component, box)) return 0;
+    if (!isSheet(component)) return areaLookingDownAbove(component, box.low.z);
+    const double area = areaAbove(component, box.low.z);
+    return area > 0 && !isCarriedByWalls(component, whole) ? area : 0;
+}
+
 }  // namespace
 
 bool hasOpenAirBelow(const TriangleMesh& mesh) {
     constexpr double leastAreaM2 = 0.1;
     const Box3 whole = boxOf(mesh);
-    if (areaLookingDownAbove(mesh, whole.low.z) <= leastAreaM2) return false;
+    if (openEdges(mesh) == 0 && areaLookingDownAbove(mesh, whole.low.z) <= leastAreaM2) return false;
     double area = 0;
     for (const TriangleMesh& component : separated(mesh, componentsOf(mesh)))
-        if (!isCavity(component, whole)) area += areaLookingDownAbove(component, whole.low.z);
+        area += openArea(component, mesh, whole);
     return area > leastAreaM2;
 }
 
-MeshParts partsOf(const TriangleMesh& raw, const std::string& sourceId, const std::string& where) {
-    MeshParts result;
-    const auto warn = [&](WarningKind kind, const char* what) {
-        result.warnings.push_back({kind, what, where});
-    };
-    TriangleMesh mesh = welded(raw);
-    const bool closed = openEdges(mesh) == 0;
-    removeDegenerateTriangles(mesh);
-    const std::size_t dropped = raw.triangles.size() - mesh.triangles.size();
-    if (dropped > 0)
-        result.warnings.push_back({WarningKind::mended, "faces without area were left out",
-                                   fmt::format("{} ({})", where, dropped)});
-    if (mesh.triangles.empty() || !hasHeight(mesh)) {
-        warn(WarningKind::dropped, "has no height, so it casts no shadow");
-        return result;
-    }
-    if (!closed) warn(WarningKind::mended, "its surface is not closed; used as it is");
-    if (turnOutward(mesh) > 0) warn(WarningKind::mended, "its faces looked inward and were turned");
-    MeshOutline outline = outlineOf(mesh, closed);
-    if (outline.pieces.empty()) warn(WarningKind::dropped, "a sheet on edge: it covers no ground");
-    if (outline.pieces.empty()) return result;
-    if (outline.convexHull)
-        warn(WarningKind::mended, "its outline could not be found; the convex hull stands in");
-    std::vector<TriangleMesh> meshes = splitByPiece(std::move(mesh), outline.pieces);
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-        if (meshes[i].triangles.empty() || !hasHeight(meshes[i]))
-            warn(WarningKind::leftOut, "a piece of it is flat, so it casts no shadow");
+namespace {
+
+// Makes the parts of one mesh and lists what had to be done to it.
+class PartsMaker {
+public:
+    PartsMaker(const std::string& sourceId, const std::string& where) : sourceId_(sourceId), where_(where) {}
+
+    MeshParts make(const TriangleMesh& raw) {
+        TriangleMesh mesh = cleaned(raw);
+        if (mesh.triangles.empty()) {
+            warn(WarningKind::dropped, "has no area, so it casts no shadow");
+            return std::move(made_);
+        }
+        if (isLevel(mesh))
+            addSlabs(mesh);
         else
-            result.parts.push_back(partOf(std::move(meshes[i]), std::move(outline.pieces[i]), sourceId));
+            addSolids(std::move(mesh));
+        return std::move(made_);
     }
-    return result;
+
+private:
+    void warn(WarningKind kind, const char* what) { made_.warnings.push_back({kind, what, where_}); }
+
+    TriangleMesh cleaned(const TriangleMesh& raw) {
+        TriangleMesh mesh = welded(raw);
+        closed_ = openEdges(mesh) == 0;  // faces without area close it too
+        removeDegenerateTriangles(mesh);
+        const std::size_t dropped = raw.triangles.size() - mesh.triangles.size();
+        if (dropped > 0)
+            made_.warnings.push_back({WarningKind::mended, "faces without area were left out",
+                                      fmt::format("{} ({})", where_, dropped)});
+        return mesh;
+    }
+
+    void addSlabs(const TriangleMesh& sheet) {
+        for (Footprint& piece : outlineOf(sheet, false).pieces)
+            made_.parts.push_back(slabOf(sheet, std::move(piece), sourceId_));
+    }
+
+    void addSolids(TriangleMesh mesh) {
+        if (!closed_ && !isSheet(mesh) && !isUpright(mesh))
+            warn(WarningKind::mended, "its surface is not closed; used as it is");
+        if (turnOutward(mesh) > 0) warn(WarningKind::mended, "its faces looked inward and were turned");
+        MeshOutline outline = outlineOf(mesh, closed_);
+        if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be found");
+        if (outline.wallsOnly && area(outline.pieces.front()) > 1)
+            warn(WarningKind::assumed, "walls without a roof; the ground that they enclose is inside");
+        const float lowM = boxOf(mesh).low.z;
+        std::vector<TriangleMesh> meshes = splitByPiece(std::move(mesh), outline.pieces);
+        for (std::size_t i = 0; i < meshes.size(); ++i)
+            addPiece(std::move(meshes[i]), std::move(outline.pieces[i]), lowM);
+    }
+
+    void addPiece(TriangleMesh mesh, Footprint footprint, float lowM) {
+        if (mesh.triangles.empty()) return;
+        if (!isLevel(mesh))
+            made_.parts.push_back(partOf(std::move(mesh), std::move(footprint), sourceId_));
+        else if (boxOf(mesh).high.z > lowM + levelSheetM)
+            made_.parts.push_back(slabOf(mesh, std::move(footprint), sourceId_));
+        else
+            warn(WarningKind::leftOut, "a level piece at its foot was taken for ground");
+    }
+
+    const std::string& sourceId_;
+    const std::string& where_;
+    MeshParts made_;
+    bool closed_ = false;
+};
+
+}  // namespace
+
+MeshParts partsOf(const TriangleMesh& raw, const std::string& sourceId, const std::string& where) {
+    return PartsMaker(sourceId, where).make(raw);
 }
 
 void markHanging(std::vector<Part>& parts, const std::function<float(glm::dvec2)>& groundM) {
@@ -155,7 +227,8 @@ void markHanging(std::vector<Part>& parts, const std::function<float(glm::dvec2)
             for (const Part* lower : standing)
                 if (lower->topM >= part->bottomM - reachM) carrying.push_back(lower->footprint);
             const double open = areaOutside(part->footprint, carrying);
-            if (open > std::max(0.5, 0.05 * area(part->footprint))) part->hangs = true;
+            const double all = area(part->footprint);  // of a wall in the air a few square centimetres
+            if (open > std::max(std::min(0.5, all / 2), 0.05 * all)) part->hangs = true;
         }
         if (!part->hangs) standing.push_back(part);
     }

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "core/city/mesh_sheets.h"
+
 namespace noonmark {
 
 namespace {
@@ -109,15 +111,19 @@ std::size_t turnOutward(TriangleMesh& mesh) {
     std::vector<TriangleMesh> components = separated(mesh, componentsOf(mesh));
     std::vector<Box3> boxes;
     for (const TriangleMesh& component : components) boxes.push_back(boxOf(component));
-    std::size_t turned = 0;
+    std::size_t turned = 0, sheets = 0;
     for (std::size_t i = 0; i < components.size(); ++i) {
+        if (isSheet(components[i])) {
+            if (areaFromAbove(components[i]) < 0) turnInsideOut(components[i]), ++sheets;
+            continue;
+        }
         if (signedVolume(components[i]) >= 0) continue;
         const auto holds = [&](const Box3& other) { return boxes[i].liesInside(other); };
         if (std::any_of(boxes.begin(), boxes.end(), holds)) continue;
         turnInsideOut(components[i]);
         ++turned;
     }
-    if (turned == 0) return 0;
+    if (turned + sheets == 0) return 0;
     mesh = {};
     for (const TriangleMesh& component : components) append(mesh, component);
     return turned;

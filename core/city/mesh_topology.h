@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/city/mesh.h"
@@ -11,6 +12,10 @@ namespace noonmark {
 /// The same mesh with points closer than `toleranceM` made one. Triangles that lose a corner by that, or have
 /// a coordinate that is no number, are left out. O(points).
 TriangleMesh welded(const TriangleMesh& mesh, float toleranceM = 0.001F);
+
+/// For each point the index of the one that stands for it: the first that was found within `toleranceM`.
+/// Points that are no number stand for themselves. O(points).
+std::vector<std::uint32_t> weldedIndices(std::span<const glm::vec3> points, float toleranceM);
 
 /// Takes out triangles under 1e-8 m2; says how many. The points stay.
 std::size_t removeDegenerateTriangles(TriangleMesh& mesh);
@@ -36,7 +41,7 @@ void turnInsideOut(TriangleMesh& mesh);
 void append(TriangleMesh& mesh, const TriangleMesh& more);
 
 /// Turns the components whose faces look inward, except cavities: those whose box lies inside another
-/// component's box. Says how many were turned.
+/// component's box. Sheets are turned to look up. Returns how many solid components were turned.
 std::size_t turnOutward(TriangleMesh& mesh);
 
 /// Whether `box` of one mesh lies inside that of the other, all three axes, without touching.

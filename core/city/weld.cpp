@@ -58,6 +58,22 @@ bool isFinite(glm::vec3 point) {
 
 }  // namespace
 
+std::vector<Index> weldedIndices(std::span<const glm::vec3> points, float toleranceM) {
+    std::vector<glm::vec3> found;
+    PointFinder finder(found, toleranceM);
+    std::vector<Index> firstOf, indices;  // `firstOf`: of each found point, the index that it came from
+    for (Index i = 0; i < points.size(); ++i) {
+        if (!isFinite(points[i])) {
+            indices.push_back(i);
+            continue;
+        }
+        const Index at = finder.find(points[i]);
+        if (at == firstOf.size()) firstOf.push_back(i);
+        indices.push_back(firstOf[at]);
+    }
+    return indices;
+}
+
 TriangleMesh welded(const TriangleMesh& mesh, float toleranceM) {
     TriangleMesh result;
     PointFinder finder(result.vertices, toleranceM);

@@ -127,7 +127,7 @@ private:
         for (const CityJsonBody& body : object.footprint->bodies)
             for (const auto& shell : body) append(mesh, meshOf(shell, object));
         const MeshOutline outline = outlineOf(mesh, false);
-        if (outline.pieces.empty() || outline.convexHull) return;
+        if (outline.pieces.empty() || outline.wallsOnly) return;
         const HeightReading heights = heightOf(object);
         const float bottom = boxOf(mesh).low.z;
         for (const Footprint& piece : outline.pieces)

@@ -38,11 +38,11 @@ private:
         });
     }
 
-    // Only faces seen from above: each cell under the mesh has one of them as its highest.
+    // Whichever way a face looks: the highest one is seen from above, and sheets may look down.
     void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         const glm::dvec2 u = glm::dvec2(b) - glm::dvec2(a), v = glm::dvec2(c) - glm::dvec2(a);
         const double area = u.x * v.y - u.y * v.x;
-        if (!(area > 1e-9)) return;
+        if (!(std::abs(area) > 1e-9)) return;
         fill({{glm::vec2(a), glm::vec2(b), glm::vec2(c)}, {}}, [&](glm::dvec2 p) {
             const glm::dvec2 d = p - glm::dvec2(a);
             const double s = (d.x * v.y - d.y * v.x) / area, t = (u.x * d.y - u.y * d.x) / area;

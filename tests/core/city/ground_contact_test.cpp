@@ -43,14 +43,23 @@ TEST(GroundContact, eavesDoNotTakeTheGroundBelowThem) {
     EXPECT_TRUE(groundContact(houseWithEaves(4), 0).empty());  // all of it in the air
 }
 
-TEST(GroundContact, aShellOpenBelowTakesItsWholeFootprint) {
+TEST(GroundContact, aShellOpenBelowTakesWhatItsWallsEnclose) {
     Part part = houseWithEaves(0);
     TriangleMesh open = *part.mesh;
     std::erase_if(open.triangles, [&](glm::uvec3 t) {
         return open.vertices[t.x].z + open.vertices[t.y].z + open.vertices[t.z].z == 0;
     });
     part.mesh = std::make_shared<const TriangleMesh>(open);
-    EXPECT_DOUBLE_EQ(areaOf(groundContact(part, 0)), 100);
+    EXPECT_NEAR(areaOf(groundContact(part, 0)), 36, 1e-4);
+}
+
+// The ground under a canopy with a wall on one side is free.
+TEST(GroundContact, aWallThatEnclosesNothingTakesNothing) {
+    Part part = prism(square(0, 10), 0, 5, true);
+    part.mesh = std::make_shared<const TriangleMesh>(
+        TriangleMesh{{{0, 0, 5}, {10, 0, 5}, {10, 10, 5}, {0, 10, 5}, {0, 0, 0}, {10, 0, 0}},
+                     {{0, 1, 2}, {0, 2, 3}, {4, 5, 1}, {4, 1, 0}}});
+    EXPECT_TRUE(groundContact(part, 0).empty());
 }
 
 TEST(GroundContact, receiversLieUnderTheEavesButNotInTheHouse) {

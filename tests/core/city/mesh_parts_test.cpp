@@ -25,7 +25,7 @@ TEST(MeshOutline, ofABoxIsItsBaseWithFourCorners) {
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
     EXPECT_NEAR(signedArea(outline.pieces[0].outer), 200, 1e-6);
-    EXPECT_FALSE(outline.convexHull);
+    EXPECT_FALSE(outline.wallsOnly);
 }
 
 TEST(MeshOutline, farFromTheOriginStaysSimple) {
@@ -66,13 +66,48 @@ TEST(MeshOutline, aHairlineGapDoesNotPartABuilding) {
               2U);
 }
 
-TEST(MeshOutline, wallsAloneHaveTheirHull) {
-    TriangleMesh walls = box({0, 0, 0}, {10, 10, 10});
+// Without floor and roof.
+TriangleMesh wallsOf(glm::vec3 low, glm::vec3 high) {
+    TriangleMesh walls = box(low, high);
     walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 4);
+    return walls;
+}
+
+TEST(MeshOutline, ofWallsAloneIsWhatTheyEnclose) {
+    const MeshOutline outline = outlineOf(wallsOf({0, 0, 0}, {10, 10, 10}), false);
+    ASSERT_EQ(outline.pieces.size(), 1U);
+    EXPECT_TRUE(outline.wallsOnly);
+    EXPECT_NEAR(area(outline.pieces[0]), 100, 1e-6);
+}
+
+// An L, which a hull would fill, and a courtyard in a block of 30 m.
+TEST(MeshOutline, wallsAreNoHull) {
+    const Ring corners{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 20}, {0, 20}};
+    TriangleMesh walls;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::vec2 a = corners[i], b = corners[(i + 1) % corners.size()];
+        const auto first = std::uint32_t(walls.vertices.size());
+        for (const auto& [at, z] : {std::pair{a, 0.0F}, {b, 0.0F}, {b, 9.0F}, {a, 9.0F}})
+            walls.vertices.emplace_back(at, z);
+        walls.triangles.insert(walls.triangles.end(),
+                               {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+    }
     const MeshOutline outline = outlineOf(walls, false);
     ASSERT_EQ(outline.pieces.size(), 1U);
-    EXPECT_TRUE(outline.convexHull);
-    EXPECT_NEAR(area(outline.pieces[0]), 100, 1e-6);
+    EXPECT_NEAR(area(outline.pieces[0]), 20 * 20 - 12 * 12, 1e-4);
+    const TriangleMesh block =
+        tests::joined(wallsOf({0, 0, 0}, {30, 30, 12}), wallsOf({10, 10, 0}, {20, 20, 12}));
+    ASSERT_EQ(outlineOf(block, false).pieces.size(), 1U);
+    EXPECT_NEAR(area(outlineOf(block, false).pieces[0]), 800, 1e-4);
+}
+
+TEST(MeshOutline, aWallThatStandsOutOfARoofIsInItsBounds) {
+    TriangleMesh house = box({0, 0, 0}, {10, 10, 10});
+    append(house, {{{10, 5, 0}, {14, 5, 0}, {14, 5, 3}}, {{0, 1, 2}}});
+    const MeshOutline outline = outlineOf(house, false);
+    ASSERT_EQ(outline.pieces.size(), 1U);
+    EXPECT_NEAR(bounds(outline.pieces[0]).high.x, 14, 0.011);
+    EXPECT_NEAR(area(outline.pieces[0]), 100, 0.1);
 }
 
 TEST(MeshOutline, aWallLineIsNoOverlap) {
@@ -120,15 +155,51 @@ TEST(MeshParts, leaningWallIsAnOverhang) {
     EXPECT_TRUE(hasOpenAirBelow(funnel));
 }
 
-TEST(MeshParts, whatCannotCastAShadowIsSaid) {
-    const TriangleMesh flat = box({0, 0, 0}, {10, 10, 0});
-    EXPECT_TRUE(warns(partsOf(flat, "", "").warnings, "no height"));
-    TriangleMesh sheet;
-    sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
-    sheet.triangles = {{0, 1, 2}};
-    EXPECT_TRUE(warns(partsOf(sheet, "", "").warnings, "sheet"));
-    EXPECT_TRUE(partsOf(sheet, "", "").parts.empty());
+TEST(MeshParts, aLevelSheetIsASlabOfItsOutline) {
+    const TriangleMesh sheet{{{0, 0, 7}, {10, 0, 7}, {10, 10, 7}, {0, 10, 7}}, {{0, 1, 2}, {0, 3, 2}}};
+    const MeshParts made = partsOf(sheet, "deck", "");
+    ASSERT_EQ(made.parts.size(), 1U);
+    const Part& part = made.parts[0];
+    EXPECT_TRUE(made.warnings.empty());
+    EXPECT_FALSE(part.mesh);
+    EXPECT_NEAR(area(part.footprint), 100, 1e-6);
+    EXPECT_EQ(part.topM, 7);
+    EXPECT_NEAR(part.bottomM, 6.99, 1e-5);
+    EXPECT_EQ(part.heightSource, HeightSource::mesh);
+}
+
+TEST(MeshParts, anUprightSheetIsAStrip) {
+    const TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}}};
+    const MeshParts made = partsOf(sheet, "", "");
+    ASSERT_EQ(made.parts.size(), 1U);
+    EXPECT_TRUE(made.warnings.empty());
+    EXPECT_EQ(made.parts[0].topM, 1);
+    EXPECT_EQ(made.parts[0].mesh->triangles.size(), 1U);
+    EXPECT_NEAR(area(made.parts[0].footprint), 1.01 * 0.02, 1e-5);  // narrower it would be a sliver
+    EXPECT_EQ(bounds(made.parts[0].footprint).high.x, 1.005F);
+}
+
+TEST(MeshParts, whatHasNoAreaIsReported) {
     EXPECT_TRUE(partsOf({}, "", "").parts.empty());
+    const TriangleMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
+    EXPECT_TRUE(partsOf(line, "", "").parts.empty());
+    EXPECT_TRUE(warns(partsOf(line, "", "").warnings, "no area"));
+}
+
+// A roof that looks down and four thin posts: open below, whichever way it looks. Walls along its two long
+// sides carry it.
+TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
+    const TriangleMesh roof{{{0, 0, 4}, {10, 0, 4}, {10, 8, 4.5F}, {0, 8, 4.5F}}, {{0, 2, 1}, {0, 3, 2}}};
+    TriangleMesh shelter = roof, house = roof;
+    for (const float x : {0.5F, 9.2F})
+        for (const float y : {0.5F, 7.2F}) append(shelter, box({x, y, 0}, {x + 0.3F, y + 0.3F, 3.9F}));
+    append(house, {{{0.1F, 0.1F, 0}, {9.9F, 0.1F, 0}, {9.9F, 0.1F, 3.9F}, {0.1F, 0.1F, 3.9F}},
+                   {{0, 1, 2}, {0, 2, 3}}});
+    append(house, {{{0.1F, 7.9F, 0}, {9.9F, 7.9F, 0}, {9.9F, 7.9F, 4.4F}, {0.1F, 7.9F, 4.4F}},
+                   {{0, 1, 2}, {0, 2, 3}}});
+    EXPECT_TRUE(partsOf(shelter, "", "").parts.at(0).hangs);
+    EXPECT_FALSE(partsOf(house, "", "").parts.at(0).hangs);
+    EXPECT_NEAR(area(partsOf(house, "", "").parts.at(0).footprint), 80, 1e-3);
 }
 
 TEST(MeshParts, openMeshIsUsedAndSaid) {
