@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/city/floor_area.h"
 #include "core/city/mesh_outline.h"
 
 namespace noonmark {
@@ -31,6 +32,18 @@ int storeysFor(double grossFloorM2, double plateM2, bool wider) {
     return std::max(1, int(wider ? std::ceil(storeys - 1e-6) : std::round(storeys)));
 }
 
+// Where a mesh leans out above its foot, the foot counts.
+Plate plateOf(const Building& building, double groundM, double storeyHeightM) {
+    const bool anyMesh =
+        std::ranges::any_of(building.parts, [](const Part& part) { return part.mesh != nullptr; });
+    if (Plate foot = anyMesh ? groundFloorOf(building, groundM, storeyHeightM) : Plate(); !foot.empty())
+        return foot;
+    Plate ground;
+    for (const Part& part : building.parts)
+        if (double(part.bottomM) <= groundM + 0.5) ground.push_back(part.footprint);
+    return unionOf(ground);
+}
+
 }  // namespace
 
 GivenMass givenBy(const Massing& massing) {
@@ -41,14 +54,11 @@ Result<GivenMass> givenBy(const Building& building, double groundM, double store
     if (!(storeyHeightM >= 2 && storeyHeightM <= 10))
         return failure(fmt::format("A storey cannot be {:g} m high", storeyHeightM), "variant",
                        "Give 2 to 10 m");
-    GivenMass given{.storeyHeightM = storeyHeightM};
-    std::vector<Footprint> ground;
-    const auto floorsBelow = [&](float z) { return std::round((double(z) - groundM) / storeyHeightM); };
-    for (const Part& part : building.parts) {
-        given.grossFloorM2 += area(part.footprint) * (floorsBelow(part.topM) - floorsBelow(part.bottomM));
-        if (double(part.bottomM) <= groundM + 0.5) ground.push_back(part.footprint);
-    }
-    given.plate = unionOf(ground);
+    const FloorArea floors = floorAreaOf(building, groundM, storeyHeightM);
+    GivenMass given{.plate = plateOf(building, groundM, storeyHeightM),
+                    .grossFloorM2 = floors.grossM2,
+                    .storeyHeightM = storeyHeightM,
+                    .estimatedStoreys = floors.estimatedStoreys};
     if (given.grossFloorM2 > 0 && !given.plate.empty()) return given;
     return failure("The building has not one storey", building.sourceId, "Choose another building");
 }

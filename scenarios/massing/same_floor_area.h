@@ -11,12 +11,13 @@ struct GivenMass {
     Plate plate;              ///< what touches the ground
     double grossFloorM2 = 0;  ///< the area to keep
     double storeyHeightM = 3.5;
+    int estimatedStoreys = 0;  ///< of an open mesh, whose floors are estimated (core/city/mesh_section.h)
 };
 
 GivenMass givenBy(const Massing& massing);
 
-/// A building that is there, cut into storeys of `storeyHeightM` (2 to 10) from `groundM` (local z) up; the
-/// floors are those of its parts' outlines. Error where it has not one storey.
+/// A building that is there, cut into storeys of `storeyHeightM` (2 to 10) from `groundM` (local z) up
+/// (core/city/floor_area.h). Error where it has not one storey.
 Result<GivenMass> givenBy(const Building& building, double groundM, double storeyHeightM);
 
 /// The plate factor that means "the largest that the lot allows".

@@ -208,6 +208,28 @@ TEST(SameFloorArea, TheDoublePlateIsHalfAsHigh) {
     EXPECT_TRUE(buildingOf(wide, "wide"));
 }
 
+// From 40 x 40 m to 10 x 10 m at 30 m, 3 m a storey: sides 40, 37, ... 13, so 7,765 m2, and not 10 x 1600.
+TEST(SameFloorArea, ATaperHasItsOwnFloors) {
+    TriangleMesh mesh;
+    for (const auto& [half, z] : {std::pair{20.0F, 0.0F}, {5.0F, 30.0F}})
+        for (const glm::vec2 c : {glm::vec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+            mesh.vertices.emplace_back(c * half, z);
+    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+    for (std::uint32_t i = 0; i < 4; ++i)
+        mesh.triangles.insert(mesh.triangles.end(),
+                              {{i, (i + 1) % 4, 4 + (i + 1) % 4}, {i, 4 + (i + 1) % 4, 4 + i}});
+    ASSERT_EQ(openEdges(mesh), 0U);
+    Building taper{.sourceId = "taper"};
+    taper.parts.push_back({.footprint = box(-20, -20, 20, 20), .topM = 30});
+    taper.parts[0].mesh = std::make_shared<const TriangleMesh>(mesh);
+    double expected = 0;
+    for (int side = 40; side > 10; side -= 3) expected += (side - 0.01) * (side - 0.01);
+    const GivenMass given = givenBy(taper, 0, 3).value();
+    EXPECT_NEAR(given.grossFloorM2, expected, 0.5);
+    EXPECT_NEAR(given.grossFloorM2, 7765, 6);
+    EXPECT_NEAR(areaOf(given.plate), 39.99 * 39.99, 0.1);
+}
+
 TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
     const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the plate 20 x 20 m
     const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();

@@ -46,6 +46,7 @@ BuildingFacts factsOf(const Building& building, const City& city) {
     if (const auto mass = massOf(building, city)) {
         facts.planM2 = areaOf(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;
+        facts.estimatedStoreys = mass->estimatedStoreys;
     }
     return facts;
 }

@@ -16,8 +16,9 @@ struct BuildingFacts {
     QString heightSource;
     int storeys = 0;  ///< of usualStoreyM; 0: not one
     std::size_t parts = 0;
-    double planM2 = 0;        ///< what touches the ground
-    double grossFloorM2 = 0;  ///< at usualStoreyM a storey
+    double planM2 = 0;         ///< what touches the ground
+    double grossFloorM2 = 0;   ///< at usualStoreyM a storey
+    int estimatedStoreys = 0;  ///< of these, where its mesh is open
 };
 
 /// Some ms for a building of hundreds of points.

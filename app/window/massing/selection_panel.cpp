@@ -23,6 +23,11 @@ namespace noonmark {
 
 namespace {
 
+QString estimateWords(int storeys) {
+    if (storeys == 0) return {};
+    return QObject::tr("; its mesh is open: %1 estimated").arg(storeyWords(storeys));
+}
+
 QString rowsOf(const BuildingFacts& facts) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
@@ -36,7 +41,8 @@ QString rowsOf(const BuildingFacts& facts) {
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
            row(QObject::tr("Plan"), areaWords(facts.planM2)) +
            row(QObject::tr("Floor area"), grouped(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
-                                              QObject::tr(" of %1 m").arg(usualStoreyM)) +
+                                              QObject::tr(" of %1 m").arg(usualStoreyM) +
+                                              estimateWords(facts.estimatedStoreys)) +
            QStringLiteral("</table>");
 }
 
