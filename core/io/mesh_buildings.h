@@ -13,12 +13,15 @@ namespace noonmark {
 struct NamedMesh {
     std::string name;
     TriangleMesh mesh;
+    std::string parent = {};   ///< name of the object that holds it; empty for none
+    bool oneBuilding = false;  ///< by its name: not to be cut into several
 };
 
 /// Adds the buildings of mesh objects to a piece. An object is one building, or several where its pieces
-/// stand apart: pieces belong together when they share points or stand over one another (a shared wall line
-/// is not enough), so a whole city in one object becomes buildings. Flat pieces at an object's lowest level
-/// that are not all of it are ground, and left out. False when stopped.
+/// stand apart, so a whole city in one object becomes buildings; walls and roofs that are objects of their
+/// own are joined (mesh_units.h). Level sheets on which others stand, or at the ground (no more than 0.1 m
+/// above z = 0), are ground and left out; one up to 2 m above z = 0 is solid down to it; others are overhangs
+/// or roofs. False when stopped.
 bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece,
                   Progress& progress, const std::stop_token& stop);
 

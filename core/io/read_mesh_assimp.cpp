@@ -76,7 +76,9 @@ struct SceneReader {
 
     void add(const aiNode& node, const aiMatrix4x4& parent) {
         const aiMatrix4x4 toScene = parent * node.mTransformation;
-        NamedMesh object{node.mName.C_Str(), {}};
+        // The root's name is the file's.
+        const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
+        NamedMesh object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
         for (unsigned i = 0; i < node.mNumMeshes; ++i)
             addMesh(*scene.mMeshes[node.mMeshes[i]], toScene, object);
         if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
@@ -153,7 +155,8 @@ Result<FilePiece> piece(const aiScene& scene, const std::filesystem::path& file,
             {WarningKind::assumed, "the mesh's origin was put at the project's origin", reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
-        return failure("The file holds no building", file.string(), "Its meshes are flat or have no area");
+        return failure("The file holds no building", file.string(),
+                       "Its meshes are flat ground or have no area");
     return result;
 }
 

@@ -20,7 +20,7 @@ inline void expectClosedSolid(const Part& part, double volume) {
     ASSERT_NE(part.mesh, nullptr);
     EXPECT_EQ(openEdges(*part.mesh), 0U);
     EXPECT_NEAR(signedVolume(*part.mesh), volume, 1e-3 * volume);
-    const Box3 box = boxOf(*part.mesh);
+    const noonmark::Box3 box = boxOf(*part.mesh);
     EXPECT_EQ(part.bottomM, box.low.z);
     EXPECT_EQ(part.topM, box.high.z);
     const Box2 outline = bounds(part.footprint);
