@@ -26,6 +26,11 @@ std::vector<Footprint> sharedPieces(const std::vector<Footprint>& a, const std::
 /// Square metres that both cover; 0 where the overlay fails.
 double sharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>& b);
 
+/// The share of an outline's edges (holes' too) that lies in `others` or within `besideM` of them, 0 to 1; 0
+/// where the overlay fails.
+double shareBeside(const std::vector<Footprint>& outline, const std::vector<Footprint>& others,
+                   double besideM);
+
 /// Every pair (index in `a`, index in `b`) of boxes that meet, sorted. O((n + pairs) log n).
 std::vector<std::pair<std::size_t, std::size_t>> meetingBoxes(const std::vector<Box2>& a,
                                                               const std::vector<Box2>& b);

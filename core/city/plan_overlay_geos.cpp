@@ -89,6 +89,20 @@ double sharedArea(const std::vector<Footprint>& a, const std::vector<Footprint>&
     return areaOf(geos, sharedGeometry(geos, a, b));
 }
 
+double shareBeside(const std::vector<Footprint>& outline, const std::vector<Footprint>& others,
+                   double besideM) {
+    const Geos geos;
+    const Geometry whole = collection(geos, outline), cover = collection(geos, others);
+    const Geometry edges = geos.owned(whole ? GEOSBoundary_r(geos, whole.get()) : nullptr);
+    const Geometry near = geos.owned(cover ? GEOSBuffer_r(geos, cover.get(), besideM, 2) : nullptr);
+    const Geometry shared =
+        geos.owned(edges && near ? GEOSIntersection_r(geos, edges.get(), near.get()) : nullptr);
+    double sharedM = 0, wholeM = 0;
+    if (shared) GEOSLength_r(geos, shared.get(), &sharedM);
+    if (edges) GEOSLength_r(geos, edges.get(), &wholeM);
+    return wholeM > 0 ? sharedM / wholeM : 0;
+}
+
 std::vector<std::pair<std::size_t, std::size_t>> meetingBoxes(const Boxes& a, const Boxes& b) {
     const Geos geos;
     const BoxTree tree(geos, b);

@@ -431,6 +431,7 @@ public:
         findLowestOfEdges();
         for (std::size_t i = 0; i < units_.size(); ++i)
             if (const std::size_t carrier = carrierOf(i); carrier != i) sets_.join(i, carrier);
+        joinSurrounded();
         std::map<std::size_t, MeshUnit> joined;
         for (std::size_t i = 0; i < units_.size(); ++i) {
             MeshUnit& unit = joined.try_emplace(sets_.of(i), MeshUnit{{}, units_[i].object}).first->second;
@@ -475,6 +476,43 @@ private:
         return best;
     }
 
+    // Where edges do not match: what starts in the air and has others, lower and as high as its foot, around
+    // half of its outline.
+    void joinSurrounded() {
+        std::vector<std::vector<Footprint>> outlines;
+        std::vector<Box2> boxes, grown;
+        for (const MeshUnit& unit : units_) {
+            outlines.push_back(coverOf(unit.mesh));
+            boxes.emplace_back();
+            for (const Footprint& piece : outlines.back()) boxes.back().add(bounds(piece));
+            grown.push_back({boxes.back().low - besideM, boxes.back().high + besideM});
+        }
+        std::vector<Indices> around(units_.size());
+        for (const auto& [unit, other] : meetingBoxes(boxes, grown))
+            if (mayCarry(other, unit)) around[unit].push_back(other);
+        for (std::size_t i = 0; i < units_.size(); ++i) joinSurrounded(i, around[i], outlines);
+    }
+
+    [[nodiscard]] bool mayCarry(std::size_t other, std::size_t unit) const {
+        constexpr float reachM = 0.5F;
+        return lowM_[other] + openAirM < lowM_[unit] &&
+               boxOf(units_[other].mesh).high.z + reachM > lowM_[unit];
+    }
+
+    void joinSurrounded(std::size_t unit, const Indices& around,
+                        const std::vector<std::vector<Footprint>>& outlines) {
+        constexpr double surrounded = 0.5;
+        double all = 0, most = 0;
+        std::size_t carrier = unit;
+        for (const std::size_t other : around) {
+            const double share = shareBeside(outlines[unit], outlines[other], double(besideM));
+            all += share;
+            if (share > most) most = share, carrier = other;
+        }
+        if (all >= surrounded) sets_.join(unit, carrier);
+    }
+
+    static constexpr float besideM = 0.1F;
     const std::vector<MeshUnit>& units_;
     Sets sets_;
     std::vector<float> lowM_;

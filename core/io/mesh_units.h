@@ -29,7 +29,8 @@ std::vector<NamedMesh> withSurfacesJoined(const std::vector<NamedMesh>& objects)
 /// whose
 ///   edge is nearest to the face's top.
 /// - Walls that do not reach the ground but step up from the edge of another roof belong with that roof, and
-///   so does what they carry.
+///   so does what they carry. Likewise what starts in the air and has lower buildings around half of its
+///   outline. (A canopy has them on one side.)
 /// - A level sheet between the foot and the top of one building that covers nine tenths of it is its floor.
 /// Walls under no roof belong to the only building of their object, else they are buildings of their own.
 /// Level sheets at the ground (isGround) are left out. In the order of their objects. What is stopped is cut

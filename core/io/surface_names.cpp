@@ -62,20 +62,24 @@ bool isSurface(const Word& word) {
     return word.kind == Word::Kind::surface || word.kind == Word::Kind::cityGml;
 }
 
+bool isOther(const Word& word) { return word.kind == Word::Kind::other; }
+
 }  // namespace
 
 std::string stemOfSurfaceName(std::string_view name) {
     const std::vector<Word> words = wordsOf(name);
     const auto lastSurface = std::find_if(words.rbegin(), words.rend(), isSurface).base();
     if (lastSurface == words.begin()) return {};
+    // Numbers behind the last such word count a building's surfaces, unless a name follows it.
+    const bool isLast = std::none_of(lastSurface, words.end(), isOther);
     std::string stem;
-    bool named = false;
     for (auto word = words.begin(); word != words.end(); ++word) {
-        if (isSurface(*word) || (word > lastSurface - 1 && word->kind == Word::Kind::number)) continue;
-        named = named || word->kind == Word::Kind::other;
+        const bool counts = isLast && word >= lastSurface && word->kind == Word::Kind::number;
+        if (isSurface(*word) || counts) continue;
         if (!stem.empty()) stem.push_back('_');
         stem.append(word->text);
     }
+    const bool named = std::ranges::any_of(words, isOther);
     const bool cityGml =
         std::ranges::any_of(words, [](const Word& w) { return w.kind == Word::Kind::cityGml; });
     return named || cityGml ? stem : std::string();
@@ -83,8 +87,7 @@ std::string stemOfSurfaceName(std::string_view name) {
 
 bool isOnlySurfaceName(std::string_view name) {
     const std::vector<Word> words = wordsOf(name);
-    return std::ranges::any_of(words, isSurface) &&
-           std::ranges::none_of(words, [](const Word& word) { return word.kind == Word::Kind::other; });
+    return std::ranges::any_of(words, isSurface) && std::ranges::none_of(words, isOther);
 }
 
 }  // namespace noonmark

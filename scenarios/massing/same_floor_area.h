@@ -8,10 +8,10 @@ namespace noonmark {
 
 /// What a massing of another shape has to keep.
 struct GivenMass {
-    Plate plate;               ///< what touches the ground
-    double grossFloorM2 = 0;   ///< the area to keep
-    int estimatedStoreys = 0;  ///< of an open mesh, whose floors are estimated (core/city/mesh_section.h)
+    Plate plate;              ///< what touches the ground
+    double grossFloorM2 = 0;  ///< the area to keep
     double storeyHeightM = 3.5;
+    int estimatedStoreys = 0;  ///< of an open mesh, whose floors are estimated (core/city/mesh_section.h)
 };
 
 GivenMass givenBy(const Massing& massing);

@@ -11,6 +11,7 @@
 #include "core/city/mesh_topology.h"
 #include "core/io/mesh_buildings.h"
 #include "core/io/read_city.h"
+#include "core/io/surface_names.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/core/accumulate/scenes.h"
 #include "tests/core/city/mesh_fixtures.h"
@@ -151,6 +152,55 @@ TEST(SplitSurfaces, roofsThatMeetInARidgeAreOneBuilding) {
     const FilePiece piece = pieceOf({south, north, {"c", parts.walls}});
     ASSERT_EQ(piece.buildings.size(), 1U);
     expectHouse(*piece.buildings[0], 0, 10);
+}
+
+// A roof of 20 x 20 m at 6 m, and out of its middle a house of 8 x 8 m to 12 m. `halved`: its walls are in
+// halves, so that their edges are not those of the roof.
+std::vector<NamedMesh> penthouse(bool halved) {
+    NamedMesh roofs{"mesh_0", {}}, walls{"mesh_1", {}};
+    const auto corner = [](float half, std::uint32_t i, float z) {
+        return glm::vec3(i == 0 || i == 3 ? -half : half, i < 2 ? -half : half, z);
+    };
+    const auto quad = [](TriangleMesh& mesh, glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
+        append(mesh, {{a, b, c, d}, {{0, 1, 2}, {0, 2, 3}}});
+    };
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const std::uint32_t j = (i + 1) % 4;
+        quad(walls.mesh, corner(10, i, 0), corner(10, j, 0), corner(10, j, 6), corner(10, i, 6));
+        quad(roofs.mesh, corner(10, i, 6), corner(10, j, 6), corner(4, j, 6), corner(4, i, 6));
+        const glm::vec3 a = corner(4, i, 6), b = corner(4, j, 6), middle = (a + b) / 2.0F, up(0, 0, 6);
+        if (!halved) quad(walls.mesh, a, b, b + up, a + up);
+        if (halved) quad(walls.mesh, a, middle, middle + up, a + up);
+        if (halved) quad(walls.mesh, middle, b, b + up, middle + up);
+    }
+    quad(roofs.mesh, corner(4, 0, 12), corner(4, 1, 12), corner(4, 2, 12), corner(4, 3, 12));
+    return {roofs, walls};
+}
+
+TEST(SplitSurfaces, whatStepsUpFromARoofBelongsToIt) {
+    for (const bool halved : {false, true}) {
+        const FilePiece piece = pieceOf(penthouse(halved));
+        ASSERT_EQ(piece.buildings.size(), 1U) << halved;
+        ASSERT_EQ(piece.buildings[0]->parts.size(), 1U) << halved;
+        EXPECT_FALSE(piece.buildings[0]->parts[0].hangs) << halved;
+        EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 400, 0.1) << halved;
+        EXPECT_EQ(topM(*piece.buildings[0]), 12);
+    }
+}
+
+TEST(SurfaceNames, whatIsLeftNamesTheBuilding) {
+    EXPECT_EQ(stemOfSurfaceName("building_12_WallSurface"), "building_12");
+    EXPECT_EQ(stemOfSurfaceName("Wall building_12 3"), "building_12_3");
+    EXPECT_EQ(stemOfSurfaceName("building_12_RoofSurface.003"), "building_12");
+    EXPECT_EQ(stemOfSurfaceName("House7Roof"), "House7");
+    EXPECT_EQ(stemOfSurfaceName("4959_GroundSurface"), "4959");
+    EXPECT_EQ(stemOfSurfaceName("Roof 3"), "");
+    EXPECT_EQ(stemOfSurfaceName("roof.003"), "");
+    EXPECT_EQ(stemOfSurfaceName("Cornwall House"), "");
+    EXPECT_EQ(stemOfSurfaceName("mesh_1"), "");
+    EXPECT_TRUE(isOnlySurfaceName("RoofSurface_2"));
+    EXPECT_FALSE(isOnlySurfaceName("Roof Garden"));
+    EXPECT_FALSE(isOnlySurfaceName(""));
 }
 
 TEST(SplitSurfaces, aFlatRoofLiesOnItsWalls) {
