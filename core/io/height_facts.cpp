@@ -5,9 +5,12 @@
 namespace noonmark {
 
 std::string withThousands(std::size_t count) {
-    std::string text = fmt::to_string(count);
-    for (std::ptrdiff_t at = std::ptrdiff_t(text.size()) - 3; at > 0; at -= 3)
-        text.insert(std::size_t(at), ",");
+    const std::string digits = fmt::to_string(count);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
+    }
     return text;
 }
 
