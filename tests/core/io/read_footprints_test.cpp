@@ -161,12 +161,13 @@ TEST_F(ReadFootprints, textWithADecimalCommaIsANumber) {
 
 TEST_F(ReadFootprints, fieldsThatCouldBeHeightsAreListed) {
     std::string features;
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 20; ++i) {
+        if (i > 0) features += ',';
         features +=
-            (i == 0 ? "" : ",") +
             feature(tests::sizedRectangle(float(20 * i), 0, 10, 10),
                     fmt::format(R"("H_BAT":{},"NIV":"{}","FID_1":{},"AREA":{},"ANNEE":{},"USE":"home")",
                                 i == 0 ? -9999.0 : 4.5 + 0.5 * i, 1 + i % 6, i + 1, 100.5 + i, 1950 + i));
+    }
     const FilePiece piece = readGeoJson(features);
     ASSERT_EQ(piece.heights.unknown.size(), 2U);
     EXPECT_EQ(piece.heights.unknown[0], (UnknownField{"a.geojson", "NIV", 1, 6, true, 20}));
