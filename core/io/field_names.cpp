@@ -206,7 +206,7 @@ constexpr auto listedFieldNames() {
         {"roofshape", roofShape},
 
         // Elevations of the ground.
-        {"groundelevation", groundElevation, "", {}, "New York"},
+        {"groundelevation", groundElevation},
         {"groundelev", groundElevation, "", {}, "New York"},
         {"groundz", groundElevation},
         {"grndelev2010", groundElevation, "", ft},

@@ -29,7 +29,8 @@ std::vector<glm::dvec2> pointsOf(const OGRLinearRing& ring) {
 void unwrap(OGRPolygon& polygon, double nearDeg) {
     for (OGRLinearRing* ring : polygon)
         for (int i = 0; i < ring->getNumPoints(); ++i)
-            ring->setPoint(i, longitudeNear(ring->getX(i), nearDeg), ring->getY(i));
+            if (std::abs(ring->getX(i)) <= 360)  // else it is no longitude, which is reported
+                ring->setPoint(i, longitudeNear(ring->getX(i), nearDeg), ring->getY(i));
 }
 
 bool isInDegrees(const OGRSpatialReference& crs) {

@@ -149,6 +149,22 @@ TEST_F(OpenOptionsTest, AMissingCoordinateSystemOffersThemToo) {
     EXPECT_TRUE(remedy->isVisible());
 }
 
+TEST_F(OpenOptionsTest, AssumedHeightsAreAHeadlineThatOffersThem) {
+    window.open({written(
+        "town.geojson",
+        R"({"type":"FeatureCollection","features":[)"
+        R"({"type":"Feature","properties":{"H_BAT":7.5},"geometry":{"type":"Polygon","coordinates":[[[7.42,43.73],)"
+        R"([7.4202,43.73],[7.4202,43.7302],[7.42,43.7302],[7.42,43.73]]]}},)"
+        R"({"type":"Feature","properties":{"H_BAT":21.5},"geometry":{"type":"Polygon","coordinates":[[[7.43,43.73],)"
+        R"([7.4302,43.73],[7.4302,43.7302],[7.43,43.7302],[7.43,43.73]]]}}]})")});
+    ASSERT_TRUE(waitForMessage());
+    EXPECT_TRUE(message().contains(QStringLiteral("2 of 2 heights are assumed (9.6 m)")))
+        << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("H_BAT (7.5 to 21.5 in 2 features)")));
+    EXPECT_TRUE(remedy->isVisible());
+    EXPECT_EQ(window.workbench().document().settings().period.zone, "Europe/Monaco");
+}
+
 TEST_F(OpenOptionsTest, WhatOptionsCannotMendOffersNone) {
     window.open({QStringLiteral("/no/such/city.gpkg")});
     ASSERT_TRUE(waitForMessage());

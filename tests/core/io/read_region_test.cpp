@@ -59,7 +59,7 @@ TEST(ReadRegion, acrossTheAntimeridian) {
     const auto again =
         readRegion(folder.file("region.geojson", regionGeoJson(drawn, taveuni)).string(), taveuni);
     ASSERT_TRUE(again) << errorOf(again);
-    EXPECT_NEAR(areaOf(*again), areaOf(drawn), 0.1);
+    EXPECT_NEAR(areaOf(*again), areaOf(drawn), 0.5);  // its sides are straight in degrees
 }
 
 TEST(ReadRegion, boxThatIsNotOne) {
