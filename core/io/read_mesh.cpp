@@ -45,6 +45,11 @@ struct FaceCounts {
     std::size_t broken =
         0;  // corners that are not there: what broken files have, and Assimp does not always look
     std::size_t degenerate = 0;  // no area
+    std::size_t tangled = 0;     // cross themselves too often
+    void add(SurfaceMesher::Outcome outcome) {
+        degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
+        tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
+    }
 };
 
 FaceCounts addFaces(const MeshPiece& piece, SurfaceMesher& mesher) {
@@ -55,8 +60,8 @@ FaceCounts addFaces(const MeshPiece& piece, SurfaceMesher& mesher) {
         corner += count;
         if (*std::max_element(ring.begin(), ring.end()) >= piece.points.size())
             ++counts.broken;
-        else if (mesher.add({std::move(ring)}) == SurfaceMesher::Outcome::degenerate)
-            ++counts.degenerate;
+        else
+            counts.add(mesher.add({std::move(ring)}));
     }
     return counts;
 }
@@ -81,6 +86,7 @@ struct SceneReader {
         const FaceCounts counts = addFaces(piece, mesher);
         append(object.mesh, mesher.mesh());
         warn(WarningKind::dropped, "faces with corners that are not there", object.name, counts.broken);
+        warn(WarningKind::dropped, "faces that cross themselves too often", object.name, counts.tangled);
         warn(WarningKind::mended, "faces without area were left out", object.name, counts.degenerate);
     }
 
