@@ -11,13 +11,14 @@ namespace noonmark {
 /// What the process that reads a mesh may use.
 struct MeshReaderLimits {
     std::uint64_t memoryBytes = std::uint64_t(8) << 30;  ///< of address space; less for small files
-    double cpuSeconds = 30;                              ///< 1 and more
-    double seconds = 120;                                ///< from start to end
+    double cpuSeconds = 300;                             ///< 1 and more
+    double seconds = 1200;                               ///< from start to end
     std::uint64_t resultBytes = std::uint64_t(1) << 30;  ///< about thirty million triangles
 };
 
 /// Limits for a file of so many bytes: time grows by a second (of processor) for each megabyte, memory is
-/// half of this machine's, at most 8 GiB.
+/// half of this machine's, at most 8 GiB. Generous, since a stop ends it at any time: the library takes a
+/// minute and more for an OBJ of 200,000 objects.
 MeshReaderLimits meshReaderLimits(std::uintmax_t fileBytes);
 
 /// Reads a mesh file (OBJ, PLY, glTF 2) in a process of its own, since the library that does so can crash or
