@@ -25,7 +25,8 @@ struct RepairedFootprint {
 /// together or edges cross, all are snapped to float32's step (1 mm at 10 km). A hole that lies wholly
 /// outside is most often a second outline: it becomes a piece of its own, and `what` says so. Without an
 /// outline that has an inside there are no pieces. `rings[0]` is the outer ring, the others are holes.
-/// Coordinates over 1e8 m or not finite are refused. About 5 us for a valid polygon of few points.
+/// Rings that cross more than mostCrossings times (tangled_rings.h) are refused: no pieces. Coordinates over
+/// 1e8 m or not finite are refused. About 5 us for a valid polygon of few points.
 RepairedFootprint repairFootprint(const std::vector<RawRing>& rings);
 
 }  // namespace noonmark

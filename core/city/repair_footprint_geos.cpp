@@ -9,6 +9,7 @@
 
 #include "core/city/geos_shapes.h"
 #include "core/city/repair_footprint.h"
+#include "core/city/tangled_rings.h"
 
 namespace noonmark {
 
@@ -126,6 +127,10 @@ Geometry mended(const Geos& geos, const std::vector<RawRing>& rings, RepairedFoo
     auto polygon = polygonGeometry(geos, rings);
     if (polygon && !isValid(geos, polygon)) {
         say(result, inWords(reasonOf(geos, polygon)));
+        if (areTangled(rings)) {
+            say(result, fmt::format("more than {} times; redraw or simplify it", mostCrossings));
+            return geos.owned(nullptr);
+        }
         polygon = madeValid(geos, polygon);
     }
     return polygon ? snapped(geos, polygon, floatStep(rings)) : std::move(polygon);

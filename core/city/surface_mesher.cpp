@@ -118,6 +118,7 @@ SurfaceMesher::Outcome SurfaceMesher::addTriangulated(const Surface& surface, gl
         own.insert(own.end(), surface[i].begin(), surface[i].end());
     }
     const Triangulation triangulation = triangulated(flat);
+    if (triangulation.tangled) return Outcome::tangled;
     if (triangulation.triangles.empty()) return Outcome::degenerate;
     IndexRing indices;
     for (const auto index : own) indices.push_back(meshIndex(index));

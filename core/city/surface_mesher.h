@@ -20,6 +20,7 @@ public:
     enum class Outcome {
         added,
         mended,      ///< crosses itself in its own plane; the crossings became points
+        tangled,     ///< crosses itself in more than mostMeshCrossings points (triangulate.h): nothing added
         degenerate,  ///< no area, or a point that is no number: nothing added
     };
 

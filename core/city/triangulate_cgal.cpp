@@ -3,6 +3,11 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <numeric>
 #include <vector>
 
 #include "core/city/triangulate.h"
@@ -25,18 +30,81 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 using FaceStack = std::vector<std::pair<Delaunay::Face_handle, int>>;
 
-void insertRing(Delaunay& delaunay, const Ring& ring, std::vector<glm::vec2>& points) {
-    std::vector<Delaunay::Vertex_handle> vertices;
-    for (const glm::vec2 point : ring) {
-        const auto vertex = delaunay.insert({point.x, point.y});
-        vertex->info().value = int(points.size());
-        points.push_back(point);
-        vertices.push_back(vertex);
+using Points = std::vector<Kernel::Point_2>;
+
+void addPoints(const Ring& ring, Points& points) {
+    for (const glm::vec2 point : ring) points.emplace_back(point.x, point.y);
+}
+
+// The order of a curve through the plane, so that each point lies near the one before.
+std::vector<std::size_t> nearbyOrder(const Points& points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    using Places = CGAL::Pointer_property_map<Kernel::Point_2>::const_type;
+    CGAL::spatial_sort(order.begin(), order.end(),
+                       CGAL::Spatial_sort_traits_adapter_2<Kernel, Places>(CGAL::make_property_map(points)));
+    return order;
+}
+
+/// Inserts rings; of equal points the last gives the vertex its number.
+class RingInserter {
+public:
+    explicit RingInserter(Delaunay& delaunay) : delaunay_(delaunay) {}
+
+    // Both false when the sides cross too often.
+    bool insertOneByOne(const Footprint& footprint) {
+        bool good = insertInOrder(footprint.outer);
+        for (const Ring& hole : footprint.holes) good = good && insertInOrder(hole);
+        return good;
     }
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const auto next = vertices[(i + 1) % vertices.size()];
-        if (vertices[i] != next) delaunay.insert_constraint(vertices[i], next);
+    // Many points: in the order of a ring, the triangles to be turned over grow with the number of points.
+    bool insertAllPointsFirst(const Footprint& footprint) {
+        Points points;
+        addPoints(footprint.outer, points);
+        for (const Ring& hole : footprint.holes) addPoints(hole, points);
+        vertices_.resize(points.size());
+        Delaunay::Face_handle near;
+        for (const std::size_t i : nearbyOrder(points)) {
+            vertices_[i] = delaunay_.insert(points[i], near);
+            near = vertices_[i]->face();
+        }
+        for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i]->info().value = int(i);
+        std::size_t first = footprint.outer.size();
+        bool good = insertSides(0, first);
+        for (const Ring& hole : footprint.holes) {
+            good = good && insertSides(first, hole.size());
+            first += hole.size();
+        }
+        return good;
     }
+
+private:
+    bool insertInOrder(const Ring& ring) {
+        const std::size_t first = vertices_.size();
+        for (const glm::vec2 point : ring) {
+            vertices_.push_back(delaunay_.insert({point.x, point.y}));
+            vertices_.back()->info().value = int(vertices_.size() - 1);
+        }
+        return insertSides(first, ring.size());
+    }
+    bool insertSides(std::size_t first, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto from = vertices_[first + i];
+            const auto to = vertices_[first + (i + 1) % count];
+            if (from != to) delaunay_.insert_constraint(from, to);
+            if (delaunay_.number_of_vertices() > vertices_.size() + mostMeshCrossings) return false;
+        }
+        return true;
+    }
+
+    Delaunay& delaunay_;
+    std::vector<Delaunay::Vertex_handle> vertices_;  // of every point, in the footprint's order
+};
+
+std::vector<glm::vec2> ownPoints(const Footprint& footprint) {
+    std::vector<glm::vec2> points = footprint.outer;
+    for (const Ring& hole : footprint.holes) points.insert(points.end(), hole.begin(), hole.end());
+    return points;
 }
 
 // Depth by flood fill from the outside: odd is inside, whatever way the rings run.
@@ -82,10 +150,13 @@ void collectInside(const Delaunay& delaunay, Triangulation& result) {
 }  // namespace
 
 Triangulation triangulated(const Footprint& footprint) {
+    constexpr std::size_t few = 200;
     Delaunay delaunay;
-    Triangulation result;
-    insertRing(delaunay, footprint.outer, result.points);
-    for (const Ring& hole : footprint.holes) insertRing(delaunay, hole, result.points);
+    Triangulation result{ownPoints(footprint), {}, false};
+    RingInserter inserter(delaunay);
+    result.tangled = result.points.size() <= few ? !inserter.insertOneByOne(footprint)
+                                                 : !inserter.insertAllPointsFirst(footprint);
+    if (result.tangled) return result;
     if (delaunay.dimension() < 2) return result;
     markDepths(delaunay);
     collectInside(delaunay, result);

@@ -84,12 +84,16 @@ private:
         SurfaceMesher mesher(group_.block->vertices);
         std::size_t degenerate = 0;
         std::size_t mended = 0;
+        std::size_t tangled = 0;
         for (const Surface& surface : shell) {
             const auto outcome = mesher.add(surface);
             degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
             mended += outcome == SurfaceMesher::Outcome::mended ? 1 : 0;
+            tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
         }
         if (degenerate > 0) warn(WarningKind::dropped, "surfaces without area", object, degenerate);
+        if (tangled > 0)
+            warn(WarningKind::dropped, "surfaces that cross themselves too often", object, tangled);
         if (mended > 0) warn(WarningKind::mended, "surfaces crossed themselves", object, mended);
         return mesher.take();
     }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/io/json_kind.h"
+#include "core/io/plain_file.h"
 
 namespace noonmark {
 
@@ -107,7 +108,7 @@ Head kindFromJson(const std::filesystem::path& file) {
 
 Result<FileKind> fileKind(const std::filesystem::path& file) {
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return failure("There is no such file", file.string());
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     if (std::filesystem::is_directory(file, ignored)) return fileKindFromGdal(file);
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return failure("The file cannot be opened", file.string(), "Check that you may read it");

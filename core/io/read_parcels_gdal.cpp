@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/io/gdal_calls.h"
+#include "core/io/plain_file.h"
 #include "core/io/polygon_layer.h"
 
 namespace noonmark {
@@ -130,6 +131,7 @@ Result<std::vector<OGRLayer*>> layersOf(GDALDataset& dataset, const std::string&
 
 Result<std::vector<Parcel>> readParcels(const std::filesystem::path& file, const ParcelSettings& settings,
                                         const Frame& frame, const std::stop_token& stop) {
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     const GdalCalls calls;
     const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
     if (!dataset)

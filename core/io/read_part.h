@@ -29,7 +29,7 @@ Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSett
                                std::stop_token stop);  ///< read_cityjson.cpp
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress,
-                           std::stop_token stop);  ///< read_mesh_assimp.cpp
+                           std::stop_token stop);  ///< read_mesh.cpp, by way of mesh_reader_process.h
 Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress,
                               std::stop_token stop);  ///< read_terrain_gdal.cpp

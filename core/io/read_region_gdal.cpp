@@ -13,6 +13,7 @@
 
 #include "core/io/fold_text.h"
 #include "core/io/gdal_calls.h"
+#include "core/io/plain_file.h"
 #include "core/io/polygon_layer.h"
 
 namespace noonmark {
@@ -64,6 +65,7 @@ Result<void> addLayer(OGRLayer& layer, const Frame& frame, const std::string& wh
 }
 
 Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& frame) {
+    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     const GdalCalls calls;
     const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
     if (!dataset)

@@ -87,6 +87,25 @@ Result<Source> opened(const std::filesystem::path& file, const ReadSettings& set
     return source;
 }
 
+// Grids in text have two bytes a cell at least; one of 500 bytes that claims 10^9 rows keeps GDAL busy for
+// minutes. And no raster may have so many cells that resampling it takes hours.
+Result<void> checkCells(const Source& source) {
+    constexpr double mostCells = 2e10;
+    const double cells = double(source.band().GetXSize()) * double(source.band().GetYSize());
+    if (cells > mostCells)
+        return failure(fmt::format("The raster has {} x {} cells, more than {:g} million in all",
+                                   source.band().GetXSize(), source.band().GetYSize(), mostCells / 1e6),
+                       source.file, "Cut out the part around the city, or make its cells larger");
+    const std::string driver = source.dataset->GetDriver()->GetDescription();
+    if (driver != "AAIGrid" && driver != "GRASSASCIIGrid" && driver != "ISG") return {};
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(source.file, error);
+    if (error || 2 * cells <= double(bytes) + 1) return {};
+    return failure(fmt::format("The grid promises {} x {} cells, more than the file holds",
+                               source.band().GetXSize(), source.band().GetYSize()),
+                   source.file, "Export or download it again");
+}
+
 double metresOfUnitName(std::string name) {
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
@@ -113,18 +132,43 @@ void learnUnit(Source& source, const CrsToLonLat& crs, const ReadSettings& setti
             "elevations have no unit; they were taken to be in the unit of the map, which is not metres");
 }
 
+constexpr int sampleSide = 1000;
+
+// The smallest overview that a sample can be taken from, else the band itself.
+GDALRasterBand& thinnestBand(GDALRasterBand& band) {
+    GDALRasterBand* thinnest = &band;
+    for (int i = 0; i < band.GetOverviewCount(); ++i) {
+        GDALRasterBand* overview = band.GetOverview(i);
+        if (overview == nullptr || std::min(overview->GetXSize(), overview->GetYSize()) < sampleSide)
+            continue;
+        if (overview->GetXSize() < thinnest->GetXSize()) thinnest = overview;
+    }
+    return *thinnest;
+}
+
+// Row by row, since one call for all of a huge raster cannot be stopped. What could not be read is missing.
+std::vector<float> thinnedCopy(GDALRasterBand& band, const std::stop_token& stop) {
+    const int columns = std::min(sampleSide, band.GetXSize());
+    const int rows = std::min(sampleSide, band.GetYSize());
+    std::vector<float> sample;
+    std::vector<float> line(std::size_t(columns));
+    for (int i = 0; i < rows && !stop.stop_requested(); ++i) {
+        const int row = int((i + 0.5) * band.GetYSize() / rows);
+        if (band.RasterIO(GF_Read, 0, row, band.GetXSize(), 1, line.data(), columns, 1, GDT_Float32, 0, 0,
+                          nullptr) != CE_None)
+            break;
+        sample.insert(sample.end(), line.begin(), line.end());
+    }
+    return sample;
+}
+
 // Values that stand for "no data" by custom where the file does not say which do. Looked for in a thinned
 // copy.
-void learnNoData(Source& source) {
+void learnNoData(Source& source, const std::stop_token& stop) {
     int stated = 0;
     source.band().GetNoDataValue(&stated);
     if (stated != 0 || (source.band().GetMaskFlags() & GMF_ALL_VALID) == 0) return;
-    const int columns = std::min(1000, source.band().GetXSize());
-    const int rows = std::min(1000, source.band().GetYSize());
-    std::vector<float> sample(std::size_t(columns) * std::size_t(rows));
-    if (source.band().RasterIO(GF_Read, 0, 0, source.band().GetXSize(), source.band().GetYSize(),
-                               sample.data(), columns, rows, GDT_Float32, 0, 0, nullptr) != CE_None)
-        return;
+    const std::vector<float> sample = thinnedCopy(thinnestBand(source.band()), stop);
     for (const float custom :
          {-9999.0F, -99999.0F, -32768.0F, -32767.0F, std::numeric_limits<float>::lowest()}) {
         if (std::find(sample.begin(), sample.end(), custom) == sample.end()) continue;
@@ -232,7 +276,9 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     const Result<CrsToLonLat> crs = CrsToLonLat::of(source->crs);
     if (!crs) return failure(crs.error().what, source->file, crsAdvice);
     learnUnit(*source, *crs, settings);
-    learnNoData(*source);
+    if (const auto whole = checkCells(*source); !whole) return tl::make_unexpected(whole.error());
+    learnNoData(*source, stop);
+    if (stop.stop_requested()) return cancelled();
     const Result<TerrainGrid> place = terrainGrid(placeOf(*source), *crs, settings, source->file);
     if (!place) return tl::make_unexpected(place.error());
     source->warnings.insert(source->warnings.end(), place->warnings.begin(), place->warnings.end());

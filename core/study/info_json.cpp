@@ -2,6 +2,7 @@
 #include <string>
 
 #include "core/city/building_ground.h"
+#include "core/city/triangle_count.h"
 #include "core/study/height_words.h"
 #include "core/study/study.h"
 #include "core/study/warnings_json.h"
@@ -24,7 +25,7 @@ struct Counts {
 void add(Counts& counts, const Part& part) {
     ++counts.parts;
     if (part.hangs) ++counts.hanging;
-    counts.triangles += meshOf(part).triangles.size();
+    counts.triangles += triangleCount(part);
 }
 
 Counts countsOf(const City& city) {

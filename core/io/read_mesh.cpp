@@ -1,18 +1,14 @@
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/IOSystem.hpp>
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "core/city/mesh_topology.h"
 #include "core/city/surface_mesher.h"
-#include "core/io/guarded_files.h"
 #include "core/io/height_text.h"
 #include "core/io/mesh_buildings.h"
-#include "core/io/mesh_file_check.h"
+#include "core/io/mesh_reader_process.h"
 #include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 
@@ -30,7 +26,7 @@ public:
         cos_ = std::cos(north);
     }
     // The mesh's north axis runs along its azimuth (sin, cos), its east axis a right angle clockwise of that.
-    [[nodiscard]] glm::dvec3 local(const aiVector3D& point) const {
+    [[nodiscard]] glm::dvec3 local(glm::vec3 point) const {
         const double x = double(point.x) * metres_;
         const double y = (yUp_ ? -double(point.z) : double(point.y)) * metres_;
         const double z = double(yUp_ ? point.y : point.z) * metres_;
@@ -49,50 +45,48 @@ struct FaceCounts {
     std::size_t broken =
         0;  // corners that are not there: what broken files have, and Assimp does not always look
     std::size_t degenerate = 0;  // no area
+    std::size_t tangled = 0;     // cross themselves too often
+    void add(SurfaceMesher::Outcome outcome) {
+        degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
+        tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
+    }
 };
 
-// Polygons are triangulated here: Assimp's own step ends the program on some broken files.
-FaceCounts addFaces(const aiMesh& source, bool mirrored, SurfaceMesher& mesher) {
+FaceCounts addFaces(const MeshPiece& piece, SurfaceMesher& mesher) {
     FaceCounts counts;
-    for (unsigned i = 0; i < source.mNumFaces; ++i) {
-        const aiFace& face = source.mFaces[i];
-        if (face.mNumIndices < 3 || face.mIndices == nullptr) continue;  // points and lines are no surface
-        std::vector<std::uint32_t> ring(face.mIndices, face.mIndices + face.mNumIndices);
-        if (mirrored) std::reverse(ring.begin(), ring.end());
-        if (*std::max_element(ring.begin(), ring.end()) >= source.mNumVertices)
+    auto corner = piece.corners.begin();
+    for (const std::uint32_t count : piece.cornerCounts) {
+        std::vector<std::uint32_t> ring(corner, corner + count);
+        corner += count;
+        if (*std::max_element(ring.begin(), ring.end()) >= piece.points.size())
             ++counts.broken;
-        else if (mesher.add({std::move(ring)}) == SurfaceMesher::Outcome::degenerate)
-            ++counts.degenerate;
+        else
+            counts.add(mesher.add({std::move(ring)}));
     }
     return counts;
 }
 
 struct SceneReader {
-    const aiScene& scene;
     const Placement& placement;
     std::string file;
     std::vector<NamedMesh> objects;
     Warnings warnings;
 
-    void add(const aiNode& node, const aiMatrix4x4& parent) {
-        const aiMatrix4x4 toScene = parent * node.mTransformation;
-        // The root's name is the file's.
-        const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
-        NamedMesh object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
-        for (unsigned i = 0; i < node.mNumMeshes; ++i)
-            addMesh(*scene.mMeshes[node.mMeshes[i]], toScene, object);
+    void add(const MeshObject& read) {
+        NamedMesh object{read.name, {}, read.parent};
+        for (const MeshPiece& piece : read.pieces) addPiece(piece, object);
         if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
-        for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], toScene);
     }
 
-    void addMesh(const aiMesh& source, const aiMatrix4x4& toScene, NamedMesh& object) {
+    void addPiece(const MeshPiece& piece, NamedMesh& object) {
         std::vector<glm::dvec3> points;
-        for (unsigned i = 0; i < source.mNumVertices; ++i)
-            points.push_back(placement.local(toScene * source.mVertices[i]));
+        points.reserve(piece.points.size());
+        for (const glm::vec3 point : piece.points) points.push_back(placement.local(point));
         SurfaceMesher mesher(points);
-        const FaceCounts counts = addFaces(source, toScene.Determinant() < 0, mesher);
+        const FaceCounts counts = addFaces(piece, mesher);
         append(object.mesh, mesher.mesh());
         warn(WarningKind::dropped, "faces with corners that are not there", object.name, counts.broken);
+        warn(WarningKind::dropped, "faces that cross themselves too often", object.name, counts.tangled);
         warn(WarningKind::mended, "faces without area were left out", object.name, counts.degenerate);
     }
 
@@ -136,15 +130,18 @@ std::string formatOf(const std::filesystem::path& file) {
     return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
 }
 
-Result<FilePiece> piece(const aiScene& scene, const std::filesystem::path& file, const ReadSettings& settings,
-                        Progress& progress, const std::stop_token& stop) {
+Result<FilePiece> piece(const MeshScene& scene, const std::filesystem::path& file,
+                        const ReadSettings& settings, Progress& progress, const std::stop_token& stop) {
     const Result<Frame> frame = frameFor(file, settings);
     if (!frame) return tl::make_unexpected(frame.error());
     const glm::dvec2 origin =
         settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
     const Placement placement(settings, origin);
-    SceneReader reader{scene, placement, file.filename().string(), {}, {}};
-    reader.add(*scene.mRootNode, aiMatrix4x4());
+    SceneReader reader{placement, file.filename().string(), {}, {}};
+    for (const MeshObject& object : scene) {
+        if (stop.stop_requested()) return cancelled();
+        reader.add(object);
+    }
     if (const auto near = checkDistance(reader.objects, file, origin, settings.farAwayM); !near)
         return tl::make_unexpected(near.error());
     FilePiece result{
@@ -166,16 +163,14 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
                            Progress& progress, std::stop_token stop) try {
     if (!settings.frame && !settings.meshAnchor)
         return failure("The mesh has no place", file.string(), anchorAdvice);
-    if (const auto checked = checkMeshFile(file); !checked) return tl::make_unexpected(checked.error());
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+    if (error)
+        return failure("The file cannot be opened", file.string(),
+                       "Check that it is a plain file, and that you may read it");
     progress.report(0, "reading the mesh");
-    Assimp::Importer importer;
-    importer.SetIOHandler(guardedFiles(stop).release());  // the importer owns it
-    const aiScene* scene = importer.ReadFile(file.string(), 0);
-    if (stop.stop_requested()) return cancelled();
-    if (scene == nullptr)
-        return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
-                       "Export it again");
-    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string());
+    const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
     return piece(*scene, file, settings, progress, stop);
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),

@@ -4,7 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "core/io/guarded_files.h"
+#include "core/mesh_reader/guarded_files.h"
+#include "core/mesh_reader/mesh_file_check.h"
 
 namespace noonmark {
 
@@ -16,8 +17,7 @@ constexpr std::size_t mostTimesOver =
 
 class GuardedStream final : public Assimp::IOStream {
 public:
-    GuardedStream(const char* path, std::stop_token stop)
-        : stream_(path, std::ios::binary), stop_(std::move(stop)) {
+    explicit GuardedStream(const char* path) : stream_(path, std::ios::binary) {
         std::error_code error;
         size_ = std::size_t(std::filesystem::file_size(path, error));
         if (error) size_ = 0;
@@ -25,7 +25,6 @@ public:
     [[nodiscard]] bool isOpen() const { return stream_.is_open(); }
 
     size_t Read(void* buffer, size_t size, size_t count) override {
-        if (stop_.stop_requested()) throw std::runtime_error("stopped");
         stream_.clear();
         stream_.read(static_cast<char*>(buffer), std::streamsize(size * count));
         const auto got = std::size_t(stream_.gcount());
@@ -57,7 +56,6 @@ private:
     }
 
     std::ifstream stream_;
-    std::stop_token stop_;
     std::size_t size_ = 0;
     std::size_t readInAll_ = 0;
     std::size_t readsAtEnd_ = 0;
@@ -65,28 +63,26 @@ private:
 
 class GuardedFiles final : public Assimp::IOSystem {
 public:
-    explicit GuardedFiles(std::stop_token stop) : stop_(std::move(stop)) {}
-    bool Exists(const char* path) const override {
-        std::error_code ignored;
-        return std::filesystem::exists(path, ignored);
-    }
+    explicit GuardedFiles(std::filesystem::path mesh) : mesh_(std::move(mesh)) {}
+    bool Exists(const char* path) const override { return path == mesh_ || isPlainFileBeside(path, mesh_); }
     [[nodiscard]] char getOsSeparator() const override {
         return char(std::filesystem::path::preferred_separator);
     }
     Assimp::IOStream* Open(const char* path, const char*) override {
-        auto stream = std::make_unique<GuardedStream>(path, stop_);
+        if (!Exists(path)) return nullptr;
+        auto stream = std::make_unique<GuardedStream>(path);
         return stream->isOpen() ? stream.release() : nullptr;
     }
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
 private:
-    std::stop_token stop_;
+    std::filesystem::path mesh_;
 };
 
 }  // namespace
 
-std::unique_ptr<Assimp::IOSystem> guardedFiles(std::stop_token stop) {
-    return std::make_unique<GuardedFiles>(std::move(stop));
+std::unique_ptr<Assimp::IOSystem> guardedFiles(const std::filesystem::path& mesh) {
+    return std::make_unique<GuardedFiles>(mesh);
 }
 
 }  // namespace noonmark

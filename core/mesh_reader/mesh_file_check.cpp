@@ -1,4 +1,4 @@
-#include "core/io/mesh_file_check.h"
+#include "core/mesh_reader/mesh_file_check.h"
 
 #include <cstdint>
 #include <cstring>
@@ -25,7 +25,7 @@ std::string contentOf(const std::filesystem::path& file, std::size_t offset, std
 }
 
 // Every item of an element takes a byte at least, in text two; so more items than bytes cannot be.
-Result<void> checkPly(const std::string& head, std::uintmax_t fileSize, const std::string& where) {
+Result<std::uintmax_t> checkPly(const std::string& head, std::uintmax_t fileSize, const std::string& where) {
     const auto end = head.find("end_header");
     if (end == head.npos) return failure("The PLY header does not end", where, again);
     std::istringstream lines(head.substr(0, end));
@@ -38,17 +38,21 @@ Result<void> checkPly(const std::string& head, std::uintmax_t fileSize, const st
         if (!(words >> count) || count > fileSize)
             return failure("The PLY promises more \"" + name + "\" than the file holds", where, again);
     }
-    return {};
+    return fileSize;
 }
 
 // Bytes that the buffers of a glTF can come from: the file itself and the files it names beside it.
-std::uintmax_t bytesBehind(const Json& gltf, const std::filesystem::path& file) {
+Result<std::uintmax_t> bytesBehind(const Json& gltf, const std::filesystem::path& file) {
     std::error_code error;
     std::uintmax_t bytes = std::filesystem::file_size(file, error);
     for (const Json& buffer : gltf.value("buffers", Json::array())) {
         const std::string uri = buffer.is_object() ? buffer.value("uri", "") : "";
         if (uri.empty() || uri.starts_with("data:")) continue;
-        const std::uintmax_t size = std::filesystem::file_size(file.parent_path() / uri, error);
+        const std::filesystem::path companion = file.parent_path() / uri;
+        if (!isPlainFileBeside(companion, file))
+            return failure("The glTF names \"" + uri + "\", which is not a file in its own folder",
+                           file.string(), "Put its files into one folder, or export it as .glb");
+        const std::uintmax_t size = std::filesystem::file_size(companion, error);
         bytes += error ? 0 : size;
     }
     return bytes;
@@ -61,20 +65,22 @@ bool promisesMore(const Json& gltf, const char* list, const char* member, std::u
     return false;
 }
 
-Result<void> checkGltf(const std::string& text, const std::filesystem::path& file) try {
+Result<std::uintmax_t> checkGltf(const std::string& text, const std::filesystem::path& file) try {
     const Json gltf = Json::parse(text);
-    const std::uintmax_t bytes = bytesBehind(gltf, file);
+    const auto bytes = bytesBehind(gltf, file);
+    if (!bytes) return bytes;
     for (const auto& [list, member] :
          {std::pair("buffers", "byteLength"), std::pair("bufferViews", "byteLength"),
           std::pair("bufferViews", "byteOffset"), std::pair("accessors", "count")})
-        if (promisesMore(gltf, list, member, bytes))
+        if (promisesMore(gltf, list, member, *bytes))
             return failure("The glTF promises more than its files hold", file.string(), again);
-    return {};
+    return bytes;
 } catch (const std::exception&) {
     return failure("The glTF is not valid JSON", file.string(), again);
 }
 
-Result<void> checkGlb(const std::string& head, std::uintmax_t fileSize, const std::filesystem::path& file) {
+Result<std::uintmax_t> checkGlb(const std::string& head, std::uintmax_t fileSize,
+                                const std::filesystem::path& file) {
     std::uint32_t promised = 0;
     std::uint32_t jsonLength = 0;
     constexpr std::size_t headerBytes = 20;
@@ -88,7 +94,7 @@ Result<void> checkGlb(const std::string& head, std::uintmax_t fileSize, const st
 
 }  // namespace
 
-Result<void> checkMeshFile(const std::filesystem::path& file) {
+Result<std::uintmax_t> checkMeshFile(const std::filesystem::path& file) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error)
@@ -101,7 +107,17 @@ Result<void> checkMeshFile(const std::filesystem::path& file) {
     if (head.starts_with("glTF")) return checkGlb(head, size, file);
     if (const auto start = head.find_first_not_of(" \t\r\n"); start != head.npos && head[start] == '{')
         return checkGltf(contentOf(file, 0, size), file);
-    return {};
+    return size;
+}
+
+bool isPlainFileBeside(const std::filesystem::path& companion, const std::filesystem::path& mesh) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(companion, error)) return false;
+    const auto place = std::filesystem::canonical(companion, error);
+    if (error) return false;
+    const auto folder =
+        std::filesystem::canonical(std::filesystem::absolute(mesh, error).parent_path(), error);
+    return !error && place.parent_path() == folder;
 }
 
 }  // namespace noonmark

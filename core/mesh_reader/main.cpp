@@ -1,0 +1,64 @@
+// noonmark-mesh-reader: reads one mesh file under limits and writes its triangles to a pipe. Noonmark starts
+// it for each mesh (core/io/mesh_reader_process.h), so that a file which crashes the mesh library costs no
+// unsaved work.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "core/io/mesh_reader_process.h"
+#include "core/mesh_reader/mesh_file_check.h"
+#include "core/mesh_reader/own_limits.h"
+#include "core/mesh_reader/read_scene.h"
+
+namespace noonmark {
+
+namespace {
+
+// What good files take at most: an OBJ about forty bytes of memory for each of its own, and the library
+// itself.
+constexpr std::uint64_t memoryPerByte = 128;
+constexpr std::uint64_t memoryAnyway = std::uint64_t(512) << 20;
+
+void writeOut(std::FILE* out, std::string& bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), out);
+    bytes.clear();
+}
+
+Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
+    const auto bytesBehind = checkMeshFile(file);
+    if (!bytesBehind) return tl::make_unexpected(bytesBehind.error());
+    constexpr std::uintmax_t most = std::uintmax_t(1) << 40;  // so that the product stays a number
+    limitMemory(memoryAnyway + memoryPerByte * std::min(*bytesBehind, most));
+    return readScene(file, [&, bytes = std::string()](const MeshObject& object) mutable {
+        appendObject(bytes, object);
+        writeOut(out, bytes);
+    });
+}
+
+// Ends without freeing anything: the kernel is quicker.
+[[noreturn]] void readInto(const std::filesystem::path& file, std::FILE* out) {
+    std::string bytes;
+    appendSceneHead(bytes);
+    writeOut(out, bytes);
+    if (const auto written = writeScene(file, out); written)
+        appendSceneEnd(bytes);
+    else
+        appendError(bytes, written.error());
+    writeOut(out, bytes);
+    std::_Exit(std::fflush(out) == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+}  // namespace
+
+}  // namespace noonmark
+
+int main(int argc, char** argv) {
+    std::FILE* out = argc == 4 ? ::fdopen(noonmark::sceneDescriptor, "wb") : nullptr;
+    if (out == nullptr) {
+        std::fputs("noonmark-mesh-reader is started by Noonmark and of no use by itself.\n", stderr);
+        return EXIT_FAILURE;
+    }
+    noonmark::limitThisProcess(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));
+    noonmark::readInto(argv[3], out);
+}

@@ -1,0 +1,92 @@
+#include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+#include <memory>
+#include <string_view>
+
+#include "core/mesh_reader/guarded_files.h"
+#include "core/mesh_reader/read_scene.h"
+
+namespace noonmark {
+
+namespace {
+
+// The library's own names. It knows some fifty formats more, all of which a file could choose by its content.
+constexpr std::array<std::string_view, 3> allowedImporters{
+    "Wavefront Object Importer", "Stanford Polygon Library (PLY) Importer", "glTF2 Importer"};
+
+void keepAllowedImporters(Assimp::Importer& importer) {
+    std::vector<Assimp::BaseImporter*> others;
+    for (std::size_t i = 0; i < importer.GetImporterCount(); ++i) {
+        const aiImporterDesc* description = importer.GetImporterInfo(i);
+        const std::string_view name = description != nullptr ? description->mName : "";
+        if (std::ranges::find(allowedImporters, name) == allowedImporters.end())
+            others.push_back(importer.GetImporter(i));
+    }
+    for (Assimp::BaseImporter* other : others) {
+        importer.UnregisterLoader(other);
+        delete other;  // the importer gives it up
+    }
+}
+
+// Polygons are not triangulated here: Assimp's own step ends the program on some broken files.
+MeshPiece pieceOf(const aiMesh& mesh, const aiMatrix4x4& toScene) {
+    MeshPiece piece;
+    piece.points.reserve(mesh.mNumVertices);
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+        const aiVector3D point = toScene * mesh.mVertices[i];
+        piece.points.emplace_back(point.x, point.y, point.z);
+    }
+    const bool mirrored = toScene.Determinant() < 0;
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        if (face.mNumIndices < 3 || face.mIndices == nullptr) continue;  // points and lines are no surface
+        piece.cornerCounts.push_back(face.mNumIndices);
+        piece.corners.insert(piece.corners.end(), face.mIndices, face.mIndices + face.mNumIndices);
+        if (mirrored) std::reverse(piece.corners.end() - face.mNumIndices, piece.corners.end());
+    }
+    return piece;
+}
+
+struct SceneWalk {
+    const aiScene& scene;
+    const std::function<void(const MeshObject&)>& take;
+
+    void visit(const aiNode& node, const aiMatrix4x4& parent) const {
+        const aiMatrix4x4 toScene = parent * node.mTransformation;
+        // The root's name is the file's.
+        const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
+        MeshObject object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
+        for (unsigned i = 0; i < node.mNumMeshes; ++i)
+            object.pieces.push_back(pieceOf(*scene.mMeshes[node.mMeshes[i]], toScene));
+        if (!object.pieces.empty()) take(object);
+        for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], toScene);
+    }
+};
+
+}  // namespace
+
+Result<void> readScene(const std::filesystem::path& file,
+                       const std::function<void(const MeshObject&)>& take) try {
+    Assimp::Importer importer;
+    keepAllowedImporters(importer);
+    importer.SetIOHandler(guardedFiles(file).release());  // the importer owns it
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr)
+        return failure(fmt::format("The mesh cannot be read ({})", importer.GetErrorString()), file.string(),
+                       "Export it again");
+    if (scene->mRootNode == nullptr) return failure("The file holds no triangles", file.string());
+    SceneWalk{*scene, take}.visit(*scene->mRootNode, aiMatrix4x4());
+    return {};
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
+                   "Export it again");
+}
+
+}  // namespace noonmark
