@@ -151,7 +151,7 @@ std::vector<float> thinnedCopy(GDALRasterBand& band, const std::stop_token& stop
     const int columns = std::min(sampleSide, band.GetXSize());
     const int rows = std::min(sampleSide, band.GetYSize());
     std::vector<float> sample;
-    std::vector<float> line(std::size_t(columns));
+    auto line = std::vector<float>(std::size_t(columns));
     for (int i = 0; i < rows && !stop.stop_requested(); ++i) {
         const int row = int((i + 0.5) * band.GetYSize() / rows);
         if (band.RasterIO(GF_Read, 0, row, band.GetXSize(), 1, line.data(), columns, 1, GDT_Float32, 0, 0,

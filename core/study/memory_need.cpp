@@ -26,7 +26,7 @@ double cellCount(const StudySettings& settings) {
     return std::ceil(cells.x) * std::ceil(cells.y);
 }
 
-double triangleCount(const Part& part) {
+double estimatedTriangles(const Part& part) {
     if (part.mesh) return double(part.mesh->triangles.size());
     std::size_t points = part.footprint.outer.size();
     for (const Ring& hole : part.footprint.holes) points += hole.size();
@@ -36,7 +36,7 @@ double triangleCount(const Part& part) {
 double triangleCount(const City& city) {
     double count = city.terrain ? 2 * double(city.terrain->grid.size()) : 0;
     for (const auto& building : city.buildings)
-        for (const Part& part : building->parts) count += triangleCount(part);
+        for (const Part& part : building->parts) count += estimatedTriangles(part);
     return count;
 }
 
