@@ -108,9 +108,7 @@ ViewBounds viewBoundsOf(const City& city) {
         const auto [low, high] = std::ranges::minmax(city.terrain->elevationM);
         view.groundM = low;
         view.topM = std::max(view.topM, high);
-        const Grid& grid = city.terrain->grid;
-        if (view.box.empty())
-            view.box = {{float(grid.westM), float(grid.southM)}, {float(grid.eastM()), float(grid.northM())}};
+        if (view.box.empty()) view.box = bounds(city.terrain->grid);
     }
     if (view.box.empty()) view.box = {{-500, -500}, {500, 500}};
     return view;

@@ -8,6 +8,7 @@
 #include "app/cli/load_city.h"
 #include "app/cli/table.h"
 #include "core/study/height_words.h"
+#include "core/study/terrain_text.h"
 
 namespace noonmark::cli {
 
@@ -50,7 +51,7 @@ void print(const CityRead& read, std::ostream& out) {
     for (const HeightField& field : read.heights.fields) table.add("heights from", wordsOf(field));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));
-    table.add("terrain", read.city.terrain ? "yes" : "none: flat ground");
+    table.add("terrain", read.city.terrain ? textOf(*read.city.terrain) : "none: flat ground");
     if (const auto& box = info["extent_lonlat"]; !box.is_null())
         table.add("extent",
                   fmt::format("{:.5f},{:.5f},{:.5f},{:.5f} (west,south,east,north)", box[0].get<double>(),

@@ -46,6 +46,20 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
         ->type_name("M");
 }
 
+void addTerrainOption(CLI::App& command, ReadSettings& settings) {
+    static const std::map<std::string, TerrainFromBases> choices{{"auto", TerrainFromBases::automatic},
+                                                                 {"always", TerrainFromBases::always},
+                                                                 {"never", TerrainFromBases::never}};
+    command
+        .add_option_function<std::string>(
+            "--terrain-from-bases",
+            [&settings](const std::string& choice) { settings.terrainFromBases = choices.at(choice); },
+            "Without a terrain: make one from the ground elevations of the buildings; auto (default): where "
+            "neighbours stand at different heights")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("WHEN");
+}
+
 void addMeshOptions(CLI::App& command, ReadSettings& settings) {
     addMeshAxesOptions(command, settings);
     command
@@ -91,6 +105,7 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         ->capture_default_str()
         ->check(within(100, 200000))
         ->type_name("M");
+    addTerrainOption(command, settings);
     addMeshOptions(command, settings);
 }
 

@@ -9,6 +9,7 @@
 #include "core/measures/has_runs.h"
 #include "core/study/error_words.h"
 #include "core/study/height_words.h"
+#include "core/study/terrain_text.h"
 
 namespace noonmark::cli {
 
@@ -56,6 +57,7 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
                                        ? fmt::format("mean {:.1f}, longest {:.1f} min",
                                                      figures.meanContinuousMin, figures.maxContinuousMin)
                                        : "not counted");
+    if (study.city.terrain) table.add("terrain", textOf(*study.city.terrain));
     for (const ErrorLine& line : errorLines(study)) table.add(line.name, line.value);
     addCost(table, study);
     table.print(out);

@@ -5,6 +5,7 @@
 #include "core/receivers/roof_receivers.h"
 #include "core/study/error_words.h"
 #include "core/study/height_words.h"
+#include "core/study/terrain_text.h"
 
 namespace noonmark {
 
@@ -30,6 +31,13 @@ QString receiverWords(const Study& study) {
                "Receivers: centres of square cells of %1 m on %2, inside the region and not under a "
                "building.")
         .arg(amountWords(study.field.grid.cellM, 2), ground);
+}
+
+QString terrainWords(const Study& study) {
+    QString words = QStringLiteral("Terrain: %1.").arg(QString::fromStdString(textOf(*study.city.terrain)));
+    if (const std::string beyond = textOf(study.terrainCoverage); !beyond.empty())
+        words += QStringLiteral(" %1.").arg(QString::fromStdString(beyond));
+    return words;
 }
 
 QString stepWords(const Study& study) {
@@ -128,8 +136,12 @@ TextBlocks definitionBlocks(const Study& study) {
 }
 
 std::vector<TextBlocks> methodSections(const Study& study) {
-    return {{heading(QStringLiteral("Method")), body(engineWords(study)), body(receiverWords(study)),
-             body(stepWords(study)), body(sunWords(study)), body(frameWords(study))},
+    TextBlocks method{heading(QStringLiteral("Method")), body(engineWords(study)),
+                      body(receiverWords(study))};
+    if (study.city.terrain) method.push_back(body(terrainWords(study)));
+    for (const QString& words : {stepWords(study), sunWords(study), frameWords(study)})
+        method.push_back(body(words));
+    return {method,
             {heading(QStringLiteral("Error")), body(engineErrorWords(study)), body(modelErrorWords())}};
 }
 

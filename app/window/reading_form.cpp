@@ -52,6 +52,11 @@ void ReadingForm::makeFields() {
     crs_ = textField(tr("as in the file (example: EPSG:2263)"));
     lod_ = textField(tr("the highest"));
     farAway_ = numberField(100, 200000, 0, 1000, tr(" m"));
+    terrainFromBases_ = new QComboBox;
+    terrainFromBases_->addItem(tr("where neighbours stand at different heights"),
+                               int(TerrainFromBases::automatic));
+    terrainFromBases_->addItem(tr("always"), int(TerrainFromBases::always));
+    terrainFromBases_->addItem(tr("never: flat ground"), int(TerrainFromBases::never));
     upAxis_ = upAxisField();
     meshUnit_ = meshUnitField();
     meshNorth_ = numberField(-360, 360, 4, 1, tr("°"));
@@ -80,6 +85,7 @@ QGroupBox* ReadingForm::makeData() {
     form->addRow(tr("Layer"), layer_);
     form->addRow(tr("Level of detail"), lod_);
     form->addRow(tr("Farthest kept"), farAway_);
+    form->addRow(tr("Terrain from buildings' bases"), terrainFromBases_);
     return group;
 }
 
@@ -121,6 +127,10 @@ void ReadingForm::tell() {
     add(heightUnit_, "heightUnit",
         tr("Unit of heights that are bare numbers.\nAs in the file: metres, unless the value or the field "
            "says otherwise."));
+    add(terrainFromBases_, "terrainFromBases",
+        tr("Where no terrain is read: make one from the ground elevations that the buildings state.\n"
+           "By default where more than one pair of neighbours in twenty stands more than 1 m apart in "
+           "height."));
     add(metresPerLevel_, "metresPerLevel",
         tr("For buildings of which only the storeys are known, metres, 2 to 6"));
     add(defaultHeight_, "defaultHeight",
@@ -167,6 +177,7 @@ ReadSettings ReadingForm::settings() const {
     if (const std::string crs = textIn(*crs_); !crs.empty()) settings.crs = crs;
     settings.lod = textIn(*lod_);
     settings.farAwayM = farAway_->value();
+    settings.terrainFromBases = TerrainFromBases(terrainFromBases_->currentData().toInt());
     settings.upAxis = UpAxis(upAxis_->currentData().toInt());
     settings.meshUnit = LengthUnit(meshUnit_->currentData().toInt());
     settings.meshNorthDeg = meshNorth_->value();
@@ -184,6 +195,7 @@ void ReadingForm::show(const ReadSettings& settings) {
     showText(*crs_, settings.crs.value_or(""));
     showText(*lod_, settings.lod);
     farAway_->setValue(settings.farAwayM);
+    choose(*terrainFromBases_, int(settings.terrainFromBases));
     choose(*upAxis_, int(settings.upAxis));
     choose(*meshUnit_, int(settings.meshUnit));
     meshNorth_->setValue(settings.meshNorthDeg);

@@ -42,6 +42,7 @@ private:
     QLineEdit* crs_;
     QLineEdit* lod_;
     QDoubleSpinBox* farAway_;
+    QComboBox* terrainFromBases_;
     QComboBox* upAxis_;
     QComboBox* meshUnit_;
     QDoubleSpinBox* meshNorth_;

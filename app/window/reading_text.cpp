@@ -1,5 +1,6 @@
 #include "app/window/reading_text.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace noonmark {
@@ -58,6 +59,7 @@ QString textOf(const ReadSettings& reading) {
     if (reading.crs) json["crs"] = *reading.crs;
     put(json, "lod", reading.lod, usual.lod);
     put(json, "far_away_m", reading.farAwayM, usual.farAwayM);
+    put(json, "terrain_from_bases", int(reading.terrainFromBases), int(usual.terrainFromBases));
     return json.empty() ? QString() : QString::fromStdString(json.dump());
 }
 
@@ -75,6 +77,9 @@ std::optional<ReadSettings> readingFrom(const QString& text) try {
     if (json.contains("crs")) reading.crs = json.at("crs").get<std::string>();
     take(json, "lod", reading.lod);
     take(json, "far_away_m", reading.farAwayM);
+    if (json.contains("terrain_from_bases"))
+        reading.terrainFromBases = TerrainFromBases(
+            std::clamp(json.at("terrain_from_bases").get<int>(), 0, int(TerrainFromBases::never)));
     return reading;
 } catch (const std::exception&) {  // no JSON, or of another shape
     return std::nullopt;

@@ -70,8 +70,7 @@ struct Barycentric {
 
 int clampedCell(double position, int count) { return int(std::clamp(position, 0.0, double(count - 1))); }
 
-void rasterize(const Barycentric& triangle, Terrain& terrain) {
-    const Grid& grid = terrain.grid;
+void rasterize(const Barycentric& triangle, const Grid& grid, std::vector<float>& elevationM) {
     const auto [west, east] = std::minmax({triangle.a.x, triangle.b.x, triangle.c.x});
     const auto [south, north] = std::minmax({triangle.a.y, triangle.b.y, triangle.c.y});
     const int lastColumn = clampedCell((east - grid.westM) / grid.cellM, grid.columns);
@@ -80,9 +79,25 @@ void rasterize(const Barycentric& triangle, Terrain& terrain) {
         for (int column = clampedCell((west - grid.westM) / grid.cellM - 1, grid.columns);
              column <= lastColumn; ++column) {
             const float elevation = float(triangle.elevationAt(grid.centre(column, row)));
-            float& cell = terrain.elevationM[grid.index(column, row)];
+            float& cell = elevationM[grid.index(column, row)];
             if (std::isnan(cell) || elevation > cell) cell = std::isnan(elevation) ? cell : elevation;
         }
+}
+
+// How far the grid's surface lies from the triangles' own points.
+void describe(const Coverage& coverage, const TriangleMesh& tin, TinTerrain& result) {
+    TerrainSource& source = result.terrain.source;
+    source.method = TerrainMethod::triangulated;
+    source.sourcePoints = coverage.points.size();
+    source.filled = result.filled;
+    double squares = 0;
+    for (const std::uint32_t point : coverage.points) {
+        const glm::dvec3 vertex(tin.vertices[point]);
+        const double off = std::abs(vertex.z - double(elevationAt(result.terrain, glm::dvec2(vertex))));
+        squares += off * off;
+        source.heightMaxM = std::max(source.heightMaxM, off);
+    }
+    source.heightRmsM = std::sqrt(squares / double(coverage.points.size()));
 }
 
 }  // namespace
@@ -90,16 +105,18 @@ void rasterize(const Barycentric& triangle, Terrain& terrain) {
 std::optional<TinTerrain> rasterizedTin(const TriangleMesh& tin) {
     const Coverage coverage = coverageOf(tin);
     if (coverage.box.empty() || coverage.areaM2 <= 0) return std::nullopt;
-    TinTerrain result{{gridOver(coverage), {}}, 0};
-    result.terrain.elevationM.assign(result.terrain.grid.size(), std::numeric_limits<float>::quiet_NaN());
+    const Grid grid = gridOver(coverage);
+    TinTerrain result{{grid, {}}, 0};
+    std::vector<float>& elevations = result.terrain.elevationM;
+    elevations.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     for (const glm::uvec3 t : tin.triangles) {
         const Barycentric triangle(glm::dvec3(tin.vertices[t.x]), glm::dvec3(tin.vertices[t.y]),
                                    glm::dvec3(tin.vertices[t.z]));
-        if (triangle.doubledArea != 0) rasterize(triangle, result.terrain);
+        if (triangle.doubledArea != 0) rasterize(triangle, grid, elevations);
     }
-    result.filled =
-        fillFromNearest(result.terrain.elevationM, result.terrain.grid.columns, result.terrain.grid.rows);
-    if (std::isnan(result.terrain.elevationM[0])) return std::nullopt;
+    result.filled = fillFromNearest(elevations, grid.columns, grid.rows);
+    if (std::isnan(elevations[0])) return std::nullopt;
+    describe(coverage, tin, result);
     return result;
 }
 

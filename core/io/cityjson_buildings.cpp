@@ -13,6 +13,7 @@
 #include "core/city/mesh_parts.h"
 #include "core/city/mesh_topology.h"
 #include "core/city/tin_terrain.h"
+#include "core/geo/earth_drop.h"
 #include "core/io/height_origins.h"
 #include "core/io/height_reading.h"
 
@@ -145,8 +146,10 @@ private:
     [[nodiscard]] std::function<float(glm::dvec2)> groundUnder(const std::vector<Part>& parts) const {
         float lowest = 1e30F;
         for (const Part& part : parts) lowest = std::min(lowest, part.bottomM);
+        // The curvature of the earth is off the terrain, and on the parts still.
         return [lowest, terrain = terrain_](glm::dvec2 at) {
-            return terrain != nullptr ? std::max(lowest, elevationAt(*terrain, at)) : lowest;
+            return terrain != nullptr ? std::max(lowest, elevationAt(*terrain, at) + float(earthDropM(at)))
+                                      : lowest;
         };
     }
 
@@ -178,6 +181,7 @@ void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece)
             append(tin, mesher.mesh());
         }
     if (tin.triangles.empty()) return;
+    for (glm::vec3& vertex : tin.vertices) vertex.z -= float(earthDropM(glm::dvec2(vertex)));
     std::optional<TinTerrain> made = rasterizedTin(tin);
     if (!made) return piece.warnings.push_back({WarningKind::dropped, "the terrain has no area", file});
     if (made->filled > 0)
@@ -185,6 +189,7 @@ void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece)
             {WarningKind::mended,
              "cells that the terrain's triangles do not cover have the nearest elevation",
              fmt::format("{} ({} of {} cells)", file, made->filled, made->terrain.grid.size())});
+    made->terrain.source.file = std::filesystem::path(file).filename().string();
     piece.terrain = std::make_shared<const Terrain>(std::move(made->terrain));
 }
 

@@ -10,6 +10,7 @@
 #include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 #include "core/io/stand_on_terrain.h"
+#include "core/io/terrain_from_bases.h"
 #include "core/progress_share.h"
 
 namespace noonmark {
@@ -85,6 +86,46 @@ void joinTerrain(CityRead& all, const InputFile& file) {
         all.city.terrain = file.piece.terrain;
 }
 
+std::vector<BasedBuilding> basedBuildings(const std::vector<InputFile>& files) {
+    std::vector<BasedBuilding> based;
+    for (const InputFile& file : files)
+        for (std::size_t i = 0; i < file.piece.groundM.size(); ++i)
+            if (const auto ground = file.piece.groundM[i]; ground && !file.piece.buildings[i]->parts.empty())
+                based.push_back({file.piece.buildings[i].get(), *ground});
+    return based;
+}
+
+// Ground that buildings state, where no terrain shows it.
+void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, TerrainFromBases wanted) {
+    if (all.city.terrain || wanted == TerrainFromBases::never) return;
+    const std::vector<BasedBuilding> based = basedBuildings(files);
+    const BaseRelief relief = reliefOf(based);
+    if (wanted == TerrainFromBases::automatic && !relief.matters()) return;
+    std::optional<Terrain> terrain = terrainFromBases(based);
+    if (!terrain) return;
+    all.warnings.push_back({WarningKind::assumed,
+                            "there is no terrain: the ground between the buildings was made from their bases",
+                            fmt::format("{} buildings; {}", based.size(), textOf(relief))});
+    all.city.terrain = std::make_shared<const Terrain>(*std::move(terrain));
+}
+
+// Buildings that stand beyond the terrain's border on its nearest elevation.
+void countBeyondTerrain(CityRead& all) {
+    if (!all.city.terrain) return;
+    std::size_t off = 0;
+    double farthestM = 0;
+    for (const auto& building : all.city.buildings) {
+        const Box2 box = bounds(*building);
+        const double beyond = beyondM(all.city.terrain->grid, glm::dvec2(box.low + box.high) / 2.0);
+        off += beyond > 0 ? 1 : 0;
+        farthestM = std::max(farthestM, beyond);
+    }
+    if (off > 0)
+        all.warnings.push_back(
+            {WarningKind::assumed, "buildings beyond the terrain stand on its nearest elevation",
+             fmt::format("{} of {}, up to {:.0f} m from it", off, all.city.buildings.size(), farthestM)});
+}
+
 // Buildings that say what ground they stand on, where there is no terrain to show it.
 void sayFlattened(CityRead& all, const InputFile& file) {
     const auto isRaised = [](const std::optional<float>& ground) { return ground && *ground != 0; };
@@ -144,12 +185,14 @@ Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& se
     CityRead all;
     all.city.frame = *frame;
     for (const InputFile& file : *files) joinTerrain(all, file);
+    makeTerrainFromBases(all, *files, settings.terrainFromBases);
     for (const InputFile& file : *files) {
         joinBuildings(all, file);
         joinWarnings(all, file, files->size() > 1);
         joinHeights(all.heights, file.piece.heights);
         all.features += file.piece.features;
     }
+    countBeyondTerrain(all);
     all.format = joinedTexts(*files, &FilePiece::format);
     all.attribution = joinedTexts(*files, &FilePiece::attribution);
     return all;

@@ -17,6 +17,10 @@ namespace noonmark {
 enum class LengthUnit { metres, feet, usSurveyFeet, centimetres };
 enum class UpAxis { z, y };
 
+/// Whether buildings that state the ground they stand on make a terrain where none is read: where the relief
+/// between neighbours matters (core/io/terrain_from_bases.h), always, or never (the ground is then flat).
+enum class TerrainFromBases { automatic, always, never };
+
 /// How to read what a file does not say by itself. Every field has a default that is right for well-made files.
 struct ReadSettings {
     std::string heightField;        ///< empty: found by its name
@@ -28,6 +32,8 @@ struct ReadSettings {
     std::optional<std::string> crs; ///< "EPSG:2263"; stated by the user where the file has none
     std::string lod;                ///< CityJSON: "2.2"; empty: the highest that is there
     double farAwayM = 60000;        ///< what lies further from the middle of the data is left out (and said)
+
+    TerrainFromBases terrainFromBases = TerrainFromBases::automatic;
 
     // Meshes (OBJ, PLY, glTF) know neither axes, unit nor place.
     UpAxis upAxis = UpAxis::y;

@@ -4,11 +4,13 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
-#include "core/city/fill_gaps.h"
 #include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/earth_drop.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/height_text.h"
 #include "core/io/place_advice.h"
@@ -25,16 +27,16 @@ struct Source {
     GDALDatasetUniquePtr dataset;  // of one band
     std::string file;
     std::string crs;
-    double geoTransform[6];
+    std::array<double, 6> geoTransform{};
     double metresPerValue = 1;
     std::string noData;  // to be taken as no data though the file does not say so; empty if none
     Warnings warnings;
 
     [[nodiscard]] GDALRasterBand& band() const { return *dataset->GetRasterBand(1); }
     void warn(WarningKind kind, std::string what) { warnings.push_back({kind, std::move(what), file}); }
-    [[nodiscard]] glm::dvec2 at(glm::dvec2 pixel) const {
-        return {geoTransform[0] + pixel.x * geoTransform[1] + pixel.y * geoTransform[2],
-                geoTransform[3] + pixel.x * geoTransform[4] + pixel.y * geoTransform[5]};
+    [[nodiscard]] RasterPlace place() const { return {band().GetXSize(), band().GetYSize(), geoTransform}; }
+    [[nodiscard]] float metres(float value) const {
+        return float((double(value) * band().GetScale() + band().GetOffset()) * metresPerValue);
     }
 };
 
@@ -81,7 +83,7 @@ Result<Source> opened(const std::filesystem::path& file, const ReadSettings& set
     if (source.crs.empty()) source.crs = settings.crs.value_or("");
     if (source.crs.empty())
         return failure("The terrain has no coordinate reference system", source.file, crsAdvice);
-    if (source.dataset->GetGeoTransform(source.geoTransform) != CE_None)
+    if (source.dataset->GetGeoTransform(source.geoTransform.data()) != CE_None)
         return failure("The raster does not say where it lies", source.file,
                        "Export it as a GeoTIFF with its place");
     return source;
@@ -180,21 +182,6 @@ void learnNoData(Source& source, const std::stop_token& stop) {
     }
 }
 
-RasterPlace placeOf(const Source& source) {
-    RasterPlace place;
-    const glm::dvec2 size(source.band().GetXSize(), source.band().GetYSize());
-    constexpr int perSide = 20;
-    for (const auto& [from, to] :
-         {std::pair(glm::dvec2(0, 0), glm::dvec2(1, 0)), std::pair(glm::dvec2(1, 0), glm::dvec2(1, 1)),
-          std::pair(glm::dvec2(1, 1), glm::dvec2(0, 1)), std::pair(glm::dvec2(0, 1), glm::dvec2(0, 0))})
-        for (int i = 0; i < perSide; ++i)
-            place.border.push_back(source.at((from + (to - from) * (double(i) / perSide)) * size));
-    place.middle = source.at(size / 2.0);
-    place.nextColumn = source.at(size / 2.0 + glm::dvec2(1, 0));
-    place.nextRow = source.at(size / 2.0 + glm::dvec2(0, 1));
-    return place;
-}
-
 using Options = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)>;
 
 Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALProgressFunc report,
@@ -238,6 +225,7 @@ Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALPr
 struct Watcher {
     Progress& progress;
     std::stop_token stop;
+    void reportReading(double done) const { progress.report(done, "reading the terrain"); }
     static int CPL_STDCALL report(double done, const char*, void* watcher) {
         auto& self = *static_cast<Watcher*>(watcher);
         self.progress.report(done, "resampling the terrain");
@@ -262,10 +250,104 @@ std::vector<float> resampled(Source& source, const Grid& grid, bool coarser, con
                                            grid.rows, GDT_Float32, sizeof(float), -rowBytes,
                                            nullptr) != CE_None)
         return {};
-    const double scale = source.band().GetScale();
-    const double offset = source.band().GetOffset();
-    for (float& value : values) value = float((double(value) * scale + offset) * source.metresPerValue);
+    for (float& value : values) value = source.metres(value);
     return values;
+}
+
+// Some rows of the raster, NaN where it has no data.
+class RowReader {
+public:
+    explicit RowReader(Source& source)
+        : source_(source), hasMask_((source.band().GetMaskFlags() & GMF_ALL_VALID) == 0) {
+        if (!source.noData.empty()) noData_ = std::strtof(source.noData.c_str(), nullptr);
+    }
+
+    // Metres above the datum. False where GDAL failed.
+    bool read(const PixelWindow& window, float* values) {
+        GDALRasterBand& band = source_.band();
+        if (band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows, values,
+                          window.columns, window.rows, GDT_Float32, 0, 0, nullptr) != CE_None)
+            return false;
+        mask_.assign(window.size(), 255);
+        if (hasMask_ && band.GetMaskBand()->RasterIO(GF_Read, window.column, window.row, window.columns,
+                                                     window.rows, mask_.data(), window.columns, window.rows,
+                                                     GDT_Byte, 0, 0, nullptr) != CE_None)
+            return false;
+        for (std::size_t i = 0; i < mask_.size(); ++i)
+            values[i] = mask_[i] == 0 || values[i] == noData_ ? std::numeric_limits<float>::quiet_NaN()
+                                                              : source_.metres(values[i]);
+        return true;
+    }
+
+private:
+    Source& source_;
+    bool hasMask_;
+    float noData_ = std::numeric_limits<float>::quiet_NaN();
+    std::vector<unsigned char> mask_;
+};
+
+// The window's pixels in the order of the posts. Empty when GDAL failed or was stopped.
+std::vector<float> keptElevations(Source& source, const TerrainGrid& place, const Watcher& watcher) {
+    const PixelWindow& window = place.window;
+    const auto columns = std::size_t(window.columns);
+    const int rowsAtOnce = std::max(1, int((std::size_t(1) << 20) / columns));
+    RowReader reader(source);
+    std::vector<float> values(window.size()), strip;
+    for (int row = 0; row < window.rows; row += rowsAtOnce) {
+        if (watcher.stop.stop_requested()) return {};
+        watcher.reportReading(double(row) / window.rows);
+        const int rows = std::min(rowsAtOnce, window.rows - row);
+        strip.resize(columns * std::size_t(rows));
+        if (!reader.read({window.column, window.row + row, window.columns, rows}, strip.data())) return {};
+        for (int i = 0; i < rows; ++i) {
+            const int post = place.flipped ? window.rows - 1 - row - i : row + i;
+            std::copy_n(strip.begin() + std::ptrdiff_t(columns) * i, columns,
+                        values.begin() + std::ptrdiff_t(columns) * post);
+        }
+    }
+    return values;
+}
+
+// How far the surface that was resampled lies from the raster's own posts: on up to 200 x 200 of them.
+bool measureResampling(Source& source, const PixelPlaces& places, const Frame& frame,
+                       const PixelWindow& window, Terrain& terrain) {
+    constexpr int most = 200;
+    RowReader reader(source);
+    std::vector<float> values(std::size_t(window.columns));
+    double squares = 0, count = 0;
+    for (int row = 0; row < window.rows; row += std::max(1, window.rows / most)) {
+        const PixelWindow one{window.column, window.row + row, window.columns, 1};
+        if (!reader.read(one, values.data())) return false;
+        std::vector<glm::dvec2> pixels;
+        for (int column = 0; column < window.columns; column += std::max(1, window.columns / most))
+            pixels.emplace_back(one.column + column + 0.5, one.row + 0.5);
+        const std::vector<glm::dvec2> local = places.local(pixels);
+        for (std::size_t i = 0; i < local.size(); ++i) {
+            const float value = values[std::size_t(pixels[i].x) - std::size_t(one.column)];
+            if (std::isnan(local[i].x) || !(value > -500 && value < 9000) ||
+                beyondM(terrain.grid, local[i]) > 0)
+                continue;
+            const double off = std::abs(double(value) - frame.originElevationM() - earthDropM(local[i]) -
+                                        double(elevationAt(terrain, local[i])));
+            squares += off * off;
+            ++count;
+            terrain.source.heightMaxM = std::max(terrain.source.heightMaxM, off);
+        }
+    }
+    terrain.source.heightRmsM = count > 0 ? std::sqrt(squares / count) : 0;
+    return true;
+}
+
+Result<std::vector<float>> elevationsOf(Source& source, const TerrainGrid& place, Watcher& watcher,
+                                        const GdalCalls& gdal) {
+    std::vector<float> elevations = place.resampledTo ? resampled(source, *place.resampledTo, place.coarser(),
+                                                                  place.frame.projString(), watcher)
+                                                      : keptElevations(source, place, watcher);
+    if (watcher.stop.stop_requested()) return cancelled();
+    if (elevations.empty())
+        return failure(fmt::format("The terrain cannot be read ({})", gdal.why()), source.file,
+                       "Export it as a GeoTIFF");
+    return elevations;
 }
 
 Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
@@ -279,21 +361,25 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     if (const auto whole = checkCells(*source); !whole) return tl::make_unexpected(whole.error());
     learnNoData(*source, stop);
     if (stop.stop_requested()) return cancelled();
-    const Result<TerrainGrid> place = terrainGrid(placeOf(*source), *crs, settings, source->file);
+    const RasterPlace raster = source->place();
+    const Result<TerrainGrid> place = terrainGrid(raster, *crs, settings, source->file);
     if (!place) return tl::make_unexpected(place.error());
     source->warnings.insert(source->warnings.end(), place->warnings.begin(), place->warnings.end());
     Watcher watcher{progress, stop};
-    std::vector<float> elevations =
-        resampled(*source, place->grid, place->coarser, place->frame.projString(), watcher);
-    if (stop.stop_requested()) return cancelled();
-    if (elevations.empty())
-        return failure(fmt::format("The terrain cannot be resampled ({})", gdal.why()), source->file,
-                       "Export it as a GeoTIFF");
+    Result<std::vector<float>> elevations = elevationsOf(*source, *place, watcher, gdal);
+    if (!elevations) return tl::make_unexpected(elevations.error());
     FilePiece piece{.warnings = std::move(source->warnings),
                     .format = source->dataset->GetDriver()->GetMetadataItem(GDAL_DMD_LONGNAME)};
-    if (const auto finished = finishTerrain(*place, std::move(elevations), settings, source->file, piece);
+    if (const auto finished = finishTerrain(*place, *std::move(elevations), settings, source->file, piece);
         !finished)
         return tl::make_unexpected(finished.error());
+    if (!place->resampledTo) return piece;
+    auto terrain = std::make_shared<Terrain>(*piece.terrain);
+    const Frame frame = settings.frame.value_or(piece.frame.value_or(place->frame));
+    if (!measureResampling(*source, PixelPlaces(raster, *crs, frame), frame, place->window, *terrain))
+        return failure(fmt::format("The terrain cannot be read ({})", gdal.why()), source->file,
+                       "Export it as a GeoTIFF");
+    piece.terrain = std::move(terrain);
     return piece;
 }
 

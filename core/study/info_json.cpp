@@ -5,6 +5,7 @@
 #include "core/city/triangle_count.h"
 #include "core/study/height_words.h"
 #include "core/study/study.h"
+#include "core/study/terrain_text.h"
 #include "core/study/warnings_json.h"
 
 namespace noonmark {
@@ -67,6 +68,7 @@ std::string infoJson(const CityRead& read) {
     info["origin_lonlat"] = {read.city.frame.origin().lonDeg, read.city.frame.origin().latDeg};
     info["origin_elevation_m"] = read.city.frame.originElevationM();
     info["terrain"] = read.city.terrain != nullptr;
+    info["terrain_source"] = read.city.terrain ? terrainJson(*read.city.terrain) : Json();
     info["attribution"] = read.attribution;
     info["warnings"] = warningsJson(read.warnings);
     return jsonText(info);

@@ -75,6 +75,12 @@ std::string nameOf(LengthUnit unit) {
     return "m";
 }
 
+std::string nameOf(TerrainFromBases choice) {
+    return choice == TerrainFromBases::always  ? "always"
+           : choice == TerrainFromBases::never ? "never"
+                                               : "auto";
+}
+
 void addReading(CommandLine& line, const ReadSettings& reading) {
     const ReadSettings usual;
     line.unless(reading.heightField.empty(), "--height-field", reading.heightField);
@@ -87,6 +93,8 @@ void addReading(CommandLine& line, const ReadSettings& reading) {
     line.unless(reading.layer.empty(), "--layer", reading.layer);
     if (reading.crs) line.option("--crs", *reading.crs);
     line.unless(reading.lod.empty(), "--lod", reading.lod);
+    line.unless(reading.terrainFromBases == usual.terrainFromBases, "--terrain-from-bases",
+                nameOf(reading.terrainFromBases));
     line.unless(reading.farAwayM == usual.farAwayM, "--far-away", fmt::to_string(reading.farAwayM));
 }
 

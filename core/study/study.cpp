@@ -86,6 +86,10 @@ Result<void> computed(Study& study, const Accumulator& engine, Progress& progres
         })
         .and_then([&] { return checkSun(study); })
         .and_then([&] {
+            study.terrainCoverage = terrainCoverage(study.city, study.receivers, study.sun);
+            return checkCoverage(study.terrainCoverage, settings.region.name);
+        })
+        .and_then([&] {
             return timed(study, "accumulate", study.field, stop, [&] {
                 return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
             });
@@ -138,6 +142,7 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     if (study.field.engineKey.empty()) study.field.engineKey = settings.engine;
     study.statistics = statisticsOf(study.field);
     study.warnings = study.field.warnings;
+    for (Warning& warning : warningsOf(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
     if (wantsError(study))
         if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();

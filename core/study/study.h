@@ -13,6 +13,7 @@
 #include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
+#include "core/study/terrain_coverage.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -55,6 +56,7 @@ struct Study {
     SunSteps sun;
     ShadowField field;
     ShadowStatistics statistics;
+    TerrainCoverage terrainCoverage;  ///< what of it lies beyond the terrain
     std::optional<ShadowBreakdown>
         breakdown;  ///< by month (else all in one) and by building, where asked for
     /// Against the ray reference; nothing where that was switched off, could not be done (a warning says so)
@@ -74,7 +76,8 @@ struct Study {
 /// Receivers, sun and engine (one of `engines`) over `city`; the sun is the one seen from the middle of the
 /// region. Fills everything of Study but `inputs`, `attribution` and what reading adds to `seconds` and
 /// `warnings`. Error: a setting out of range, an unknown engine, a region without open ground, a sun that
-/// never rises in the period, or more memory than the limit. Stops with cancelled() within 0.2 s.
+/// never rises in the period, a region or buildings in reach mostly beyond the terrain, or more memory than
+/// the limit. Stops with cancelled() within 0.2 s.
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
                        std::stop_token stop, const EngineList& engines = coreEngines());
 

@@ -34,10 +34,18 @@ void addPart(Sha256& sum, const Part& part) {
     addAll(sum, part.mesh->triangles);
 }
 
-void addGrid(Sha256& sum, const Grid& grid) {
-    for (const double number : {grid.westM, grid.southM, grid.cellM}) sum.add(number);
-    sum.add(grid.columns);
-    sum.add(grid.rows);
+// What places every post.
+void addPosts(Sha256& sum, const PostGrid& posts) {
+    for (const glm::dvec2 way : {posts.first, posts.columnStep, posts.rowStep}) {
+        sum.add(way.x);
+        sum.add(way.y);
+    }
+    sum.add(posts.columns);
+    sum.add(posts.rows);
+    for (const glm::dvec2 term : posts.bend) {
+        sum.add(term.x);
+        sum.add(term.y);
+    }
 }
 
 void addCity(Sha256& sum, const City& city) {
@@ -50,7 +58,7 @@ void addCity(Sha256& sum, const City& city) {
     }
     sum.add(bool(city.terrain));
     if (!city.terrain) return;
-    addGrid(sum, city.terrain->grid);
+    addPosts(sum, city.terrain->grid);
     addAll(sum, city.terrain->elevationM);
 }
 

@@ -10,6 +10,7 @@
 #include "core/study/inputs_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
+#include "core/study/terrain_text.h"
 #include "core/study/warnings_json.h"
 #include "core/version.h"
 
@@ -156,6 +157,8 @@ std::string studyJson(const Study& study) {
     if (study.settings.byMonth) json["by_month"] = monthsJson(study);
     json["region"] = regionJson(study);
     json["cells"] = cellsJson(study);
+    json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();
+    if (study.city.terrain) json["beyond_terrain"] = coverageJson(study.terrainCoverage);
     json["observer"] = observerJson(observerOf(study));
     json["inputs"] = inputsJson(study.inputs);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);

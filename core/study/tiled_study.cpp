@@ -149,6 +149,10 @@ Result<TiledStudy> computed(TiledStudy tiled, const Accumulator& engine, const s
     if (!sun) return tl::make_unexpected(sun.error());
     study.sun = *std::move(sun);
     setGrid(study, tiled.plan.whole);
+    study.terrainCoverage = terrainCoverage(study.city, study.settings.region, tiled.plan.whole, study.sun);
+    if (auto covered = checkCoverage(study.terrainCoverage, study.settings.region.name); !covered)
+        return tl::make_unexpected(covered.error());
+    study.warnings = warningsOf(study.terrainCoverage);
     auto journal =
         TileJournal::open(file.string() + ".tiles", studyHash(study.city, study.settings), tiled.plan);
     if (!journal) return tl::make_unexpected(journal.error());

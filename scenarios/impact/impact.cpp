@@ -10,6 +10,7 @@
 #include "core/progress_share.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
+#include "core/study/terrain_coverage.h"
 #include "scenarios/impact/reached_receivers.h"
 
 namespace noonmark {
@@ -95,6 +96,9 @@ private:
         return checked(study.period).and_then([&](const Period& period) {
             return sunSteps(period, observerOf(after, study), stop_)
                 .and_then([&](SunSteps sun) { return keep(std::move(sun)); })
+                .and_then([&] {
+                    return checkCoverage(terrainCoverage(after, common_.receivers, sun_), study.region.name);
+                })
                 .map([&] { chooseOnce(before, after); });
         });
     }

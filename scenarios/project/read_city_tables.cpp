@@ -4,6 +4,7 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "core/study/terrain_text.h"
 #include "scenarios/project/geometry_blob.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/write_project.h"
@@ -88,6 +89,8 @@ std::shared_ptr<const Terrain> readTerrain(Database& database) {
     terrain->grid = {row.real(0), row.real(1), row.real(2), int(row.integer(3)), int(row.integer(4))};
     terrain->elevationM = valuesOf<float>(row.blob(5));
     if (terrain->elevationM.size() != terrain->grid.size()) throwDamaged("the terrain is cut off");
+    // None in files of before: their posts are the middles of squares.
+    if (!takeSource(factOf(database, "terrain_source"), *terrain)) throwDamaged("the place of the terrain");
     return terrain;
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/city/building_ground.h"
+#include "core/study/terrain_text.h"
 #include "scenarios/project/geometry_blob.h"
 #include "scenarios/project/geopackage.h"
 #include "scenarios/project/grid_tiles.h"
@@ -61,14 +62,16 @@ private:
 
 void writeTerrain(Database& database, const Terrain* terrain) {
     database.execute("DELETE FROM terrain");
+    setFact(database, "terrain_source", terrain == nullptr ? std::string() : sourceText(*terrain));
     if (terrain == nullptr) return;
-    const Grid& grid = terrain->grid;
+    const PostGrid& grid = terrain->grid;
+    const glm::dvec2 corner = grid.first - (grid.columnStep + grid.rowStep) / 2.0;
     const Bytes elevations = bytesOf(terrain->elevationM);
     database
         .prepare(
             "INSERT INTO terrain (west_m, south_m, cell_m, columns, rows, elevations_m) VALUES (?, ?, ?, ?, "
             "?, ?)")
-        .run(grid.westM, grid.southM, grid.cellM, grid.columns, grid.rows, AsBlob{elevations});
+        .run(corner.x, corner.y, grid.cellM, grid.columns, grid.rows, AsBlob{elevations});
 }
 
 void writeFrame(Database& database, const Frame& frame) {

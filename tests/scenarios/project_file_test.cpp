@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/io/read_city.h"
+#include "core/study/study_hash.h"
 #include "scenarios/project/autosave.h"
 #include "scenarios/project/database.h"
 #include "scenarios/project/edit_json.h"
@@ -104,6 +105,31 @@ TEST_F(ProjectFileTest, EverySourceOfAHeightIsGivenBack) {
 }
 
 // Its origin and what it holds are those of sampleProject() when version 1 was the newest.
+TEST_F(ProjectFileTest, ATerrainOnAMapsOwnRowsAndColumnsComesBackToTheLastBit) {
+    Project project = sampleProject();
+    City city = *project.city;
+    Terrain terrain{*slope()};
+    terrain.grid.first = {-11.1, 1.0 / 3};
+    terrain.grid.columnStep = {9.97, 0.1 / 3};
+    terrain.grid.rowStep = {-0.0337, 9.98};
+    terrain.grid.bend = {
+        glm::dvec2{0.1, 0.2}, {0.3, 0.7}, {-0.1, 1e-7}, {0.01, 0}, {1e-9, 0}, {0, 0.01}, {0.3, 0.2}};
+    terrain.source = {.method = TerrainMethod::kept,
+                      .file = "dem.tif",
+                      .sourceColumns = 30,
+                      .sourceRows = 12,
+                      .sourceCellM = 9.98,
+                      .misplacedM = 0.1 / 3,
+                      .filled = 4};
+    city.terrain = std::make_shared<const Terrain>(std::move(terrain));
+    project.city = std::make_shared<const City>(std::move(city));
+    made(project);
+    const Project back = opened();
+    ASSERT_TRUE(back.city->terrain);
+    EXPECT_EQ(*back.city->terrain, *project.city->terrain);
+    EXPECT_EQ(cityHash(*back.city), cityHash(*project.city));
+}
+
 TEST_F(ProjectFileTest, AFileOfVersion1IsOpenedAndSaved) {
     fs::copy_file(testFile("scenarios/files/version-1.noonmark.gpkg"), file());
     ProjectFile disk = ProjectFile::open(file()).value();

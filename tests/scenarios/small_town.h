@@ -33,7 +33,7 @@ inline City threeHouses() {
 
 /// Ground that rises to the east by one metre in ten, from z = 0 at x = 0.
 inline std::shared_ptr<const Terrain> slope() {
-    Terrain terrain{{.westM = -5, .southM = -55, .cellM = 10, .columns = 30, .rows = 12}, {}};
+    Terrain terrain{Grid{.westM = -5, .southM = -55, .cellM = 10, .columns = 30, .rows = 12}, {}};
     for (int row = 0; row < terrain.grid.rows; ++row)
         for (int column = 0; column < terrain.grid.columns; ++column)
             terrain.elevationM.push_back(float(column));

@@ -7,6 +7,7 @@
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
+#include "core/study/terrain_text.h"
 #include "core/study/warnings_json.h"
 #include "scenarios/project/autosave.h"
 
@@ -47,6 +48,7 @@ Json infoJson(const ProjectFile& disk) {
             {"saves", disk.saves()},
             {"buildings", project.city->buildings.size()},
             {"terrain", bool(project.city->terrain)},
+            {"terrain_source", project.city->terrain ? terrainJson(*project.city->terrain) : Json()},
             {"attribution", project.attribution},
             {"regions", namesOf(project.regions, ownName)},
             {"lots", namesOf(project.lots, ownName)},
@@ -66,7 +68,8 @@ std::string joined(const Json& names) {
 void print(const Json& info, std::ostream& out) {
     Table table;
     table.add("buildings", withCommas(info["buildings"].get<std::size_t>()));
-    table.add("terrain", info["terrain"].get<bool>() ? "yes" : "none: flat ground");
+    table.add("terrain", info["terrain"].get<bool>() ? info["terrain_source"]["text"].get<std::string>()
+                                                     : "none: flat ground");
     for (const char* key : {"regions", "lots", "weights", "periods", "results"})
         table.add(key, joined(info[key]));
     if (info["unsaved_work"].get<bool>()) table.add("recovery", "unsaved work lies beside the file");

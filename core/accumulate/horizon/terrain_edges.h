@@ -13,7 +13,7 @@ namespace noonmark {
 
 /// The terrain as what it may hide the sun with: the edges of its triangles (meshOf of a terrain: the surface
 /// that rays meet). For one azimuth those count where the far side is lit and the near side is not; what lies
-/// beyond the outer centres ends plumb. Looked through square by square: most are too flat, too low or too
+/// beyond the outer posts ends plumb. Looked through square by square: most are too flat, too low or too
 /// far for a bin's suns.
 class TerrainEdges {
 public:
@@ -42,20 +42,24 @@ public:
     void find(const Question& question, std::vector<Edge>& edges, const std::stop_token& stop) const;
 
 private:
-    /// Cells [first, last] of the terrain's grid, corners included, and the most of what is in them.
+    /// Posts [first, last] of the terrain's grid, corners included, and the most of what is in them.
     struct Square {
         glm::ivec2 first, last;
         float highestM, steepest;
+        glm::dvec2 low, high;   ///< the box of its posts, in the receivers' cells
+        PostGrid::Steps steps;  ///< in its middle, metres
     };
     class Finder;
 
     [[nodiscard]] double heightM(int column, int row) const;
-    [[nodiscard]] glm::dvec2 cellsOf(glm::dvec2 corner) const;
+    [[nodiscard]] glm::dvec2 cellsOf(glm::ivec2 post) const;
     [[nodiscard]] Square squareFrom(glm::ivec2 first) const;
+    void setHeights(Square& square) const;
+    void setPlace(Square& square) const;
 
     std::shared_ptr<const Terrain> terrain_;
-    glm::dvec2 origin_;  // of its first centre, in the receivers' cells
-    double cells_ = 1;   // the receivers' cells a cell
+    glm::dvec2 origin_;  // the receivers' first centre, local metres
+    double cellM_ = 1;   // of the receivers
     double datumM_ = 0;
     std::vector<Square> squares_;
 };

@@ -82,6 +82,31 @@ TEST(HorizonTerrain, roughHillsAgreeWithRays) {
     }
 }
 
+// Posts as a map's rows and columns lie: turned from north, cells that are no squares, and bent.
+TEST(HorizonTerrain, hillsOnATurnedAndBentGridAgreeWithRays) {
+    PostGrid posts(-80, -80, 2, 80, 80);
+    posts.columnStep = {1.9, 0.35};
+    posts.rowStep = {-0.6, 2.2};
+    posts.first = -39.5 * (posts.columnStep + posts.rowStep);
+    posts.cellM = 2.1;
+    for (const bool bent : {false, true}) {
+        if (bent)
+            posts.bend = {
+                glm::dvec2{0.8, -0.5}, {0.4, 0.6}, {-0.7, 0.3}, {0.1, 0}, {0, 0.2}, {0, 0}, {0.1, 0}};
+        Terrain terrain{posts, {}};
+        RandomHills hills(5);
+        for (int row = 0; row < posts.rows; ++row)
+            for (int column = 0; column < posts.columns; ++column)
+                terrain.elevationM.push_back(float(hills(posts.centre(column, row))));
+        City city;
+        city.terrain = std::make_shared<const Terrain>(std::move(terrain));
+        const Receivers receivers = receiversOver(city, -40.3F, -40.3F, 40.7F, 40.7F, 2);
+        const Errors errors = errorsAgainstRays(city, receivers);
+        EXPECT_LE(errors.mean, 0.1) << bent;
+        EXPECT_LE(errors.max, 5) << bent;
+    }
+}
+
 // Receivers that stand on the terrain's own points, and suns in line with its edges.
 TEST(HorizonTerrain, receiversOnTheTerrainsPointsAgreeWithRays) {
     City city;

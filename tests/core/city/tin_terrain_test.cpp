@@ -39,8 +39,8 @@ TEST(TinTerrain, aPlaneComesBackExactly) {
     ASSERT_TRUE(made);
     const Terrain& terrain = made->terrain;
     EXPECT_EQ(made->filled, 0U);
-    EXPECT_NEAR(terrain.grid.westM, -50, terrain.grid.cellM);
-    EXPECT_NEAR(terrain.grid.northM(), 80, terrain.grid.cellM);
+    EXPECT_NEAR(bounds(terrain.grid).low.x, -50, terrain.grid.cellM);
+    EXPECT_NEAR(bounds(terrain.grid).high.y, 80, terrain.grid.cellM);
     for (const glm::dvec2 at : {glm::dvec2(-30, 0), {0, 0}, {20, 60}})
         EXPECT_NEAR(elevationAt(terrain, at), 10 + 0.1 * at.x - 0.05 * at.y, 0.01);
 }

@@ -99,7 +99,7 @@ private:
 double worstError(const FilePiece& piece, const Frame& frame, const Raster& raster,
                   double metresPerValue = 1) {
     const ToUtm toUtm;
-    const Grid& grid = piece.terrain->grid;
+    const PostGrid& grid = piece.terrain->grid;
     double worst = 0;
     for (int row = 4; row < grid.rows - 4; ++row)
         for (int column = 4; column < grid.columns - 4; ++column) {
@@ -118,7 +118,10 @@ TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
     ASSERT_TRUE(piece) << piece.error().text();
     ASSERT_TRUE(piece->frame && piece->terrain);
     EXPECT_NEAR(piece->terrain->grid.cellM, 10, 0.01);
-    EXPECT_NEAR(piece->terrain->grid.columns, 60, 2);
+    EXPECT_EQ(piece->terrain->grid.columns, 60);
+    EXPECT_EQ(piece->terrain->grid.rows, 60);
+    EXPECT_EQ(piece->terrain->source.method, TerrainMethod::kept);
+    EXPECT_LE(piece->terrain->source.misplacedM, 0.001);
     EXPECT_LT(worstError(*piece, *piece->frame, raster), 0.1);
     const auto lowest =
         std::min_element(piece->terrain->elevationM.begin(), piece->terrain->elevationM.end());
@@ -216,7 +219,9 @@ TEST(ReadTerrain, farAwayIsCut) {
     settings.farAwayM = 5000;
     const auto piece = read(raster, settings);
     ASSERT_TRUE(piece);
-    EXPECT_NEAR(piece->terrain->grid.eastM() - piece->terrain->grid.westM, 10000, 1100);
+    const Box2 box = bounds(piece->terrain->grid);
+    EXPECT_NEAR(box.high.x - box.low.x, 10000, 1600);
+    EXPECT_TRUE(piece->terrain->source.cut);
     EXPECT_TRUE(warns(*piece, "far from the city"));
     settings.frame = Frame({10, 50});
     EXPECT_FALSE(read(raster, settings));
@@ -228,7 +233,7 @@ TEST(ReadTerrain, aFlatSeaSinksWithTheEarth) {
     raster.value = [](double, double) { return 7; };
     const auto piece = read(raster);
     ASSERT_TRUE(piece);
-    const Grid& grid = piece->terrain->grid;
+    const PostGrid& grid = piece->terrain->grid;
     for (const int column : {0, 10, 30, 55}) {
         const glm::dvec2 at = grid.centre(column, 20);
         const double sunk = (at.x * at.x + at.y * at.y) * 0.87 / 2 / 6'371'009;
