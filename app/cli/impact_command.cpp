@@ -6,12 +6,11 @@
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/number_range.h"
+#include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
-#include "core/io/write_raster.h"
-#include "core/io/write_text.h"
-#include "scenarios/impact/impact_runs.h"
+#include "app/report/answer_files.h"
 
 namespace noonmark::cli {
 
@@ -23,6 +22,7 @@ struct ImpactOptions {
     std::string to;
     std::vector<double> thresholds{30, 60};
     bool byBuilding = false;
+    std::string scale;  // empty: the project's
 };
 
 Result<ImpactAnswer> answered(const ImpactOptions& options, const Project& project, const Console& console) {
@@ -40,19 +40,18 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const Project& proje
         });
 }
 
-std::vector<RasterBand> bandsOf(const Impact& impact) {
-    std::vector<RasterBand> bands{{"change of gross shadow", "min/day", &impact.grossMin}};
-    if (hasRuns(impact)) bands.push_back({"change of continuous shadow", "min", &impact.continuousMin});
-    return bands;
+// The scale that was asked for, else that of the project.
+ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
+    return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
 }
 
-Result<void> writeFiles(const ImpactAnswer& answer, const MeasureOptions& options, const Frame& frame) {
-    const Impact& impact = answer.study.total;
-    return folderFor(options).and_then([&](const std::filesystem::path& folder) {
-        return writeGeoTiff(folder / "impact.tif", frame, impact.grid, bandsOf(impact))
-            .and_then([&] { return writeText(folder / "impact.json", impactJson(answer)); })
-            .and_then([&] { return writeText(folder / "impact.csv", impactCsv(answer)); });
-    });
+Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options, const Project& project) {
+    const auto after = cityOf(project, options.to);
+    if (!after) return tl::make_unexpected(after.error());
+    const OffscreenQt qt;
+    return writeImpactFiles(answer, {after->city, project.attribution, project.inputs},
+                            scaleOf(options, project), options.measure.out)
+        .map([](const auto&) {});
 }
 
 void addFigures(Table& table, const std::string& name, const Impact& impact,
@@ -92,7 +91,10 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
 
 int runImpactCommand(const ImpactOptions& options, const Console& console) {
     const auto answer = [&](const Project& project) { return answered(options, project, console); };
-    return runMeasure<ImpactAnswer>(options.measure, {answer, writeFiles, impactJson, print}, console);
+    const auto write = [&](const ImpactAnswer& made, const Project& project) {
+        return writeFiles(made, options, project);
+    };
+    return runMeasure<ImpactAnswer>(options.measure, {answer, write, impactJson, print}, console);
 }
 
 }  // namespace
@@ -111,6 +113,14 @@ void addImpactCommand(CLI::App& app, Run& run) {
         ->check(within(0, 1440))
         ->type_name("MIN");
     command->add_flag("--by-building", options->byBuilding, "What each new building shades alone, too");
+    command
+        ->add_option("--scale", options->scale,
+                     "Where the colours of the picture end, minutes of change, or auto: fitted to this "
+                     "difference; else as the project has it (60)")
+        ->check([](const std::string& text) {
+            return parseChangeScale(text) ? std::string() : "Minutes from above 0 to 1440, or auto";
+        })
+        ->type_name("MIN|auto");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runImpactCommand(*options, console); };
     });

@@ -59,7 +59,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
     addPeriod(command, options);
     addReceiverOptions(command, options.settings);
     addEngineOptions(command, options.settings);
-    command.add_option("--out", options.out, "Folder for the GeoTIFF, CSV and JSON")
+    command.add_option("--out", options.out, "Folder for GeoTIFF, picture, PDF page, CSV and JSON")
         ->required()
         ->type_name("DIR");
     command.add_option("--keep", options.keep, "Keep the result in the project, under this name")
@@ -76,13 +76,6 @@ Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project&
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
     return settings;
-}
-
-Result<std::filesystem::path> folderFor(const MeasureOptions& options) {
-    std::error_code error;
-    std::filesystem::create_directories(options.out, error);
-    if (std::filesystem::is_directory(options.out)) return std::filesystem::path(options.out);
-    return failure("The folder could not be made", options.out, "Choose a folder that you may write to");
 }
 
 }  // namespace noonmark::cli

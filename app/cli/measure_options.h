@@ -28,7 +28,4 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options);
 /// neither a box nor a file; what periodFrom refuses.
 Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project& project);
 
-/// Makes the folder of `out`. Error: it cannot be made.
-Result<std::filesystem::path> folderFor(const MeasureOptions& options);
-
 }  // namespace noonmark::cli

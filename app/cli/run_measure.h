@@ -14,7 +14,7 @@ namespace noonmark::cli {
 template <class Answer>
 struct Measure {
     std::function<Result<Answer>(const Project&)> answer;
-    Result<void> (*writeFiles)(const Answer&, const MeasureOptions&, const Frame&);
+    std::function<Result<void>(const Answer&, const Project&)> writeFiles;
     std::string (*json)(const Answer&);
     void (*print)(const Answer&, std::ostream&);
 };
@@ -27,7 +27,7 @@ int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, co
     if (!disk) return fail(console, disk.error(), exitUsage);
     const Result<Answer> answer = measure.answer(disk->project());
     if (!answer) return fail(console, answer.error(), exitUsage);
-    const auto written = measure.writeFiles(*answer, options, disk->project().city->frame);
+    const auto written = measure.writeFiles(*answer, disk->project());
     if (!written) return fail(console, written.error(), exitFailed);
     if (!options.keep.empty())
         if (const auto saved = disk->save(withResult(disk->project(), options.keep, *answer)); !saved)

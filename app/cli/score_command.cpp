@@ -5,11 +5,11 @@
 
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
-#include "core/io/write_raster.h"
-#include "core/io/write_text.h"
+#include "app/report/answer_files.h"
 
 namespace noonmark::cli {
 
@@ -35,13 +35,12 @@ Result<ScoreAnswer> answered(const ScoreOptions& options, const Project& project
     return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score)};
 }
 
-Result<void> writeFiles(const ScoreAnswer& answer, const MeasureOptions& options, const Frame& frame) {
-    return folderFor(options).and_then([&](const std::filesystem::path& folder) {
-        return writeGeoTiff(folder / "score.tif", frame, answer.score.grid,
-                            {{"shadow score", "", &answer.score.score}})
-            .and_then([&] { return writeText(folder / "score.json", scoreJson(answer)); })
-            .and_then([&] { return writeText(folder / "score.csv", scoreCsv(answer)); });
-    });
+Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, const Project& project) {
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const OffscreenQt qt;
+    return writeScoreFiles(answer, {city->city, project.attribution, project.inputs}, options.measure.out)
+        .map([](const auto&) {});
 }
 
 void print(const ScoreAnswer& answer, std::ostream& out) {
@@ -64,7 +63,10 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
 
 int runScoreCommand(const ScoreOptions& options, const Console& console) {
     const auto answer = [&](const Project& project) { return answered(options, project, console); };
-    return runMeasure<ScoreAnswer>(options.measure, {answer, writeFiles, scoreJson, print}, console);
+    const auto write = [&](const ScoreAnswer& made, const Project& project) {
+        return writeFiles(made, options, project);
+    };
+    return runMeasure<ScoreAnswer>(options.measure, {answer, write, scoreJson, print}, console);
 }
 
 }  // namespace

@@ -64,12 +64,40 @@ private:
     double top_;
 };
 
+int factorFor(const Grid& grid, int wantedPixels) {
+    return std::max(1, std::max(grid.columns, grid.rows) / std::max(1, wantedPixels));
+}
+
+int pixelsOf(int cells, int factor) { return (cells + factor - 1) / factor; }
+
+QRgb meanColour(const Grid& grid, const CellColour& colour, int column, int row, int side) {
+    int red = 0, green = 0, blue = 0, count = 0;
+    for (int r = std::max(row, 0); r < row + side; ++r)
+        for (int c = column; c < std::min(column + side, grid.columns); ++c, ++count) {
+            const QColor one = colour(grid.index(c, r)).value_or(Qt::white);
+            red += one.red();
+            green += one.green();
+            blue += one.blue();
+        }
+    return count > 0 ? qRgb(red / count, green / count, blue / count) : qRgb(255, 255, 255);
+}
+
 }  // namespace
+
+FieldImage colourImage(const Grid& grid, const CellColour& colour, int wantedPixels) {
+    const int factor = factorFor(grid, wantedPixels);
+    QImage image(pixelsOf(grid.columns, factor), pixelsOf(grid.rows, factor), QImage::Format_RGB32);
+    for (int y = 0; y < image.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        const int row = grid.rows - (y + 1) * factor;  // negative in part where the last block is cut
+        for (int x = 0; x < image.width(); ++x) line[x] = meanColour(grid, colour, x * factor, row, factor);
+    }
+    return {image, factor};
+}
 
 FieldImage fieldImage(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure, double top,
                       int wantedPixels) {
-    const int longer = std::max(field.grid.columns, field.grid.rows);
-    const int factor = std::max(1, longer / std::max(1, wantedPixels));
+    const int factor = factorFor(field.grid, wantedPixels);
     return {Picture(field, receivers, measure, top).reduced(factor), factor};
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QColor>
 #include <QImage>
+#include <functional>
+#include <optional>
 
 #include "app/report/shadow_measure.h"
 #include "core/receivers/receivers.h"
@@ -19,5 +22,10 @@ struct FieldImage {
 /// that no white steps show along the walls drawn over it. O(cells).
 FieldImage fieldImage(const ShadowField& field, const Receivers& receivers, ShadowMeasure measure, double top,
                       int wantedPixels);
+
+/// The same of any colours of a grid's cells; none is white. Where k x k cells share a pixel it has their
+/// mean colour. O(cells).
+using CellColour = std::function<std::optional<QColor>(std::size_t cell)>;
+FieldImage colourImage(const Grid& grid, const CellColour& colour, int wantedPixels);
 
 }  // namespace noonmark

@@ -27,12 +27,17 @@ bool hasName(const Region& region) { return !region.name.empty() && region.name 
 }  // namespace
 
 Headline headlineOf(const Study& study, const QString& subject) {
-    const Region& region = study.settings.region;
+    return headlineOf(study.settings, study.city.frame, subject, sunlitWords(study));
+}
+
+Headline headlineOf(const StudySettings& settings, const Frame& frame, const QString& subject,
+                    const QString& sunlit) {
+    const Region& region = settings.region;
     const QString name =
         hasName(region) ? QStringLiteral(": ") + QString::fromStdString(region.name) : QString();
-    const QString sunlit = sunlitWords(study);
-    const QString where = placeWords(study) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);
-    return {subject + name, periodWords(study.settings.period), where};
+    const QString where =
+        placeWords(region, frame) + (sunlit.isEmpty() ? QString() : QStringLiteral("; ") + sunlit);
+    return {subject + name, periodWords(settings.period), where};
 }
 
 void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline) {
@@ -43,14 +48,14 @@ void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& hea
     paintLine(canvas, area, 42, headline.where, 8.5);
 }
 
-void paintSmallPrint(const Canvas& canvas, const QRectF& area, const Study& study) {
+void paintSmallPrint(const Canvas& canvas, const QRectF& area, const QString& credit) {
     canvas.painter.setFont(textFont(canvas, 7));
     canvas.painter.setPen(ink::quiet);
     const QFontMetricsF metrics(canvas.painter.font());
     const QString program = programWords();
     const double room = area.width() - metrics.horizontalAdvance(program) - 10 * canvas.point;
     canvas.painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
-                            metrics.elidedText(dataWords(study), Qt::ElideRight, room));
+                            metrics.elidedText(credit, Qt::ElideRight, room));
     canvas.painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter, program);
 }
 

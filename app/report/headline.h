@@ -14,6 +14,9 @@ struct Headline {
 
 /// `subject`: "Shadow study", "Gross shadow"; the name of the region is added where it has one.
 Headline headlineOf(const Study& study, const QString& subject);
+/// The same of any answer to `settings` over a city in `frame`; `sunlit`: of its days, empty where not known.
+Headline headlineOf(const StudySettings& settings, const Frame& frame, const QString& subject,
+                    const QString& sunlit);
 
 constexpr double headlineHeightPt = 50;
 
@@ -22,6 +25,6 @@ constexpr double headlineHeightPt = 50;
 void paintHeadline(const Canvas& canvas, const QRectF& area, const Headline& headline);
 
 /// One line of small print across `area`: whose data it is at the left, what made it at the right.
-void paintSmallPrint(const Canvas& canvas, const QRectF& area, const Study& study);
+void paintSmallPrint(const Canvas& canvas, const QRectF& area, const QString& credit);
 
 }  // namespace noonmark

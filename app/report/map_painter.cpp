@@ -5,17 +5,14 @@
 #include <cmath>
 
 #include "app/report/city_painter.h"
-#include "app/report/field_image.h"
-#include "app/report/legend_painter.h"
 #include "app/report/map_furniture.h"
 
 namespace noonmark {
 
 namespace {
 
-Box2 worldOf(const Study& study) {
-    const Grid& grid = study.field.grid;
-    Box2 world = bounds(study.settings.region);
+Box2 worldOf(const Region& region, const Grid& grid) {
+    Box2 world = bounds(region);
     world.add(glm::vec2(grid.westM, grid.southM));
     world.add(glm::vec2(grid.eastM(), grid.northM()));
     return world;
@@ -48,12 +45,11 @@ QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
     return image.scaled(image.size() * ((wanted + longer - 1) / longer));
 }
 
-void paintField(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
-    const double top = legendOf(study.field, measure).scale.top;
-    const QRectF grid = view.rectOf(study.field.grid);
+void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene) {
+    const QRectF grid = view.rectOf(scene.grid);
     const int wanted = wantedPixels(canvas, grid);
-    const FieldImage field = fieldImage(study.field, study.receivers, measure, top, wanted);
-    const QRectF place = placeOf(field, grid, study.field.grid.cellM * view.unitsPerM());
+    const FieldImage field = scene.image(wanted);
+    const QRectF place = placeOf(field, grid, scene.grid.cellM * view.unitsPerM());
     canvas.painter.save();
     canvas.painter.setClipRect(grid, Qt::IntersectClip);
     canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
@@ -62,11 +58,11 @@ void paintField(const Canvas& canvas, const MapView& view, const Study& study, S
     canvas.painter.restore();
 }
 
-void paintCity(const Canvas& canvas, const MapView& view, const Study& study, const QPainterPath& region) {
-    paintBuildings(canvas, view, study.city, {ink::context, ink::contextLine});
+void paintCity(const Canvas& canvas, const MapView& view, const City& city, const QPainterPath& region) {
+    paintBuildings(canvas, view, city, {ink::context, ink::contextLine});
     canvas.painter.save();
     canvas.painter.setClipPath(region, Qt::IntersectClip);
-    paintBuildings(canvas, view, study.city, {ink::building, ink::buildingLine});
+    paintBuildings(canvas, view, city, {ink::building, ink::buildingLine});
     canvas.painter.restore();
 }
 
@@ -80,16 +76,29 @@ void paintOutline(const Canvas& canvas, const QPainterPath& region) {
 
 }  // namespace
 
-MapView mapViewOf(const Study& study, const QRectF& frame) { return {worldOf(study), frame}; }
+MapScene sceneOf(const Study& study, ShadowMeasure measure) {
+    return {study.city, study.settings.region, study.field.grid, [&study, measure](int wantedPixels) {
+                const double top = legendOf(study.field, measure).scale.top;
+                return fieldImage(study.field, study.receivers, measure, top, wantedPixels);
+            }};
+}
 
-void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
-    const QPainterPath region = pathOf(study.settings.region, view);
+MapView mapViewOf(const MapScene& scene, const QRectF& frame) {
+    return {worldOf(scene.region, scene.grid), frame};
+}
+
+MapView mapViewOf(const Study& study, const QRectF& frame) {
+    return {worldOf(study.settings.region, study.field.grid), frame};
+}
+
+void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) {
+    const QPainterPath region = pathOf(scene.region, view);
     canvas.painter.save();
     canvas.painter.setClipRect(view.target());
     canvas.painter.fillRect(view.target(), ink::paper);
-    paintField(canvas, view, study, measure);
+    paintField(canvas, view, scene);
     canvas.painter.setRenderHint(QPainter::Antialiasing);
-    paintCity(canvas, view, study, region);
+    paintCity(canvas, view, scene.city, region);
     paintOutline(canvas, region);
     canvas.painter.restore();
     canvas.painter.setBrush(Qt::NoBrush);
@@ -97,14 +106,16 @@ void paintMap(const Canvas& canvas, const MapView& view, const Study& study, Sha
     canvas.painter.drawRect(view.target());
 }
 
-void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Study& study,
-                  ShadowMeasure measure) {
+void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
+    paintMap(canvas, view, sceneOf(study, measure));
+}
+
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend) {
     const double point = canvas.point;
     const double arrowWidth = 16 * point;
     const double barRoom = std::min(area.width() * 0.3, 140 * point);
     const double legendWidth = area.width() - arrowWidth - barRoom - 30 * point;
-    paintLegend(canvas, {area.left(), area.top(), legendWidth, area.height()},
-                legendOf(study.field, measure));
+    paintLegend(canvas, {area.left(), area.top(), legendWidth, area.height()}, legend);
     paintNorthArrow(canvas, {area.right() - arrowWidth, area.top(), arrowWidth, area.height()});
     const QRectF barArea(area.right() - arrowWidth - 10 * point - barRoom, area.top(), barRoom,
                          area.height());

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "app/report/cells_csv.h"
-#include "app/report/map_picture.h"
 #include "app/report/output_folder.h"
 #include "app/report/study_report.h"
 #include "core/io/write_city.h"

@@ -64,11 +64,11 @@ QString latLonWords(LonLat place) {
         .arg(place.lonDeg < 0 ? QLatin1Char('W') : QLatin1Char('E'));
 }
 
-QString placeWords(const Study& study) {
-    const Box2 box = bounds(study.settings.region);
+QString placeWords(const Region& region, const Frame& frame) {
+    const Box2 box = bounds(region);
     if (box.empty()) return {};
     const glm::vec2 size = box.high - box.low;
-    const LonLat middle = study.city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
+    const LonLat middle = frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
     return QStringLiteral("%1 m east-west by %2 m north-south around %3 (WGS84)")
         .arg(amountWords(double(size.x), 0), amountWords(double(size.y), 0), latLonWords(middle));
 }

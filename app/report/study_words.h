@@ -9,12 +9,13 @@ namespace noonmark {
 QString countWords(std::uint64_t count);               ///< "176,123"
 QString amountWords(double amount, int decimals = 1);  ///< "61,234.5"; without zeros at the end
 
-QString latLonWords(LonLat place);        ///< "40.75400 N, 73.98401 W"
-QString placeWords(const Study& study);   ///< size and middle of the region
+QString latLonWords(LonLat place);  ///< "40.75400 N, 73.98401 W"
+/// Size and middle of a region.
+QString placeWords(const Region& region, const Frame& frame);
 QString sunlitWords(const Study& study);  ///< how long the sun is up in the hours looked at
 QString dataWords(const Study& study);    ///< whose data it is: "Data: © OpenStreetMap contributors"
 QString dataWords(const std::string& attribution);
-QString programWords();                   ///< "Noonmark 0.1.0"
+QString programWords();  ///< "Noonmark 0.1.0"
 
 /// A line of the table of numbers.
 struct Figure {

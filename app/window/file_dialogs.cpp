@@ -54,8 +54,8 @@ QString askForPicture(QWidget* parent) {
     return file + QStringLiteral(".png");
 }
 
-QString askForFolder(QWidget* parent) {
-    return QFileDialog::getExistingDirectory(parent, tr("Export study into a folder"));
+QString askForFolder(QWidget* parent, const QString& title) {
+    return QFileDialog::getExistingDirectory(parent, title);
 }
 
 }  // namespace noonmark

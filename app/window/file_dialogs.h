@@ -12,6 +12,6 @@ QString askForProject(QWidget* parent, const QString& suggested);  ///< to save;
 QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
 QString askForPicture(QWidget* parent);  ///< always with an ending
-QString askForFolder(QWidget* parent);
+QString askForFolder(QWidget* parent, const QString& title);
 
 }  // namespace noonmark

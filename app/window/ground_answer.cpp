@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include "app/report/impact_legend.h"
+#include "app/report/score_legend.h"
 #include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
 #include "app/window/project/impact_picture.h"
@@ -83,10 +85,11 @@ QString noteOf(const GroundAnswer& answer, ShadowMeasure measure) {
     return answer.note.isEmpty() ? answer.whyGross : QObject::tr("%1. %2").arg(answer.note, answer.whyGross);
 }
 
-Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure) {
+Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale) {
     return over(
         answer.map, [&](const Score& score) { return legendOf(score); },
-        [&](const auto& map) { return legendOf(map, shown(answer, measure)); });
+        [&](const Impact& impact) { return legendOf(impact, shown(answer, measure), scale); },
+        [&](const ShadowField& field) { return legendOf(field, shown(answer, measure)); });
 }
 
 GroundPicture pictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {

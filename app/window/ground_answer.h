@@ -4,6 +4,7 @@
 #include <optional>
 #include <variant>
 
+#include "app/report/change_scale.h"
 #include "app/report/legend_painter.h"
 #include "app/window/massing/live_shadow.h"
 #include "app/window/time/time_looking.h"
@@ -41,8 +42,8 @@ GroundAnswer runsLookedFor(GroundAnswer answer);
 /// The note, and why the measure is not what is shown.
 QString noteOf(const GroundAnswer& answer, ShadowMeasure measure);
 
-/// A score has no measure: it is the same for both.
-Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure);
+/// A score has no measure: it is the same for both. `scale`: of a difference.
+Legend legendOf(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale);
 GroundPicture pictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top);
 
 /// Of receivers on roofs; nothing where there are none, or they are not known.

@@ -4,6 +4,9 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <cmath>
 
 namespace noonmark {
 
@@ -45,6 +48,21 @@ QSizeF sizeOf(const QString& words, const QFont& font, double width) {
     return QFontMetricsF(font).boundingRect({0, 0, width, 1e4}, Qt::TextWordWrap, words).size();
 }
 
+QSpinBox* changeScaleField() {
+    auto* field = new QSpinBox;
+    field->setObjectName(QStringLiteral("changeScale"));
+    field->setRange(0, int(ChangeScale::mostMin));
+    field->setSingleStep(15);
+    field->setKeyboardTracking(false);
+    field->setPrefix(QStringLiteral("±"));
+    field->setSuffix(LegendStrip::tr(" min"));
+    field->setSpecialValueText(LegendStrip::tr("Scale: automatic"));
+    field->setToolTip(LegendStrip::tr(
+        "The ends of the colours of a difference.\nLocked at so many minutes, the pictures of "
+        "all proposals can be compared; 0: automatic, fitted to each difference."));
+    return field;
+}
+
 // Its first words where not all have room.
 QString fitted(const QString& note, const QFont& font, const QSizeF& room) {
     const auto fits = [&](const QString& words) {
@@ -60,7 +78,8 @@ QString fitted(const QString& note, const QFont& font, const QSizeF& room) {
 
 }  // namespace
 
-LegendStrip::LegendStrip(QWidget* parent) : QWidget(parent), measure_(new QComboBox) {
+LegendStrip::LegendStrip(QWidget* parent)
+    : QWidget(parent), measure_(new QComboBox), scale_(changeScaleField()) {
     setFixedHeight(stripHeight);
     measure_->setObjectName(QStringLiteral("measure"));
     measure_->addItem(nameOf(ShadowMeasure::gross));
@@ -70,14 +89,37 @@ LegendStrip::LegendStrip(QWidget* parent) : QWidget(parent), measure_(new QCombo
            "Continuous shadow: longest unbroken run in shadow on any day, minutes."));
     measure_->setFixedWidth(measureWidth - 24);
     connect(measure_, &QComboBox::currentIndexChanged, this, &LegendStrip::measureChanged);
+    scale_->setFixedWidth(measureWidth - 24);
+    scale_->hide();
+    setChangeScale({});
+    connect(scale_, &QSpinBox::valueChanged, this, [this](int minutes) {
+        changeScale_.lockedMin = minutes > 0 ? std::optional<double>(minutes) : std::nullopt;
+        Q_EMIT changeScaleChanged();
+    });
+    auto* fields = new QWidget;
+    fields->setFixedHeight(stripHeight);
+    auto* column = new QVBoxLayout(fields);
+    column->setContentsMargins(0, 3, 0, 1);
+    column->setSpacing(1);
+    for (QWidget* field : std::initializer_list<QWidget*>{measure_, scale_}) column->addWidget(field);
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(12, (stripHeight - measure_->sizeHint().height()) / 2, 12, 0);
-    row->addWidget(measure_, 0, Qt::AlignTop);
+    row->setContentsMargins(12, 0, 12, 0);
+    row->addWidget(fields, 0, Qt::AlignTop);
     row->addStretch(1);
+}
+
+// A scale of a fraction of a minute, from the command line, is rounded in its field and stays as it is.
+void LegendStrip::setChangeScale(const ChangeScale& scale) {
+    const QSignalBlocker block(scale_);
+    scale_->setValue(scale.lockedMin ? std::max(1, int(std::lround(*scale.lockedMin))) : 0);
+    if (changeScale_ == scale) return;
+    changeScale_ = scale;
+    Q_EMIT changeScaleChanged();
 }
 
 void LegendStrip::setLegend(std::optional<Legend> legend) {
     legend_ = std::move(legend);
+    scale_->setVisible(legend_ && legend_->change && !legend_->wanted && !legend_->instant);
     update();
 }
 

@@ -3,10 +3,12 @@
 #include <QWidget>
 #include <optional>
 
+#include "app/report/change_scale.h"
 #include "app/report/legend_painter.h"
 
 class QComboBox;
 class QPainter;
+class QSpinBox;
 
 namespace noonmark {
 
@@ -28,12 +30,17 @@ public:
     [[nodiscard]] ShadowMeasure measure() const;
     void setMeasure(ShadowMeasure measure);
 
+    /// Of differences; its field is in sight while one is shown.
+    [[nodiscard]] const ChangeScale& changeScale() const { return changeScale_; }
+    void setChangeScale(const ChangeScale& scale);
+
     [[nodiscard]] QRectF noteArea() const;      ///< where the note is painted; empty: there is none
     [[nodiscard]] QRectF legendArea() const;    ///< beside it
     [[nodiscard]] QString paintedNote() const;  ///< as much of the note as there is room for
 
 Q_SIGNALS:
     void measureChanged();
+    void changeScaleChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -47,6 +54,8 @@ private:
     void paintNote(QPainter& painter) const;
 
     QComboBox* measure_;
+    QSpinBox* scale_;  ///< 0: fitted to each difference
+    ChangeScale changeScale_;
     QString hint_;
     QString note_;
     bool partial_ = false;

@@ -180,6 +180,7 @@ void MainWindow::showDocument() {
         exploration_.setPeriod(settings.period, observerOf(workbench_.city()->city(), settings));
     askLive();
     showOutdated();
+    showExport();
     docks_.scenarios->table().setStudies(workbench_.studies(), settings);
 }
 

@@ -106,8 +106,11 @@ private:
     void showAnswer();
     void showStudy();
     void showScore();
+    void showPast();
     void showKept();
     void showOutdated();
+    void showExport();
+    [[nodiscard]] QString exportWords() const;
     void showStopped(bool cancelled);
     void showDocument();
 

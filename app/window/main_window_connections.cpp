@@ -56,8 +56,11 @@ void MainWindow::connectFileMenu() {
     connect(panel_, &ViewPanel::filesDropped, this, &MainWindow::open);
     connect(menus_.savePicture, &QAction::triggered, this, [this] { savePicture(askForPicture(this)); });
     connect(menus_.exportStudy, &QAction::triggered, this, [this] {
-        const QString folder = workbench_.study() ? askForFolder(this) : QStringLiteral(".");
-        if (!folder.isEmpty()) workbench_.exportStudy(folder.toStdString());
+        const bool something = workbench_.shown() != Workbench::Shown::nothing &&
+                               workbench_.shown() != Workbench::Shown::savedResult;
+        const QString folder =
+            something ? askForFolder(this, tr("%1 into a folder").arg(exportWords())) : QStringLiteral(".");
+        if (!folder.isEmpty()) workbench_.exportShown(folder.toStdString(), panel_->legend().changeScale());
     });
     connect(menus_.quit, &QAction::triggered, this, &QWidget::close);
 }

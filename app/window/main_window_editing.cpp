@@ -30,6 +30,7 @@ void MainWindow::connectEditing() {
             [this] { tools_.setLots(workbench_.session().project().lots); });
     connect(&mode_, &ModeSwitch::changed, this, &MainWindow::askLive);
     connect(&workbench_, &Workbench::projectOpened, this, [this] { horizons_->forget(); });
+    connect(&tools_.desk().preview, &EditPreview::shownChanged, this, &MainWindow::showOutdated);
     connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);
     // Not in the message bar: it would move the view under the cursor.
     connect(&tools_, &EditTools::hinted, this,

@@ -165,7 +165,8 @@ void MainWindow::showTitle() {
 ProjectSaving::View MainWindow::viewNow() {
     const ProjectSession& session = workbench_.session();
     return textsOf(ViewState{panel_->view().pose(), mode_.mode(), panel_->legend().measure(),
-                             session.scenario(), session.baseline(), workbench_.document().settings()});
+                             panel_->legend().changeScale(), session.scenario(), session.baseline(),
+                             workbench_.document().settings()});
 }
 
 void MainWindow::showProject() {
@@ -180,6 +181,7 @@ void MainWindow::showProject() {
     options_->setMiddle(middleOf(workbench_.city()->city()));
     if (saved) mode_.setMode(view.mode);
     if (saved) panel_->legend().setMeasure(view.measure);
+    panel_->legend().setChangeScale(view.changeScale);
     if (view.camera)
         panel_->view().setPose(*view.camera);
     else

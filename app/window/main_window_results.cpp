@@ -1,3 +1,5 @@
+#include <QAction>
+
 #include "app/window/main_window.h"
 #include "app/window/project/comparison_rows.h"
 #include "app/window/project/scenario_table.h"
@@ -16,6 +18,10 @@ namespace {
 constexpr double quickSeconds = 10;
 
 QString text(const std::string& name) { return QString::fromStdString(name); }
+
+std::vector<ResultRow> scoreRows(const ScoreAnswer& score) {
+    return scoreRowsOf(score.score, score.scenario, score.weights.name, textOf(score.settings.period));
+}
 
 }  // namespace
 
@@ -43,13 +49,32 @@ void MainWindow::showStudy() {
     if (workbench_.comparison() || workbench_.score() || workbench_.kept()) return;
     const auto study = workbench_.study();
     panel_->results().setInFront(std::nullopt);
-    if (!study) return docks_.results->show({});
+    if (!study) return showPast();
     answered_ = study->settings;
     answerShown_ = true;
     panel_->results().setStudy(study);
     docks_.results->show(resultRowsOf(*study));
     docks_.warnings->show(study->warnings);
     showDocument();
+}
+
+// The answer to the buildings before, marked: nothing vanishes because a wall was moved.
+void MainWindow::showPast() {
+    const Workbench::PastAnswer& past = workbench_.past();
+    if (!past.any()) return docks_.results->show({});
+    GroundAnswer answer = past.score        ? groundAnswerOf(past.score)
+                          : past.comparison ? groundAnswerOf(past.comparison)
+                                            : groundAnswerOf(past.study);
+    answer.note = answer.note.isEmpty() ? tr("Of the buildings before they changed")
+                                        : tr("%1. Of the buildings before they changed").arg(answer.note);
+    answer.marked = true;
+    panel_->results().setInFront(answer);
+    if (past.score)
+        docks_.results->show(scoreRows(*past.score), past.score->score.months);
+    else
+        docks_.results->show(past.comparison ? comparisonRowsOf(figuresOf(*past.comparison))
+                                             : resultRowsOf(*past.study));
+    showOutdated();
 }
 
 void MainWindow::showComparison() {
@@ -67,9 +92,7 @@ void MainWindow::showScore() {
     const auto score = workbench_.score();
     answered_ = score->settings;
     panel_->results().setInFront(groundAnswerOf(score));
-    docks_.results->show(
-        scoreRowsOf(score->score, score->scenario, score->weights.name, textOf(score->settings.period)),
-        score->score.months);
+    docks_.results->show(scoreRows(*score), score->score.months);
     docks_.warnings->show(score->score.warnings);
     raiseDock(docks_.results);
     showDocument();
@@ -88,6 +111,13 @@ void MainWindow::showOutdated() {
     const auto kept = workbench_.kept();
     const auto score = workbench_.score();
     docks_.results->offerWayBack(kept || score);
+    if (tools_.desk().preview.shown())
+        return docks_.results->setNote(
+            tr("These figures are of the buildings without what is being designed. Build it, then run."));
+    if (workbench_.past().any())
+        return docks_.results->setNote(
+            tr("These figures are of the buildings before they changed: %1.")
+                .arg(workbench_.running().busy() ? tr("the new ones are coming") : tr("run again (Ctrl+R)")));
     if (kept) return docks_.results->setNote(keptWords(*kept), !kept->upToDate());
     if (workbench_.document().settings() != answered_)
         return docks_.results->setNote(tr("The settings have changed since: run again."));
@@ -95,6 +125,30 @@ void MainWindow::showOutdated() {
         score ? weightsNamed(workbench_.session().project(), score->weights.name) : Result<TimeWeights>();
     const bool other = score && (!weights || *weights != score->weights);
     docks_.results->setNote(other ? tr("The weight table has changed since: score again.") : QString());
+}
+
+// What an export writes is what is shown: the menu says which.
+QString MainWindow::exportWords() const {
+    const auto comparison = workbench_.comparison();
+    const auto score = workbench_.score();
+    switch (workbench_.shown()) {
+        case Workbench::Shown::comparison:
+            return tr("Export %1 compared with %2").arg(text(comparison->to), text(comparison->from));
+        case Workbench::Shown::score:
+            return tr("Export the score of %1").arg(text(score->scenario));
+        case Workbench::Shown::study:
+            return tr("Export study");
+        case Workbench::Shown::nothing:
+        case Workbench::Shown::savedResult:
+            return tr("Export");
+    }
+    return {};
+}
+
+void MainWindow::showExport() {
+    QString words = exportWords();
+    words.replace(QLatin1Char('&'), QStringLiteral("&&"));  // in a name it is no mnemonic
+    menus_.exportStudy->setText(tr("&%1...").arg(words));
 }
 
 void MainWindow::showStopped(bool cancelled) {

@@ -109,7 +109,7 @@ void ResultLayer::showExplored() {
 
 void ResultLayer::showGround() {
     const GroundAnswer& answer = *ground();
-    const Legend legend = legendOf(answer, strip_.measure());
+    const Legend legend = legendOf(answer, strip_.measure(), strip_.changeScale());
     view_.showPicture(pictureOf(answer, strip_.measure(), legend.scale.top), !live_ && partial_.has_value());
     if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
         view_.showRoofPicture(*roofs);

@@ -46,7 +46,17 @@ void ResultsDock::setNote(const QString& note, bool warns) {
     note_->setStyleSheet(amber ? QStringLiteral("background: #ffd58a; color: #1d2027; padding: 4px;")
                                : QString());
     note_->setText(filled_ ? note : tr("No study yet."));
+    setFaded(amber && !note.isEmpty());
     note_->setVisible(!note_->text().isEmpty());
+}
+
+// Figures that are not of what is shown are pale.
+void ResultsDock::setFaded(bool faded) {
+    faded_ = faded;
+    for (int row = fixedRows_; row < form_->rowCount(); ++row)
+        for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole})
+            if (QLayoutItem* item = form_->itemAt(row, role))
+                item->widget()->setStyleSheet(faded ? QStringLiteral("color: #9a9ea6;") : QString());
 }
 
 void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }

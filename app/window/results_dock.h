@@ -21,20 +21,25 @@ public:
 
     /// None: no result yet. `months`: of a score, as charts. Takes the note and the way back away.
     void show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months = {});
-    /// Above the figures; empty: nothing. `warns`: in amber.
+    /// Above the figures; empty: nothing. `warns`: in amber, and the figures are pale: they are not of what
+    /// is shown.
     void setNote(const QString& note, bool warns = true);
-    void offerWayBack(bool offered);  ///< to the study that these figures stand before
+    [[nodiscard]] bool faded() const { return faded_; }  ///< by a note that warns
+    void offerWayBack(bool offered);                     ///< to the study that these figures stand before
 
 Q_SIGNALS:
     void studyWanted();
 
 private:
+    void setFaded(bool faded);
+
     QLabel* note_;
     QPushButton* back_;
     MonthChart* months_;
     QFormLayout* form_;
     int fixedRows_ = 0;  // the figures follow
     bool filled_ = false;
+    bool faded_ = false;
 };
 
 }  // namespace noonmark

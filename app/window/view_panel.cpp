@@ -47,7 +47,8 @@ ViewPanel::ViewPanel(QWidget* parent)
     setAcceptDrops(true);
     view_->installEventFilter(this);  // the native window under the container takes the drops
     connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });
-    connect(legend_, &LegendStrip::measureChanged, this, [this] { results_->show(); });
+    for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
+        connect(legend_, signal, this, [this] { results_->show(); });
     connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
     connect(navigator_, &ViewNavigator::left, this, [this] {
         label_->hide();

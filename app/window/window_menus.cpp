@@ -43,8 +43,9 @@ WindowMenus::WindowMenus(QMainWindow& window) {
     file.addSeparator();
     savePicture = added(file, tr("Save &picture..."), QKeySequence(tr("Ctrl+P")),
                         tr("The view with its legend, as PNG"));
-    exportStudy = added(file, tr("&Export study..."), QKeySequence(tr("Ctrl+E")),
-                        tr("GeoTIFF, map, report, table and JSON: the files of the command line"));
+    exportStudy =
+        added(file, tr("&Export study..."), QKeySequence(tr("Ctrl+E")),
+              tr("What is shown, as GeoTIFF, map, PDF page, table and JSON: the files of the command line"));
     file.addSeparator();
     quit = added(file, tr("&Quit"), QKeySequence::Quit, {});
 

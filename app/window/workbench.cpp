@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <limits>
 
+#include "app/report/answer_files.h"
 #include "app/report/study_files.h"
 
 namespace noonmark {
@@ -23,8 +24,12 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
     connect(&running_, &JobSlot::started, this,
             [this](const Job& job) { connect(&job, &Job::partial, this, &Workbench::studyPartial); });
     connect(&session_, &ProjectSession::cityChanged, this, &Workbench::follow);
-    connect(&session_, &ProjectSession::baselineChanged, this, [this] { comparison_.reset(); });
+    connect(&session_, &ProjectSession::baselineChanged, this, [this] {
+        comparison_.reset();
+        past_.comparison.reset();
+    });
     connect(&session_, &ProjectSession::renamed, this, &Workbench::rename);
+    connect(&session_, &ProjectSession::changed, this, &Workbench::nameAnswers);
     connect(&session_, &ProjectSession::changed, this, &Workbench::reweigh);
     connect(&session_, &ProjectSession::refused, this, &Workbench::tell);
 }
@@ -52,6 +57,7 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     openedView_ = std::move(opened->view);
     zone_ = std::move(opened->zone);
     forgetAnswers();
+    past_ = {};
     known_.clear();
     keeping_.drop();
     answerSeconds_ = std::numeric_limits<double>::infinity();  // of this city nobody knows yet
@@ -113,6 +119,7 @@ void Workbench::forgetAnswers() {
 
 // The answers go at once: a run that is started before the city is shown is already of the new one.
 void Workbench::follow() {
+    if (study_ || comparison_ || score_) past_ = {study_, comparison_, score_};
     forgetAnswers();
     if (!city_) return;
     following_.start<OpenCity>(
@@ -130,18 +137,46 @@ void Workbench::takeCity(Result<OpenCity> city) {
     Q_EMIT cityShown();
 }
 
-void Workbench::exportStudy(const std::filesystem::path& folder) {
-    if (!study_) return tell({"There is no study to export yet", {}, "Press Run first"});
+Workbench::Shown Workbench::shown() const {
+    if (kept_) return Shown::savedResult;
+    if (score_) return Shown::score;
+    if (comparison_) return Shown::comparison;
+    return study_ ? Shown::study : Shown::nothing;
+}
+
+// Of what is shown now, whatever will be when it is written.
+Workbench::Write Workbench::whatToWrite(const ChangeScale& scale) const {
+    const auto source = [open = city_, city = session_.city()] {
+        const LoadedCity& loaded = open->loaded;
+        return AnswerSource{*city, loaded.read.attribution, loaded.inputs, loaded.settings,
+                            loaded.read.warnings};
+    };
+    if (score_)
+        return [score = score_, source](const auto& folder) {
+            return writeScoreFiles(*score, source(), folder);
+        };
+    if (comparison_)
+        return [comparison = comparison_, source, scale](const auto& folder) {
+            return writeImpactFiles(*comparison, source(), scale, folder);
+        };
+    return
+        [study = study_](const auto& folder) { return writeStudyFiles(*study, folder, {.cellsCsv = true}); };
+}
+
+void Workbench::exportShown(const std::filesystem::path& folder, const ChangeScale& scale) {
+    if (shown() == Shown::nothing) return tell({"There is no result to export yet", {}, "Press Run first"});
+    if (shown() == Shown::savedResult)
+        return tell({"A saved result is shown, and lies in the project file", kept_->name,
+                     "Open the project file in QGIS, or show the study again and export that"});
     writing_.start<Paths>(
         tr("Writing"),
-        [study = study_, folder](Progress&, std::stop_token) {
-            return writeStudyFiles(*study, folder, {.cellsCsv = true});
-        },
+        [write = whatToWrite(scale), folder](Progress&, std::stop_token) { return write(folder); },
         [this, folder](Result<Paths> paths) {
             if (!paths) return tell(paths.error());
-            Q_EMIT noted(tr("%1 files written into %2")
-                             .arg(paths->size())
-                             .arg(QString::fromStdString(folder.string())));
+            QStringList names;
+            for (const auto& path : *paths) names << QString::fromStdString(path.filename().string());
+            Q_EMIT noted(
+                tr("Written into %1: %2").arg(QString::fromStdString(folder.string()), names.join(tr(", "))));
         });
 }
 

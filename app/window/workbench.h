@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "app/report/change_scale.h"
 #include "app/window/job_slot.h"
 #include "app/window/open_city.h"
 #include "app/window/project/open_project.h"
@@ -37,8 +38,11 @@ public:
     void run();
     /// Studies all scenarios of which there is no study with the document's settings yet.
     void measureAll();
-    /// Writes the files of the command line into a folder.
-    void exportStudy(const std::filesystem::path& folder);
+    /// What is shown: in words, and the files of the command line for it, into a folder. A saved result is
+    /// not exported: the project file is its file.
+    enum class Shown { nothing, study, comparison, score, savedResult };
+    [[nodiscard]] Shown shown() const;
+    void exportShown(const std::filesystem::path& folder, const ChangeScale& scale);
     /// Scores the scenario that is shown with a weight table of the project, by the document's question. The
     /// answer before stays until then.
     void runScore(const std::string& weights);
@@ -58,6 +62,15 @@ public:
     [[nodiscard]] std::shared_ptr<const ScoreAnswer> score() const { return score_; }
     /// The kept result that stands before all; likewise.
     [[nodiscard]] std::shared_ptr<const ShownResult> kept() const { return kept_; }
+    /// What was shown before the buildings changed, until there is an answer of those that are shown: its
+    /// figures are of other buildings. Null members: nothing.
+    struct PastAnswer {
+        std::shared_ptr<const Study> study;
+        std::shared_ptr<const ImpactAnswer> comparison;
+        std::shared_ptr<const ScoreAnswer> score;
+        [[nodiscard]] bool any() const { return study || comparison || score; }
+    };
+    [[nodiscard]] const PastAnswer& past() const { return past_; }
     /// Studies of scenarios whose buildings have not changed since, by name.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const Study>> studies();
     /// How long the latest answer took to work out, seconds.
@@ -100,6 +113,7 @@ private:
     void follow();
     void takeCity(Result<OpenCity> city);
     void forgetAnswers();
+    void nameAnswers();
     void measure(const QString& what, std::vector<KnownStudy> wanted);
     void runComparison();
     void takeStudies(Result<std::vector<KnownStudy>> made);
@@ -109,6 +123,9 @@ private:
     void takeScore(Result<ScoreAnswer> answer);
     void standBack();
     void reweigh();
+    using Files = Result<std::vector<std::filesystem::path>>;
+    using Write = std::function<Files(const std::filesystem::path& folder)>;
+    [[nodiscard]] Write whatToWrite(const ChangeScale& scale) const;
     using Keep = std::function<KeptResult(const Project&)>;
     [[nodiscard]] Keep whatToKeep() const;
     void keep(const Keep& keep, const QString& name);
@@ -125,6 +142,8 @@ private:
     std::shared_ptr<const ImpactAnswer> comparison_;
     std::shared_ptr<const ScoreAnswer> score_;
     std::shared_ptr<const ShownResult> kept_;
+    PastAnswer past_;
+    std::weak_ptr<const City> comparedWith_;  ///< the city before of comparison_
     double answerSeconds_ = 0;
     JobSlot opening_;
     JobSlot following_;

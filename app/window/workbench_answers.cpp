@@ -74,6 +74,7 @@ void Workbench::takeKnown() {
     const auto known = studies();
     const auto study = known.find(session_.scenario());
     study_ = study == known.end() ? nullptr : study->second;
+    if (study_) past_ = {};
 }
 
 std::vector<Workbench::KnownStudy> Workbench::wanted() {
@@ -113,6 +114,7 @@ void Workbench::runComparison() {
             const auto still = session_.cityOf(session_.baseline());
             if (after != session_.city() || !still || *still != before) return Q_EMIT studyStopped(false);
             if (answer) answerSeconds_ = watch.seconds();
+            comparedWith_ = before;
             takeComparison(std::move(answer));
         });
 }
@@ -137,6 +139,24 @@ void Workbench::rename(ProjectPart part, const std::string& from, const std::str
     for (std::string* name : {&renamed->from, &renamed->to})
         if (*name == from) *name = to;
     comparison_ = std::move(renamed);
+    Q_EMIT comparisonDone();
+}
+
+// A copy of a scenario has the same buildings: what is shown is an answer of it, and bears its name.
+void Workbench::nameAnswers() {
+    const std::string &from = session_.baseline(), &to = session_.scenario();
+    if (score_ && score_->scenario != to) {
+        auto named = std::make_shared<ScoreAnswer>(*score_);
+        named->scenario = to;
+        score_ = std::move(named);
+        Q_EMIT scoreDone();
+    }
+    if (!comparison_ || (comparison_->from == from && comparison_->to == to)) return;
+    if (from.empty() || session_.cityOf(from).value_or(nullptr) != comparedWith_.lock()) return;
+    auto named = std::make_shared<ImpactAnswer>(*comparison_);
+    named->from = from;
+    named->to = to;
+    comparison_ = std::move(named);
     Q_EMIT comparisonDone();
 }
 
@@ -191,6 +211,7 @@ void Workbench::showKept(const std::string& name) {
 // What stands before the study makes way for a new answer.
 void Workbench::standBack() {
     reading_.drop();
+    past_ = {};
     score_.reset();
     kept_.reset();
 }

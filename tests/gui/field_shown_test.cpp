@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "app/report/palette.h"
+#include "app/report/score_legend.h"
 #include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
 #include "app/window/project/score_picture.h"

@@ -1,11 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTreeView>
 #include <cmath>
 
@@ -190,6 +193,135 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     study();
     EXPECT_EQ(workbench().kept(), nullptr) << "another answer takes its place";
     EXPECT_FALSE(figures().contains(QStringLiteral("Shadow score")));
+}
+
+/// The names of what an export writes, sorted.
+QStringList exported(MainWindow& window, const QString& folder) {
+    window.workbench().exportShown(folder.toStdString(), window.panel().legend().changeScale());
+    EXPECT_TRUE(waitFor([&] { return !window.workbench().writing().busy(); }));
+    return QDir(folder).entryList(QDir::Files, QDir::Name);
+}
+
+TEST_F(AnswersWindow, WhatIsShownIsExported) {
+    const QAction* action = nullptr;
+    for (const QAction* one : window->findChildren<QAction*>())
+        if (one->shortcut() == QKeySequence(QStringLiteral("Ctrl+E"))) action = one;
+    ASSERT_NE(action, nullptr);
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(action->text(),
+              QStringLiteral("&Export Tower compared with %1...").arg(QString::fromStdString(existingCity)));
+    EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("impact"))),
+              QStringList({QStringLiteral("impact.csv"), QStringLiteral("impact.json"),
+                           QStringLiteral("impact.pdf"), QStringLiteral("impact.png"),
+                           QStringLiteral("impact.tif")}))
+        << window->panel().messages().text().toStdString();
+    session().compareWith({});
+    study();
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    EXPECT_EQ(action->text(), QStringLiteral("&Export the score of Tower..."));
+    EXPECT_EQ(
+        exported(*window, folder.filePath(QStringLiteral("score"))),
+        QStringList({QStringLiteral("score.csv"), QStringLiteral("score.json"), QStringLiteral("score.pdf"),
+                     QStringLiteral("score.png"), QStringLiteral("score.tif")}));
+    workbench().showStudyAgain();
+    EXPECT_EQ(action->text(), QStringLiteral("&Export study..."));
+    EXPECT_TRUE(
+        exported(*window, folder.filePath(QStringLiteral("study"))).contains(QStringLiteral("report.pdf")));
+    keep("June");
+    showKept("June");
+    EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("saved"))), QStringList());
+    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("A saved result is shown")));
+}
+
+TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    LegendStrip& legend = window->panel().legend();
+    auto* field = window->findChild<QSpinBox*>(QStringLiteral("changeScale"));
+    EXPECT_TRUE(field->isVisible());
+    EXPECT_EQ(legend.legend()->scale.top, 60);
+    EXPECT_TRUE(legend.legend()->unit.contains(QStringLiteral("scale locked: ±60 min")))
+        << legend.legend()->unit.toStdString();
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 8}}, QStringLiteral("low")));
+    const auto before = workbench().comparison();
+    ASSERT_TRUE(waitFor([&] { return workbench().comparison() && workbench().comparison() != before; }));
+    EXPECT_EQ(legend.legend()->scale.top, 60) << "another proposal, the same scale";
+    field->setValue(25);
+    EXPECT_EQ(legend.legend()->scale.top, 25);
+    EXPECT_EQ(legend.changeScale(), ChangeScale{25});
+    window->saving().save();
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    EXPECT_EQ(changeScaleIn(ProjectFile::open(session().file()->path()).value().project().view),
+              ChangeScale{25});
+    field->setValue(0);
+    EXPECT_TRUE(legend.legend()->unit.contains(QStringLiteral("fitted")))
+        << legend.legend()->unit.toStdString();
+    const auto open = workbench().city();
+    window->open({QString::fromStdString(session().file()->path().string())});
+    ASSERT_TRUE(waitFor([&] { return workbench().city() != open; }));
+    EXPECT_EQ(legend.changeScale(), ChangeScale{25}) << "as it was saved";
+    session().compareWith({});
+    EXPECT_FALSE(field->isVisible());
+}
+
+TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
+    study();
+    auto* dock = window->findChild<ResultsDock*>();
+    EXPECT_FALSE(dock->faded());
+    window->tools().tower().begin(session().project().lots[0], {});
+    EXPECT_TRUE(note().contains(QStringLiteral("without what is being designed"))) << note().toStdString();
+    EXPECT_TRUE(dock->faded());
+    window->tools().tower().cancel();
+    EXPECT_EQ(note(), QString());
+    EXPECT_FALSE(dock->faded());
+}
+
+TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    window->mode().setMode(ViewMode::exploration);  // nothing is worked out by itself
+    const QStringList before = figures();
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    EXPECT_EQ(workbench().comparison(), nullptr);
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_TRUE(note().contains(QStringLiteral("before they changed"))) << note().toStdString();
+    EXPECT_TRUE(window->findChild<ResultsDock*>()->faded());
+    EXPECT_EQ(figures().mid(1), before.mid(1)) << "all but the mark";
+    window->mode().setMode(ViewMode::analysis);
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("before they changed")))
+        << window->panel().legend().note().toStdString();
+    EXPECT_EQ(workbench().shown(), Workbench::Shown::nothing) << "and is not exported as if it were of them";
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(note(), QString());
+    EXPECT_FALSE(window->findChild<ResultsDock*>()->faded());
+    EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("before")));
+}
+
+TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    auto* tree = window->findChild<ProjectDock*>();
+    tree->duplicate(tree->model().indexOf(ProjectPart::scenario, "Tower"));
+    ASSERT_NE(session().scenario(), "Tower");
+    ASSERT_TRUE(workbench().comparison()) << "the same buildings, the same difference";
+    EXPECT_EQ(workbench().comparison()->to, session().scenario());
+    const QString name = QString::fromStdString(session().scenario());
+    EXPECT_TRUE(window->panel().legend().note().startsWith(name))
+        << window->panel().legend().note().toStdString();
+    EXPECT_TRUE(figures().join(QLatin1Char('\n')).contains(name));
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    session().goTo("Tower");
+    EXPECT_EQ(workbench().score()->scenario, "Tower");
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower by")))
+        << window->panel().legend().note().toStdString();
 }
 
 TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {

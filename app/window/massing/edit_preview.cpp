@@ -48,6 +48,7 @@ Result<void> EditPreview::show(const std::vector<Edit>& edits) {
     if (!city_) return {};
     auto edited = applied(city_->city(), edits);
     if (!edited) return tl::make_unexpected(edited.error());
+    const bool before = shown_;
     const bool others = !shown_ || changes_.removed != edited->changes.removed;
     changes_ = std::move(edited->changes);
     shown_ = true;
@@ -59,6 +60,7 @@ Result<void> EditPreview::show(const std::vector<Edit>& edits) {
         begin();
     }
     live_.follow(changes_.added);
+    if (!before) Q_EMIT shownChanged(true);
     return {};
 }
 
@@ -70,6 +72,7 @@ void EditPreview::clear() {
     panel_.view().overlay().show(OverlayBodies::Tint::proposed, {});
     panel_.results().setLive(std::nullopt);
     hide({});
+    Q_EMIT shownChanged(false);
 }
 
 void EditPreview::hide(const Buildings& removed) {

@@ -34,6 +34,7 @@ public:
 
 Q_SIGNALS:
     void told(QString text);  ///< why there is no live shadow
+    void shownChanged(bool shown);
 
 private:
     void hide(const std::vector<std::shared_ptr<const Building>>& removed);

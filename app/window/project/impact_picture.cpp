@@ -1,33 +1,15 @@
 #include "app/window/project/impact_picture.h"
 
 #include <QObject>
-#include <algorithm>
 #include <cmath>
 
-#include "app/window/change_scale.h"
+#include "app/report/impact_legend.h"
 #include "app/window/field_picture.h"
 #include "app/window/hover_text.h"
 
 namespace noonmark {
 
 namespace {
-
-using Pixel = GroundPicture::Pixel;
-constexpr float noChangeMin = 1e-3F;  // float32 rounding
-
-bool isInstant(const Impact& impact) { return impact.sunlitMinutesPerDay <= 1; }
-
-void addPatch(Legend& legend, const Impact& impact, CellChange change, const QColor& colour,
-              const QString& label) {
-    const auto cells = std::ranges::count(impact.change, change);
-    if (cells > 0) legend.patches.push_back({colour, label});
-}
-
-Pixel cellPixel(const Impact& impact, std::size_t cell, float value, double top) {
-    if (impact.change[cell] == CellChange::becameBuilding) return pixelOf(ground::becameBuilding);
-    if (impact.change[cell] == CellChange::becameGround) return pixelOf(ground::becameGround);
-    return std::abs(value) > noChangeMin ? pixelOf(impactColour(double(value) / top)) : Pixel{};
-}
 
 QString signedMinutes(float minutes) {
     return QStringLiteral("%1%2")
@@ -37,29 +19,14 @@ QString signedMinutes(float minutes) {
 
 }  // namespace
 
-const std::vector<float>& valuesOf(const Impact& impact, ShadowMeasure measure) {
-    return measure == ShadowMeasure::gross ? impact.grossMin : impact.continuousMin;
-}
-
-Legend legendOf(const Impact& impact, ShadowMeasure measure) {
-    Legend legend{
-        QObject::tr("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
-    const ChangeScale found = changeScaleOf(valuesOf(impact, measure), noChangeMin);
-    legend.scale = legendScale(std::max(found.usual, 1.0));
-    legend.unit = measure == ShadowMeasure::gross ? QObject::tr("min a day") : QObject::tr("min");
-    if (found.most > legend.scale.top) legend.unit += QObject::tr(", most %1").arg(found.most, 0, 'f', 0);
-    addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));
-    addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QObject::tr("now ground"));
-    return legend;
-}
-
 GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double top) {
-    const std::vector<float>& values = valuesOf(impact, measure);
     GroundPicture picture;
     picture.grid = impact.grid;
-    picture.pixels.reserve(values.size());
-    for (std::size_t cell = 0; cell < values.size(); ++cell)
-        picture.pixels.push_back(cellPixel(impact, cell, values[cell], top));
+    picture.pixels.reserve(impact.change.size());
+    for (std::size_t cell = 0; cell < impact.change.size(); ++cell) {
+        const auto colour = colourOf(impact, measure, cell, top);
+        picture.pixels.push_back(colour ? pixelOf(*colour) : GroundPicture::Pixel{});
+    }
     return picture;
 }
 

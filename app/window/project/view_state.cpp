@@ -132,6 +132,7 @@ ViewMode modeFrom(const std::string& text) {
 Texts textsOf(const ViewState& state) {
     Texts texts{{"mode", modes[int(state.mode)]},
                 {"measure", state.measure == ShadowMeasure::gross ? "gross" : "continuous"},
+                {changeScaleKey, textOf(state.changeScale)},
                 {"scenario", state.scenario},
                 {"baseline", state.baseline}};
     if (state.camera) texts["camera"] = cameraText(*state.camera);
@@ -144,6 +145,7 @@ ViewState viewStateFrom(const Texts& texts) {
     state.camera = cameraFrom(found(texts, "camera"));
     state.mode = modeFrom(found(texts, "mode"));
     if (found(texts, "measure") == "continuous") state.measure = ShadowMeasure::continuous;
+    state.changeScale = changeScaleIn(texts);
     if (const std::string name = found(texts, "scenario"); !name.empty()) state.scenario = name;
     state.baseline = found(texts, "baseline");
     state.study = studyFrom(found(texts, "study"));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/report/change_scale.h"
 #include "app/report/shadow_measure.h"
 #include "app/window/view_mode.h"
 #include "core/study/study.h"
@@ -17,12 +18,13 @@ struct ViewState {
     std::optional<CameraPose> camera;
     ViewMode mode = ViewMode::exploration;
     ShadowMeasure measure = ShadowMeasure::gross;
+    ChangeScale changeScale;
     std::string scenario = existingCity;
     std::string baseline;                ///< empty: none
     std::optional<StudySettings> study;  ///< region, cells, period, engine
 };
 
-/// Keys: "camera", "mode", "measure", "scenario", "baseline", "study" (JSON).
+/// Keys: "camera", "mode", "measure", "change_scale", "scenario", "baseline", "study" (JSON).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// What can be read; the rest is as in ViewState{}. Any text is taken: the file may come from anywhere.
