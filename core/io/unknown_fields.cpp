@@ -16,6 +16,7 @@ namespace {
 
 constexpr double mostFeet = 4000;
 constexpr std::size_t enoughDifferent = 1000;
+constexpr std::size_t fewDifferent = 20;
 constexpr std::size_t mostListed = 8;
 
 // Words of names that hold other things; a name is taken apart where letters and others meet.
@@ -65,8 +66,9 @@ bool UnknownFields::couldBeHeights(const std::string& field, const Values& value
     const bool years = values.whole && values.low >= 1500 && values.high <= 2200;
     const bool numbersThem = values.whole && values.above0 > 10 &&
                              values.different.size() == std::min<std::size_t>(values.above0, enoughDifferent);
+    const bool codes = values.whole && values.low >= 100 && values.different.size() <= fewDifferent;
     const bool varies = values.low < values.high || values.above0 == 1;
-    return varies && !years && !numbersThem;
+    return varies && !years && !numbersThem && !codes;
 }
 
 std::vector<UnknownField> UnknownFields::thatCouldBeHeights(const std::string& file) const {

@@ -163,10 +163,11 @@ TEST_F(ReadFootprints, fieldsThatCouldBeHeightsAreListed) {
     std::string features;
     for (int i = 0; i < 20; ++i) {
         if (i > 0) features += ',';
-        features +=
-            feature(tests::sizedRectangle(float(20 * i), 0, 10, 10),
-                    fmt::format(R"("H_BAT":{},"NIV":"{}","FID_1":{},"AREA":{},"ANNEE":{},"USE":"home")",
-                                i == 0 ? -9999.0 : 4.5 + 0.5 * i, 1 + i % 6, i + 1, 100.5 + i, 1950 + i));
+        features += feature(
+            tests::sizedRectangle(float(20 * i), 0, 10, 10),
+            fmt::format(R"("H_BAT":{},"NIV":"{}","FID_1":{},"AREA":{},"ANNEE":{},"USE":"home","CLASS":{})",
+                        i == 0 ? -9999.0 : 4.5 + 0.5 * i, 1 + i % 6, i + 1, 100.5 + i, 1950 + i,
+                        110 + 10 * (i % 4)));
     }
     const FilePiece piece = readGeoJson(features);
     ASSERT_EQ(piece.heights.unknown.size(), 2U);
