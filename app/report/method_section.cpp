@@ -55,13 +55,30 @@ QString airWords(const StudySettings& settings) {
         .arg(amountWords(settings.pressureHPa, 2), amountWords(settings.temperatureC));
 }
 
+QString sunFrameWords(const Study& study) {
+    const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
+    const QString levelled =
+        study.sun.levelled == 0
+            ? QString()
+            : QStringLiteral(
+                  " %1 steps with the sun just above the horizon stand below the plane of the "
+                  "geometry and are taken in it.")
+                  .arg(countWords(study.sun.levelled));
+    return QStringLiteral(
+               " In the frame of the geometry true north is turned by %1° there and the vertical by %2°; at "
+               "the farthest corner of the region the vertical is off by up to %3° (%4 s of the sun's "
+               "way).%5")
+        .arg(amountWords(facts.convergenceDeg, 3), amountWords(facts.tiltDeg, 3),
+             amountWords(facts.verticalErrorDeg, 3), amountWords(facts.verticalErrorDeg * 240, 1), levelled);
+}
+
 QString sunWords(const Study& study) {
     const Observer observer = observerOf(study);
     return QStringLiteral(
                "Sun: ERFA, topocentric, seen from the middle of the region (%1, %2 m); %3. Civil time of %4 "
-               "from the tz database.")
+               "from the tz database.%5")
         .arg(latLonWords(observer.place), amountWords(observer.elevationM), airWords(study.settings),
-             QString::fromStdString(study.settings.period.zone));
+             QString::fromStdString(study.settings.period.zone), sunFrameWords(study));
 }
 
 QString frameWords(const Study& study) {

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 namespace noonmark {
@@ -41,23 +42,43 @@ Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant m
     return {from, wholeSteps(duration<double, std::ratio<60>>(to - from).count(), stepMinutes)};
 }
 
+/// A sun above the observer's horizon, in the frame of the geometry. Where that lies so far from the observer
+/// that the sun is below its plane, it is taken in the plane: engines know suns above it.
+struct FramedSun {
+    glm::vec3 direction;
+    bool levelled = false;
+};
+
+FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees altitude) {
+    constexpr double leastZ = 1e-6;  // a ten-thousandth of a degree
+    glm::dvec3 towards = frameFromPlace * directionFromAzimuthAltitude(azimuth, altitude);
+    const bool levelled = towards.z <= 0;
+    if (levelled) towards.z = leastZ;
+    return {glm::vec3(glm::normalize(towards)), levelled};
+}
+
 /// Makes the days of a period, each on its own.
 class Days {
 public:
-    Days(const Period& period, const Zone& zone, const Ephemeris& sun)
-        : period_(period), zone_(zone), sun_(sun), step_(stepMinutesOf(period)) {}
+    Days(const Period& period, const Zone& zone, const Ephemeris& sun, const glm::dmat3& frameFromPlace)
+        : period_(period),
+          zone_(zone),
+          sun_(sun),
+          frameFromPlace_(frameFromPlace),
+          step_(stepMinutesOf(period)) {}
 
     struct Steps {
         SunDay day;
         std::vector<SunStep> steps;
+        std::size_t levelled = 0;
     };
 
     [[nodiscard]] Steps on(CivilDate date) const {
         const Window window = windowOf(date);
-        Steps made{{date}, {}};
+        Steps made{{date}, {}, 0};
         made.steps.reserve(std::size_t(window.steps));
         for (std::int64_t slot = 0; slot < window.steps; ++slot) {
-            const auto step = stepAt(window.from, slot);
+            const auto step = stepAt(window.from, slot, made.levelled);
             if (step) made.steps.push_back(*step);
         }
         made.day.count = std::uint32_t(made.steps.size());
@@ -77,19 +98,23 @@ private:
     }
 
     /// Nothing while the sun is below the horizon.
-    [[nodiscard]] std::optional<SunStep> stepAt(Instant from, std::int64_t slot) const {
+    [[nodiscard]] std::optional<SunStep> stepAt(Instant from, std::int64_t slot,
+                                                std::size_t& levelled) const {
         const Instant at = from + milliseconds{std::llround(double(slot) * step_ * millisecondsPerMinute)};
         const SolarPosition position = sun_.at(at);
         const Degrees altitude = period_.refraction ? position.altitudeApparent : position.altitude;
         if (!(float(altitude.value) > 0)) return std::nullopt;
         const float azimuth = float(position.azimuth.value);  // 359.99999 rounds to 360
-        return SunStep{glm::vec3(directionFromAzimuthAltitude(position.azimuth, altitude)),
-                       azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot), at};
+        const FramedSun sun = inFrame(frameFromPlace_, position.azimuth, altitude);
+        levelled += sun.levelled ? 1 : 0;
+        return SunStep{sun.direction, azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot),
+                       at};
     }
 
     const Period& period_;
     const Zone& zone_;
     const Ephemeris& sun_;
+    const glm::dmat3& frameFromPlace_;
     double step_;
 };
 
@@ -106,11 +131,12 @@ SunSteps joined(std::vector<Days::Steps> days, double stepMinutes) {
     SunSteps sun;
     sun.stepMinutes = stepMinutes;
     std::size_t count = 0;
-    for (const auto& [day, steps] : days) count += steps.size();
+    for (const auto& day : days) count += day.steps.size();
     sun.steps.reserve(count);
-    for (auto& [day, steps] : days) {
+    for (auto& [day, steps, levelled] : days) {
         day.first = std::uint32_t(sun.steps.size());
         sun.belowHorizon += day.belowHorizon;
+        sun.levelled += levelled;
         sun.days.push_back(day);
         sun.steps.insert(sun.steps.end(), steps.begin(), steps.end());
         steps = {};
@@ -138,7 +164,7 @@ Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const 
     const Instant last = zone->instantAt(period.start, days{period.days}) + days{2};
     auto sun = Ephemeris::over(observer, first, last);
     if (!sun) return tl::make_unexpected(sun.error());
-    auto days = allDays(period, Days(period, *zone, *sun), stop);
+    auto days = allDays(period, Days(period, *zone, *sun, observer.frameFromPlace), stop);
     if (stop.stop_requested()) return cancelled();
     return joined(std::move(days), stepMinutesOf(period));
 }
