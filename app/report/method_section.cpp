@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "app/report/report_sections.h"
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
@@ -40,13 +42,29 @@ QString terrainWords(const Study& study) {
     return words;
 }
 
+// Where whole steps of the length asked for do not fill the hours.
+QString roundingWords(const Study& study) {
+    const Period& period = study.settings.period;
+    const double asked = period.stepMinutes;
+    const bool instant = !period.window && period.hours == 0;
+    if (instant || std::abs(study.field.stepMinutes - asked) < 1e-9) return {};
+    const QString day = study.sun.mostOffADayMin < 0.005
+                            ? QString()
+                            : QStringLiteral("; a single day counts up to %1 min more or less than its own")
+                                  .arg(amountWords(study.sun.mostOffADayMin, 2));
+    return QStringLiteral(
+               " A step was asked for every %1 min; whole steps of nearly that length fill the hours of each "
+               "day, so that the period counts the minutes of its hours%2.")
+        .arg(amountWords(asked, 3), day);
+}
+
 QString stepWords(const Study& study) {
     return QStringLiteral(
                "Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (no sun is "
                "not shadow). "
-               "Shares of time are shares of the time with the sun above the horizon.")
-        .arg(countWords(study.sun.steps.size()), amountWords(study.field.stepMinutes, 3),
-             countWords(study.sun.belowHorizon));
+               "Shares of time are shares of the time with the sun above the horizon.%4")
+        .arg(countWords(study.sun.steps.size()), amountWords(study.field.stepMinutes, 4),
+             countWords(study.sun.belowHorizon), roundingWords(study));
 }
 
 QString airWords(const StudySettings& settings) {

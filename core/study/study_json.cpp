@@ -26,6 +26,9 @@ Json periodJson(const Period& period, const SunSteps& sun) {
     json["start"] = textOf(period.start);
     json["days"] = period.days;
     json["step_min"] = period.stepMinutes;
+    json["counted_step_min"] = sun.stepMinutes;
+    json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.windowMinutes / double(sun.days.size());
+    json["day_rounding_min"] = sun.mostOffADayMin;
     json["zone"] = period.zone;
     json["from"] = period.window ? Json() : Json(textOf(period.from));
     json["hours"] = period.window ? Json() : Json(period.hours);
@@ -145,6 +148,10 @@ Json definitions(bool runs) {
          "a cell of the region whose centre is where receivers_on says: on the ground, outside every "
          "footprint "
          "that stands on it, or on the roof of a building there, its highest surface"},
+        {"period",
+         "whole steps of nearly step_min fill the hours of each day (hours_min_per_day in the mean); each "
+         "counts counted_step_min, so that no time is dropped; the steps of a day count as long as its hours "
+         "to within day_rounding_min"},
         {"azimuth", "from true north, clockwise"},
         {"sun_frame",
          "the sun is the observer's, turned into the frame of the geometry: north_turned_deg, clockwise, "

@@ -20,7 +20,7 @@ City cityAt(LonLat origin, bool terrain) {
     City city{.frame = Frame(origin)};
     if (terrain)
         city.terrain =
-            std::make_shared<const Terrain>(Terrain{{.cellM = 10, .columns = 1, .rows = 1}, {0.0F}});
+            std::make_shared<const Terrain>(Terrain{{0, 0, 10, 1, 1}, {0.0F}});
     return city;
 }
 

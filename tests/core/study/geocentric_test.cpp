@@ -66,7 +66,7 @@ std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& fram
 // The sea around the origin, in km squares, as far as both districts.
 std::shared_ptr<const Terrain> seaOf(const Place& place) {
     constexpr int cells = 110;
-    Terrain sea{{.westM = -55e3, .southM = -55e3, .cellM = 1e3, .columns = cells, .rows = cells}, {}};
+    Terrain sea{{-55e3, -55e3, 1e3, cells, cells}, {}};
     for (int row = 0; row < cells; ++row)
         for (int column = 0; column < cells; ++column)
             sea.elevationM.push_back(dropAt(place, sea.grid.centre(column, row)));
