@@ -37,8 +37,8 @@ struct StudySettings {
     Period period;
     std::string engine = "auto";
     EngineSettings engineSettings;  ///< what differs from the engine's usual settings
-    bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep or projected shadows
-    bool contributions = false;     ///< and what each building does; by the horizon sweep only
+    bool byMonth = false;        ///< the shadow of each month too; by the horizon sweep or projected shadows
+    bool contributions = false;  ///< and what each building does; by the horizon sweep only
     ErrorSampleSettings errorSample;
     double pressureHPa = 1010;  ///< for refraction
     double temperatureC = 10;
@@ -85,6 +85,15 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
 /// its settings.
 Observer observerOf(const City& city, const StudySettings& settings);
 Observer observerOf(const Study& study);
+
+/// How that sun is told in the frame of the geometry, for reports.
+struct SunFrameFacts {
+    double convergenceDeg = 0;    ///< of the observer's north against the frame's +y, clockwise positive
+    double tiltDeg = 0;           ///< of the observer's vertical against the frame's z; 0 on flat ground
+    double farthestM = 0;         ///< from the observer to the farthest corner of the region
+    double verticalErrorDeg = 0;  ///< at most, there (core/city/city_observer.h)
+};
+SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings);
 
 /// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and
 /// what was skipped included.

@@ -80,6 +80,7 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["to"] = answer.to;
     json["engine_settings"] = total.engine;
     json["steps"] = answer.study.sun.steps.size();
+    json["period"]["counted_step_min"] = total.stepMinutes;
     json["sunlit_min_per_day"] = total.sunlitMinutesPerDay;
     json["impact"] = figuresJson(total, answer.thresholdsMin);
     json["by_building"] = Json::array();

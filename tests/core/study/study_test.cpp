@@ -80,6 +80,26 @@ TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
     EXPECT_NEAR(local.y, 50, 0.1);
 }
 
+TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
+    City city = towers();
+    Building farOff{.sourceId = "far off"};
+    farOff.parts.push_back({.footprint = {square(20000, 10, 20), {}}, .topM = 40});
+    city.buildings = {std::make_shared<const Building>(farOff)};
+    StudySettings settings = aroundTheTower();
+    settings.region = regionFromLocalBox({{19970, 0}, {20050, 60}});
+    NoProgress progress;
+    const auto study = runStudy(city, settings, progress, {});
+    ASSERT_TRUE(study) << study.error().text();
+    const auto json = nlohmann::json::parse(studyJson(*study))["sun_frame"];
+    // East of the origin north leans to the west, by d_lon sin(lat): 20.01 km at 40.75 deg north.
+    const double convergence = 20010 / (6378137 * std::cos(40.75 / 57.29578)) * std::sin(40.75 / 57.29578);
+    EXPECT_NEAR(json["north_turned_deg"], -convergence * 57.29578, 0.001);
+    EXPECT_EQ(json["vertical_turned_deg"], 0);
+    EXPECT_NEAR(json["farthest_from_observer_m"], 50, 0.1);
+    EXPECT_NEAR(json["vertical_error_deg"], 50.0 / 6371009 * 57.29578, 1e-6);
+    EXPECT_EQ(json["steps_levelled"], 0);
+}
+
 TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
     StudySettings settings = aroundTheTower();
     settings.engine = "magic";
