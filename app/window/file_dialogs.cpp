@@ -19,7 +19,7 @@ QStringList askForCity(QWidget* parent) {
         parent, tr("Open a project or a city"), {},
         tr("Projects, cities and terrain (*.noonmark.gpkg *.geojson *.json *.gpkg *.shp *.osm *.pbf "
            "*.jsonl *.obj *.ply *.gltf *.glb *.tif "
-           "*.tiff *.asc *.vrt);;Projects (*.noonmark.gpkg);;All files (*)"));
+           "*.tiff *.asc);;Projects (*.noonmark.gpkg);;All files (*)"));
 }
 
 QString askForProject(QWidget* parent, const QString& suggested) {

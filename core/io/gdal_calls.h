@@ -6,8 +6,8 @@
 
 namespace noonmark {
 
-/// Hold one while calling GDAL: its drivers are registered, and what it complains of on this thread is kept
-/// here instead of being printed. Backend: gdal_calls_gdal.cpp.
+/// Hold one while calling GDAL: it is prepared for files from strangers (gdal_setup.h), and what it complains
+/// of on this thread is kept here instead of being printed. Backend: gdal_calls_gdal.cpp.
 class GdalCalls {
 public:
     GdalCalls();

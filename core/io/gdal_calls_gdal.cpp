@@ -1,9 +1,9 @@
 #include <cpl_error.h>
-#include <gdal.h>
 
 #include <mutex>
 
 #include "core/io/gdal_calls.h"
+#include "core/io/gdal_setup.h"
 
 namespace noonmark {
 
@@ -23,8 +23,8 @@ void CPL_STDCALL onComplaint(CPLErr kind, CPLErrorNum, const char* words) {
 }  // namespace
 
 GdalCalls::GdalCalls() {
-    static std::once_flag registered;
-    std::call_once(registered, GDALAllRegister);
+    static std::once_flag prepared;
+    std::call_once(prepared, setUpGdal);
     CPLPushErrorHandlerEx(onComplaint, this);
     CPLErrorReset();
 }

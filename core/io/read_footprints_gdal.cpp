@@ -9,6 +9,7 @@
 #include "core/io/footprint_layer.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/map_remarks.h"
+#include "core/io/open_dataset.h"
 #include "core/io/osm_configuration.h"
 #include "core/io/osm_semantics.h"
 #include "core/io/read_part.h"
@@ -28,19 +29,13 @@ struct OpenFile {
     [[nodiscard]] bool isOsm() const { return driver == "OSM"; }
 };
 
-Result<OpenFile> opened(const Path& file, const OsmConfiguration& configuration, const GdalCalls& calls) {
-    GDALDriverH driver = GDALIdentifyDriverEx(file.c_str(), GDAL_OF_VECTOR, nullptr, nullptr);
-    const std::string name = driver != nullptr ? GDALGetDescription(driver) : "";
-    const std::string option = "CONFIG_FILE=" + configuration.path();
-    const char* const osmOptions[] = {option.c_str(), nullptr};
-    OpenFile open{GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
-                                                         nullptr, name == "OSM" ? osmOptions : nullptr)),
-                  name};
-    if (open.dataset && open.isOsm())
-        open.dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
-    if (open.dataset) return open;
-    return failure("It cannot be read as a map (" + calls.why() + ")", file.string(),
-                   "Check that it is whole, or export it again");
+Result<OpenFile> opened(const Path& file, const OsmConfiguration& configuration) {
+    auto dataset = openDataset(file, DatasetContent::vectors, {"CONFIG_FILE=" + configuration.path()});
+    if (!dataset) return tl::make_unexpected(dataset.error());
+    OpenFile open{*std::move(dataset), {}};
+    open.driver = open.dataset->GetDriverName();
+    if (open.isOsm()) open.dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
+    return open;
 }
 
 std::string formatName(const OpenFile& open, const Path& file) {
@@ -242,7 +237,7 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                                  std::stop_token stop) try {
     const GdalCalls calls;
     const OsmConfiguration configuration(settings.heightField, settings.levelsField);
-    auto open = opened(file, configuration, calls);
+    auto open = opened(file, configuration);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
     FileReader reader(*open, file, settings, progress, stop);

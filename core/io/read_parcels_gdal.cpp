@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/io/gdal_calls.h"
-#include "core/io/plain_file.h"
+#include "core/io/open_dataset.h"
 #include "core/io/polygon_layer.h"
 
 namespace noonmark {
@@ -131,13 +131,10 @@ Result<std::vector<OGRLayer*>> layersOf(GDALDataset& dataset, const std::string&
 
 Result<std::vector<Parcel>> readParcels(const std::filesystem::path& file, const ParcelSettings& settings,
                                         const Frame& frame, const std::stop_token& stop) {
-    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     const GdalCalls calls;
-    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
-    if (!dataset)
-        return failure("The parcels cannot be read: " + calls.why(), file.string(),
-                       "Give a polygon file such as GeoPackage, GeoJSON or Shapefile");
-    const auto layers = layersOf(*dataset, settings.layer, file.string());
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    if (!dataset) return tl::make_unexpected(dataset.error());
+    const auto layers = layersOf(**dataset, settings.layer, file.string());
     if (!layers) return tl::make_unexpected(layers.error());
     ParcelReader reader(settings, frame, file.string(), stop);
     for (OGRLayer* layer : *layers)

@@ -13,7 +13,7 @@
 
 #include "core/io/fold_text.h"
 #include "core/io/gdal_calls.h"
-#include "core/io/plain_file.h"
+#include "core/io/open_dataset.h"
 #include "core/io/polygon_layer.h"
 
 namespace noonmark {
@@ -65,14 +65,11 @@ Result<void> addLayer(OGRLayer& layer, const Frame& frame, const std::string& wh
 }
 
 Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& frame) {
-    if (const auto plain = checkPlainFile(file); !plain) return tl::make_unexpected(plain.error());
     const GdalCalls calls;
-    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR));
-    if (!dataset)
-        return failure("The region cannot be read: " + calls.why(), file.string(),
-                       "Give a polygon file such as GeoJSON or GeoPackage");
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    if (!dataset) return tl::make_unexpected(dataset.error());
     Region region{file.stem().string(), {}};
-    for (OGRLayer* layer : dataset->GetLayers())
+    for (OGRLayer* layer : (*dataset)->GetLayers())
         if (auto added = addLayer(*layer, frame, file.string(), region); !added)
             return tl::make_unexpected(added.error());
     if (region.polygons.empty())

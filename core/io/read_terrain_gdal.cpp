@@ -13,6 +13,7 @@
 #include "core/geo/earth_drop.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/height_text.h"
+#include "core/io/open_dataset.h"
 #include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 #include "core/io/terrain_grid.h"
@@ -64,13 +65,11 @@ void keepFirstBand(Source& source) {
     GDALTranslateOptionsFree(options);
 }
 
-Result<Source> opened(const std::filesystem::path& file, const ReadSettings& settings,
-                      const GdalCalls& gdal) {
+Result<Source> opened(const std::filesystem::path& file, const ReadSettings& settings) {
     Source source{.file = file.string()};
-    source.dataset.reset(GDALDataset::Open(file.string().c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
-    if (!source.dataset)
-        return failure(fmt::format("The terrain cannot be read ({})", gdal.why()), source.file,
-                       "Export or download it again");
+    auto dataset = openDataset(file, DatasetContent::elevations);
+    if (!dataset) return tl::make_unexpected(dataset.error());
+    source.dataset = *std::move(dataset);
     if (source.dataset->GetRasterCount() < 1) return failure("The raster holds no band", source.file);
     const bool picture =
         source.dataset->GetRasterCount() >= 3 && source.band().GetRasterDataType() == GDT_Byte;
@@ -353,7 +352,7 @@ Result<std::vector<float>> elevationsOf(Source& source, const TerrainGrid& place
 Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
                        const std::stop_token& stop) {
     const GdalCalls gdal;
-    Result<Source> source = opened(file, settings, gdal);
+    Result<Source> source = opened(file, settings);
     if (!source) return tl::make_unexpected(source.error());
     const Result<CrsToLonLat> crs = CrsToLonLat::of(source->crs);
     if (!crs) return failure(crs.error().what, source->file, crsAdvice);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/io/gdal_calls.h"
+#include "core/io/open_dataset.h"
 #include "core/io/pending_file.h"
 #include "core/io/write_raster.h"
 
@@ -143,14 +144,15 @@ Result<void> writeGeoTiff(const std::filesystem::path& file, const Frame& frame,
 
 Result<std::vector<std::vector<float>>> readGeoTiff(const std::filesystem::path& file, const Grid& grid) {
     const GdalCalls calls;
-    const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
-    if (!dataset || dataset->GetRasterXSize() != grid.columns || dataset->GetRasterYSize() != grid.rows)
+    const auto open = openDataset(file, DatasetContent::maps);
+    if (!open || (*open)->GetRasterXSize() != grid.columns || (*open)->GetRasterYSize() != grid.rows)
         return failure("The map is not the one that was written here", file.string(),
                        "Remove it and run again");
-    std::vector<std::vector<float>> bands(std::size_t(dataset->GetRasterCount()));
+    GDALDataset& dataset = **open;
+    std::vector<std::vector<float>> bands(std::size_t(dataset.GetRasterCount()));
     for (std::size_t i = 0; i < bands.size(); ++i) {
         bands[i].resize(grid.size());
-        if (!transfer(GF_Read, *dataset->GetRasterBand(int(i) + 1), bands[i].data(), grid, 0, 0))
+        if (!transfer(GF_Read, *dataset.GetRasterBand(int(i) + 1), bands[i].data(), grid, 0, 0))
             return failure("The map could not be read: " + calls.why(), file.string(),
                            "Remove it and run again");
     }

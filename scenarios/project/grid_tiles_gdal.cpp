@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/io/gdal_calls.h"
+#include "core/io/open_dataset.h"
 #include "scenarios/project/grid_tiles.h"
 
 namespace noonmark {
@@ -45,6 +46,16 @@ bool wrote(const std::string& file, std::vector<float>& cells) {
                                                tileCells, GDT_Float32, 0, 0, nullptr) == CE_None;
 }
 
+// A block is read whole: a larger one than the tile could fill the memory.
+bool isTile(GDALDataset& dataset) {
+    if (dataset.GetRasterXSize() != tileCells || dataset.GetRasterYSize() != tileCells ||
+        dataset.GetRasterCount() != 1)
+        return false;
+    int columns = 0, rows = 0;
+    dataset.GetRasterBand(1)->GetBlockSize(&columns, &rows);
+    return columns <= tileCells && rows <= tileCells;
+}
+
 }  // namespace
 
 std::string localCrsWkt(const Frame& frame) {
@@ -80,11 +91,10 @@ bool decodeTile(std::string_view tiff, const Grid& grid, int column, int row, st
     VSIFCloseL(VSIFileFromMemBuffer(file.c_str(), reinterpret_cast<GByte*>(copy.data()), copy.size(), FALSE));
     std::vector<float> cells(std::size_t(tileCells) * tileCells, tileNoData);
     bool read = false;
-    if (const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER)); dataset)
-        read =
-            dataset->GetRasterXSize() == tileCells && dataset->GetRasterYSize() == tileCells &&
-            dataset->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, tileCells, tileCells, cells.data(), tileCells,
-                                                tileCells, GDT_Float32, 0, 0, nullptr) == CE_None;
+    if (const auto dataset = openMapInMemory(file); dataset && isTile(**dataset))
+        read = (*dataset)->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, tileCells, tileCells, cells.data(),
+                                                      tileCells, tileCells, GDT_Float32, 0, 0,
+                                                      nullptr) == CE_None;
     VSIUnlink(file.c_str());
     for (int line = 0; read && line < tileCells; ++line)
         for (int x = 0; x < tileCells; ++x) {

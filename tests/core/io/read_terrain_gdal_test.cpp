@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/geo/earth_drop.h"
+#include "core/io/gdal_calls.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"
@@ -52,7 +53,7 @@ void fill(GDALRasterBand& band, const Raster& raster) {
 }
 
 std::filesystem::path written(const tests::TemporaryFolder& folder, const Raster& raster) {
-    GDALAllRegister();
+    const GdalCalls prepared;
     const auto path = folder.path("terrain.tif");
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     GDALDatasetUniquePtr dataset(

@@ -1,4 +1,5 @@
 #include "core/io/write_city.h"
+#include "core/io/gdal_calls.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -39,7 +40,7 @@ std::shared_ptr<const Building> towerOnPodium() {
 
 class WriteCity : public testing::Test {
 protected:
-    WriteCity() { GDALAllRegister(); }
+    WriteCity() { const GdalCalls prepared; }
 
     void write(const City& city) {
         const auto written = writeCityGeoPackage(folder.path("city.gpkg"), city);

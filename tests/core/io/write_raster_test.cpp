@@ -1,4 +1,5 @@
 #include "core/io/write_raster.h"
+#include "core/io/gdal_calls.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
 
 class WriteRaster : public testing::Test {
 protected:
-    WriteRaster() { GDALAllRegister(); }
+    WriteRaster() { const GdalCalls prepared; }
 
     GDALDatasetUniquePtr opened(const std::filesystem::path& file) {
         return GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));

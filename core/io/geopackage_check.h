@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/result.h"
+
+namespace noonmark {
+
+/// Error where a GeoPackage would have SQL run that its maker wrote: its own tables, or the layers that it
+/// lists, are views or virtual tables. A view may go on for ever. Reads the file and writes nothing. Costs
+/// milliseconds. Backend: geopackage_check_sqlite.cpp.
+Result<void> checkGeoPackage(const std::filesystem::path& file);
+
+/// Whether another program has written to the database and has not finished: what it wrote lies beside it.
+bool isBeingWritten(const std::filesystem::path& database);
+
+}  // namespace noonmark
