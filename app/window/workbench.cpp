@@ -88,7 +88,7 @@ void Workbench::takeRecovered(Result<ProjectFile> kept) {
     if (!kept) return tell(kept.error());
     const ViewState view = viewStateFrom(kept->project().view);
     if (!session_.change(kept->project(), tr("recovered work"), view.scenario)) return;
-    Q_EMIT tookUp();
+    Q_EMIT tookUp(kept->path());
     Q_EMIT noted(tr("The unsaved work is back. Save keeps it, Undo takes it away again."));
 }
 

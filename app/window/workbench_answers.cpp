@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "app/input/all_engines.h"
 #include "app/window/workbench.h"
@@ -29,7 +30,44 @@ std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
 
 void Workbench::run() {
     if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
-    if (!session_.baseline().empty() && session_.baseline() != session_.scenario()) return runComparison();
+    startUnlessLong(comparing() ? 2 : 1, [this] { runNow(); });
+}
+
+bool Workbench::comparing() const {
+    return !session_.baseline().empty() && session_.baseline() != session_.scenario();
+}
+
+// Only rays can take days without anybody having meant it.
+void Workbench::startUnlessLong(double fields, Start start) {
+    if (document_.settings().engine != referenceEngine) return start();
+    running_.start<RunEstimate>(
+        tr("Estimating"),
+        [city = session_.city(), settings = document_.settings()](Progress&, const std::stop_token& stop) {
+            return rayEstimate(*city, settings, stop);
+        },
+        [this, fields, start = std::move(start)](const Result<RunEstimate>& one) {
+            if (!one && isCancelled(one.error())) return Q_EMIT studyStopped(true);
+            if (!one || one->seconds * fields < longRunSeconds) return start();
+            long_ = start;
+            Q_EMIT studyStopped(false);
+            Q_EMIT longRun({one->rays * fields, one->seconds * fields, one->quickerSeconds * fields});
+        });
+}
+
+void Workbench::runAnyway() {
+    if (const Start start = std::exchange(long_, nullptr)) start();
+}
+
+void Workbench::runQuicker() {
+    StudySettings settings = document_.settings();
+    settings.engine = StudySettings().engine;
+    settings.engineSettings.clear();
+    document_.change(settings, tr("engine"));
+    runAnyway();
+}
+
+void Workbench::runNow() {
+    if (comparing()) return runComparison();
     comparison_.reset();
     measure(tr("Study"), {{session_.city(), nullptr}});
 }
@@ -91,7 +129,7 @@ std::vector<Workbench::KnownStudy> Workbench::wanted() {
 }
 
 void Workbench::measureAll() {
-    if (city_) measure(tr("All scenarios"), wanted());
+    if (city_) startUnlessLong(double(wanted().size()), [this] { measure(tr("All scenarios"), wanted()); });
 }
 
 void Workbench::runComparison() {
@@ -162,6 +200,10 @@ void Workbench::nameAnswers() {
 
 void Workbench::runScore(const std::string& weights) {
     if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
+    startUnlessLong(1, [this, weights] { scoreNow(weights); });
+}
+
+void Workbench::scoreNow(const std::string& weights) {
     const auto table = weightsNamed(session_.project(), weights);
     if (!table) return tell(table.error());
     running_.start<ScoreAnswer>(
