@@ -17,4 +17,7 @@ std::vector<TextBlocks> sourceSections(const Study& study);
 /// The command line that repeats it.
 TextBlocks repeatBlocks(const Study& study);
 
+/// The same of any answer: its command, or why there is none.
+TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile);
+
 }  // namespace noonmark

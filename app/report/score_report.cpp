@@ -76,12 +76,11 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     Study study;
     study.city = source.city;
     study.settings = answer.settings;
-    study.warnings = source.warnings;
-    for (const Warning& warning : answer.score.warnings) study.warnings.push_back(warning);
-    study.inputs = source.inputs;
-    study.reading = source.reading;
+    study.warnings = answer.score.warnings;
+    study.provenance = answer.provenance;
     std::vector<TextBlocks> sections = sourceSections(study);
     sections.pop_back();  // what was computed and left undone: of a field
+    sections.push_back(repeatBlocks(repeatCommand(answer), needsRegionFile(answer.provenance)));
     return sections;
 }
 
@@ -96,7 +95,7 @@ Sheet sheetOf(const ScoreAnswer& answer, const AnswerSource& source) {
             .definitions = definitions(),
             .figures = figuresOfSheet(answer.score),
             .sections = std::move(sections),
-            .credit = dataWords(source.attribution)};
+            .credit = dataWords(answer.provenance.attribution)};
 }
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/input/all_engines.h"
+#include "app/window/project/answer_origin.h"
 #include "app/window/workbench.h"
 #include "core/progress_share.h"
 #include "core/stopwatch.h"
@@ -139,12 +140,14 @@ void Workbench::runComparison() {
         session_.baseline(), session_.scenario(), {document_.settings(), true}, {30, 60}, {}};
     running_.start<ImpactAnswer>(
         tr("Comparison"),
-        [question, before = *before, after = session_.city()](Progress& progress, std::stop_token stop) {
+        [question, before = *before, after = session_.city(), warnings = city_->loaded.read.warnings](
+            Progress& progress, std::stop_token stop) {
             return runImpact(*before, *after, question.settings, progress, std::move(stop),
                              enginesWith(question.settings.study.engine))
                 .map([&](ImpactStudy study) {
                     ImpactAnswer answer = question;
                     answer.study = std::move(study);
+                    putBefore(answer.study.total.warnings, warnings);
                     return answer;
                 });
         },
@@ -209,13 +212,15 @@ void Workbench::scoreNow(const std::string& weights) {
     running_.start<ScoreAnswer>(
         tr("Score"),
         [question = ScoreAnswer{session_.scenario(), document_.settings(), *table, {}},
-         city = session_.city()](Progress& progress, const std::stop_token& stop) {
+         city = session_.city(),
+         warnings = city_->loaded.read.warnings](Progress& progress, const std::stop_token& stop) {
             ProgressShare whole(progress, 0, 1);  // hands on no running results: they would be a month's
             return noonmark::runScore(*city, question.settings, question.weights, whole, stop,
                                       enginesWith(question.settings.engine))
                 .map([&](Score score) {
                     ScoreAnswer answer = question;
                     answer.score = std::move(score);
+                    putBefore(answer.score.warnings, warnings);
                     return answer;
                 });
         },
@@ -279,13 +284,18 @@ void Workbench::keepAnswer(const QString& name) {
 
 // What is shown now, whatever will be then; empty: nothing.
 Workbench::Keep Workbench::whatToKeep() const {
-    if (score_) return [score = score_](const Project& project) { return keptResult(project, *score); };
+    const AnswerOrigin origin(session_);
+    if (score_)
+        return [score = score_, origin](const Project& project) {
+            return keptResult(project, origin.stated(*score));
+        };
     if (comparison_)
-        return
-            [comparison = comparison_](const Project& project) { return keptResult(project, *comparison); };
+        return [comparison = comparison_, origin](const Project& project) {
+            return keptResult(project, origin.stated(*comparison));
+        };
     if (!study_) return {};
-    return [study = study_, scenario = session_.scenario()](const Project& project) {
-        return keptResult(project, scenario, *study);
+    return [study = study_, origin, scenario = session_.scenario()](const Project& project) {
+        return keptResult(project, scenario, origin.stated(*study));
     };
 }
 

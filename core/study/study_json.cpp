@@ -7,7 +7,7 @@
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
 #include "core/study/height_words.h"
-#include "core/study/inputs_json.h"
+#include "core/study/provenance_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
 #include "core/study/terrain_text.h"
@@ -185,10 +185,9 @@ std::string studyJson(const Study& study) {
     if (study.city.terrain) json["beyond_terrain"] = coverageJson(study.terrainCoverage);
     json["observer"] = observerJson(observerOf(study));
     json["sun_frame"] = sunFrameJson(study);
-    json["inputs"] = inputsJson(study.inputs);
+    addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
-    json["attribution"] = study.attribution;
-    json["repeat"] = repeatCommand(study, std::numeric_limits<std::size_t>::max());
+    addRepeat(json, repeatCommand(study, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions(hasRuns(study.statistics));
     json["warnings"] = warningsJson(study.warnings);
     return jsonText(json);

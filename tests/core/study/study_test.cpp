@@ -60,8 +60,9 @@ TEST(RunStudy, fillsEveryPart) {
 TEST(RunStudy, picksAnEngineByItself) {
     StudySettings settings = aroundTheTower();
     settings.engine = StudySettings().engine;
-    const auto study = run(settings);
+    auto study = run(settings);
     ASSERT_TRUE(study) << errorOf(study);
+    study->provenance.inputs = {{"city.gpkg", 7, "abc"}};
     EXPECT_EQ(study->field.engineKey, "projected");
     EXPECT_TRUE(study->error);
     const auto json = nlohmann::json::parse(studyJson(*study));
@@ -143,7 +144,7 @@ TEST(RunStudy, stopsWhenAsked) {
 TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
     auto study = run(aroundTheTower());
     ASSERT_TRUE(study) << errorOf(study);
-    study->inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
+    study->provenance.inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
     study->warnings = {{WarningKind::dropped, "no area", "way 5"}};
     const auto json = nlohmann::json::parse(studyJson(*study));
     EXPECT_EQ(json["engine"], "ray");
