@@ -2,6 +2,7 @@
 
 #include "app/report/report_sections.h"
 #include "scenarios/impact/impact_runs.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 

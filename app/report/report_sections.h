@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/report/text_column.h"
 #include "core/study/study.h"
 

@@ -5,6 +5,7 @@
 #include "app/report/report_sections.h"
 #include "app/report/score_legend.h"
 #include "core/receivers/roof_receivers.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 
