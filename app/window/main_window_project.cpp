@@ -11,6 +11,7 @@
 #include "app/window/project/scenario_table.h"
 #include "app/window/project/scenarios_dock.h"
 #include "app/window/project/weights_dock.h"
+#include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
 #include "core/study/height_words.h"

@@ -69,6 +69,7 @@ nlohmann::json figuresIn(const fs::path& file) {
     for (const char* key : {"seconds", "accumulate_seconds", "mega_rays_per_s", "inputs", "engine",
                             "engine_settings", "region", "warnings"})
         json.erase(key);
+    if (json.contains("error") && json["error"].is_object()) json["error"].erase("seconds");
     return json;
 }
 
@@ -122,7 +123,7 @@ protected:
         done({"project", "height", file.string(), "b", "--height", "60", "--scenario",
               "Taller \"b\" & $HOME"});
         done({"project", "demolish", file.string(), "c", "--scenario", "Taller \"b\" & $HOME"});
-        done({"project", "add-scenario", file.string(), "--Last", "--base", "Taller \"b\" & $HOME"});
+        done({"project", "add-scenario", file.string(), "--base", "Taller \"b\" & $HOME", "--", "--Last"});
         done({"project", "demolish", file.string(), "north house", "--scenario=--Last"});
         return file;
     }
