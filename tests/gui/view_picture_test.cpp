@@ -27,7 +27,7 @@ struct SavedPicture : ::testing::Test {
     SavedPicture() { view.fill(Qt::white); }
 
     [[nodiscard]] static QRect foot(const QImage& picture) {
-        return {picture.width() / 2, picture.height() - 90, picture.width() / 2, 60};
+        return {picture.width() / 2, picture.height() - 130, picture.width() / 2, 80};
     }
 };
 
