@@ -101,7 +101,8 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
     std::vector<TextBlocks> sections = methodSections(after);
     addBuildings(sections, figuresOf(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
-    sections.push_back(repeatBlocks(repeatCommand(answer), needsRegionFile(answer.provenance)));
+    sections.push_back(
+        repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;
 }
 

@@ -81,7 +81,8 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     study.provenance = answer.provenance;
     std::vector<TextBlocks> sections = sourceSections(study);
     sections.pop_back();  // what was computed and left undone: of a field
-    sections.push_back(repeatBlocks(repeatCommand(answer), needsRegionFile(answer.provenance)));
+    sections.push_back(
+        repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;
 }
 

@@ -117,7 +117,8 @@ TEST(StudyFiles, AreAllThere) {
         names.push_back(file.filename().string());
     }
     EXPECT_EQ(names, (std::vector<std::string>{"shadow.tif", "shadow.png", "report.pdf", "study.json",
-                                               "cells.csv"}));
+                                               "region.geojson", "cells.csv"}))
+        << "its region is a box in metres, which four numbers in degrees do not state to the last bit";
     const auto entries =
         std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator());
     EXPECT_EQ(std::size_t(entries), names.size()) << "nothing half done may stay behind";
