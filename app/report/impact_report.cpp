@@ -58,8 +58,13 @@ std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
     return figures;
 }
 
-TextBlocks definitionsOf(const ImpactAnswer& answer) {
+TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
+    const auto unitOf = [&](ShadowMeasure measure) {
+        return legendOf(answer.study.total, measure, scale).unit;
+    };
     return {
+        body(QStringLiteral("Colours: gross shadow in %1; continuous shadow in %2.")
+                 .arg(unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
         body(QStringLiteral(
                  "Change: minutes of %1 less minutes of %2, same engine, steps and cells; more shadow is "
                  "above 0. "
@@ -117,7 +122,7 @@ Sheet sheetOf(const ImpactAnswer& answer, const AnswerSource& source, const Chan
     Sheet sheet{.headline = headlineOf(answer.settings.study, source.city.frame, subject,
                                        isInstant(impact) ? QString() : sunlit),
                 .map = mapOf(answer, source, ShadowMeasure::gross, scale),
-                .definitions = definitionsOf(answer),
+                .definitions = definitionsOf(answer, scale),
                 .figures = figuresOfSheet(answer),
                 .sections = sectionsOf(answer, source),
                 .credit = dataWords(answer.provenance.attribution)};

@@ -128,9 +128,10 @@ TextBlocks warningsOf(const Study& study) {
     if (groups.empty())
         blocks.push_back(body(QStringLiteral("None: every feature was taken as it is.")));
     else
-        blocks.push_back(
-            body(QStringLiteral("%1 in all, of %2 kinds; each of them, with its feature, is in study.json.")
-                     .arg(countWords(study.warnings.size()), countWords(groups.size()))));
+        blocks.push_back(body(
+            QStringLiteral(
+                "%1 in all, of %2 kinds; each of them, with its feature, is in the JSON beside this report.")
+                .arg(countWords(study.warnings.size()), countWords(groups.size()))));
     return blocks;
 }
 

@@ -53,7 +53,7 @@ QString amountWords(double amount, int decimals) {
     if (decimals == 0) return words;
     while (words.endsWith(u'0')) words.chop(1);
     if (words.endsWith(u'.')) words.chop(1);
-    return words;
+    return words == QStringLiteral("-0") ? QStringLiteral("0") : words;
 }
 
 QString latLonWords(LonLat place) {

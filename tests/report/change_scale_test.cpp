@@ -41,8 +41,9 @@ TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     EXPECT_EQ(legend(small, {25}).scale.top, 25) << "exactly what was asked for";
     EXPECT_EQ(legend(small, {7}).scale.top, 7);
     const ChangeScale fitted{std::nullopt};
-    EXPECT_EQ(legend(small, fitted).scale.top, 20);
-    EXPECT_EQ(legend(small, fitted).unit, QStringLiteral("min a day, scale fitted to this difference"));
+    const Impact even = impactOf(std::vector<float>(200, 20));
+    EXPECT_EQ(legend(even, fitted).scale.top, 20);
+    EXPECT_EQ(legend(even, fitted).unit, QStringLiteral("min a day, scale fitted to this difference"));
 }
 
 }  // namespace
