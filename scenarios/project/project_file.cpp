@@ -108,11 +108,14 @@ Result<ProjectFile> ProjectFile::open(const fs::path& file) {
         const Transaction transaction(database, false);
         if (auto known = checkVersion(database, file); !known) return tl::make_unexpected(known.error());
         migrate(database);  // rolled back with the transaction; save() does it again
+        checkTables(database);
         ProjectFile opened;
         opened.path_ = file;
         opened.id_ = factOf(database, "project_id");
         opened.saves_ = savesIn(database);
         opened.project_ = readProject(database);
+        if (auto sound = checked(opened.project_); !sound)
+            throwDamaged(fmt::format("{}: {}", sound.error().where, sound.error().what));
         return opened;
     });
 }
@@ -127,6 +130,8 @@ Result<void> ProjectFile::save(const Project& project) {
         Transaction transaction(database);
         if (auto ours = isOurs(database, *this); !ours) return ours;
         migrate(database);
+        checkTables(database);
+        removeSpatialIndexes(database);
         writeChanges(database, &project_, project);
         noteSave(database, saves_ + 1);
         transaction.commit();
