@@ -1,5 +1,7 @@
 #include "render/array_entity.h"
 
+#include <Qt3DRender/QLayer>
+
 #include "render/shader_material.h"
 
 namespace noonmark {
@@ -13,10 +15,12 @@ ArrayGeometry* indexedGeometry(Qt3DRender::QGeometryRenderer::PrimitiveType prim
     return geometry;
 }
 
-Qt3DCore::QEntity* arrayEntity(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent) {
+Qt3DCore::QEntity* arrayEntity(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent,
+                               Qt3DRender::QLayer* layer) {
     auto* entity = new Qt3DCore::QEntity(parent);
     entity->addComponent(geometry);
     entity->addComponent(&material);
+    if (layer) entity->addComponent(layer);
     return entity;
 }
 

@@ -4,6 +4,10 @@
 
 #include "render/array_geometry.h"
 
+namespace Qt3DRender {
+class QLayer;
+}
+
 namespace noonmark {
 
 class ShaderMaterial;
@@ -14,7 +18,9 @@ ArrayGeometry* indexedGeometry(Qt3DRender::QGeometryRenderer::PrimitiveType prim
                                const std::vector<glm::vec3>& points,
                                const std::vector<std::uint32_t>& indices);
 
-/// A geometry drawn with a material; `parent` owns it, and it the geometry. The material may be shared.
-Qt3DCore::QEntity* arrayEntity(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent);
+/// A geometry drawn with a material; `parent` owns it, and it the geometry. Material and layer may be shared;
+/// null: no layer of its own.
+Qt3DCore::QEntity* arrayEntity(ArrayGeometry* geometry, ShaderMaterial& material, Qt3DCore::QEntity* parent,
+                               Qt3DRender::QLayer* layer = nullptr);
 
 }  // namespace noonmark

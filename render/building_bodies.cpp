@@ -25,7 +25,7 @@ void change(ArrayGeometry* geometry, const std::vector<std::uint32_t>& indices,
 }  // namespace
 
 BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces,
-                               ShaderMaterial& edges, Qt3DCore::QEntity* parent)
+                               ShaderMaterial& edges, Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent)
     : arrays_(std::move(arrays)) {
     if (!arrays_->triangles.empty()) {
         faceArray_ =
@@ -34,7 +34,7 @@ BuildingBodies::BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderM
     }
     if (!arrays_->edges.empty()) {
         edgeArray_ = indexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays_->points, arrays_->edges);
-        edges_ = arrayEntity(edgeArray_, edges, parent);
+        edges_ = arrayEntity(edgeArray_, edges, parent, blended);
     }
 }
 

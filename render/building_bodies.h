@@ -8,6 +8,9 @@
 namespace Qt3DCore {
 class QEntity;
 }
+namespace Qt3DRender {
+class QLayer;
+}
 
 namespace noonmark {
 
@@ -18,9 +21,10 @@ class ShaderMaterial;
 /// others being sent to the graphics card again.
 class BuildingBodies {
 public:
-    /// `arrays` not null; all outlive it. Nothing of an empty array is drawn.
+    /// `arrays` not null; all outlive it. Nothing of an empty array is drawn. The edges lie in `blended`, the
+    /// layer of what is drawn after all faces.
     BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces, ShaderMaterial& edges,
-                   Qt3DCore::QEntity* parent);
+                   Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
     ~BuildingBodies();
     BuildingBodies(const BuildingBodies&) = delete;
     BuildingBodies& operator=(const BuildingBodies&) = delete;

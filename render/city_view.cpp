@@ -72,7 +72,10 @@ void lay(const GroundPicture& given, bool soFar, ShaderMaterial& material, Qt3DC
 }  // namespace
 
 CityView::CityView()
-    : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL), root_(new Qt3DCore::QEntity), rest_(new QTimer(this)) {
+    : Qt3DWindow(nullptr, Qt3DRender::API::OpenGL),
+      root_(new Qt3DCore::QEntity),
+      blended_(new Qt3DRender::QLayer(root_)),
+      rest_(new QTimer(this)) {
     rest_->setSingleShot(true);
     rest_->setInterval(restMs);
     connect(rest_, &QTimer::timeout, this, [this] { showEdges(true); });
@@ -91,16 +94,27 @@ void CityView::makeFrameGraph() {
     auto* viewport = new Qt3DRender::QViewport(forwardFilter(surface));
     auto* camera = new Qt3DRender::QCameraSelector(viewport);
     camera->setCamera(this->camera());
-    auto* city = new Qt3DRender::QLayerFilter(camera);
-    city->setFilterMode(Qt3DRender::QLayerFilter::DiscardAnyMatchingLayers);
-    auto* clear = new Qt3DRender::QClearBuffers(city);
+    auto* clear = new Qt3DRender::QClearBuffers(drawn(false, false, camera));
     clear->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
     clear->setClearColor(background);
-    // What is drawn over the city comes last, so that it may be seen through.
-    auto* over = new Qt3DRender::QLayerFilter(camera);
-    for (Qt3DRender::QLayerFilter* filter : {city, over}) filter->addLayer(overlay_->layer());
-    capture_ = new Qt3DRender::QRenderCapture(over);
+    drawn(false, true, camera);
+    drawn(true, false, camera);
+    capture_ = new Qt3DRender::QRenderCapture(drawn(true, true, camera));
     setActiveFrameGraph(surface);
+}
+
+// One branch of the frame graph: the city or what is drawn over it; of that the faces, or what is blended
+// into them. Within a branch Qt3D draws in an order of its own, which changes from city to city: what is
+// blended writes no depth, so that faces that were drawn after it would cover it.
+Qt3DRender::QLayerFilter* CityView::drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent) {
+    for (const auto& [layer, wanted] : {std::pair(overlay_->layer(), overlay), {blended_, blended}}) {
+        auto* filter = new Qt3DRender::QLayerFilter(parent);
+        filter->setFilterMode(wanted ? Qt3DRender::QLayerFilter::AcceptAnyMatchingLayers
+                                     : Qt3DRender::QLayerFilter::DiscardAnyMatchingLayers);
+        filter->addLayer(layer);
+        parent = filter;
+    }
+    return static_cast<Qt3DRender::QLayerFilter*>(parent);
 }
 
 void CityView::makeMaterials() {
@@ -125,14 +139,15 @@ void CityView::makeMaterials() {
     lay(noPicture(), false, *building_, roofTexture_, root_);
     clearPicture();
     surfaces_ = std::make_unique<SurfaceLayer>(std::vector{building_, ground_}, root_);
-    overlay_ = std::make_unique<OverlayBodies>(root_);
+    overlay_ = std::make_unique<OverlayBodies>(blended_, root_);
 }
 
 Qt3DCore::QEntity* CityView::add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
-                                 Qt3DCore::QEntity* parent) {
-    auto* entity = new Qt3DCore::QEntity(parent);
+                                 Qt3DRender::QLayer* layer) {
+    auto* entity = new Qt3DCore::QEntity(root_);
     entity->addComponent(geometry);
     entity->addComponent(material);
+    if (layer) entity->addComponent(layer);
     return entity;
 }
 
@@ -141,7 +156,7 @@ void CityView::showGround(const CityArrays& arrays) {
     auto* ground = new ArrayGeometry(Qt3DRender::QGeometryRenderer::Triangles);
     ground->addPoints(QStringLiteral("vertexPosition"), arrays.groundPoints);
     ground->setIndices(arrays.groundTriangles);
-    groundEntity_ = add(ground, ground_, root_);
+    groundEntity_ = add(ground, ground_);
     const auto haze = float(5 * bounds_.radiusM());
     for (ShaderMaterial* material : {building_, edge_, ground_})
         material->set(QStringLiteral("hazeDistance"), haze);
@@ -155,7 +170,7 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
     bounds_ = arrays->bounds;
     showGround(*arrays);
     manyEdges_ = arrays->edges.size() > mostEdgesInMotion;
-    city_ = std::make_unique<BuildingBodies>(std::move(arrays), *building_, *edge_, root_);
+    city_ = std::make_unique<BuildingBodies>(std::move(arrays), *building_, *edge_, blended_, root_);
     city_->showFaces(facesShown_);
     setPose(wholeCity(bounds_, lens()));
 }
@@ -163,8 +178,9 @@ void CityView::showCity(std::shared_ptr<const CityArrays> arrays) {
 void CityView::showChanges(const ArrayDifference& changes) {
     if (!city_) return;
     city_->leaveOut(changes.gone);
-    added_ = std::make_unique<BuildingBodies>(
-        std::make_shared<const CityArrays>(buildingArraysOf(changes.added)), *building_, *edge_, root_);
+    added_ =
+        std::make_unique<BuildingBodies>(std::make_shared<const CityArrays>(buildingArraysOf(changes.added)),
+                                         *building_, *edge_, blended_, root_);
     added_->showFaces(facesShown_);
     bounds_ = city_->arrays()->bounds;
     for (const auto& building : changes.added.buildings) {
@@ -197,7 +213,7 @@ void CityView::clearPicture() { showPicture(noPicture()); }
 void CityView::showLines(const std::vector<GroundLine>& lines) {
     delete lines_;
     lines_ = nullptr;
-    if (!lines.empty()) lines_ = add(outlineGeometry(lines), ribbon_, root_);
+    if (!lines.empty()) lines_ = add(outlineGeometry(lines), ribbon_, blended_);
 }
 
 void CityView::setPose(const CameraPose& pose) {

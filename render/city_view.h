@@ -14,8 +14,11 @@
 class QTimer;
 
 namespace Qt3DRender {
+class QFrameGraphNode;
+class QLayer;
+class QLayerFilter;
 class QRenderCapture;
-}
+}  // namespace Qt3DRender
 
 namespace noonmark {
 
@@ -67,16 +70,18 @@ protected:
 
 private:
     void makeFrameGraph();
+    Qt3DRender::QLayerFilter* drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
     void makeMaterials();
     void applyCamera();
     void showEdges(bool shown);
     void showGround(const CityArrays& arrays);
     Qt3DCore::QEntity* add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
-                           Qt3DCore::QEntity* parent);
+                           Qt3DRender::QLayer* layer = nullptr);
 
     CameraPose pose_;
     ViewBounds bounds_;
     Qt3DCore::QEntity* root_;
+    Qt3DRender::QLayer* blended_;  ///< edges, lines and what is seen through
     Qt3DCore::QEntity* groundEntity_ = nullptr;
     std::unique_ptr<BuildingBodies> city_;
     std::unique_ptr<BuildingBodies> added_;

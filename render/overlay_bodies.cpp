@@ -42,8 +42,8 @@ void drop(Node*& node) {
 
 }  // namespace
 
-OverlayBodies::OverlayBodies(Qt3DCore::QEntity* parent)
-    : root_(new Qt3DCore::QEntity(parent)), layer_(new Qt3DRender::QLayer(root_)) {
+OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent)
+    : root_(new Qt3DCore::QEntity(parent)), layer_(new Qt3DRender::QLayer(root_)), blended_(blended) {
     layer_->setRecursive(true);
     root_->addComponent(layer_);
     const auto made = [this](const char* name) {
@@ -80,15 +80,16 @@ void OverlayBodies::show(Tint tint, const City& some) {
     const CityArrays arrays = buildingArraysOf(some);
     body.faces = arrayEntity(
         indexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
-        *body.material, root_);
+        *body.material, root_, tint == Tint::proposed ? nullptr : blended_);
     if (tint != Tint::proposed) return;
-    body.edges = arrayEntity(
-        indexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), *edge_, root_);
+    body.edges =
+        arrayEntity(indexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges),
+                    *edge_, root_, blended_);
 }
 
 void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
     drop(lines_);
-    if (!lines.empty()) lines_ = arrayEntity(outlineGeometry(lines), *line_, root_);
+    if (!lines.empty()) lines_ = arrayEntity(outlineGeometry(lines), *line_, root_, blended_);
 }
 
 void OverlayBodies::makeHandle() {

@@ -27,7 +27,8 @@ public:
     enum class Tint { hovered, selected, proposed };
     static constexpr double handlePx = 48;  ///< height of the handle on the screen, device-independent pixels
 
-    explicit OverlayBodies(Qt3DCore::QEntity* parent);  ///< owns this one's nodes
+    /// `parent` owns this one's nodes. What is seen through, edges and lines lie in `blended`, too.
+    OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
     ~OverlayBodies();
     OverlayBodies(const OverlayBodies&) = delete;
     OverlayBodies& operator=(const OverlayBodies&) = delete;
@@ -58,6 +59,7 @@ private:
 
     Qt3DCore::QEntity* root_;
     Qt3DRender::QLayer* layer_;
+    Qt3DRender::QLayer* blended_;
     std::array<Body, 3> bodies_;
     ShaderMaterial* edge_;
     ShaderMaterial* line_;

@@ -1,5 +1,7 @@
 #include "scenarios/settings_json.h"
 
+#include <fmt/format.h>
+
 #include "core/receivers/roof_receivers.h"
 #include "core/version.h"
 
@@ -26,6 +28,20 @@ Json settingsJson(const StudySettings& settings) {
             {"region", settings.region.name},
             {"cell_m", settings.receivers.cellM},
             {"receivers_on", nameOf(settings.receivers.places)}};
+}
+
+RepeatQuestion projectQuestion(const std::string& command, const StudySettings& settings,
+                               const Provenance& provenance, const std::string& engineKey,
+                               std::vector<RepeatOption> options) {
+    return {command, settings, provenance, engineKey, "--at", true, std::move(options)};
+}
+
+std::string sourceFields(const Provenance& provenance) {
+    if (!provenance.project) return ",,,,";
+    const ProjectRecord& project = *provenance.project;
+    return fmt::format(",{},{},{},{}", csvField(project.file), csvField(project.scenario.name),
+                       project.baseline ? csvField(project.baseline->name) : std::string(),
+                       project.contentSha256);
 }
 
 std::string csvField(const std::string& text) {

@@ -2,7 +2,10 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "core/study/region_text.h"
+#include "core/study/repeat_command.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -10,6 +13,19 @@ namespace noonmark {
 /// What a computation was asked: period, region, cells, engine and its settings, the program. Keys as in
 /// study.json.
 nlohmann::ordered_json settingsJson(const StudySettings& settings);
+
+/// The question of an impact or a score, which takes a project and has its own `options`.
+RepeatQuestion projectQuestion(const std::string& command, const StudySettings& settings,
+                               const Provenance& provenance, const std::string& engineKey,
+                               std::vector<RepeatOption> options);
+
+/// Whether its command names region.geojson, which then lies beside the outputs.
+inline bool needsRegionFile(const Provenance& provenance) { return provenance.region == regionFileName; }
+
+/// The last columns of a table: project, scenario, baseline, content_sha256; so that a table that is copied
+/// alone still says what it is of. The values of a line likewise; both begin with a comma.
+inline constexpr const char* sourceColumns = ",project,scenario,baseline,content_sha256";
+std::string sourceFields(const Provenance& provenance);
 
 /// A field of a CSV file (RFC 4180).
 std::string csvField(const std::string& text);

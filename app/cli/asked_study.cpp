@@ -1,42 +1,104 @@
 #include "app/cli/asked_study.h"
 
+#include <algorithm>
+
+#include "app/cli/project/project_question.h"
 #include "app/input/all_engines.h"
+#include "app/input/load_project.h"
 #include "app/report/output_folder.h"
 #include "core/io/read_region.h"
+#include "core/io/read_settings_text.h"
+#include "core/stopwatch.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
 namespace {
 
-// "city" is the box around all buildings.
 Result<Region> regionFrom(const std::string& text, const City& city) {
-    if (text != "city") return readRegion(text, city.frame);
-    Region region = regionFromLocalBox(bounds(city));
-    region.name = "the whole city";
-    return region;
+    return text == "city" ? cityRegion(city) : readRegion(text, city.frame);
+}
+
+Result<Period> periodOfFiles(const StudyOptions& options) {
+    if (options.period.start.empty() && options.periodName.empty())
+        return failure("It is not stated when", "period", "Give --start DATE");
+    if (options.periodName.empty()) return periodFrom(options.period);
+    return failure("Only a project has periods by name", "--period " + options.periodName,
+                   "Give --start DATE, or a project file");
+}
+
+Result<AskedStudy> askedOfFiles(const StudyOptions& options, Progress& progress,
+                                const std::stop_token& stop) {
+    if (!options.scenario.empty())
+        return failure("Only a project has scenarios", "--scenario " + options.scenario,
+                       "Give one project file, NAME.noonmark.gpkg");
+    StudySettings settings = options.settings;
+    const auto period = periodOfFiles(options);
+    if (!period) return tl::make_unexpected(period.error());
+    settings.period = *period;
+    auto loaded = loadCity(options.read.files, options.read.settings, progress, stop);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    auto region = regionFrom(options.region, loaded->read.city);
+    if (!region) return tl::make_unexpected(region.error());
+    settings.region = *std::move(region);
+    return AskedStudy{*std::move(loaded), std::move(settings), std::nullopt};
+}
+
+// How a project's city was read is in the project: options would be ignored.
+Result<void> checkProjectAlone(const ReadOptions& read) {
+    if (read.files.size() > 1)
+        return failure("A project stands alone", read.files.front(), "Give the project file and no other");
+    if (textOf(read.settings).empty()) return {};
+    return failure("The city of a project is read already: options of reading change nothing",
+                   read.files.front(), "Leave them out, or make a new project of the files with them");
+}
+
+Result<AskedStudy> askedOfProject(const StudyOptions& options) {
+    const std::string& file = options.read.files.front();
+    if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
+    const Stopwatch watch;
+    const auto disk = ProjectFile::open(file);
+    if (!disk) return tl::make_unexpected(disk.error());
+    const Project& project = disk->project();
+    const std::string scenario = options.scenario.empty() ? existingCity : options.scenario;
+    auto city = cityOf(project, scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    StudySettings settings = options.settings;
+    const auto period = periodIn(project, options.periodName, options.period);
+    if (!period) return tl::make_unexpected(period.error());
+    settings.period = *period;
+    auto region = regionIn(project, city->city, options.region);
+    if (!region) return tl::make_unexpected(region.error());
+    settings.region = *std::move(region);
+    LoadedCity loaded = loadedFrom(project, file);
+    loaded.read.city = std::move(city->city);
+    loaded.seconds = watch.seconds();
+    Provenance provenance = provenanceOf(project, &*disk, {scenario, {}, settings.region, {}});
+    return AskedStudy{std::move(loaded), std::move(settings), std::move(provenance)};
 }
 
 }  // namespace
 
 tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progress& progress,
                                              const std::stop_token& stop) {
-    StudySettings settings = options.settings;
-    const auto period = orCode(periodFrom(options.period), exitUsage);
-    if (!period) return tl::make_unexpected(period.error());
-    settings.period = *period;
+    const StudySettings& settings = options.settings;
     if (auto engine =
             orCode(makeAccumulator(settings.engine, settings.engineSettings, enginesWith(settings.engine)),
                    exitUsage);
         !engine)
         return tl::make_unexpected(engine.error());
-    auto loaded = orCode(loadCity(options.read.files, options.read.settings, progress, stop), exitUsage);
-    if (!loaded) return tl::make_unexpected(loaded.error());
-    auto region = orCode(regionFrom(options.region, loaded->read.city), exitUsage);
-    if (!region) return tl::make_unexpected(region.error());
-    settings.region = *std::move(region);
+    const bool ofProject = std::ranges::any_of(options.read.files, isProjectFile);
+    auto asked =
+        orCode(ofProject ? askedOfProject(options) : askedOfFiles(options, progress, stop), exitUsage);
+    if (!asked) return asked;
     if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
         return tl::make_unexpected(folder.error());
-    return AskedStudy{*std::move(loaded), std::move(settings)};
+    return asked;
+}
+
+void addSource(Study& study, const AskedStudy& asked) {
+    addReading(study, asked.loaded);
+    if (asked.provenance) study.provenance = *asked.provenance;
 }
 
 }  // namespace noonmark::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <utility>
 
@@ -24,7 +25,11 @@ tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
 struct AskedStudy {
     LoadedCity loaded;
     StudySettings settings;
+    std::optional<Provenance> provenance;  ///< of a project's scenario
 };
+
+/// Adds what reading took and found, and what the city came from.
+void addSource(Study& study, const AskedStudy& asked);
 
 /// Reads the city and the region and tries the folder: all that can be wrong before the work begins.
 tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progress& progress,

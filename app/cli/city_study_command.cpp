@@ -35,7 +35,7 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
     auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells}, file,
                                       progress, interrupt.token(), enginesWith(asked->settings.engine)),
                         exitFailed);
-    if (tiled) addReading(tiled->study, asked->loaded);
+    if (tiled) addSource(tiled->study, *asked);
     return tiled;
 }
 
@@ -43,7 +43,7 @@ Result<std::vector<std::filesystem::path>> writeTexts(const Study& study, const 
                                                       const std::filesystem::path& folder) {
     OutputFolder files(folder);
     files.add("study.json", textContent(json));
-    if (!boxTextOf(study.settings.region, study.city.frame))
+    if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();
 }

@@ -11,6 +11,7 @@
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
 #include "app/report/answer_files.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -25,7 +26,8 @@ struct ImpactOptions {
     std::string scale;  // empty: the project's
 };
 
-Result<ImpactAnswer> answered(const ImpactOptions& options, const Project& project, const Console& console) {
+Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& disk, const Console& console) {
+    const Project& project = disk.project();
     const auto study = settingsFrom(options.measure, project);
     if (!study) return tl::make_unexpected(study.error());
     const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
@@ -34,10 +36,12 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const Project& proje
     const ImpactSettings settings{*study, options.byBuilding};
     const Interrupt interrupt;
     ProgressLine progress(console);
-    return runImpact(before->city, after->city, settings, progress, interrupt.token())
-        .map([&](ImpactStudy made) {
-            return ImpactAnswer{options.from, options.to, settings, options.thresholds, std::move(made)};
-        });
+    auto made = runImpact(before->city, after->city, settings, progress, interrupt.token());
+    if (!made) return tl::make_unexpected(made.error());
+    ImpactAnswer answer{options.from, options.to, settings, options.thresholds, *std::move(made)};
+    putBefore(answer.study.total.warnings, project.reading->warnings);
+    answer.provenance = provenanceOf(project, &disk, {options.to, options.from, study->region, {}});
+    return answer;
 }
 
 // The scale that was asked for, else that of the project.
@@ -49,8 +53,7 @@ Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options
     const auto after = cityOf(project, options.to);
     if (!after) return tl::make_unexpected(after.error());
     const OffscreenQt qt;
-    return writeImpactFiles(answer, {after->city, project.attribution, project.inputs},
-                            scaleOf(options, project), options.measure.out)
+    return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out)
         .map([](const auto&) {});
 }
 
@@ -90,7 +93,7 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
 }
 
 int runImpactCommand(const ImpactOptions& options, const Console& console) {
-    const auto answer = [&](const Project& project) { return answered(options, project, console); };
+    const auto answer = [&](const ProjectFile& disk) { return answered(options, disk, console); };
     const auto write = [&](const ImpactAnswer& made, const Project& project) {
         return writeFiles(made, options, project);
     };

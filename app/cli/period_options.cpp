@@ -51,7 +51,8 @@ CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
             ->type_name("H");
     CLI::Option* window =
         command
-            .add_option("--window", options.window, "Hours counted from the sun: sunrise+1.5h..sunset-1.5h")
+            .add_option("--window", options.window,
+                        "Hours counted from the sun: sunrise+1.5h..sunset-1.5h; all of their minutes count")
             ->excludes(from)
             ->excludes(hours)
             ->type_name("WINDOW");
@@ -61,7 +62,9 @@ CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
             "Sunrise and sunset of --window are the sun's centre at 0 deg, not its upper limb seen on the "
             "horizon (-0.833 deg)")
         ->needs(window);
-    command.add_option("--step", period.stepMinutes, "Minutes from step to step")
+    command
+        .add_option("--step", period.stepMinutes,
+                    "Minutes from step to step; whole steps of nearly this length fill the hours of each day")
         ->capture_default_str()
         ->check(within(1.0 / 60, 240.0))
         ->type_name("MIN");

@@ -88,9 +88,7 @@ void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
 
 void addReadOptions(CLI::App& command, ReadOptions& options) {
     ReadSettings& settings = options.settings;
-    command.add_option("files", options.files, "City files, or sample:central-park-south, sample:grid")
-        ->required()
-        ->type_name("FILE");
+    command.add_option("files", options.files, options.filesHelp)->required()->type_name("FILE");
     addHeightOptions(command, settings);
     command.add_option("--layer", settings.layer, "Read this layer only")->type_name("NAME");
     command

@@ -11,6 +11,7 @@ namespace noonmark::cli {
 /// The files of a command and how to read them, shared by all commands that read a city.
 struct ReadOptions {
     std::vector<std::string> files;
+    std::string filesHelp = "City files, or sample:central-park-south, sample:grid";
     ReadSettings settings;
 };
 

@@ -13,7 +13,7 @@ namespace noonmark::cli {
 /// What differs between the measures of a project. `Answer` has a withResult() (keep_result.h).
 template <class Answer>
 struct Measure {
-    std::function<Result<Answer>(const Project&)> answer;
+    std::function<Result<Answer>(const ProjectFile&)> answer;
     std::function<Result<void>(const Answer&, const Project&)> writeFiles;
     std::string (*json)(const Answer&);
     void (*print)(const Answer&, std::ostream&);
@@ -25,7 +25,7 @@ template <class Answer>
 int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, const Console& console) {
     auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
-    const Result<Answer> answer = measure.answer(disk->project());
+    const Result<Answer> answer = measure.answer(*disk);  // states the file as it is before --keep
     if (!answer) return fail(console, answer.error(), exitUsage);
     const auto written = measure.writeFiles(*answer, disk->project());
     if (!written) return fail(console, written.error(), exitFailed);

@@ -10,6 +10,7 @@
 #include "app/cli/run_measure.h"
 #include "app/cli/table.h"
 #include "app/report/answer_files.h"
+#include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
 
@@ -21,7 +22,8 @@ struct ScoreOptions {
     std::string weights;
 };
 
-Result<ScoreAnswer> answered(const ScoreOptions& options, const Project& project, const Console& console) {
+Result<ScoreAnswer> answered(const ScoreOptions& options, const ProjectFile& disk, const Console& console) {
+    const Project& project = disk.project();
     auto settings = settingsFrom(options.measure, project);
     if (!settings) return tl::make_unexpected(settings.error());
     auto weights = weightsNamed(project, options.weights);
@@ -32,15 +34,17 @@ Result<ScoreAnswer> answered(const ScoreOptions& options, const Project& project
     ProgressLine progress(console);
     auto score = runScore(city->city, *settings, *weights, progress, interrupt.token());
     if (!score) return tl::make_unexpected(score.error());
-    return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score)};
+    putBefore(score->warnings, project.reading->warnings);
+    Provenance provenance = provenanceOf(project, &disk, {options.scenario, {}, settings->region, *weights});
+    return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score),
+                       std::move(provenance)};
 }
 
 Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, const Project& project) {
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     const OffscreenQt qt;
-    return writeScoreFiles(answer, {city->city, project.attribution, project.inputs}, options.measure.out)
-        .map([](const auto&) {});
+    return writeScoreFiles(answer, {city->city}, options.measure.out).map([](const auto&) {});
 }
 
 void print(const ScoreAnswer& answer, std::ostream& out) {
@@ -62,7 +66,7 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
 }
 
 int runScoreCommand(const ScoreOptions& options, const Console& console) {
-    const auto answer = [&](const Project& project) { return answered(options, project, console); };
+    const auto answer = [&](const ProjectFile& disk) { return answered(options, disk, console); };
     const auto write = [&](const ScoreAnswer& made, const Project& project) {
         return writeFiles(made, options, project);
     };

@@ -24,7 +24,7 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
     auto study = orCode(runStudy(asked->loaded.read.city, asked->settings, progress, interrupt.token(),
                                  enginesWith(asked->settings.engine)),
                         exitFailed);
-    if (study) addReading(*study, asked->loaded);
+    if (study) addSource(*study, *asked);
     return study;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/cli/engine_options.h"
 #include "app/cli/number_range.h"
+#include "app/cli/project/project_question.h"
 #include "core/receivers/roof_receivers.h"
 
 namespace noonmark::cli {
@@ -56,16 +57,23 @@ void addReceiverOptions(CLI::App& command, StudySettings& settings) {
 }
 
 void addStudyOptions(CLI::App& command, StudyOptions& options) {
+    options.read.filesHelp += ", or one project: NAME.noonmark.gpkg";
     addReadOptions(command, options.read);
-    addPeriodOptions(command, options.period)->required();
+    command
+        .add_option("--scenario", options.scenario,
+                    "Of a project: the scenario to measure (default: the city as it stands)")
+        ->type_name("NAME");
+    const std::vector<CLI::Option*> before = command.get_options();
+    addPeriodOptions(command, options.period);
+    addNamedPeriod(command, before, options.periodName);
     StudySettings& settings = options.settings;
     command
         .add_option(
             "--region", options.region,
-            "Where to measure: west,south,east,north in degrees, a polygon file, or city: the box around "
-            "all buildings")
+            "Where to measure: west,south,east,north in degrees, a polygon file, city: the box around "
+            "all buildings, or a region of the project")
         ->required()
-        ->type_name("W,S,E,N|FILE|city");
+        ->type_name("W,S,E,N|FILE|city|NAME");
     addReceiverOptions(command, settings);
     addPlacesOption(command, settings);
     addEngineOptions(command, settings);

@@ -13,6 +13,8 @@ namespace noonmark::cli {
 struct StudyOptions {
     ReadOptions read;
     PeriodOptions period;
+    std::string scenario;    ///< of a project; empty: not given
+    std::string periodName;  ///< of a project; else `period`
     std::string region;
     std::string out;
     StudySettings settings;  ///< what needs no city and no second look

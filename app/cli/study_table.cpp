@@ -44,8 +44,10 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     if (const auto headline = assumedHeadline(countHeights(study.city))) table.add("heights", *headline);
     table.add("period", textOf(study.settings.period));
     table.add("engine", study.field.engine);
-    table.add("steps", fmt::format("{} with the sun up, {} left out below the horizon",
-                                   withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon)));
+    table.add("steps",
+              fmt::format("{} with the sun up, {} left out below the horizon; each counts {:.6g} min",
+                          withCommas(study.sun.steps.size()), withCommas(study.sun.belowHorizon),
+                          study.field.stepMinutes));
     table.add("receivers", fmt::format("{} cells of {:g} m, {:.0f} m2", withCommas(figures.receivers),
                                        study.receivers.grid.cellM, figures.receiverAreaM2));
     table.add("shadow area",

@@ -69,13 +69,19 @@ Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSet
 }
 
 void addReading(Study& study, const LoadedCity& loaded) {
-    study.reading = loaded.settings;
-    study.inputs = loaded.inputs;
-    study.attribution = loaded.read.attribution;
+    study.provenance.reading = loaded.settings;
+    study.provenance.inputs = loaded.inputs;
+    study.provenance.attribution = loaded.read.attribution;
     study.heights = loaded.read.heights;
     study.warnings.insert(study.warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
     study.seconds["read"] = loaded.seconds;
     study.seconds["total"] += loaded.seconds;
+}
+
+Region cityRegion(const City& city) {
+    Region region = regionFromLocalBox(bounds(city));
+    region.name = "the whole city";
+    return region;
 }
 
 Region firstRegion(const LoadedCity& loaded, float mostM) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -10,8 +11,8 @@ namespace noonmark {
 
 /// A city with what it was made of.
 struct LoadedCity {
-    std::vector<std::string> files;  ///< as they were named; "sample:central-park-south"
-    ReadSettings settings;
+    std::vector<std::string> files;        ///< as they were named; "sample:central-park-south"
+    std::optional<ReadSettings> settings;  ///< nothing: not known (CityReading)
     CityRead read;
     std::vector<InputFile> inputs;  ///< a sample has no bytes and no hash
     double seconds = 0;             ///< to read it; hashing the files is not in it
@@ -28,6 +29,9 @@ bool isSample(std::string_view file);
 
 /// The sample of a name ("central-park-south", "grid"), made with its defaults; error for an unknown name.
 Result<City> sampleCity(const std::string& name);
+
+/// The box around all buildings.
+Region cityRegion(const City& city);
 
 /// A region to begin with: the park of Central Park South; of other cities the middle with 50 m around, up
 /// to `mostM` metres along a side.

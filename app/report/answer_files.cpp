@@ -6,7 +6,9 @@
 #include "app/report/output_folder.h"
 #include "app/report/score_report.h"
 #include "core/io/write_raster.h"
+#include "core/study/region_text.h"
 #include "scenarios/impact/impact_runs.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 
@@ -26,7 +28,12 @@ struct AnswerTexts {
     std::string name;
     std::string json;
     std::string csv;
+    std::string region;  ///< region.geojson; empty where no command names it
 };
+
+std::string regionFileOf(const Region& region, const Provenance& provenance, const Frame& frame) {
+    return needsRegionFile(provenance) ? regionGeoJson(region, frame) : std::string();
+}
 
 Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid, const Frame& frame,
                  const std::vector<RasterBand>& bands, const Path& folder) {
@@ -37,6 +44,7 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
     files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
     files.add(texts.name + ".json", textContent(texts.json));
     files.add(texts.name + ".csv", textContent(texts.csv));
+    if (!texts.region.empty()) files.add(regionFileName, textContent(texts.region));
     return std::move(files).result();
 }
 
@@ -45,14 +53,19 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
 Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
                        const Path& folder) {
     const Impact& impact = answer.study.total;
-    return writeFiles({"impact", impactJson(answer), impactCsv(answer)}, sheetOf(answer, source, scale),
-                      impact.grid, source.city.frame, bandsOf(impact), folder);
+    const Frame& frame = source.city.frame;
+    return writeFiles({"impact", impactJson(answer), impactCsv(answer),
+                       regionFileOf(answer.settings.study.region, answer.provenance, frame)},
+                      sheetOf(answer, source, scale), impact.grid, frame, bandsOf(impact), folder);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder) {
     const Score& score = answer.score;
-    return writeFiles({"score", scoreJson(answer), scoreCsv(answer)}, sheetOf(answer, source), score.grid,
-                      source.city.frame, {{"shadow score", "", &score.score}}, folder);
+    const Frame& frame = source.city.frame;
+    return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
+                       regionFileOf(answer.settings.region, answer.provenance, frame)},
+                      sheetOf(answer, source), score.grid, frame, {{"shadow score", "", &score.score}},
+                      folder);
 }
 
 }  // namespace noonmark

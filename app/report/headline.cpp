@@ -27,7 +27,10 @@ bool hasName(const Region& region) { return !region.name.empty() && region.name 
 }  // namespace
 
 Headline headlineOf(const Study& study, const QString& subject) {
-    return headlineOf(study.settings, study.city.frame, subject, sunlitWords(study));
+    Headline headline = headlineOf(study.settings, study.city.frame, subject, sunlitWords(study));
+    if (const auto& project = study.provenance.project)
+        headline.what += QStringLiteral(", scenario ") + QString::fromStdString(project->scenario.name);
+    return headline;
 }
 
 Headline headlineOf(const StudySettings& settings, const Frame& frame, const QString& subject,

@@ -2,6 +2,7 @@
 
 #include "app/report/report_sections.h"
 #include "scenarios/impact/impact_runs.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 
@@ -78,11 +79,8 @@ Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
     study.sun = answer.study.sun;
     study.field = answer.study.after;
     study.field.engine = answer.study.total.engine;
-    study.warnings = source.warnings;
-    for (const Warning& warning : answer.study.total.warnings) study.warnings.push_back(warning);
-    study.inputs = source.inputs;
-    study.reading = source.reading;
-    study.attribution = source.attribution;
+    study.warnings = answer.study.total.warnings;
+    study.provenance = answer.provenance;
     return study;
 }
 
@@ -103,6 +101,8 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
     std::vector<TextBlocks> sections = methodSections(after);
     addBuildings(sections, figuresOf(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
+    sections.push_back(
+        repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;
 }
 
@@ -120,7 +120,7 @@ Sheet sheetOf(const ImpactAnswer& answer, const AnswerSource& source, const Chan
                 .definitions = definitionsOf(answer),
                 .figures = figuresOfSheet(answer),
                 .sections = sectionsOf(answer, source),
-                .credit = dataWords(source.attribution)};
+                .credit = dataWords(answer.provenance.attribution)};
     if (!isInstant(impact) && hasRuns(impact))
         sheet.smallMap.emplace(mapOf(answer, source, ShadowMeasure::continuous, scale));
     return sheet;

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "app/report/report_sections.h"
 #include "app/report/shadow_measure.h"
 #include "app/report/study_words.h"
@@ -40,13 +42,29 @@ QString terrainWords(const Study& study) {
     return words;
 }
 
+// Where whole steps of the length asked for do not fill the hours.
+QString roundingWords(const Study& study) {
+    const Period& period = study.settings.period;
+    const double asked = period.stepMinutes;
+    const bool instant = !period.window && period.hours == 0;
+    if (instant || std::abs(study.field.stepMinutes - asked) < 1e-9) return {};
+    const QString day = study.sun.mostOffADayMin < 0.005
+                            ? QString()
+                            : QStringLiteral("; a single day counts up to %1 min more or less than its own")
+                                  .arg(amountWords(study.sun.mostOffADayMin, 2));
+    return QStringLiteral(
+               " A step was asked for every %1 min; whole steps of nearly that length fill the hours of each "
+               "day, so that the period counts the minutes of its hours%2.")
+        .arg(amountWords(asked, 3), day);
+}
+
 QString stepWords(const Study& study) {
     return QStringLiteral(
                "Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (no sun is "
                "not shadow). "
-               "Shares of time are shares of the time with the sun above the horizon.")
-        .arg(countWords(study.sun.steps.size()), amountWords(study.field.stepMinutes, 3),
-             countWords(study.sun.belowHorizon));
+               "Shares of time are shares of the time with the sun above the horizon.%4")
+        .arg(countWords(study.sun.steps.size()), amountWords(study.field.stepMinutes, 4),
+             countWords(study.sun.belowHorizon), roundingWords(study));
 }
 
 QString airWords(const StudySettings& settings) {
@@ -55,13 +73,30 @@ QString airWords(const StudySettings& settings) {
         .arg(amountWords(settings.pressureHPa, 2), amountWords(settings.temperatureC));
 }
 
+QString sunFrameWords(const Study& study) {
+    const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
+    const QString levelled =
+        study.sun.levelled == 0
+            ? QString()
+            : QStringLiteral(
+                  " %1 steps with the sun just above the horizon stand below the plane of the "
+                  "geometry and are taken in it.")
+                  .arg(countWords(study.sun.levelled));
+    return QStringLiteral(
+               " In the frame of the geometry true north is turned by %1° there and the vertical by %2°; at "
+               "the farthest corner of the region the vertical is off by up to %3° (%4 s of the sun's "
+               "way).%5")
+        .arg(amountWords(facts.convergenceDeg, 3), amountWords(facts.tiltDeg, 3),
+             amountWords(facts.verticalErrorDeg, 3), amountWords(facts.verticalErrorDeg * 240, 1), levelled);
+}
+
 QString sunWords(const Study& study) {
     const Observer observer = observerOf(study);
     return QStringLiteral(
                "Sun: ERFA, topocentric, seen from the middle of the region (%1, %2 m); %3. Civil time of %4 "
-               "from the tz database.")
+               "from the tz database.%5")
         .arg(latLonWords(observer.place), amountWords(observer.elevationM), airWords(study.settings),
-             QString::fromStdString(study.settings.period.zone));
+             QString::fromStdString(study.settings.period.zone), sunFrameWords(study));
 }
 
 QString frameWords(const Study& study) {

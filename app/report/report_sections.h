@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/report/text_column.h"
 #include "core/study/study.h"
 
@@ -16,5 +18,12 @@ std::vector<TextBlocks> sourceSections(const Study& study);
 
 /// The command line that repeats it.
 TextBlocks repeatBlocks(const Study& study);
+
+/// How many letters of code a column of the page takes in one line: a command that is broken there without a
+/// backslash would not run when it is copied.
+inline constexpr std::size_t columnLetters = 80;
+
+/// The same of any answer: its command, or why there is none.
+TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile);
 
 }  // namespace noonmark

@@ -5,6 +5,7 @@
 #include "app/report/report_sections.h"
 #include "app/report/score_legend.h"
 #include "core/receivers/roof_receivers.h"
+#include "scenarios/settings_json.h"
 
 namespace noonmark {
 
@@ -76,12 +77,12 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     Study study;
     study.city = source.city;
     study.settings = answer.settings;
-    study.warnings = source.warnings;
-    for (const Warning& warning : answer.score.warnings) study.warnings.push_back(warning);
-    study.inputs = source.inputs;
-    study.reading = source.reading;
+    study.warnings = answer.score.warnings;
+    study.provenance = answer.provenance;
     std::vector<TextBlocks> sections = sourceSections(study);
     sections.pop_back();  // what was computed and left undone: of a field
+    sections.push_back(
+        repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;
 }
 
@@ -96,7 +97,7 @@ Sheet sheetOf(const ScoreAnswer& answer, const AnswerSource& source) {
             .definitions = definitions(),
             .figures = figuresOfSheet(answer.score),
             .sections = std::move(sections),
-            .credit = dataWords(source.attribution)};
+            .credit = dataWords(answer.provenance.attribution)};
 }
 
 }  // namespace noonmark

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t mostInputs = 5;
 constexpr std::size_t mostWarnings = 6;
+constexpr std::size_t mostEdits = 5;
 
 void addInput(TextBlocks& blocks, const InputFile& input) {
     const QString name = QString::fromStdString(input.path.filename().string());
@@ -25,13 +26,55 @@ void addInput(TextBlocks& blocks, const InputFile& input) {
 
 TextBlocks inputsOf(const Study& study) {
     TextBlocks blocks{heading(QStringLiteral("Inputs"))};
-    const std::size_t shown = std::min(mostInputs, study.inputs.size());
-    for (std::size_t i = 0; i < shown; ++i) addInput(blocks, study.inputs[i]);
-    if (shown < study.inputs.size())
+    const std::size_t shown = std::min(mostInputs, study.provenance.inputs.size());
+    for (std::size_t i = 0; i < shown; ++i) addInput(blocks, study.provenance.inputs[i]);
+    if (shown < study.provenance.inputs.size())
         blocks.push_back(
-            body(QStringLiteral("and %1 more: see study.json").arg(study.inputs.size() - shown)));
-    if (study.inputs.empty())
+            body(QStringLiteral("and %1 more: see study.json").arg(study.provenance.inputs.size() - shown)));
+    if (study.provenance.inputs.empty())
         blocks.push_back(body(QStringLiteral("No file: the city was not read from one.")));
+    return blocks;
+}
+
+QString textOf(const std::string& text) { return QString::fromStdString(text); }
+
+// The last edits change what those before them left: each counts.
+void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
+    const std::size_t shown = std::min(mostEdits, scenario.edits.size());
+    for (std::size_t i = 0; i < shown; ++i)
+        blocks.push_back(body(QStringLiteral("%1. %2").arg(i + 1).arg(textOf(scenario.edits[i]))));
+    if (shown < scenario.edits.size())
+        blocks.push_back(
+            body(QStringLiteral("and %1 more: see the JSON").arg(scenario.edits.size() - shown)));
+}
+
+void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& scenario) {
+    const QString name = textOf(scenario.name);
+    const std::size_t edits = scenario.edits.size();
+    const QString what = edits == 1 ? QStringLiteral("edit") : QStringLiteral("edits");
+    blocks.push_back(body(edits == 0
+                              ? QStringLiteral("%1: %2, the city as it was read.").arg(role, name)
+                              : QStringLiteral("%1: %2, %3 %4:").arg(role, name, countWords(edits), what)));
+    addEdits(blocks, scenario);
+}
+
+QString fileWords(const ProjectRecord& project) {
+    if (project.file.empty()) return QStringLiteral("The project has not been saved yet.");
+    if (!project.saved())
+        return QStringLiteral("%1, which has not been saved since it was changed.").arg(textOf(project.file));
+    return QStringLiteral("%1, SHA-256 of the file:").arg(textOf(project.file));
+}
+
+/// Nothing for a city that came straight from its files.
+TextBlocks projectOf(const Study& study) {
+    const auto& project = study.provenance.project;
+    if (!project) return {};
+    TextBlocks blocks{heading(QStringLiteral("Project and scenario")), body(fileWords(*project))};
+    if (project->saved()) blocks.push_back({TextKind::code, textOf(project->fileSha256)});
+    blocks.push_back(body(QStringLiteral("SHA-256 of the content it rests on (the JSON says of what):")));
+    blocks.push_back({TextKind::code, textOf(project->contentSha256)});
+    addScenario(blocks, QStringLiteral("Scenario"), project->scenario);
+    if (project->baseline) addScenario(blocks, QStringLiteral("Baseline"), *project->baseline);
     return blocks;
 }
 
@@ -43,11 +86,15 @@ QString heightWords(const Study& study) {
         if (parts > 0) words << countWords(parts) + u' ' + meaning;
     };
     add(HeightSource::measured, QStringLiteral("measured"));
-    add(HeightSource::levels,
-        QStringLiteral("from levels × %1 m").arg(amountWords(study.reading.metresPerLevel, 2)));
+    const auto& reading = study.provenance.reading;
+    const auto metres = [&](double ReadSettings::*setting) {
+        return reading ? amountWords(*reading.*setting, 2) + QStringLiteral(" m")
+                       : QStringLiteral("an unknown number of m");
+    };
+    add(HeightSource::levels, QStringLiteral("from levels × %1").arg(metres(&ReadSettings::metresPerLevel)));
     add(HeightSource::assumed,
-        QStringLiteral("not in the data, so that a default stands in (%1 m for a whole building)")
-            .arg(amountWords(study.reading.defaultHeightM, 2)));
+        QStringLiteral("not in the data, so that a default stands in (%1 for a whole building)")
+            .arg(metres(&ReadSettings::defaultHeightM)));
     add(HeightSource::mesh, QStringLiteral("three-dimensional in the data"));
     add(HeightSource::designed, QStringLiteral("designed: stated by the scenario"));
     add(HeightSource::madeUp, QStringLiteral("made up: a sample, of no real place"));
@@ -108,17 +155,29 @@ QString costWords(const Study& study) {
 }  // namespace
 
 std::vector<TextBlocks> sourceSections(const Study& study) {
-    return {inputsOf(study),
-            heightsOf(study),
-            warningsOf(study),
-            {heading(QStringLiteral("Computed and left undone")), body(costWords(study))}};
+    std::vector<TextBlocks> sections{
+        inputsOf(study),
+        heightsOf(study),
+        warningsOf(study),
+        {heading(QStringLiteral("Computed and left undone")), body(costWords(study))}};
+    if (study.provenance.project) sections.insert(sections.begin(), projectOf(study));
+    return sections;
 }
 
 TextBlocks repeatBlocks(const Study& study) {
-    QString command = QString::fromStdString(repeatCommand(study));
-    command.replace(u'\n', QChar(QChar::LineSeparator));
-    TextBlocks blocks{heading(QStringLiteral("How to repeat it")), {TextKind::code, command}};
-    if (!boxTextOf(study.settings.region, study.city.frame))
+    return repeatBlocks(repeatCommand(study), needsRegionFile(study));
+}
+
+TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile) {
+    TextBlocks blocks{heading(QStringLiteral("How to repeat it"))};
+    if (!command) {
+        blocks.push_back(body(QString::fromStdString(command.error().text())));
+        return blocks;
+    }
+    QString text = QString::fromStdString(*command);
+    text.replace(u'\n', QChar(QChar::LineSeparator));
+    blocks.push_back({TextKind::code, text});
+    if (withRegionFile)
         blocks.push_back(
             body(QStringLiteral("%1 lies beside this report.").arg(QString::fromUtf8(regionFileName))));
     return blocks;

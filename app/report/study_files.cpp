@@ -55,7 +55,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
     files.add("study.json", textContent(studyJson(study)));
-    if (!boxTextOf(study.settings.region, study.city.frame))
+    if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     if (study.breakdown && study.settings.byMonth) {
         files.add("by_month.tif",

@@ -79,7 +79,7 @@ QString sunlitWords(const Study& study) {
         .arg(amountWords(study.field.sunlitMinutesPerDay));
 }
 
-QString dataWords(const Study& study) { return dataWords(study.attribution); }
+QString dataWords(const Study& study) { return dataWords(study.provenance.attribution); }
 
 QString dataWords(const std::string& attribution) {
     QString source = QString::fromStdString(attribution);

@@ -4,10 +4,13 @@
 #include <QCloseEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QUndoStack>
 
+#include "app/report/period_words.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/open_options.h"
 #include "app/window/progress_strip.h"
@@ -28,6 +31,8 @@ namespace noonmark {
 namespace {
 
 constexpr int layoutVersion = 4;
+constexpr int frameWidth = 10;  // of most desktops at most
+constexpr int frameHeight = 40;
 
 QString unsavedFolder(const QSettings& settings) {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -79,16 +84,27 @@ MainWindow::MainWindow(QSettings& settings)
     connectTime();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
+    fitScreen();
 }
 
 MainWindow::~MainWindow() = default;
 
+// No larger than the screen is, at whatever scale it shows: the frame needs some of it, too.
+void MainWindow::fitScreen() {
+    const QSize room = screen()->availableGeometry().size() - QSize(frameWidth, frameHeight);
+    if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room));
+}
+
 void MainWindow::makeStatusBar() {
+    hover_->setObjectName(QStringLiteral("hover"));
     statusBar()->addWidget(hover_, 1);
     statusBar()->addPermanentWidget(progress_);
     // Else the view would move under the cursor when work begins.
     statusBar()->setMinimumHeight(progress_->sizeHint().height() + 4);
     connect(panel_, &ViewPanel::hovered, hover_, &QLabel::setText);
+    // The status bar hides what it covers only where that is on the screen when the tip comes.
+    connect(statusBar(), &QStatusBar::messageChanged, hover_,
+            [this](const QString& tip) { hover_->setVisible(tip.isEmpty()); });
 }
 
 void MainWindow::makeModeBar() {
@@ -117,6 +133,18 @@ void MainWindow::changeRegion(const Region& region) {
     StudySettings settings = workbench_.document().settings();
     settings.region = region;
     workbench_.document().change(settings, tr("region"));
+}
+
+// It is work: it goes into the project under a name of its own, in one step of undo with the question.
+void MainWindow::takeDrawnRegion(const std::vector<Footprint>& pieces) {
+    Project next = workbench_.session().project();
+    const Region region{freeName(next, ProjectPart::region, "Region"), pieces};
+    next.regions.push_back(region);
+    const QString what = tr("draw %1").arg(QString::fromStdString(region.name));
+    QUndoStack& undo = workbench_.document().undoStack();
+    undo.beginMacro(what);
+    if (workbench_.session().change(std::move(next), what)) changeRegion(region);
+    undo.endMacro();
 }
 
 void MainWindow::takeWholeCity() {
@@ -186,7 +214,14 @@ void MainWindow::showDocument() {
 
 void MainWindow::savePicture(const QString& file) {
     if (file.isEmpty()) return;
-    panel_->takePicture([this, file](const QImage& image) {
+    const ProjectSession& session = workbench_.session();
+    QString title = tr("%1: %2").arg(projectName(), QString::fromStdString(session.scenario()));
+    if (!session.baseline().empty())
+        title = tr("%1 compared with %2").arg(title, QString::fromStdString(session.baseline()));
+    const Period& period = mode_.mode() == ViewMode::exploration || !answerShown_
+                               ? workbench_.document().settings().period
+                               : answered_.period;
+    panel_->takePicture(title, periodWords(period), [this, file](const QImage& image) {
         if (image.save(file)) return panel_->messages().showNote(tr("Picture saved as %1").arg(file));
         panel_->messages().showError(
             {"The picture cannot be written", file.toStdString(), "Choose another folder"});

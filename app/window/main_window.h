@@ -39,6 +39,9 @@ public:
 
     [[nodiscard]] ProjectSaving& saving() { return saving_; }
 
+    /// An answer that took no longer is worked out again by itself, seconds.
+    static constexpr double quickSeconds = 10;
+
     /// Unsaved work is asked about first.
     void open(const QStringList& files);
     void openWith(const QStringList& files, const ReadSettings& reading);
@@ -58,6 +61,7 @@ protected:
 private:
     void makeStatusBar();
     void makeModeBar();
+    void fitScreen();
     void connectJobs();
     void connectWorkbench();
     void connectFileMenu();
@@ -86,9 +90,11 @@ private:
     void showProject();
     void showTitle();
     void offerRecovery();
+    void offerOlderWork();
     void offerLeftWork();
     void compare();
     void answerAnew();
+    void answerAsSaved();
     void showComparison();
     void keepRegion();
     void keepPeriod();
@@ -98,6 +104,7 @@ private:
     [[nodiscard]] QString projectName();
     void draw(bool on);
     void changeRegion(const Region& region);
+    void takeDrawnRegion(const std::vector<Footprint>& pieces);
     void takeWholeCity();
     void readRegionFile();
     void showCity();
@@ -107,12 +114,14 @@ private:
     void showStudy();
     void showScore();
     void showPast();
+    void announceLongRun(const RunEstimate& estimate);
     void showKept();
     void showOutdated();
     void showExport();
     [[nodiscard]] QString exportWords() const;
     void showStopped(bool cancelled);
     void showDocument();
+    void goToPlace(const QString& where);
 
     QSettings& settings_;
     Workbench workbench_;

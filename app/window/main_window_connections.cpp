@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QMenu>
 #include <QUndoStack>
+#include <glm/common.hpp>
 
 #include "app/window/file_dialogs.h"
 #include "app/window/main_window.h"
@@ -8,6 +9,8 @@
 #include "app/window/progress_strip.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
+#include "app/window/warning_place.h"
+#include "app/window/warnings_dock.h"
 
 // Who tells whom: the part of MainWindow that joins menus, docks and view to the workbench.
 namespace noonmark {
@@ -42,6 +45,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
     connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
     connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
+    connect(docks_.warnings, &WarningsDock::placeChosen, this, &MainWindow::goToPlace);
 }
 
 void MainWindow::connectFileMenu() {
@@ -89,6 +93,19 @@ void MainWindow::connectStudyMenu() {
     menus_.edit->addActions({undoAction, redoAction});
 }
 
+// From a warning to the building that it is about.
+void MainWindow::goToPlace(const QString& where) {
+    if (!workbench_.city()) return;
+    const City& city = workbench_.city()->city();
+    const auto building = buildingNamed(city, where.toStdString());
+    if (!building) return panel_->messages().showNote(tr("%1 is no building of what is shown").arg(where));
+    Box2 box = bounds(*city.buildings[*building]);
+    const glm::vec2 border = glm::max((box.high - box.low) * 1.5F, glm::vec2(40.0F));
+    box = {box.low - border, box.high + border};
+    panel_->navigator().showSlanting(box);
+    tools_.building().select(building);
+}
+
 void MainWindow::connectViewMenu() {
     ViewNavigator& navigator = panel_->navigator();
     connect(menus_.wholeCity, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
@@ -107,9 +124,7 @@ void MainWindow::connectRegion() {
     connect(docks_.study, &StudyDock::drawRequested, this, &MainWindow::draw);
     connect(menus_.drawRegion, &QAction::triggered, this, [this] { draw(true); });
     connect(&tool, &PolygonTool::activeChanged, docks_.study, &StudyDock::setDrawing);
-    connect(&tool, &PolygonTool::finished, this, [this](const std::vector<Footprint>& pieces) {
-        changeRegion({"drawn on the ground", pieces});
-    });
+    connect(&tool, &PolygonTool::finished, this, &MainWindow::takeDrawnRegion);
     connect(docks_.study, &StudyDock::viewRegionRequested, this,
             [this] { changeRegion(panel_->visibleGround()); });
     connect(docks_.study, &StudyDock::wholeCityRequested, this, &MainWindow::takeWholeCity);

@@ -1,4 +1,5 @@
 #include <QAction>
+#include <QDateTime>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMessageBox>
@@ -10,6 +11,7 @@
 #include "app/window/project/scenario_table.h"
 #include "app/window/project/scenarios_dock.h"
 #include "app/window/project/weights_dock.h"
+#include "app/window/results_dock.h"
 #include "app/window/study_dock.h"
 #include "app/window/view_panel.h"
 #include "core/study/height_words.h"
@@ -164,9 +166,17 @@ void MainWindow::showTitle() {
 
 ProjectSaving::View MainWindow::viewNow() {
     const ProjectSession& session = workbench_.session();
-    return textsOf(ViewState{panel_->view().pose(), mode_.mode(), panel_->legend().measure(),
-                             panel_->legend().changeScale(), session.scenario(), session.baseline(),
-                             workbench_.document().settings()});
+    ViewState state{.camera = panel_->view().pose(),
+                    .mode = mode_.mode(),
+                    .measure = panel_->legend().measure(),
+                    .changeScale = panel_->legend().changeScale(),
+                    .scenario = session.scenario(),
+                    .baseline = session.baseline(),
+                    .study = workbench_.document().settings()};
+    if (workbench_.shown() == Workbench::Shown::comparison) state.answer = "comparison";
+    if (workbench_.shown() == Workbench::Shown::study) state.answer = "study";
+    if (!state.answer.empty()) state.answerSeconds = workbench_.answerSeconds();
+    return textsOf(state);
 }
 
 void MainWindow::showProject() {
@@ -189,6 +199,7 @@ void MainWindow::showProject() {
     if (!opening_.isEmpty()) recent_.add(opening_, reading_);
     showTitle();
     showGuesses();
+    answerAsSaved();
     offerRecovery();
 }
 
@@ -208,11 +219,29 @@ void MainWindow::showGuesses() {
     panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
 }
 
+// Answers are not in the file, but for results that were saved: what was quick is worked out again at once,
+// of the rest the panel says how.
+void MainWindow::answerAsSaved() {
+    const ViewState& view = workbench_.openedView();
+    docks_.results->setHint(tr("No study yet."));
+    if (view.answer.empty()) return;
+    if (view.mode != ViewMode::exploration && view.answerSeconds < quickSeconds) return workbench_.run();
+    docks_.results->setHint(
+        view.answer == "comparison"
+            ? tr("%1 was compared with %2 when the project was saved. Run (Ctrl+R) "
+                 "compares them again, in %3.")
+                  .arg(QString::fromStdString(view.scenario), QString::fromStdString(view.baseline),
+                       aboutWords(view.answerSeconds))
+            : tr("A study was shown when the project was saved. Run (Ctrl+R) works it out "
+                 "again, in %1.")
+                  .arg(aboutWords(view.answerSeconds)));
+}
+
 void MainWindow::offerRecovery() {
     const auto& file = workbench_.session().file();
     if (!file) return offerLeftWork();
     const auto found = recoveryOf(file->path());
-    if (!found) return;
+    if (!found) return offerOlderWork();
     panel_->messages().showHelp(
         tr("Noonmark ended before %1 was saved. The work up to then can be taken up again.")
             .arg(projectName()));
@@ -220,6 +249,25 @@ void MainWindow::offerRecovery() {
         std::error_code gone;
         const bool moved = std::filesystem::last_write_time(offered.path, gone) != offered.at;
         workbench_.recover(moved || gone ? ProjectSaving::olderRecovery(path) : offered.path);
+    });
+    if (std::filesystem::exists(ProjectSaving::olderRecovery(file->path())))
+        panel_->messages().offerToo(tr("Older work..."), [this] { offerOlderWork(); });
+}
+
+// Unsaved work of a run before the last one, which was put aside when newer work was kept.
+void MainWindow::offerOlderWork() {
+    const auto& file = workbench_.session().file();
+    if (!file) return;
+    const std::filesystem::path older = ProjectSaving::olderRecovery(file->path());
+    const QFileInfo info(QString::fromStdString(older.string()));
+    if (!info.exists()) return;
+    panel_->messages().showHelp(
+        tr("Unsaved work on %1 of %2 lies beside it. It can be taken up again, or deleted.")
+            .arg(projectName(), info.lastModified().toString(QStringLiteral("yyyy-MM-dd HH:mm"))));
+    panel_->messages().offer(tr("Recover"), [this, older] { workbench_.recover(older); });
+    panel_->messages().offerToo(tr("Delete it"), [older] {
+        std::error_code none;
+        std::filesystem::remove(older, none);
     });
 }
 

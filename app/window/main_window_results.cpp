@@ -14,9 +14,6 @@ namespace noonmark {
 
 namespace {
 
-/// A quick answer is worked out again by itself when the buildings change, seconds.
-constexpr double quickSeconds = 10;
-
 QString text(const std::string& name) { return QString::fromStdString(name); }
 
 std::vector<ResultRow> scoreRows(const ScoreAnswer& score) {
@@ -32,9 +29,20 @@ void MainWindow::connectResults() {
         mode_.showStudies();
         showKept();
     });
+    connect(&workbench_, &Workbench::longRun, this, &MainWindow::announceLongRun);
     connect(&workbench_, &Workbench::keptReweighed, this,
             [this] { panel_->results().setInFront(groundAnswerOf(*workbench_.kept())); });
     connect(docks_.results, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
+}
+
+void MainWindow::announceLongRun(const RunEstimate& estimate) {
+    MessageBar& bar = panel_->messages();
+    bar.showHelp(tr("By the ray reference this takes %1 (%2 rays). The engine picked by itself takes %3 and "
+                    "states its error against the rays.")
+                     .arg(aboutWords(estimate.seconds), QString::number(estimate.rays, 'g', 2),
+                          aboutWords(estimate.quickerSeconds)));
+    bar.offer(tr("Run that one"), [this] { workbench_.runQuicker(); });
+    bar.offerToo(tr("Run by rays"), [this] { workbench_.runAnyway(); });
 }
 
 // What stands before the others first.

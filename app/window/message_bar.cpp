@@ -17,16 +17,15 @@ constexpr const char* noteColours = "background: #e4eef7; border-bottom: 1px sol
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), label_(new QLabel), remedy_(new QPushButton), leave_(new QTimer(this)) {
+    : QFrame(parent),
+      label_(new QLabel),
+      remedy_{new QPushButton, {}},
+      other_{new QPushButton, {}},
+      leave_(new QTimer(this)) {
     setObjectName(QStringLiteral("messageBar"));
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    remedy_->setObjectName(QStringLiteral("remedy"));
-    connect(remedy_, &QPushButton::clicked, this, [this] {
-        hide();
-        if (const auto chosen = std::exchange(chosen_, nullptr)) chosen();
-    });
     auto* close = new QToolButton;
     close->setText(QStringLiteral("\u2715"));
     close->setAutoRaise(true);
@@ -35,7 +34,8 @@ MessageBar::MessageBar(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(10, 5, 5, 5);
     row->addWidget(label_, 1);
-    row->addWidget(remedy_, 0, Qt::AlignTop);
+    add(remedy_, "remedy", *row);
+    add(other_, "otherRemedy", *row);
     row->addWidget(close, 0, Qt::AlignTop);
     leave_->setSingleShot(true);
     leave_->setInterval(noteMs);
@@ -48,10 +48,27 @@ void MessageBar::showError(const Error& error) {
          "background: #fbe4df; border-bottom: 1px solid #d9806c; color: #5c1606;");
 }
 
+void MessageBar::add(Remedy& remedy, const char* name, QHBoxLayout& row) {
+    remedy.button->setObjectName(QString::fromLatin1(name));
+    row.addWidget(remedy.button, 0, Qt::AlignTop);
+    connect(remedy.button, &QPushButton::clicked, this, [this, &remedy] {
+        hide();
+        if (const auto chosen = std::exchange(remedy.chosen, nullptr)) chosen();
+    });
+}
+
+void MessageBar::offer(Remedy& remedy, const QString& text, std::function<void()> done) {
+    remedy.chosen = std::move(done);
+    remedy.button->setText(text);
+    remedy.button->show();
+}
+
 void MessageBar::offer(const QString& remedy, std::function<void()> done) {
-    chosen_ = std::move(done);
-    remedy_->setText(remedy);
-    remedy_->show();
+    offer(remedy_, remedy, std::move(done));
+}
+
+void MessageBar::offerToo(const QString& remedy, std::function<void()> done) {
+    offer(other_, remedy, std::move(done));
 }
 
 void MessageBar::showNote(const QString& text) {
@@ -62,7 +79,7 @@ void MessageBar::showNote(const QString& text) {
 void MessageBar::showHelp(const QString& text) { show(text, noteColours); }
 
 void MessageBar::dismiss() {
-    if (remedy_->isHidden()) hide();
+    if (remedy_.button->isHidden()) hide();
 }
 
 QString MessageBar::text() const { return isHidden() ? QString() : label_->text(); }
@@ -72,7 +89,7 @@ void MessageBar::show(const QString& text, const char* colours) {
                       .arg(QLatin1String(colours)));
     leave_->stop();
     label_->setText(text);
-    remedy_->hide();
+    for (const Remedy* remedy : {&remedy_, &other_}) remedy->button->hide();
     QFrame::show();
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/result.h"
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QTimer;
@@ -22,14 +23,23 @@ public:
     void showHelp(const QString& text);  ///< stays
     /// A button beside the message that is shown, until another is; it hides the message and calls `done`.
     void offer(const QString& remedy, std::function<void()> done);
+    /// A second button beside that one; likewise.
+    void offerToo(const QString& remedy, std::function<void()> done);
     void dismiss();  ///< hides the message unless it offers something
     [[nodiscard]] QString text() const;
 
 private:
     void show(const QString& text, const char* colours);
     QLabel* label_;
-    QPushButton* remedy_;
-    std::function<void()> chosen_;
+    struct Remedy {
+        QPushButton* button;
+        std::function<void()> chosen;
+    };
+    void add(Remedy& remedy, const char* name, QHBoxLayout& row);
+    static void offer(Remedy& remedy, const QString& text, std::function<void()> done);
+
+    Remedy remedy_;
+    Remedy other_;
     QTimer* leave_;
 };
 

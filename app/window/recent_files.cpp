@@ -4,7 +4,7 @@
 #include <QSettings>
 #include <QVariantMap>
 
-#include "app/window/reading_text.h"
+#include "core/io/read_settings_text.h"
 
 namespace noonmark {
 
@@ -39,7 +39,7 @@ void RecentFiles::keepReading(const QStringList& entries, const QString& newest,
                               const ReadSettings& reading) {
     QVariantMap kept;
     for (const QString& entry : entries) {
-        const QString text = entry == newest ? textOf(reading) : readingTextOf(entry);
+        const QString text = entry == newest ? QString::fromStdString(textOf(reading)) : readingTextOf(entry);
         if (!text.isEmpty()) kept[entry] = text;
     }
     settings_.setValue(readingKey, kept);
@@ -50,7 +50,7 @@ QString RecentFiles::readingTextOf(const QString& entry) const {
 }
 
 ReadSettings RecentFiles::readingOf(const QString& entry) const {
-    return readingFrom(readingTextOf(entry)).value_or(ReadSettings{});
+    return readSettingsFrom(readingTextOf(entry).toStdString()).value_or(ReadSettings{});
 }
 
 void RecentFiles::clear() {

@@ -138,10 +138,4 @@ QString ResultLayer::minutesAt(const Pick& pick) const {
     return textAt(*ground(), place);
 }
 
-std::optional<Legend> ResultLayer::legend() const {
-    std::optional<Legend> legend = strip_.legend();
-    if (legend && !strip_.note().isEmpty()) legend->unit += QStringLiteral(". ") + strip_.note();
-    return legend;
-}
-
 }  // namespace noonmark

@@ -36,7 +36,6 @@ public:
     void show();  ///< again, as after another measure was chosen
 
     [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< in words; empty where nothing is known
-    [[nodiscard]] std::optional<Legend> legend() const;       ///< for a picture to keep: says what is partial
 
 private:
     void showExplored();

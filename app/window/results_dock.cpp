@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 
 #include "app/window/project/month_chart.h"
 #include "app/window/push_button.h"
@@ -15,7 +16,8 @@ ResultsDock::ResultsDock(QWidget* parent)
       back_(pushButton(tr("Show the study again"), "wayBack",
                        tr("Instead of this result: the study or comparison of what is shown"))),
       months_(new MonthChart),
-      form_(new QFormLayout(this)) {
+      form_(new QFormLayout(this)),
+      hint_(tr("No study yet.")) {
     note_->setObjectName(QStringLiteral("resultNote"));
     note_->setWordWrap(true);
     // One layout: in a nested one, words that wrap get too little height.
@@ -45,9 +47,28 @@ void ResultsDock::setNote(const QString& note, bool warns) {
     const bool amber = filled_ && warns;
     note_->setStyleSheet(amber ? QStringLiteral("background: #ffd58a; color: #1d2027; padding: 4px;")
                                : QString());
-    note_->setText(filled_ ? note : tr("No study yet."));
+    if (filled_) hint_ = tr("No study yet.");
+    note_->setText(filled_ ? note : hint_);
     setFaded(amber && !note.isEmpty());
     note_->setVisible(!note_->text().isEmpty());
+    fitNote();
+}
+
+// The layout gives words that wrap no height at all when they come back alone after a score was shown.
+void ResultsDock::fitNote() {
+    const QMargins margins = form_->contentsMargins();
+    const int width = std::max(1, this->width() - margins.left() - margins.right());
+    note_->setMinimumHeight(note_->text().isEmpty() ? 0 : note_->heightForWidth(width));
+}
+
+void ResultsDock::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitNote();
+}
+
+void ResultsDock::setHint(const QString& hint) {
+    hint_ = hint;
+    if (!filled_) setNote({});
 }
 
 // Figures that are not of what is shown are pale.

@@ -24,19 +24,25 @@ public:
     /// Above the figures; empty: nothing. `warns`: in amber, and the figures are pale: they are not of what
     /// is shown.
     void setNote(const QString& note, bool warns = true);
+    void setHint(const QString& hint);                   ///< in place of figures, until there are some
     [[nodiscard]] bool faded() const { return faded_; }  ///< by a note that warns
     void offerWayBack(bool offered);                     ///< to the study that these figures stand before
 
 Q_SIGNALS:
     void studyWanted();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitNote();
     void setFaded(bool faded);
 
     QLabel* note_;
     QPushButton* back_;
     MonthChart* months_;
     QFormLayout* form_;
+    QString hint_;
     int fixedRows_ = 0;  // the figures follow
     bool filled_ = false;
     bool faded_ = false;

@@ -5,6 +5,8 @@
 #include <QGuiApplication>
 #include <QMimeData>
 #include <QVBoxLayout>
+#include <cmath>
+#include <glm/trigonometric.hpp>
 
 #include "app/report/study_words.h"
 #include "app/window/ground_lines.h"
@@ -17,6 +19,8 @@
 namespace noonmark {
 
 namespace {
+
+constexpr double straightDownDeg = 89;
 
 bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier); }
 
@@ -34,7 +38,7 @@ ViewPanel::ViewPanel(QWidget* parent)
       legend_(new LegendStrip),
       results_(std::make_unique<ResultLayer>(*view_, *legend_)) {
     QWidget* container = QWidget::createWindowContainer(view_, this);
-    container->setMinimumSize(320, 240);
+    container->setMinimumSize(240, 160);
     container->setFocusPolicy(Qt::StrongFocus);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -143,10 +147,17 @@ Region ViewPanel::visibleGround() const {
     return noonmark::visibleGround(view_->pose(), view_->lens(), view_->viewBounds());
 }
 
-void ViewPanel::takePicture(std::function<void(QImage)> done) {
-    const QString credit = city_ ? dataWords(city_->loaded.read.attribution) : QString();
-    view_->capture([legend = results_->legend(), credit, done = std::move(done)](const QImage& image) {
-        done(viewPicture(image, legend, credit));
+void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
+    PictureFrame frame{.title = title, .when = when, .legend = legend_->legend(), .note = legend_->note()};
+    if (city_) frame.credit = dataWords(city_->loaded.read.attribution);
+    const CameraPose pose = view_->pose();
+    frame.headingDeg = pose.headingDeg;
+    frame.fromAbove = pose.pitchDeg >= straightDownDeg;
+    const double heightAtOneMetre = 2 * std::tan(glm::radians(view_->lens().verticalDeg) / 2);
+    view_->capture([frame, distance = pose.distanceM, heightAtOneMetre,
+                    done = std::move(done)](const QImage& image) mutable {
+        frame.pixelsPerM = image.height() / (heightAtOneMetre * distance);
+        done(viewPicture(image, frame));
     });
 }
 

@@ -15,7 +15,8 @@ namespace noonmark {
 
 class TimeStrip;
 
-/// The middle of the window: messages, the city, the time that is looked at and the legend below it; and drawing polygons on the ground.
+/// The middle of the window: messages, the city, the time that is looked at and the legend below it; and
+/// drawing polygons on the ground.
 class ViewPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -39,8 +40,8 @@ public:
     /// The ground in sight, cut to the neighbourhood of the city; without polygons when there is none.
     [[nodiscard]] Region visibleGround() const;
 
-    /// The view with its legend, called back when the next frame is drawn.
-    void takePicture(std::function<void(QImage)> done);
+    /// The view with what belongs around it, called back when the next frame is drawn.
+    void takePicture(const QString& title, const QString& when, std::function<void(QImage)> done);
 
 Q_SIGNALS:
     void hovered(QString text);  ///< what lies under the cursor; empty: nothing

@@ -30,6 +30,10 @@ WarningsDock::WarningsDock(QWidget* parent) : QTreeWidget(parent) {
     setHeaderHidden(true);
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setToolTip(tr("Double click or Enter on a feature goes to its building"));
+    connect(this, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
+        if (item->parent()) Q_EMIT placeChosen(item->text(0));
+    });
     show({});
 }
 

@@ -17,6 +17,8 @@ namespace noonmark {
 namespace {
 
 constexpr int sideWidth = 270;
+constexpr int narrowWidth = 190;
+constexpr int scrollBarWidth = 22;
 
 // Docks may be lower than what they hold.
 QScrollArea* scrolled(QWidget* content, int leastWidth) {
@@ -24,8 +26,8 @@ QScrollArea* scrolled(QWidget* content, int leastWidth) {
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(leastWidth);
+    content->setMinimumWidth(leastWidth - scrollBarWidth);
+    scroll->setMinimumWidth(narrowWidth);  // on a small screen it is scrolled sideways, too
     return scroll;
 }
 
@@ -58,6 +60,7 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     window.addDockWidget(Qt::RightDockWidgetArea, warnings);
     results->raise();
     window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
+    window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
     for (QDockWidget* dock : {project, study, results, scenarios, weights, building, tower, warnings})
         menu.addAction(dock->toggleViewAction());
 }

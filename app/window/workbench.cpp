@@ -5,6 +5,7 @@
 
 #include "app/report/answer_files.h"
 #include "app/report/study_files.h"
+#include "app/window/project/answer_origin.h"
 
 namespace noonmark {
 
@@ -88,7 +89,7 @@ void Workbench::takeRecovered(Result<ProjectFile> kept) {
     if (!kept) return tell(kept.error());
     const ViewState view = viewStateFrom(kept->project().view);
     if (!session_.change(kept->project(), tr("recovered work"), view.scenario)) return;
-    Q_EMIT tookUp();
+    Q_EMIT tookUp(kept->path());
     Q_EMIT noted(tr("The unsaved work is back. Save keeps it, Undo takes it away again."));
 }
 
@@ -146,21 +147,18 @@ Workbench::Shown Workbench::shown() const {
 
 // Of what is shown now, whatever will be when it is written.
 Workbench::Write Workbench::whatToWrite(const ChangeScale& scale) const {
-    const auto source = [open = city_, city = session_.city()] {
-        const LoadedCity& loaded = open->loaded;
-        return AnswerSource{*city, loaded.read.attribution, loaded.inputs, loaded.settings,
-                            loaded.read.warnings};
-    };
+    const AnswerOrigin origin(session_);
     if (score_)
-        return [score = score_, source](const auto& folder) {
-            return writeScoreFiles(*score, source(), folder);
+        return [score = score_, origin, city = session_.city()](const auto& folder) {
+            return writeScoreFiles(origin.stated(*score), {*city}, folder);
         };
     if (comparison_)
-        return [comparison = comparison_, source, scale](const auto& folder) {
-            return writeImpactFiles(*comparison, source(), scale, folder);
+        return [comparison = comparison_, origin, city = session_.city(), scale](const auto& folder) {
+            return writeImpactFiles(origin.stated(*comparison), {*city}, scale, folder);
         };
-    return
-        [study = study_](const auto& folder) { return writeStudyFiles(*study, folder, {.cellsCsv = true}); };
+    return [study = study_, origin](const auto& folder) {
+        return writeStudyFiles(origin.stated(*study), folder, {.cellsCsv = true});
+    };
 }
 
 void Workbench::exportShown(const std::filesystem::path& folder, const ChangeScale& scale) {

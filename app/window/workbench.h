@@ -12,6 +12,7 @@
 #include "app/window/project/open_project.h"
 #include "app/window/project/project_session.h"
 #include "app/window/project/shown_result.h"
+#include "app/window/run_estimate.h"
 #include "app/window/study_document.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
@@ -36,6 +37,9 @@ public:
     /// difference from that. The answer before stays until then. Overtakes an answer that is being worked
     /// out.
     void run();
+    /// Starts the run that longRun() announced: as it was asked for, or by the engine picked by itself.
+    void runAnyway();
+    void runQuicker();
     /// Studies all scenarios of which there is no study with the document's settings yet.
     void measureAll();
     /// What is shown: in words, and the files of the command line for it, into a folder. A saved result is
@@ -96,10 +100,12 @@ Q_SIGNALS:
     void keptShown();
     void keptReweighed();  ///< a weight table changed: kept() is up to date now, or is no more
     void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
-    void studyStopped(bool cancelled);       ///< without a result; the answer before is still there
-    void failed(noonmark::Error error);      ///< work that was cancelled does not fail
-    void openFailed(noonmark::Error error);  ///< or cancelled: what was open stays
-    void tookUp();                           ///< recover() has done it
+    /// What was asked for would take long, and waits for runAnyway() or runQuicker(). Of all its fields.
+    void longRun(noonmark::RunEstimate estimate);
+    void studyStopped(bool cancelled);            ///< without a result; the answer before is still there
+    void failed(noonmark::Error error);           ///< work that was cancelled does not fail
+    void openFailed(noonmark::Error error);       ///< or cancelled: what was open stays
+    void tookUp(std::filesystem::path recovery);  ///< recover() has done it
     void noted(QString text);
 
 private:
@@ -115,7 +121,12 @@ private:
     void forgetAnswers();
     void nameAnswers();
     void measure(const QString& what, std::vector<KnownStudy> wanted);
+    using Start = std::function<void()>;
+    void startUnlessLong(double fields, Start start);
+    void runNow();
+    [[nodiscard]] bool comparing() const;
     void runComparison();
+    void scoreNow(const std::string& weights);
     void takeStudies(Result<std::vector<KnownStudy>> made);
     void takeKnown();
     void rename(ProjectPart part, const std::string& from, const std::string& to);
@@ -143,6 +154,7 @@ private:
     std::shared_ptr<const ScoreAnswer> score_;
     std::shared_ptr<const ShownResult> kept_;
     PastAnswer past_;
+    Start long_;                              ///< what longRun() announced
     std::weak_ptr<const City> comparedWith_;  ///< the city before of comparison_
     double answerSeconds_ = 0;
     JobSlot opening_;

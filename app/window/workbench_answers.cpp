@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <utility>
 
 #include "app/input/all_engines.h"
+#include "app/window/project/answer_origin.h"
 #include "app/window/workbench.h"
 #include "core/progress_share.h"
 #include "core/stopwatch.h"
@@ -29,7 +31,44 @@ std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
 
 void Workbench::run() {
     if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
-    if (!session_.baseline().empty() && session_.baseline() != session_.scenario()) return runComparison();
+    startUnlessLong(comparing() ? 2 : 1, [this] { runNow(); });
+}
+
+bool Workbench::comparing() const {
+    return !session_.baseline().empty() && session_.baseline() != session_.scenario();
+}
+
+// Only rays can take days without anybody having meant it.
+void Workbench::startUnlessLong(double fields, Start start) {
+    if (document_.settings().engine != referenceEngine) return start();
+    running_.start<RunEstimate>(
+        tr("Estimating"),
+        [city = session_.city(), settings = document_.settings()](Progress&, const std::stop_token& stop) {
+            return rayEstimate(*city, settings, stop);
+        },
+        [this, fields, start = std::move(start)](const Result<RunEstimate>& one) {
+            if (!one && isCancelled(one.error())) return Q_EMIT studyStopped(true);
+            if (!one || one->seconds * fields < longRunSeconds) return start();
+            long_ = start;
+            Q_EMIT studyStopped(false);
+            Q_EMIT longRun({one->rays * fields, one->seconds * fields, one->quickerSeconds * fields});
+        });
+}
+
+void Workbench::runAnyway() {
+    if (const Start start = std::exchange(long_, nullptr)) start();
+}
+
+void Workbench::runQuicker() {
+    StudySettings settings = document_.settings();
+    settings.engine = StudySettings().engine;
+    settings.engineSettings.clear();
+    document_.change(settings, tr("engine"));
+    runAnyway();
+}
+
+void Workbench::runNow() {
+    if (comparing()) return runComparison();
     comparison_.reset();
     measure(tr("Study"), {{session_.city(), nullptr}});
 }
@@ -91,7 +130,7 @@ std::vector<Workbench::KnownStudy> Workbench::wanted() {
 }
 
 void Workbench::measureAll() {
-    if (city_) measure(tr("All scenarios"), wanted());
+    if (city_) startUnlessLong(double(wanted().size()), [this] { measure(tr("All scenarios"), wanted()); });
 }
 
 void Workbench::runComparison() {
@@ -101,12 +140,14 @@ void Workbench::runComparison() {
         session_.baseline(), session_.scenario(), {document_.settings(), true}, {30, 60}, {}};
     running_.start<ImpactAnswer>(
         tr("Comparison"),
-        [question, before = *before, after = session_.city()](Progress& progress, std::stop_token stop) {
+        [question, before = *before, after = session_.city(), warnings = city_->loaded.read.warnings](
+            Progress& progress, std::stop_token stop) {
             return runImpact(*before, *after, question.settings, progress, std::move(stop),
                              enginesWith(question.settings.study.engine))
                 .map([&](ImpactStudy study) {
                     ImpactAnswer answer = question;
                     answer.study = std::move(study);
+                    putBefore(answer.study.total.warnings, warnings);
                     return answer;
                 });
         },
@@ -162,18 +203,24 @@ void Workbench::nameAnswers() {
 
 void Workbench::runScore(const std::string& weights) {
     if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
+    startUnlessLong(1, [this, weights] { scoreNow(weights); });
+}
+
+void Workbench::scoreNow(const std::string& weights) {
     const auto table = weightsNamed(session_.project(), weights);
     if (!table) return tell(table.error());
     running_.start<ScoreAnswer>(
         tr("Score"),
         [question = ScoreAnswer{session_.scenario(), document_.settings(), *table, {}},
-         city = session_.city()](Progress& progress, const std::stop_token& stop) {
+         city = session_.city(),
+         warnings = city_->loaded.read.warnings](Progress& progress, const std::stop_token& stop) {
             ProgressShare whole(progress, 0, 1);  // hands on no running results: they would be a month's
             return noonmark::runScore(*city, question.settings, question.weights, whole, stop,
                                       enginesWith(question.settings.engine))
                 .map([&](Score score) {
                     ScoreAnswer answer = question;
                     answer.score = std::move(score);
+                    putBefore(answer.score.warnings, warnings);
                     return answer;
                 });
         },
@@ -237,13 +284,18 @@ void Workbench::keepAnswer(const QString& name) {
 
 // What is shown now, whatever will be then; empty: nothing.
 Workbench::Keep Workbench::whatToKeep() const {
-    if (score_) return [score = score_](const Project& project) { return keptResult(project, *score); };
+    const AnswerOrigin origin(session_);
+    if (score_)
+        return [score = score_, origin](const Project& project) {
+            return keptResult(project, origin.stated(*score));
+        };
     if (comparison_)
-        return
-            [comparison = comparison_](const Project& project) { return keptResult(project, *comparison); };
+        return [comparison = comparison_, origin](const Project& project) {
+            return keptResult(project, origin.stated(*comparison));
+        };
     if (!study_) return {};
-    return [study = study_, scenario = session_.scenario()](const Project& project) {
-        return keptResult(project, scenario, *study);
+    return [study = study_, origin, scenario = session_.scenario()](const Project& project) {
+        return keptResult(project, scenario, origin.stated(*study));
     };
 }
 

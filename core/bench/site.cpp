@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/accumulate/receiver_tiles.h"
+#include "core/city/city_observer.h"
 
 namespace noonmark::bench {
 
@@ -27,7 +28,8 @@ Region squareAround(glm::vec2 centre, const Box2& city, double sideM) {
 
 Result<SunSteps> sunOver(const BenchSite& site, Period period) {
     period.zone = site.zone;
-    return sunSteps(period, {.place = site.city.frame.origin()});
+    const Box2 box = bounds(site.city);
+    return sunSteps(period, observerIn(site.city, glm::dvec2(box.low + box.high) / 2.0));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <GeographicLib/LocalCartesian.hpp>
 #include <cmath>
+#include <glm/vec3.hpp>
+#include <vector>
 
 #include "core/geo/frame.h"
 
@@ -23,10 +25,11 @@ glm::dvec2 Frame::localFromLonLat(LonLat place) const {
 }
 
 LonLat Frame::lonLatFromLocal(glm::dvec2 local) const {
-    // The point of the ellipsoid under (x, y) lies below the tangent plane: find how far by repeated correction.
-    constexpr double earthRadiusM = 6371000;
+    // The point of the ellipsoid under (x, y) lies below the tangent plane: find how far by repeated
+    // correction.
+    constexpr double radiusM = 6371000;
     const auto cartesian = cartesianAt(origin_);
-    double up = -(local.x * local.x + local.y * local.y) / (2 * earthRadiusM);
+    double up = -(local.x * local.x + local.y * local.y) / (2 * radiusM);
     LonLat place{};
     for (int i = 0; i < 8; ++i) {
         double height = 0;
@@ -37,9 +40,17 @@ LonLat Frame::lonLatFromLocal(glm::dvec2 local) const {
     return place;
 }
 
+glm::dmat2 Frame::localFromEastNorth(LonLat place) const {
+    glm::dvec3 local{};
+    std::vector<double> axes(9);  // of the place in those of the origin, row by row
+    cartesianAt(origin_).Forward(place.latDeg, place.lonDeg, 0, local.x, local.y, local.z, axes);
+    return {axes[0], axes[3], axes[1], axes[4]};  // columns first
+}
+
 std::string Frame::projString() const {
-    return fmt::format("+proj=ortho +lat_0={:.10f} +lon_0={:.10f} +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",
-                       origin_.latDeg, origin_.lonDeg);
+    return fmt::format(
+        "+proj=ortho +lat_0={:.10f} +lon_0={:.10f} +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs",
+        origin_.latDeg, origin_.lonDeg);
 }
 
 }  // namespace noonmark

@@ -26,8 +26,7 @@ std::vector<NamedMesh> withSurfacesJoined(const std::vector<NamedMesh>& objects)
 /// - Roofs tell buildings apart: roofs that meet in an edge are one building's, unless a wall ends there (the
 ///   party wall between neighbours). Walls join nothing.
 /// - Each face of a wall goes to the roof over it, or within 0.25 m of it in plan; of several to the one
-/// whose
-///   edge is nearest to the face's top.
+///   whose points are nearest to the face's top.
 /// - Walls that do not reach the ground but step up from the edge of another roof belong with that roof, and
 ///   so does what they carry. Likewise what starts in the air and has lower buildings around half of its
 ///   outline. (A canopy has them on one side.)

@@ -2,8 +2,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/study/provenance.h"
 #include "core/study/sha256.h"
-#include "core/study/study.h"
 
 namespace noonmark {
 

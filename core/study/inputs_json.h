@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "core/study/study.h"
+#include "core/study/provenance.h"
 
 namespace noonmark {
 

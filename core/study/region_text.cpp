@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "core/geo/longitude.h"
 
 namespace noonmark {
 
 namespace {
-
-constexpr double toleranceDeg = 1e-7;  // 1 cm of latitude
 
 struct LonLatBox {
     LonLat low{1e9, 1e9};
@@ -23,47 +20,50 @@ struct LonLatBox {
         low = {std::min(low.lonDeg, place.lonDeg), std::min(low.latDeg, place.latDeg)};
         high = {std::max(high.lonDeg, place.lonDeg), std::max(high.latDeg, place.latDeg)};
     }
-    [[nodiscard]] bool onSide(LonLat place) const {
-        const auto near = [](double a, double b) { return std::abs(a - b) < toleranceDeg; };
-        return near(place.lonDeg, low.lonDeg) || near(place.lonDeg, high.lonDeg) ||
-               near(place.latDeg, low.latDeg) || near(place.latDeg, high.latDeg);
-    }
 };
 
-/// Twice the signed area of the ring, square degrees.
-double doubleArea(const std::vector<LonLat>& ring) {
-    double sum = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const LonLat a = ring[i];
-        const LonLat b = ring[(i + 1) % ring.size()];
-        sum += (a.lonDeg - ring[0].lonDeg) * (b.latDeg - ring[0].latDeg) -
-               (b.lonDeg - ring[0].lonDeg) * (a.latDeg - ring[0].latDeg);
-    }
-    return sum;
+double rounded(double degrees, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    const double value = std::round(degrees * scale) / scale;
+    return value == 0 ? 0.0 : value;  // no -0
+}
+
+LonLatBox rounded(const LonLatBox& box, int decimals) {
+    return {{rounded(box.low.lonDeg, decimals), rounded(box.low.latDeg, decimals)},
+            {rounded(box.high.lonDeg, decimals), rounded(box.high.latDeg, decimals)}};
 }
 
 // Longitudes run on across the antimeridian: 179.9, 180.1.
-std::vector<LonLat> lonLatOf(const Ring& ring, const Frame& frame) {
-    std::vector<LonLat> places;
-    places.reserve(ring.size());
-    for (const glm::vec2 point : ring) {
-        const LonLat place = frame.lonLatFromLocal(glm::dvec2(point));
-        places.push_back({longitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg});
-    }
-    return places;
+LonLat placeOf(glm::dvec2 local, const Frame& frame) {
+    const LonLat place = frame.lonLatFromLocal(local);
+    return {longitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg};
 }
 
-/// 7 decimals, 1 cm, without the zeros at the end.
-std::string degreesText(double degrees) {
-    const double rounded = std::round(degrees * 1e7) / 1e7;
-    return fmt::format("{}", rounded == 0 ? 0.0 : rounded);
+bool isBox(const Region& region, const LonLatBox& box, const Frame& frame) {
+    const auto made = regionFromLonLatBox(frame, usualLongitude(box.low.lonDeg), box.low.latDeg,
+                                          usualLongitude(box.high.lonDeg), box.high.latDeg);
+    return made && made->polygons == region.polygons;
+}
+
+// Degrees that readRegion leaves whole: below the 500 m at which it bends a side (polygon_layer_gdal.cpp).
+constexpr double longestSideDeg = 400.0 / 111320;
+
+// Points from one corner to before the next, in the local plane, where the side is straight.
+void addSideJson(nlohmann::ordered_json& json, glm::dvec2 from, glm::dvec2 to, const Frame& frame) {
+    const LonLat a = placeOf(from, frame), b = placeOf(to, frame);
+    const double degrees = std::hypot(b.lonDeg - a.lonDeg, b.latDeg - a.latDeg);
+    const int pieces = std::max(1, int(std::ceil(degrees / longestSideDeg)));
+    for (int i = 0; i < pieces; ++i) {
+        const glm::dvec2 point(glm::vec2(from + (to - from) * (double(i) / pieces)));
+        const LonLat place = placeOf(point, frame);
+        json.push_back({place.lonDeg, place.latDeg});
+    }
 }
 
 nlohmann::ordered_json ringJson(const Ring& ring, const Frame& frame) {
     auto json = nlohmann::ordered_json::array();
-    const auto rounded = [](double degrees) { return std::round(degrees * 1e9) / 1e9; };
-    for (const LonLat place : lonLatOf(ring, frame))
-        json.push_back({rounded(place.lonDeg), rounded(place.latDeg)});
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        addSideJson(json, glm::dvec2(ring[i]), glm::dvec2(ring[(i + 1) % ring.size()]), frame);
     if (!json.empty()) json.push_back(json.front());
     return json;
 }
@@ -78,18 +78,24 @@ nlohmann::ordered_json polygonJson(const Footprint& polygon, const Frame& frame)
 
 std::optional<std::string> boxTextOf(const Region& region, const Frame& frame) {
     if (region.polygons.size() != 1 || !region.polygons[0].holes.empty()) return std::nullopt;
-    const std::vector<LonLat> ring = lonLatOf(region.polygons[0].outer, frame);
     LonLatBox box;
-    for (const LonLat place : ring) box.add(place);
-    if (!std::ranges::all_of(ring, [&](LonLat place) { return box.onSide(place); })) return std::nullopt;
-    // A ring along the sides that cuts no corner has the area of the box.
-    const double lon = box.high.lonDeg - box.low.lonDeg;
-    const double lat = box.high.latDeg - box.low.latDeg;
-    if (std::abs(std::abs(doubleArea(ring)) / 2 - lon * lat) > 2 * toleranceDeg * (lon + lat))
-        return std::nullopt;
-    return fmt::format("{},{},{},{}", degreesText(usualLongitude(box.low.lonDeg)),
-                       degreesText(box.low.latDeg), degreesText(usualLongitude(box.high.lonDeg)),
-                       degreesText(box.high.latDeg));
+    for (const glm::vec2 point : region.polygons[0].outer) box.add(placeOf(glm::dvec2(point), frame));
+    constexpr int mostDecimals = 14;
+    for (int decimals = 2; decimals <= mostDecimals; ++decimals) {
+        const LonLatBox stated = rounded(box, decimals);
+        if (isBox(region, stated, frame))
+            return fmt::format("{},{},{},{}", rounded(usualLongitude(stated.low.lonDeg), decimals),
+                               stated.low.latDeg, rounded(usualLongitude(stated.high.lonDeg), decimals),
+                               stated.high.latDeg);
+    }
+    return std::nullopt;
+}
+
+std::string regionText(const Region& region, const City& city) {
+    if (const auto box = boxTextOf(region, city.frame)) return *box;
+    const Box2 whole = bounds(city);
+    const bool isCity = !whole.empty() && region.polygons == regionFromLocalBox(whole).polygons;
+    return isCity ? "city" : regionFileName;
 }
 
 std::string regionGeoJson(const Region& region, const Frame& frame) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,11 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
+// "--region=-x": a value that looks like an option is joined to its own; numbers need not be.
+bool looksLikeOption(const std::string& value) {
+    return value.size() > 1 && value[0] == '-' && std::isdigit(static_cast<unsigned char>(value[1])) == 0;
+}
+
 /// Collects options; those that equal the default are left out.
 class CommandLine {
 public:
@@ -35,7 +41,13 @@ public:
         pieces_.push_back(quoted(name.starts_with('-') ? "./" + name : name));
     }
     void option(const char* name, const std::string& value) {
-        pieces_.push_back(fmt::format("{} {}", name, quoted(value)));
+        pieces_.push_back(fmt::format("{}{}{}", name, looksLikeOption(value) ? "=" : " ", quoted(value)));
+    }
+    void option(const RepeatOption& option) {
+        if (option.values.size() == 1) return this->option(option.name.c_str(), option.values.front());
+        std::string piece = option.name;
+        for (const std::string& value : option.values) piece += ' ' + quoted(value);
+        pieces_.push_back(std::move(piece));
     }
     void unless(bool isDefault, const char* name, const std::string& value) {
         if (!isDefault) option(name, value);
@@ -113,7 +125,7 @@ std::string windowText(const SolarWindow& window) {
            minutes("sunset", -long(window.beforeSunset.count()));
 }
 
-void addPeriod(CommandLine& line, const Period& period) {
+void addPeriod(CommandLine& line, const Period& period, const std::string& hourOption) {
     line.option("--start", fmt::format("{:04}-{:02}-{:02}", int(period.start.year()),
                                        unsigned(period.start.month()), unsigned(period.start.day())));
     line.option("--days", fmt::to_string(period.days));
@@ -121,7 +133,8 @@ void addPeriod(CommandLine& line, const Period& period) {
         line.option("--window", windowText(*period.window));
         line.flag(period.window->rule == SunriseRule::centre, "--centre");
     } else {
-        line.option("--from", fmt::format("{:02}:{:02}", period.from.count() / 60, period.from.count() % 60));
+        line.option(hourOption.c_str(),
+                    fmt::format("{:02}:{:02}", period.from.count() / 60, period.from.count() % 60));
         line.option("--hours", fmt::to_string(period.hours));
     }
     line.option("--step", fmt::format("{}", period.stepMinutes));
@@ -130,30 +143,27 @@ void addPeriod(CommandLine& line, const Period& period) {
 }
 
 // The one that was picked, unless its options or what is asked of it are not for it.
-std::string engineToName(const Study& study) {
-    const StudySettings& settings = study.settings;
+std::string engineToName(const RepeatQuestion& question) {
+    const StudySettings& settings = question.settings;
     const bool plain = settings.engineSettings.empty() && !settings.byMonth && !settings.contributions;
-    return plain && !study.field.engineKey.empty() ? study.field.engineKey : settings.engine;
+    return plain && !question.engineKey.empty() ? question.engineKey : settings.engine;
 }
 
-void addSettings(CommandLine& line, const Study& study) {
-    const StudySettings& settings = study.settings;
+void addSettings(CommandLine& line, const RepeatQuestion& question) {
+    const StudySettings& settings = question.settings;
     const StudySettings usual;
     line.unless(settings.pressureHPa == usual.pressureHPa, "--pressure",
                 fmt::to_string(settings.pressureHPa));
     line.unless(settings.temperatureC == usual.temperatureC, "--temperature",
                 fmt::to_string(settings.temperatureC));
-    line.option("--region", boxTextOf(settings.region, study.city.frame).value_or(regionFileName));
-    line.option("--cell", fmt::format("{}", study.field.grid.cellM));
+    line.option("--region", question.provenance.region);
+    line.option("--cell", fmt::format("{}", settings.receivers.cellM));
     line.unless(settings.receivers.places == usual.receivers.places, "--receivers",
                 std::string(nameOf(settings.receivers.places)));
-    line.option("--engine", engineToName(study));
+    line.option("--engine", engineToName(question));
     for (const auto& [key, value] : settings.engineSettings)
         line.option("--option", fmt::format("{}={}", key, value));
-    if (settings.byMonth) line.option("--by", "month");
-    line.flag(settings.contributions, "--contributions");
-    line.unless(settings.errorSample.receivers == usual.errorSample.receivers, "--error-sample",
-                fmt::to_string(settings.errorSample.receivers));
+    for (const RepeatOption& option : question.options) line.option(option);
 }
 
 /// Read because another file needs it: not named on the command line.
@@ -163,19 +173,83 @@ bool goesAlong(const std::filesystem::path& file) {
     return std::ranges::find(extensions, file.extension().string()) != extensions.end();
 }
 
+// Their names, or where two are the same the paths, which do not hold elsewhere but say which is which.
+void addInputs(CommandLine& line, const std::vector<InputFile>& inputs) {
+    std::set<std::filesystem::path> names;
+    std::vector<const InputFile*> named;
+    for (const InputFile& input : inputs)
+        if (!goesAlong(input.path)) named.push_back(&input);
+    for (const InputFile* input : named) names.insert(input->path.filename());
+    for (const InputFile* input : named)
+        line.file(names.size() == named.size() ? input->path.filename().string() : input->path.string());
+}
+
+bool namesProject(const Provenance& provenance) { return provenance.project && provenance.project->saved(); }
+
+// The city as it stands is that of its files, saved or not.
+bool namesInputs(const RepeatQuestion& question) {
+    const Provenance& provenance = question.provenance;
+    const bool asRead = !provenance.project || provenance.project->scenario.edits.empty();
+    return !question.needsProject && asRead && !provenance.inputs.empty() && provenance.reading;
+}
+
+tl::unexpected<Error> notRepeatable(const Provenance& provenance) {
+    if (!provenance.project)
+        return failure("No command repeats it: it is not known which files the city was read from", {}, {});
+    return failure("No command repeats it yet: the project has not been saved as it was measured",
+                   fmt::format("scenario '{}'", provenance.project->scenario.name),
+                   "Save the project, then export again: the command names the project file");
+}
+
+void addSource(CommandLine& line, const RepeatQuestion& question) {
+    const Provenance& provenance = question.provenance;
+    if (namesProject(provenance)) {
+        line.file(provenance.project->file);
+        if (!provenance.project->baseline) line.option("--scenario", provenance.project->scenario.name);
+        return;
+    }
+    addInputs(line, provenance.inputs);
+    addReading(line, *provenance.reading);
+    addMesh(line, *provenance.reading);
+}
+
+std::vector<RepeatOption> optionsOf(const StudySettings& settings) {
+    std::vector<RepeatOption> options;
+    if (settings.byMonth) options.push_back({"--by", {"month"}});
+    if (settings.contributions) options.push_back({"--contributions", {}});
+    const int sample = settings.errorSample.receivers;
+    if (sample != ErrorSampleSettings{}.receivers)
+        options.push_back({"--error-sample", {fmt::to_string(sample)}});
+    return options;
+}
+
+std::string regionOf(const Study& study) {
+    const std::string& known = study.provenance.region;
+    return known.empty() ? regionText(study.settings.region, study.city) : known;
+}
+
 }  // namespace
 
-std::string repeatCommand(const Study& study, std::size_t width, const std::string& command) {
-    CommandLine line("noonmark-cli " + command);
-    for (const InputFile& input : study.inputs)
-        if (!goesAlong(input.path)) line.file(input.path.filename().string());
-    if (study.inputs.empty()) line.file("FILE");
-    addReading(line, study.reading);
-    addMesh(line, study.reading);
-    addPeriod(line, study.settings.period);
-    addSettings(line, study);
+Result<std::string> repeatCommand(const RepeatQuestion& question, std::size_t width) {
+    if (!namesProject(question.provenance) && !namesInputs(question))
+        return notRepeatable(question.provenance);
+    CommandLine line("noonmark-cli " + question.command);
+    addSource(line, question);
+    addPeriod(line, question.settings.period, question.hourOption);
+    addSettings(line, question);
     line.option("--out", "repeated");
     return line.wrapped(width);
 }
+
+Result<std::string> repeatCommand(const Study& study, std::size_t width, const std::string& command,
+                                  std::vector<RepeatOption> more) {
+    RepeatQuestion question{command, study.settings, study.provenance, study.field.engineKey};
+    question.provenance.region = regionOf(study);
+    question.options = optionsOf(study.settings);
+    question.options.insert(question.options.end(), more.begin(), more.end());
+    return repeatCommand(question, width);
+}
+
+bool needsRegionFile(const Study& study) { return regionOf(study) == regionFileName; }
 
 }  // namespace noonmark

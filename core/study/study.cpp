@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <new>
 #include <utility>
 
 #include "core/accumulate/projected_breakdown.h"
 #include "core/accumulate/sweep_options.h"
+#include "core/city/city_observer.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/stopwatch.h"
 #include "core/study/memory_need.h"
@@ -120,8 +123,22 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
 
 Observer observerOf(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);
-    const LonLat middle = city.frame.lonLatFromLocal(glm::dvec2(box.low + box.high) / 2.0);
-    return {middle, city.frame.originElevationM(), settings.pressureHPa, settings.temperatureC};
+    Observer observer = observerIn(city, glm::dvec2(box.low + box.high) / 2.0);
+    observer.pressureHPa = settings.pressureHPa;
+    observer.temperatureC = settings.temperatureC;
+    return observer;
+}
+
+SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings) {
+    const Box2 box = bounds(settings.region);
+    const glm::dmat3 turn = observerOf(city, settings).frameFromPlace;
+    const glm::dvec3 up = glm::normalize(glm::cross(turn[0], turn[1]));
+    SunFrameFacts facts;
+    facts.convergenceDeg = Radians{std::atan2(turn[1].x, turn[1].y)}.degrees().value;
+    facts.tiltDeg = Radians{std::atan2(std::hypot(up.x, up.y), up.z)}.degrees().value;
+    facts.farthestM = glm::length(glm::dvec2(box.high - box.low)) / 2;
+    facts.verticalErrorDeg = verticalErrorDeg(facts.farthestM);
+    return facts;
 }
 
 Observer observerOf(const Study& study) { return observerOf(study.city, study.settings); }

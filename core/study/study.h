@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <stop_token>
@@ -13,22 +12,11 @@
 #include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
+#include "core/study/provenance.h"
 #include "core/study/terrain_coverage.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
-
-/// A file that a result rests on, so that a reader can tell that theirs is the same.
-struct InputFile {
-    std::filesystem::path path;
-    std::uintmax_t bytes = 0;
-    std::string sha256;  ///< lower-case hex; empty for a sample, which is made and not read
-};
-Result<InputFile> inputFile(const std::filesystem::path& path);
-
-/// The file, and the files that are read along with it: .dbf, .shx, .prj and .cpg of a shapefile, .bin of a
-/// glTF, .prj and .tfw of a raster. Those that are not there are left out; `path` itself must be there.
-Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path);
 
 /// What to compute over a city that is already there.
 struct StudySettings {
@@ -37,8 +25,8 @@ struct StudySettings {
     Period period;
     std::string engine = "auto";
     EngineSettings engineSettings;  ///< what differs from the engine's usual settings
-    bool byMonth = false;           ///< the shadow of each month too; by the horizon sweep or projected shadows
-    bool contributions = false;     ///< and what each building does; by the horizon sweep only
+    bool byMonth = false;        ///< the shadow of each month too; by the horizon sweep or projected shadows
+    bool contributions = false;  ///< and what each building does; by the horizon sweep only
     ErrorSampleSettings errorSample;
     double pressureHPa = 1010;  ///< for refraction
     double temperatureC = 10;
@@ -67,14 +55,12 @@ struct Study {
     Warnings warnings;  ///< of reading and of computing
 
     [[nodiscard]] bool byReference() const { return field.engineKey == referenceEngine; }
-    std::vector<InputFile> inputs;
-    ReadSettings reading;  ///< how the inputs were read: a report says how to repeat it; set by who read them
-    HeightFacts heights;  ///< of the inputs' fields
-    std::string attribution;
+    Provenance provenance;  ///< what the city came from; set by who read it
+    HeightFacts heights;    ///< of the inputs' fields
 };
 
 /// Receivers, sun and engine (one of `engines`) over `city`; the sun is the one seen from the middle of the
-/// region. Fills everything of Study but `inputs`, `attribution` and what reading adds to `seconds` and
+/// region. Fills everything of Study but `provenance` and what reading adds to `seconds` and
 /// `warnings`. Error: a setting out of range, an unknown engine, a region without open ground, a sun that
 /// never rises in the period, a region or buildings in reach mostly beyond the terrain, or more memory than
 /// the limit. Stops with cancelled() within 0.2 s.
@@ -85,6 +71,15 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
 /// its settings.
 Observer observerOf(const City& city, const StudySettings& settings);
 Observer observerOf(const Study& study);
+
+/// How that sun is told in the frame of the geometry, for reports.
+struct SunFrameFacts {
+    double convergenceDeg = 0;    ///< of the observer's north against the frame's +y, clockwise positive
+    double tiltDeg = 0;           ///< of the observer's vertical against the frame's z; 0 on flat ground
+    double farthestM = 0;         ///< from the observer to the farthest corner of the region
+    double verticalErrorDeg = 0;  ///< at most, there (core/city/city_observer.h)
+};
+SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings);
 
 /// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and
 /// what was skipped included.

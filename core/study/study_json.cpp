@@ -7,7 +7,7 @@
 #include "core/study/breakdown_text.h"
 #include "core/study/error_json.h"
 #include "core/study/height_words.h"
-#include "core/study/inputs_json.h"
+#include "core/study/provenance_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/study.h"
 #include "core/study/terrain_text.h"
@@ -26,6 +26,9 @@ Json periodJson(const Period& period, const SunSteps& sun) {
     json["start"] = textOf(period.start);
     json["days"] = period.days;
     json["step_min"] = period.stepMinutes;
+    json["counted_step_min"] = sun.stepMinutes;
+    json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.windowMinutes / double(sun.days.size());
+    json["day_rounding_min"] = sun.mostOffADayMin;
     json["zone"] = period.zone;
     json["from"] = period.window ? Json() : Json(textOf(period.from));
     json["hours"] = period.window ? Json() : Json(period.hours);
@@ -46,6 +49,17 @@ Json observerJson(const Observer& observer) {
             {"elevation_m", observer.elevationM},
             {"pressure_hpa", observer.pressureHPa},
             {"temperature_c", observer.temperatureC}};
+}
+
+/// Of the sun's direction in the frame of the geometry, and what is left of it at the region's farthest
+/// corner.
+Json sunFrameJson(const Study& study) {
+    const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
+    return {{"north_turned_deg", facts.convergenceDeg},
+            {"vertical_turned_deg", facts.tiltDeg},
+            {"farthest_from_observer_m", facts.farthestM},
+            {"vertical_error_deg", facts.verticalErrorDeg},
+            {"steps_levelled", study.sun.levelled}};
 }
 
 Json regionJson(const Study& study) {
@@ -134,7 +148,17 @@ Json definitions(bool runs) {
          "a cell of the region whose centre is where receivers_on says: on the ground, outside every "
          "footprint "
          "that stands on it, or on the roof of a building there, its highest surface"},
-        {"azimuth", "from true north, clockwise"}};
+        {"period",
+         "whole steps of nearly step_min fill the hours of each day (hours_min_per_day in the mean); each "
+         "counts counted_step_min, so that no time is dropped; the steps of a day count as long as its hours "
+         "to within day_rounding_min"},
+        {"azimuth", "from true north, clockwise"},
+        {"sun_frame",
+         "the sun is the observer's, turned into the frame of the geometry: north_turned_deg, clockwise, "
+         "from the "
+         "frame's +y to the observer's north; vertical_turned_deg, for the drop of the terrain; "
+         "vertical_error_deg, how far the vertical is off at the farthest corner of the region (1 deg = 4 "
+         "minutes of the sun's way); steps_levelled, suns below the frame's plane taken in it"}};
 }
 
 }  // namespace
@@ -160,10 +184,10 @@ std::string studyJson(const Study& study) {
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();
     if (study.city.terrain) json["beyond_terrain"] = coverageJson(study.terrainCoverage);
     json["observer"] = observerJson(observerOf(study));
-    json["inputs"] = inputsJson(study.inputs);
+    json["sun_frame"] = sunFrameJson(study);
+    addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
-    json["attribution"] = study.attribution;
-    json["repeat"] = repeatCommand(study, std::numeric_limits<std::size_t>::max());
+    addRepeat(json, repeatCommand(study, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions(hasRuns(study.statistics));
     json["warnings"] = warningsJson(study.warnings);
     return jsonText(json);

@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "core/study/provenance_json.h"
 #include "core/study/repeat_command.h"
 #include "core/study/tiled_study.h"
 #include "core/study/warnings_json.h"
@@ -15,7 +16,10 @@ std::string tiledStudyJson(const TiledStudy& tiled) {
                      {"empty", tiled.emptyTiles},
                      {"resumed", tiled.resumedTiles},
                      {"by_engine", tiled.tilesByEngine}};
-    json["repeat"] = repeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study");
+    std::vector<RepeatOption> tiles;
+    if (tiled.plan.side != TiledStudySettings::usualTileCells)
+        tiles.push_back({"--tile", {std::to_string(tiled.plan.side)}});
+    addRepeat(json, repeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));
     return jsonText(json);
 }
 

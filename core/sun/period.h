@@ -11,7 +11,8 @@
 
 namespace noonmark {
 
-/// The hours of a day counted from the sun: sunrise + afterSunrise to sunset - beforeSunset.
+/// The hours of a day counted from the sun: sunrise + afterSunrise to sunset - beforeSunset. All of them
+/// count, whatever the step.
 struct SolarWindow {
     std::chrono::minutes afterSunrise{0};
     std::chrono::minutes beforeSunset{0};
@@ -25,7 +26,8 @@ struct Period {
     int days = 1;                       ///< 1 to 3660
     std::chrono::minutes from{9 * 60};  ///< wall clock, 0 to 24 h; ignored with a solar window
     double hours = 6;                   ///< a day, 0 to 24; 0 = one instant; ignored with a solar window
-    double stepMinutes = 1;             ///< 1/60 to 240
+    /// 1/60 to 240: what is asked for. Whole steps of nearly this length fill a day's hours (SunSteps).
+    double stepMinutes = 1;
     std::optional<SolarWindow> window;
     std::string zone = "UTC";  ///< IANA name
     bool refraction = true;    ///< the sun as seen (true) or geometric (false)

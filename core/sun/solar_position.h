@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 
@@ -17,12 +18,17 @@ enum class SunriseRule;
 using Instant = std::chrono::sys_time<std::chrono::milliseconds>;
 
 /// Where on earth, and the air over it that bends the light. The defaults are the air that the formula of
-/// refraction was made for, and the one that almanacs take.
+/// refraction was made for, and the one that almanacs take. The observer of a city is made by observerIn
+/// (core/city/city_observer.h), which knows how the place lies in the frame of the city's geometry.
 struct Observer {
     LonLat place;
     double elevationM = 0;      ///< above the ellipsoid, -500 to 9000
     double pressureHPa = 1010;  ///< 0 to 1200
     double temperatureC = 10;   ///< -90 to 60
+    /// How directions in east, north and up at the place read in the frame of the geometry. The identity
+    /// where the place is that frame's origin. SunStep::direction is told in that frame; azimuths and
+    /// altitudes stay those of the place.
+    glm::dmat3 frameFromPlace{1.0};
     bool operator==(const Observer&) const = default;
 };
 

@@ -4,7 +4,9 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
+#include <span>
 
 namespace noonmark {
 
@@ -15,10 +17,12 @@ using namespace std::chrono;
 constexpr double millisecondsPerMinute = 60000;
 constexpr double mostSteps = 50'000'000;  // 1.6 GB
 
-/// The steps of one day before the horizon is looked at.
+/// The hours of one day, and the whole steps that fill them, before the horizon is looked at.
 struct Window {
     Instant from;
+    double minutes = 0;
     std::int64_t steps = 0;
+    [[nodiscard]] double stepMinutes() const { return minutes / double(steps); }
 };
 
 double stepMinutesOf(const Period& period) {
@@ -26,38 +30,63 @@ double stepMinutesOf(const Period& period) {
     return instant ? 1 : period.stepMinutes;
 }
 
-/// Whole steps that fit; a last one that is cut off isn't counted. Forgives rounding, so that 6 h of 0.1 min
-/// are 3600 steps.
-std::int64_t wholeSteps(double minutes, double stepMinutes) {
-    return std::max<std::int64_t>(0, std::llround(std::floor(minutes / stepMinutes + 1e-6)));
+/// As many steps of equal length as come nearest to what is asked for; at least one where there is any time.
+/// Hours that the step divides, but for rounding, are divided by it exactly.
+Window filled(Instant from, double minutes, double stepMinutes) {
+    constexpr double rounding = 1e-6;  // of a step: 6 h of 0.1 min are 3600 steps
+    if (!(minutes > rounding * stepMinutes)) return {from};
+    const std::int64_t steps = std::max<std::int64_t>(1, std::llround(minutes / stepMinutes));
+    const double asked = double(steps) * stepMinutes;
+    return {from, std::abs(asked - minutes) <= rounding * stepMinutes ? asked : minutes, steps};
 }
 
 /// Where there is no sunrise or sunset because the sun stays up, the civil day itself bounds the window.
 Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant midnight, Instant nextMidnight,
                    double stepMinutes) {
-    if (events.kind == DayKind::polarNight) return {midnight, 0};
+    if (events.kind == DayKind::polarNight) return {midnight};
     const Instant from = events.sunrise ? *events.sunrise + window.afterSunrise : midnight;
     const Instant to = events.sunset ? *events.sunset - window.beforeSunset : nextMidnight;
-    return {from, wholeSteps(duration<double, std::ratio<60>>(to - from).count(), stepMinutes)};
+    return filled(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
+}
+
+/// A sun above the observer's horizon, in the frame of the geometry. Where that lies so far from the observer
+/// that the sun is below its plane, it is taken in the plane: engines know suns above it.
+struct FramedSun {
+    glm::vec3 direction;
+    bool levelled = false;
+};
+
+FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees altitude) {
+    constexpr double leastZ = 1e-6;  // a ten-thousandth of a degree
+    glm::dvec3 towards = frameFromPlace * directionFromAzimuthAltitude(azimuth, altitude);
+    const bool levelled = towards.z <= 0;
+    if (levelled) towards.z = leastZ;
+    return {glm::vec3(glm::normalize(towards)), levelled};
 }
 
 /// Makes the days of a period, each on its own.
 class Days {
 public:
-    Days(const Period& period, const Zone& zone, const Ephemeris& sun)
-        : period_(period), zone_(zone), sun_(sun), step_(stepMinutesOf(period)) {}
+    Days(const Period& period, const Zone& zone, const Ephemeris& sun, const glm::dmat3& frameFromPlace)
+        : period_(period),
+          zone_(zone),
+          sun_(sun),
+          frameFromPlace_(frameFromPlace),
+          step_(stepMinutesOf(period)) {}
 
     struct Steps {
         SunDay day;
         std::vector<SunStep> steps;
+        std::size_t levelled = 0;
+        Window window;
     };
 
     [[nodiscard]] Steps on(CivilDate date) const {
         const Window window = windowOf(date);
-        Steps made{{date}, {}};
+        Steps made{{date}, {}, 0, window};
         made.steps.reserve(std::size_t(window.steps));
         for (std::int64_t slot = 0; slot < window.steps; ++slot) {
-            const auto step = stepAt(window.from, slot);
+            const auto step = stepAt(window, slot, made.levelled);
             if (step) made.steps.push_back(*step);
         }
         made.day.count = std::uint32_t(made.steps.size());
@@ -73,23 +102,28 @@ private:
             return solarWindow(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
         }
         const Instant from = zone_.instantAt(date, period_.from);
-        return {from, period_.hours == 0 ? 1 : wholeSteps(period_.hours * 60, step_)};
+        return filled(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
     }
 
     /// Nothing while the sun is below the horizon.
-    [[nodiscard]] std::optional<SunStep> stepAt(Instant from, std::int64_t slot) const {
-        const Instant at = from + milliseconds{std::llround(double(slot) * step_ * millisecondsPerMinute)};
+    [[nodiscard]] std::optional<SunStep> stepAt(const Window& window, std::int64_t slot,
+                                                std::size_t& levelled) const {
+        const double sinceFrom = double(slot) * window.stepMinutes() * millisecondsPerMinute;
+        const Instant at = window.from + milliseconds{std::llround(sinceFrom)};
         const SolarPosition position = sun_.at(at);
         const Degrees altitude = period_.refraction ? position.altitudeApparent : position.altitude;
         if (!(float(altitude.value) > 0)) return std::nullopt;
         const float azimuth = float(position.azimuth.value);  // 359.99999 rounds to 360
-        return SunStep{glm::vec3(directionFromAzimuthAltitude(position.azimuth, altitude)),
-                       azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot), at};
+        const FramedSun sun = inFrame(frameFromPlace_, position.azimuth, altitude);
+        levelled += sun.levelled ? 1 : 0;
+        return SunStep{sun.direction, azimuth < 360 ? azimuth : 0, float(altitude.value), std::int32_t(slot),
+                       at};
     }
 
     const Period& period_;
     const Zone& zone_;
     const Ephemeris& sun_;
+    const glm::dmat3& frameFromPlace_;
     double step_;
 };
 
@@ -102,15 +136,32 @@ std::vector<Days::Steps> allDays(const Period& period, const Days& days, const s
     return made;
 }
 
+/// Every step counts the same: the mean of all, so that the minutes of the period are those of its hours.
+void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes) {
+    std::int64_t steps = 0;
+    for (const auto& day : days) {
+        sun.windowMinutes += day.window.minutes;
+        steps += day.window.steps;
+    }
+    const double mean = steps == 0 ? stepMinutes : sun.windowMinutes / double(steps);
+    const bool asAsked = std::abs(mean - stepMinutes) <= 1e-12 * stepMinutes;
+    sun.stepMinutes = asAsked ? stepMinutes : mean;
+    for (const auto& day : days) {
+        const double off = double(day.window.steps) * sun.stepMinutes - day.window.minutes;
+        sun.mostOffADayMin = std::max(sun.mostOffADayMin, std::abs(off));
+    }
+}
+
 SunSteps joined(std::vector<Days::Steps> days, double stepMinutes) {
     SunSteps sun;
-    sun.stepMinutes = stepMinutes;
+    weigh(sun, days, stepMinutes);
     std::size_t count = 0;
-    for (const auto& [day, steps] : days) count += steps.size();
+    for (const auto& day : days) count += day.steps.size();
     sun.steps.reserve(count);
-    for (auto& [day, steps] : days) {
+    for (auto& [day, steps, levelled, window] : days) {
         day.first = std::uint32_t(sun.steps.size());
         sun.belowHorizon += day.belowHorizon;
+        sun.levelled += levelled;
         sun.days.push_back(day);
         sun.steps.insert(sun.steps.end(), steps.begin(), steps.end());
         steps = {};
@@ -138,7 +189,7 @@ Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const 
     const Instant last = zone->instantAt(period.start, days{period.days}) + days{2};
     auto sun = Ephemeris::over(observer, first, last);
     if (!sun) return tl::make_unexpected(sun.error());
-    auto days = allDays(period, Days(period, *zone, *sun), stop);
+    auto days = allDays(period, Days(period, *zone, *sun, observer.frameFromPlace), stop);
     if (stop.stop_requested()) return cancelled();
     return joined(std::move(days), stepMinutesOf(period));
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
+#include "core/study/provenance_json.h"
 #include "core/study/warnings_json.h"
 #include "scenarios/settings_json.h"
 
@@ -51,13 +53,23 @@ std::string areasText(const ChangeFigures& figures) {
     return std::isnan(figures.meanMin) ? "," : fmt::format("{:.1f},{:.1f}", figures.gainedM2, figures.lostM2);
 }
 
-std::string line(const std::string& id, const std::string& name, const ImpactFigures& figures) {
+std::string line(const std::string& id, const std::string& name, const ImpactFigures& figures,
+                 const std::string& source) {
     const ChangeFigures& gross = figures.gross;
     return fmt::format(
-        "{},{},{:g},{:.1f},{:.1f},{:.1f},{:.1f},{:.3f},{:.2f},{:.2f},{},{:.1f},{:.1f},{:.1f}\r\n",
+        "{},{},{:g},{:.1f},{:.1f},{:.1f},{:.1f},{:.3f},{:.2f},{:.2f},{},{:.1f},{:.1f},{:.1f}{}\r\n",
         csvField(id), csvField(name), figures.thresholdMin, gross.gainedM2, gross.lostM2, gross.touchedM2,
         gross.easedM2, gross.meanMin, gross.mostGainedMin, gross.mostLostMin, areasText(figures.continuous),
-        figures.shadowAreaChangeM2, figures.becameBuildingM2, figures.becameGroundM2);
+        figures.shadowAreaChangeM2, figures.becameBuildingM2, figures.becameGroundM2, source);
+}
+
+std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
+    RepeatOption thresholds{"--threshold", {}};
+    for (const double threshold : answer.thresholdsMin)
+        thresholds.values.push_back(fmt::format("{}", threshold));
+    std::vector<RepeatOption> options{{"--from", {answer.from}}, {"--to", {answer.to}}, thresholds};
+    if (answer.settings.byBuilding) options.push_back({"--by-building", {}});
+    return options;
 }
 
 }  // namespace
@@ -73,6 +85,12 @@ ComparisonFigures figuresOf(const ImpactAnswer& answer) {
     return figures;
 }
 
+Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width) {
+    return repeatCommand(projectQuestion("impact", answer.settings.study, answer.provenance,
+                                         answer.study.after.engineKey, optionsOf(answer)),
+                         width);
+}
+
 std::string impactJson(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
     Json json = settingsJson(answer.settings.study);
@@ -80,6 +98,7 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["to"] = answer.to;
     json["engine_settings"] = total.engine;
     json["steps"] = answer.study.sun.steps.size();
+    json["period"]["counted_step_min"] = total.stepMinutes;
     json["sunlit_min_per_day"] = total.sunlitMinutesPerDay;
     json["impact"] = figuresJson(total, answer.thresholdsMin);
     json["by_building"] = Json::array();
@@ -87,6 +106,8 @@ std::string impactJson(const ImpactAnswer& answer) {
         json["by_building"].push_back({{"id", building.id},
                                        {"name", building.name},
                                        {"impact", figuresJson(building.impact, answer.thresholdsMin)}});
+    addProvenance(json, answer.provenance);
+    addRepeat(json, repeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions();
     json["warnings"] = warningsJson(total.warnings);
     return jsonText(json);
@@ -96,12 +117,14 @@ std::string impactCsv(const ImpactAnswer& answer) {
     std::string csv =
         "id,name,threshold_min,gained_m2,lost_m2,touched_m2,eased_m2,mean_min,most_gained_min,most_lost_min,"
         "continuous_gained_m2,continuous_lost_m2,shadow_area_change_m2,became_building_m2,became_ground_"
-        "m2\r\n";
+        "m2" +
+        std::string(sourceColumns) + "\r\n";
+    const std::string source = sourceFields(answer.provenance);
     for (const double threshold : answer.thresholdsMin)
-        csv += line("", "all", figuresOf(answer.study.total, threshold));
+        csv += line("", "all", figuresOf(answer.study.total, threshold), source);
     for (const BuildingImpact& building : answer.study.byBuilding)
         for (const double threshold : answer.thresholdsMin)
-            csv += line(building.id, building.name, figuresOf(building.impact, threshold));
+            csv += line(building.id, building.name, figuresOf(building.impact, threshold), source);
     return csv;
 }
 

@@ -14,6 +14,7 @@ struct ImpactAnswer {
     ImpactSettings settings;
     std::vector<double> thresholdsMin{30, 60};  ///< Boston's rules ask for 60
     ImpactStudy study;
+    Provenance provenance{};
 };
 
 /// The figures of an impact without its fields, as lists show them.
@@ -30,6 +31,9 @@ struct ComparisonFigures {
     std::string engine;
 };
 ComparisonFigures figuresOf(const ImpactAnswer& answer);
+
+/// The command that repeats it; see core/study/repeat_command.h.
+Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width = 120);
 
 /// Keys are stable, units in their names; figures for every threshold, of all and of each new building.
 std::string impactJson(const ImpactAnswer& answer);

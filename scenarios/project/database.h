@@ -93,6 +93,9 @@ public:
 
     /// Throws DatabaseTrouble. Whoever else writes is waited for, half a second at most.
     Database(const std::filesystem::path& file, Access access);
+    /// A copy of another, in memory: what is done to it touches no file.
+    struct InMemory {};
+    Database(InMemory, Database& source);
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
     ~Database();

@@ -117,6 +117,13 @@ Database::Database(const std::filesystem::path& file, Access access) {
     sqlite3_busy_timeout(database_, waitMs);
 }
 
+Database::Database(InMemory, Database& source) : Database(":memory:", Access::create) {
+    sqlite3_backup* copy = sqlite3_backup_init(database_, "main", source.database_, "main");
+    if (copy == nullptr) fail(database_, sqlite3_errcode(database_));
+    sqlite3_backup_step(copy, -1);
+    if (const int code = sqlite3_backup_finish(copy); code != SQLITE_OK) fail(database_, code);
+}
+
 Database::~Database() { sqlite3_close(database_); }
 
 void Database::execute(const std::string& sql) {

@@ -51,6 +51,12 @@ KeptOrigin originOf(const Json& json) {
             weightsOf(json, kept)};
 }
 
+// Results of before had steps of just the length that was asked for.
+double countedStepOf(const Json& json) {
+    const Json& period = json.at("period");
+    return period.value("counted_step_min", period.at("step_min").get<double>());
+}
+
 KeptStudy studyOf(const KeptResult& result, const Json& json) {
     KeptStudy study;
     ShadowField& field = study.field;
@@ -59,7 +65,7 @@ KeptStudy studyOf(const KeptResult& result, const Json& json) {
     study.statistics = statisticsFrom(json);
     field.continuousMin = runsOf(result, 1, hasRuns(study.statistics));
     field.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
-    field.stepMinutes = json.at("period").at("step_min");
+    field.stepMinutes = countedStepOf(json);
     field.days = json.at("period").at("days");
     field.engine = json.at("engine_settings");
     study.steps = json.at("steps");
@@ -78,7 +84,7 @@ KeptImpact impactOf(const KeptResult& result, const Json& json) {
     impact.change = changedCellsFrom(json.value("kept", Json::object()).value("changed_cells", Json::array()),
                                      result.grid.size());
     impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
-    impact.stepMinutes = json.at("period").at("step_min");
+    impact.stepMinutes = countedStepOf(json);
     impact.engine = kept.figures.engine;
     return kept;
 }

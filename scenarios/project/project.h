@@ -2,13 +2,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/city/city.h"
 #include "core/receivers/grid.h"
 #include "core/receivers/region.h"
-#include "core/study/study.h"
+#include "core/study/provenance.h"
 #include "core/sun/period.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/time_weights.h"
@@ -20,6 +21,14 @@ struct NamedLot {
     std::string name;
     Footprint outline;
     bool operator==(const NamedLot&) const = default;
+};
+
+/// How the city was read from its files, and what was noted then. It belongs to the city: every answer about
+/// the city, or about a scenario of it, states these warnings.
+struct CityReading {
+    /// Nothing: not known, as of a project file of version 1.
+    std::optional<ReadSettings> settings = ReadSettings{};
+    Warnings warnings;
 };
 
 struct NamedPeriod {
@@ -48,12 +57,14 @@ struct KeptResult {
 };
 
 /// All that one project file holds. A value: cheap to copy for undo, since the city and the results are
-/// shared. Equality of those is that of the pointer.
+/// shared. Equality of those, and of the reading, is that of the pointer.
 struct Project {
     std::shared_ptr<const City> city =
         std::make_shared<const City>();  ///< as it stands; ids unique, never null
     std::string attribution;
     std::vector<InputFile> inputs;  ///< the city's files
+    /// Of those files; shared like the city, never null.
+    std::shared_ptr<const CityReading> reading = std::make_shared<const CityReading>();
     std::vector<NamedLot> lots;
     std::vector<Region> regions;
     std::vector<Scenario> scenarios;

@@ -72,6 +72,19 @@ void writeNew(const fs::path& file, const Project& project, const std::string& i
     transaction.commit();
 }
 
+Project readChecked(Database& database) {
+    checkTables(database);
+    return readProject(database);
+}
+
+// An older file is brought to this version in a copy, so that a file that may only be read is opened too.
+Project readAnyVersion(Database& database) {
+    if (versionOf(database) == schemaVersion) return readChecked(database);
+    Database copy(Database::InMemory{}, database);
+    migrate(copy);
+    return readChecked(copy);
+}
+
 Result<void> isOurs(Database& database, const ProjectFile& file) {
     if (auto known = checkVersion(database, file.path()); !known) return known;
     if (factOf(database, "project_id") == file.id() && savesIn(database) == file.saves()) return {};
@@ -107,17 +120,23 @@ Result<ProjectFile> ProjectFile::open(const fs::path& file) {
         Database database(file, writable ? Database::Access::write : Database::Access::read);
         const Transaction transaction(database, false);
         if (auto known = checkVersion(database, file); !known) return tl::make_unexpected(known.error());
-        migrate(database);  // rolled back with the transaction; save() does it again
-        checkTables(database);
         ProjectFile opened;
         opened.path_ = file;
         opened.id_ = factOf(database, "project_id");
         opened.saves_ = savesIn(database);
-        opened.project_ = readProject(database);
+        opened.project_ = readAnyVersion(database);
         if (auto sound = checked(opened.project_); !sound)
             throwDamaged(fmt::format("{}: {}", sound.error().where, sound.error().what));
         return opened;
     });
+}
+
+bool ProjectFile::isUnchanged() const {
+    const Result<void> ours = guarded(path_, [&]() -> Result<void> {
+        Database database(path_, Database::Access::read);
+        return isOurs(database, *this);
+    });
+    return bool(ours);
 }
 
 Result<void> ProjectFile::save(const Project& project) {

@@ -35,6 +35,9 @@ public:
     /// Writes what differs from project(), by the size of the difference. On an Error the file is as it was.
     Result<void> save(const Project& project);
 
+    /// Whether the file still holds project(): nobody else has saved it since. False where it cannot be read.
+    [[nodiscard]] bool isUnchanged() const;
+
     [[nodiscard]] const Project& project() const { return project_; }  ///< as it is on the disk
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::int64_t saves() const { return saves_; }  ///< how often it was saved, from 1

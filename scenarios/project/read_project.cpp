@@ -189,6 +189,7 @@ Project readProject(Database& database) {
     project.city = readCityTables(database);
     project.attribution = factOf(database, "attribution");
     project.inputs = readInputs(database);
+    project.reading = readReading(database);
     project.lots = readLots(database);
     project.regions = readRegions(database);
     project.scenarios = readScenarios(database);

@@ -11,6 +11,7 @@ Project readProject(Database& database);
 
 /// Parts of it.
 std::shared_ptr<const City> readCityTables(Database& database);
+std::shared_ptr<const CityReading> readReading(Database& database);
 std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database);
 
 }  // namespace noonmark

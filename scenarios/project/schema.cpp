@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "core/warnings.h"
 #include "scenarios/project/geometry_blob.h"
 #include "scenarios/project/geopackage.h"
 #include "scenarios/project/layer_styles.h"
@@ -51,6 +52,13 @@ CREATE TABLE result_layers (id INTEGER PRIMARY KEY NOT NULL, result INTEGER NOT 
 CREATE TABLE view_state (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value TEXT NOT NULL);
 )sql";
 
+// Since version 2. Many warnings share a text: it is held once.
+constexpr const char* readingTables = R"sql(
+CREATE TABLE warning_texts (id INTEGER PRIMARY KEY NOT NULL, kind TEXT NOT NULL, what TEXT NOT NULL);
+CREATE TABLE warnings (id INTEGER PRIMARY KEY NOT NULL, text INTEGER NOT NULL, place TEXT NOT NULL);
+)sql";
+constexpr std::array readingTableNames{"warning_texts", "warnings"};
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -69,10 +77,21 @@ constexpr std::array attributeTables{
     "noonmark",           "inputs",       "meshes",  "terrain", "scenarios",     "edits",
     "time_weight_tables", "time_weights", "periods", "results", "result_layers", "view_state"};
 
-void registerTables(Database& database) {
-    Statement contents = database.prepare(
+Statement contentsOf(Database& database) {
+    return database.prepare(
         "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, srs_id) VALUES (?, ?, ?, "
         "?, ?)");
+}
+
+void addReadingTables(Database& database) {
+    database.execute(readingTables);
+    Statement contents = contentsOf(database);
+    for (const char* table : readingTableNames)
+        contents.run(table, "attributes", table, "", std::optional<int>{});
+}
+
+void registerTables(Database& database) {
+    Statement contents = contentsOf(database);
     Statement geometry = database.prepare("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)");
     for (const FeatureTable& layer : featureTables) {
         contents.run(layer.table, "features", layer.identifier, layer.description, localSrsId);
@@ -88,6 +107,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         std::map<std::string, std::vector<std::string>> made;
         Database memory(":memory:", Database::Access::create);
         memory.execute(projectTables);
+        memory.execute(readingTables);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
         while (table.step()) made[table.text(0)].push_back(table.text(1));
@@ -96,9 +116,17 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
     return tables;
 }
 
+// Version 1 held neither the warnings of reading nor the settings: every later report says so.
+void toVersion2(Database& database) {
+    addReadingTables(database);
+    database.prepare("INSERT INTO warning_texts (id, kind, what) VALUES (1, ?, ?)")
+        .run(nameOf(WarningKind::leftOut), noReadingWords);
+    database.prepare("INSERT INTO warnings (text, place) VALUES (1, ?)").run("project file");
+}
+
 // From version 1 + i to the next. An old file of every version stays in the tests.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps;
+    static const std::vector<std::function<void(Database&)>> steps{toVersion2};
     return steps;
 }
 
@@ -108,6 +136,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     createGeoPackage(database, localWkt);
     database.execute(projectTables);
     registerTables(database);
+    addReadingTables(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));

@@ -115,6 +115,10 @@ void setFact(Database& database, const std::string& key, const std::string& valu
         .run(key, value);
 }
 
+void removeFact(Database& database, const std::string& key) {
+    database.prepare("DELETE FROM noonmark WHERE key = ?").run(key);
+}
+
 std::string factOf(Database& database, const std::string& key) {
     Statement get = database.prepare("SELECT value FROM noonmark WHERE key = ?");
     get.begin(key);
@@ -126,6 +130,7 @@ void writeChanges(Database& database, const Project* before, const Project& afte
     if (changed(&Project::city)) writeCity(database, before ? before->city.get() : nullptr, *after.city);
     if (changed(&Project::attribution)) setFact(database, "attribution", after.attribution);
     if (before == nullptr || !same(before->inputs, after.inputs)) writeInputs(database, after.inputs);
+    if (changed(&Project::reading)) writeReading(database, *after.reading);
     if (changed(&Project::lots)) writeLots(database, after.lots);
     if (changed(&Project::regions)) writeRegions(database, after.regions);
     if (changed(&Project::scenarios))

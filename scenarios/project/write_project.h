@@ -12,6 +12,7 @@ void writeChanges(Database& database, const Project* before, const Project& afte
 
 /// The rows of write_project.cpp's parts.
 void writeCity(Database& database, const City* before, const City& after);
+void writeReading(Database& database, const CityReading& reading);
 void writeScenarios(Database& database, const std::vector<Scenario>& before,
                     const std::vector<Scenario>& after);
 void writeResult(Database& database, const KeptResult& result);
@@ -19,6 +20,7 @@ void removeResult(Database& database, const std::string& name);
 
 /// Sets a row of the table `noonmark`.
 void setFact(Database& database, const std::string& key, const std::string& value);
+void removeFact(Database& database, const std::string& key);
 std::string factOf(Database& database, const std::string& key);  ///< empty where it is not there
 
 }  // namespace noonmark

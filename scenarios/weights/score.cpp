@@ -47,7 +47,9 @@ public:
             choice = raysSince(choice, score.error());
             score = by(*choice.engine);
         }
-        if (score) score->engine += fmt::format(" (chosen: {})", choice.why);
+        if (!score) return score;
+        score->engine += fmt::format(" (chosen: {})", choice.why);
+        score->engineKey = choice.key;
         return score;
     }
 
@@ -143,7 +145,9 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
     if (sun->steps.empty())
         return failure("The sun is below the horizon all the time", textOf(settings.period),
                        "Choose other hours or days");
-    return scoreOf(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
+    auto score = scoreOf(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
+    if (score && score->engineKey.empty()) score->engineKey = settings.engine;
+    return score;
 } catch (const std::bad_alloc&) {
     return failure("There is not enough memory for this score", "",
                    "Choose larger cells, a smaller region or fewer steps");

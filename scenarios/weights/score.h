@@ -37,6 +37,7 @@ struct Score {
     std::vector<MonthFigures> months;        ///< of the period, in order
     std::vector<IntervalFigures> intervals;  ///< of the table, in its order
     std::string engine;                      ///< name and settings in words
+    std::string engineKey;                   ///< of the engine that made it
     Warnings warnings;
 };
 

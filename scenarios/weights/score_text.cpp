@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
+#include "core/study/provenance_json.h"
 #include "core/study/warnings_json.h"
 #include "scenarios/settings_json.h"
 
@@ -37,8 +40,16 @@ Json intervalsJson(const Score& score) {
 
 }  // namespace
 
+Result<std::string> repeatCommand(const ScoreAnswer& answer, std::size_t width) {
+    return repeatCommand(projectQuestion("score", answer.settings, answer.provenance, answer.score.engineKey,
+                                         {{"--weights", {answer.weights.name}}}),
+                         width);
+}
+
 std::string scoreJson(const ScoreAnswer& answer) {
     Json json = settingsJson(answer.settings);
+    addProvenance(json, answer.provenance);
+    addRepeat(json, repeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["scenario"] = answer.scenario;
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
@@ -55,10 +66,11 @@ std::string scoreJson(const ScoreAnswer& answer) {
 }
 
 std::string scoreCsv(const ScoreAnswer& answer) {
-    std::string csv = "month,sunlit_min,shadow_area_m2,score_m2\r\n";
+    std::string csv = "month,sunlit_min,shadow_area_m2,score_m2" + std::string(sourceColumns) + "\r\n";
+    const std::string source = sourceFields(answer.provenance);
     for (const MonthFigures& month : answer.score.months)
-        csv += fmt::format("{},{:g},{:.1f},{:.1f}\r\n", textOf(month.month), month.sunlitMinutes,
-                           month.shadowAreaM2, month.scoreM2);
+        csv += fmt::format("{},{:g},{:.1f},{:.1f}{}\r\n", textOf(month.month), month.sunlitMinutes,
+                           month.shadowAreaM2, month.scoreM2, source);
     return csv;
 }
 

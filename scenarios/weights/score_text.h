@@ -12,7 +12,11 @@ struct ScoreAnswer {
     StudySettings settings;
     TimeWeights weights;
     Score score;
+    Provenance provenance{};
 };
+
+/// The command that repeats it; see core/study/repeat_command.h.
+Result<std::string> repeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
 
 /// Keys are stable, units in their names; the months and the intervals with their weights.
 std::string scoreJson(const ScoreAnswer& answer);

@@ -154,6 +154,12 @@ TEST_F(StudyCommand, solarWindowNeedsNoZone) {
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
     EXPECT_EQ(spoken.json()["period"]["window"]["after_sunrise_min"], 90);
     EXPECT_EQ(spoken.json()["period"]["window"]["sunrise_altitude_deg"], -0.833);
+    // All of the window's minutes, 12 h 10 min of daylight less 3 h: at 30 min a step 18 steps.
+    const double minutes = spoken.json()["period"]["hours_min_per_day"];
+    EXPECT_NEAR(minutes, 550, 3);
+    EXPECT_EQ(spoken.json()["steps"], 18);
+    EXPECT_NEAR(spoken.json()["sunlit_min_per_day"].get<double>(), minutes, 1e-6);
+    EXPECT_NEAR(spoken.json()["period"]["counted_step_min"].get<double>(), minutes / 18, 1e-9);
 }
 
 TEST_F(StudyCommand, whatTheSettingsHoldCanBeSaidAndIsRepeated) {

@@ -79,7 +79,8 @@ TEST(Usage, wrongCommandLines) {
 }
 
 TEST(Usage, wrongStudies) {
-    expectUsageError({"study", "sample:grid"}, "--start");
+    expectUsageError({"study", "sample:grid"}, "--region");
+    expectUsageError({"study", "sample:grid", "--region", "city", "--out", "o"}, "--start");
     expectUsageError(study({}), "--zone");
     expectUsageError(study({"--zone", "America/New_Yrok"}), "New_Yrok");
     expectUsageError(study({"--zone", "UTC", "--engine", "magic"}), "magic");

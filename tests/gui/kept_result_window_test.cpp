@@ -324,6 +324,78 @@ TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
         << window->panel().legend().note().toStdString();
 }
 
+TEST_F(AnswersWindow, AllWordsOfTheResultsAreSeenWhateverWasShownBefore) {
+    auto* dock = window->findChild<ResultsDock*>();
+    const auto expectWhole = [&](const char* when) {
+        for (int i = 0; i < 20; ++i) QCoreApplication::processEvents();
+        int seen = 0;
+        for (const QLabel* label : dock->findChildren<QLabel*>()) {
+            if (label->text().isEmpty() || !label->isVisible()) continue;
+            ++seen;
+            const int needed =
+                label->wordWrap() ? label->heightForWidth(label->width()) : label->fontMetrics().height();
+            EXPECT_GE(label->height(), needed) << when << ": " << label->text().toStdString();
+            EXPECT_TRUE(dock->rect().contains(label->geometry()))
+                << when << ": " << label->text().toStdString();
+        }
+        EXPECT_GE(seen, 1) << when;
+    };
+    expectWhole("before");
+    study();
+    expectWhole("study");
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    expectWhole("score");
+    const auto before = workbench().city();
+    window->open({QStringLiteral("sample:grid")});
+    ASSERT_TRUE(waitFor([&] { return workbench().city() != before; }));
+    EXPECT_EQ(note(), QStringLiteral("No study yet."));
+    expectWhole("another city");
+}
+
+TEST_F(AnswersWindow, ALongRunByRaysIsAnnouncedBeforeItStarts) {
+    StudySettings question = workbench().document().settings();
+    question.engine = "ray";
+    question.receivers.cellM = 1;
+    question.period.days = 365;
+    question.period.from = std::chrono::hours(6);
+    question.period.hours = 12;
+    question.period.stepMinutes = 1;
+    workbench().document().change(question, QStringLiteral("test"));
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    const QString words = window->panel().messages().text();
+    EXPECT_TRUE(words.startsWith(QStringLiteral("By the ray reference this takes about ")))
+        << words.toStdString();
+    EXPECT_FALSE(workbench().running().busy());
+    window->panel().messages().findChild<QPushButton*>(QStringLiteral("otherRemedy"))->click();
+    EXPECT_TRUE(workbench().running().busy()) << "by rays anyway";
+    workbench().running().cancel();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    window->panel().messages().hide();
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    window->panel().messages().findChild<QPushButton*>(QStringLiteral("remedy"))->click();
+    EXPECT_EQ(workbench().document().settings().engine, "auto");
+    EXPECT_TRUE(workbench().running().busy());
+    workbench().running().cancel();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    question.period.days = 1;
+    question.period.stepMinutes = 30;
+    workbench().document().change(question, QStringLiteral("short"));
+    window->panel().messages().hide();
+    study();
+    EXPECT_EQ(window->panel().messages().text(), QString()) << "a short one starts without a word";
+}
+
+TEST(RunEstimates, AreWrittenInTheUnitThatSuits) {
+    EXPECT_EQ(aboutWords(1), QStringLiteral("about a second"));
+    EXPECT_EQ(aboutWords(90), QStringLiteral("about 90 s"));
+    EXPECT_EQ(aboutWords(600), QStringLiteral("about 10 min"));
+    EXPECT_EQ(aboutWords(3 * 3600), QStringLiteral("about 3 h"));
+    EXPECT_EQ(aboutWords(40 * 86400.0), QStringLiteral("about 40 days"));
+}
+
 TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {
     auto* places = window->findChild<QComboBox*>(QStringLiteral("places"));
     places->setCurrentIndex(2);

@@ -194,9 +194,9 @@ TEST_F(ModesTest, ExplorationColoursGroundRoofsAndFacades) {
         const auto answer = window.exploration().answer();
         const double top = window.panel().legend().legend()->scale.top;
         shares = rightColours(answer->view, captured(), top);
-        // Lines of edges and of the region cross some samples.
+        // Lines of edges, which are drawn over all faces, and of the region cross some samples.
         return std::ranges::all_of(shares,
-                                   [](const Share& s) { return s.seen > 200 && s.right > 0.8 * s.seen; });
+                                   [](const Share& s) { return s.seen > 200 && s.right > 0.7 * s.seen; });
     });
     EXPECT_TRUE(shown) << shares[0].right << "/" << shares[0].seen << " " << shares[1].right << "/"
                        << shares[1].seen << " " << shares[2].right << "/" << shares[2].seen;

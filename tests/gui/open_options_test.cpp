@@ -136,7 +136,7 @@ TEST_F(OpenOptionsTest, AFileWithoutAPlaceOffersTheOptionsAndTheyOpenIt) {
     pressOpen();
     EXPECT_FALSE(options->isVisible());
     ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
-    EXPECT_EQ(fieldsOf(window.workbench().city()->loaded.settings), fieldsOf(stated()));
+    EXPECT_EQ(fieldsOf(window.workbench().city()->loaded.settings.value()), fieldsOf(stated()));
     EXPECT_TRUE(message().isEmpty());
 }
 
@@ -196,7 +196,7 @@ TEST_F(OpenOptionsTest, TheStudyRepeatsWhatWasStated) {
     window.workbench().document().change(question, QStringLiteral("test"));
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
-    const std::string command = repeatCommand(*window.workbench().study(), 1000);
+    const std::string command = repeatCommand(*window.workbench().study(), 1000).value();
     EXPECT_NE(command.find("--up z --mesh-anchor -73.98,40.76"), std::string::npos) << command;
 }
 

@@ -3,14 +3,19 @@
 
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QStatusBar>
 
 #include "app/window/main_window.h"
 #include "app/window/project/project_session.h"
 #include "app/window/project/unsaved_place.h"
 #include "app/window/view_panel.h"
+#include "app/window/warning_place.h"
+#include "app/window/warnings_dock.h"
 #include "scenarios/project/autosave.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
@@ -488,6 +493,161 @@ TEST_F(ProjectWindow, AStudyOutlivesAnotherNameOfItsScenario) {
     ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
     EXPECT_TRUE(workbench().study());
     EXPECT_EQ(workbench().studies().count("Tall"), 1U);
+}
+
+TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedAndGoesWhenItIsDiscarded) {
+    build();
+    keepUnsaved();
+    kill();
+    const auto older = ProjectSaving::olderRecovery(file.toStdString());
+    std::filesystem::rename(recovery(), older);
+    makeWindow();
+    open(file);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+        << message().toStdString();
+    takeOffer();
+    ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
+    EXPECT_TRUE(window->close());  // the question is answered by Discard
+    EXPECT_FALSE(std::filesystem::exists(older));
+}
+
+TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedBesideNewerAndCanBeDeleted) {
+    build();
+    keepUnsaved();
+    kill();
+    const auto older = ProjectSaving::olderRecovery(file.toStdString());
+    std::filesystem::copy_file(recovery(), older);
+    const auto other = [this] {
+        return window->panel().messages().findChild<QPushButton*>(QStringLiteral("otherRemedy"));
+    };
+    makeWindow();
+    open(file);
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark ended before"))) << message().toStdString();
+    other()->click();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+        << message().toStdString();
+    takeOffer();
+    ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(std::filesystem::exists(older));
+    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not taken up";
+    std::filesystem::copy_file(recovery(), older);
+    kill();
+    makeWindow();
+    open(file);
+    other()->click();
+    other()->click();
+    EXPECT_FALSE(std::filesystem::exists(older)) << "deleted";
+    EXPECT_TRUE(std::filesystem::exists(recovery()));
+}
+
+TEST_F(ProjectWindow, ADrawnRegionGoesIntoTheProjectInOneStepOfUndo) {
+    const StudySettings before = workbench().document().settings();
+    PolygonTool& tool = window->panel().regionTool();
+    tool.begin();
+    for (const glm::dvec3 corner : {glm::dvec3{0, 0, 0}, {100, 0, 0}, {100, 80, 0}}) tool.addPoint(corner);
+    tool.finish();
+    ASSERT_EQ(session().project().regions.size(), 2U);
+    const Region drawn = session().project().regions[1];
+    EXPECT_EQ(drawn.name, "Region");
+    EXPECT_EQ(bounds(drawn), (Box2{{0, 0}, {100, 80}}));
+    EXPECT_EQ(workbench().document().settings().region, drawn);
+    EXPECT_TRUE(session().hasUnsavedWork());
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(session().project().regions.size(), 1U);
+    EXPECT_EQ(workbench().document().settings(), before);
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+TEST_F(ProjectWindow, ADrawnRegionOfACityWithoutAFileIsUnsavedWork) {
+    open(QStringLiteral("sample:grid"));
+    PolygonTool& tool = window->panel().regionTool();
+    tool.begin();
+    for (const glm::dvec3 corner : {glm::dvec3{0, 0, 0}, {100, 0, 0}, {100, 80, 0}}) tool.addPoint(corner);
+    tool.finish();
+    EXPECT_TRUE(session().hasUnsavedWork());
+    workbench().document().undoStack().undo();
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+TEST_F(ProjectWindow, AQuickComparisonIsThereAgainWhenTheProjectIsReopenedAndASlowOneIsNamed) {
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    question.period.zone = "America/New_York";
+    workbench().document().change(question, QStringLiteral("test"));
+    build();
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    save();
+    makeWindow();
+    open(file);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(workbench().comparison()->to, "Proposal A");
+    auto saved = ProjectFile::open(file.toStdString()).value();
+    Project slow = saved.project();
+    slow.view["answer_seconds"] = "4000";
+    ASSERT_TRUE(saved.save(slow));
+    makeWindow();
+    open(file);
+    EXPECT_FALSE(workbench().running().busy());
+    const QString note = window->findChild<QLabel*>(QStringLiteral("resultNote"))->text();
+    EXPECT_TRUE(note.startsWith(QStringLiteral("Proposal A was compared with Existing when")))
+        << note.toStdString();
+    EXPECT_TRUE(note.contains(QStringLiteral("about 67 min"))) << note.toStdString();
+}
+
+TEST_F(ProjectWindow, IsNoLargerThanTheScreenAlsoWhereThatShowsHalfAsMuchAgain) {
+    QSettings fresh(folder.filePath(QStringLiteral("fresh.ini")), QSettings::IniFormat);
+    fresh.setValue(QStringLiteral("unsavedFolder"), folder.filePath(QStringLiteral("other")));
+    const MainWindow first(fresh);
+    const QSize screen = first.screen()->availableGeometry().size();
+    EXPECT_LE(first.width(), screen.width());
+    EXPECT_LE(first.height(), screen.height());
+    // 1280 x 1024 at 150 %.
+    EXPECT_LE(first.minimumSizeHint().width(), 853);
+    EXPECT_LE(first.minimumSizeHint().height(), 682);
+}
+
+TEST_F(ProjectWindow, ATipOfTheStatusBarNeverLiesOverTheCoordinates) {
+    const auto* hover = window->findChild<QLabel*>(QStringLiteral("hover"));
+    EXPECT_TRUE(hover->isVisible());
+    window->hide();
+    window->statusBar()->showMessage(QStringLiteral("a tip"));
+    window->show();
+    EXPECT_FALSE(hover->isVisible());
+    window->statusBar()->clearMessage();
+    EXPECT_TRUE(hover->isVisible());
+}
+
+TEST_F(ProjectWindow, AWarningLeadsToItsBuilding) {
+    auto* dock = window->findChild<WarningsDock*>();
+    const std::string id = test::idOf(session().project(), 2);
+    dock->show({{WarningKind::assumed, "no height in the data", "small.geojson: " + id + ", height"},
+                {WarningKind::dropped, "no area", "way 7"}});
+    Q_EMIT dock->itemActivated(dock->topLevelItem(0)->child(0), 0);
+    EXPECT_EQ(window->tools().building().selected(), 2U);
+    const glm::dvec3 target = window->panel().view().pose().target;
+    EXPECT_NEAR(target.x, -87.5, 30);
+    EXPECT_NEAR(target.y, 42.5, 30);
+    Q_EMIT dock->itemActivated(dock->topLevelItem(1)->child(0), 0);
+    EXPECT_TRUE(message().contains(QStringLiteral("way 7 is no building"))) << message().toStdString();
+}
+
+TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
+    City city;
+    for (const char* id : {"way 12", "way 123", "relation 5", ""}) {
+        Building building;
+        building.sourceId = id;
+        building.parts.push_back({.sourceId = std::string(id).empty() ? "way 77" : ""});
+        city.buildings.push_back(std::make_shared<const Building>(building));
+    }
+    EXPECT_EQ(buildingNamed(city, "way 123"), 1U);
+    EXPECT_EQ(buildingNamed(city, "x.osm: way 12, height"), 0U);
+    EXPECT_EQ(buildingNamed(city, "way 12 of relation 5"), 2U);
+    EXPECT_EQ(buildingNamed(city, "way 77"), 3U);
+    EXPECT_EQ(buildingNamed(city, "way 1234"), std::nullopt);
+    EXPECT_EQ(buildingNamed(city, ""), std::nullopt);
 }
 
 TEST(UnsavedPlaces, WhatManyRunsLeftDoesNotGrowForEver) {

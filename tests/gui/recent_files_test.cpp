@@ -7,8 +7,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/reading_text.h"
 #include "app/window/recent_menu.h"
+#include "core/io/read_settings_text.h"
 
 namespace noonmark {
 namespace {
@@ -90,13 +90,6 @@ TEST_F(RecentFilesTest, TheMenuHandsTheSettingsOn) {
     menu.actions()[0]->trigger();
     ASSERT_TRUE(chosen);
     EXPECT_EQ(chosen->crs, "EPSG:2263");
-}
-
-TEST(ReadingText, OtherTextIsNoSettings) {
-    EXPECT_FALSE(readingFrom(QStringLiteral("crs")));
-    EXPECT_FALSE(readingFrom(QStringLiteral(R"({"mesh_unit": 9})")));
-    EXPECT_FALSE(readingFrom(QStringLiteral(R"({"crs": 4326})")));
-    EXPECT_TRUE(readingFrom(QString()));
 }
 
 TEST_F(RecentFilesTest, SamplesStayNames) {

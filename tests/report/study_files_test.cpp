@@ -44,10 +44,11 @@ TEST(StudyReport, IsOnePageOfText) {
 TEST(StudyReport, StaysOnOnePageWithFarTooMuchToSay) {
     Study study = tests::syntheticStudy();
     study.settings.region.name = std::string(500, 'W');
-    study.attribution = std::string(900, 'x');
+    study.provenance.attribution = std::string(900, 'x');
     study.field.engine = std::string(3000, 'e');
     for (int i = 0; i < 300; ++i)
-        study.inputs.push_back({std::string(200, 'n') + std::to_string(i), 1, std::string(64, 'f')});
+        study.provenance.inputs.push_back(
+            {std::string(200, 'n') + std::to_string(i), 1, std::string(64, 'f')});
     for (int i = 0; i < 200; ++i)
         study.warnings.push_back({WarningKind::mended, std::string(150, 'a') + std::to_string(i), "way"});
     EXPECT_EQ(pagesOf(reportOf(study)), 1);
@@ -116,7 +117,8 @@ TEST(StudyFiles, AreAllThere) {
         names.push_back(file.filename().string());
     }
     EXPECT_EQ(names, (std::vector<std::string>{"shadow.tif", "shadow.png", "report.pdf", "study.json",
-                                               "cells.csv"}));
+                                               "region.geojson", "cells.csv"}))
+        << "its region is a box in metres, which four numbers in degrees do not state to the last bit";
     const auto entries =
         std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator());
     EXPECT_EQ(std::size_t(entries), names.size()) << "nothing half done may stay behind";
@@ -124,8 +126,11 @@ TEST(StudyFiles, AreAllThere) {
 }
 
 TEST(StudyFiles, TheJsonSaysHowToRepeatIt) {
-    const auto json = nlohmann::json::parse(studyJson(tests::syntheticStudy()));
-    EXPECT_EQ(json["repeat"].get<std::string>().rfind("noonmark-cli study FILE --start 2026-03-21", 0), 0U);
+    Study study = tests::syntheticStudy();
+    study.provenance.inputs = {{"city.gpkg", 7, "abc"}};
+    const auto json = nlohmann::json::parse(studyJson(study));
+    EXPECT_EQ(json["repeat"].get<std::string>().rfind("noonmark-cli study city.gpkg --start 2026-03-21", 0),
+              0U);
 }
 
 TEST(StudyFiles, ARegionThatIsNoBoxComesAlong) {

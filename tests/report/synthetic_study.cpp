@@ -72,7 +72,7 @@ Study syntheticStudy() {
     study.field.engine = "Ray reference: Embree, one occlusion ray a receiver and step";
     study.field.cost.buildingsUsed = 2;
     study.statistics = statisticsOf(study.field);
-    study.attribution = "(c) OpenStreetMap contributors";
+    study.provenance.attribution = "(c) OpenStreetMap contributors";
     return study;
 }
 

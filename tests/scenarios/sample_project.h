@@ -42,6 +42,14 @@ inline Project sampleProject() {
     project.city = std::make_shared<const City>(city);
     project.attribution = "(c) OpenStreetMap contributors, ODbL";
     project.inputs = {{"city.gpkg", 1234, "abcd"}};
+    CityReading reading;
+    reading.settings->metresPerLevel = 3.1;
+    reading.settings->crs = "EPSG:2263";
+    reading.warnings = {{WarningKind::mended, "outline crossed itself", "way 7"},
+                        {WarningKind::assumed, "no height", "way 1"},
+                        {WarningKind::mended, "outline crossed itself", "\"way\" 8, d'Été"},
+                        {WarningKind::dropped, "outline crossed itself", ""}};
+    project.reading = std::make_shared<const CityReading>(reading);
     project.lots = {{"corner", box(200, 0, 240, 30)}, {"court", court.parts[0].footprint}};
     project.regions = {{"Park", {box(0, 60, 100, 90), box(0, 100, 50, 120)}}};
     Building imported = solid;

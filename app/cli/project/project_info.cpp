@@ -50,6 +50,7 @@ Json infoJson(const ProjectFile& disk) {
             {"terrain", bool(project.city->terrain)},
             {"terrain_source", project.city->terrain ? terrainJson(*project.city->terrain) : Json()},
             {"attribution", project.attribution},
+            {"warnings", warningsJson(project.reading->warnings)},
             {"regions", namesOf(project.regions, ownName)},
             {"lots", namesOf(project.lots, ownName)},
             {"scenarios", scenarios},
@@ -89,8 +90,10 @@ int runInfo(const InfoOptions& options, const Console& console) {
     const Json info = infoJson(*disk);
     if (options.json)
         console.out << jsonText(info) << '\n';
-    else
+    else {
         print(info, console.out);
+        printWarnings(console.out, disk->project().reading->warnings);
+    }
     return exitOk;
 }
 

@@ -108,8 +108,13 @@ void EditTools::connectTools() {
     connect(&mesh_, &MeshPlacing::editsMade, this, made);
     connect(&mesh_, &MeshPlacing::failed, this, &EditTools::failed);
     connect(&mesh_, &MeshPlacing::began, &tower_, &TowerEditing::cancel);
-    connect(&mesh_, &MeshPlacing::began, placing_, &QWidget::show);
-    connect(&mesh_, &MeshPlacing::ended, placing_, &QWidget::hide);
+    const auto place = [this](bool placing) {
+        placing_->setVisible(placing);
+        selection_->setVisible(!placing);
+        if (placing) Q_EMIT selectionMade();  // both are in one dock
+    };
+    connect(&mesh_, &MeshPlacing::began, this, [place] { place(true); });
+    connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
 }
 
 void EditTools::setCity(std::shared_ptr<const OpenCity> city) {

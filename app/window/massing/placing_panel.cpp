@@ -13,6 +13,12 @@
 
 namespace noonmark {
 
+namespace {
+
+constexpr int wordLines = 4;  // a long name of a file, and what to do
+
+}  // namespace
+
 PlacingPanel::PlacingPanel(QWidget* parent)
     : QWidget(parent),
       what_(new QLabel),
@@ -22,7 +28,12 @@ PlacingPanel::PlacingPanel(QWidget* parent)
       scale_(numberField(0.001, 1000, 3, 0.1, {})),
       turn_(numberField(-360, 360, 1, 5, QStringLiteral("°"))),
       apply_(new QPushButton(tr("Build"))) {
-    for (QLabel* words : {what_, warnings_}) words->setWordWrap(true);
+    for (QLabel* words : {what_, warnings_}) {
+        words->setWordWrap(true);
+        words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    }
+    // As high at every step: else the fields would move under the cursor that is placing the mesh.
+    what_->setFixedHeight(wordLines * what_->fontMetrics().lineSpacing());
     scale_->setToolTip(tr("Of all three axes"));
     turn_->setToolTip(tr("Clockwise, seen from above"));
     apply_->setObjectName(QStringLiteral("applyMesh"));
@@ -32,14 +43,13 @@ PlacingPanel::PlacingPanel(QWidget* parent)
     buttons->addWidget(apply_);
     buttons->addWidget(cancel);
     auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
     form->addRow(what_);
     form->addRow(tr("Axis that points up"), upAxis_);
     form->addRow(tr("Unit"), unit_);
     form->addRow(tr("Scale"), scale_);
     form->addRow(tr("Turned"), turn_);
-    form->addRow(warnings_);
     form->addRow(buttons);
+    form->addRow(warnings_);  // below what is used: there are more of them or fewer
     for (QComboBox* field : {upAxis_, unit_})
         connect(field, &QComboBox::activated, this, &PlacingPanel::readingEdited);
     for (QDoubleSpinBox* field : {scale_, turn_})

@@ -1,22 +1,11 @@
 #include "app/window/project/open_project.h"
 
+#include "app/input/load_project.h"
 #include "app/input/project_of.h"
 
 namespace noonmark {
 
 namespace {
-
-// What studies of a project's city say of their source: the files that the city was once read from.
-LoadedCity loadedFrom(const Project& project, const std::string& file) {
-    LoadedCity loaded;
-    loaded.files = {file};
-    loaded.inputs = project.inputs;
-    loaded.read.city = *project.city;
-    loaded.read.format = "Noonmark project";
-    loaded.read.features = project.city->buildings.size();
-    loaded.read.attribution = project.attribution;
-    return loaded;
-}
 
 void goToScenario(OpenProject& opened, LoadedCity& loaded) {
     const auto edited = cityOf(opened.project, opened.view.scenario);
@@ -49,7 +38,7 @@ Result<LoadedCity> readCityFiles(const std::vector<std::string>& files, const Re
 }  // namespace
 
 bool isProject(const std::vector<std::string>& files) {
-    return files.size() == 1 && files.front().ends_with(projectEnding);
+    return files.size() == 1 && isProjectFile(files.front());
 }
 
 Result<OpenProject> openProject(const std::vector<std::string>& files, const ReadSettings& settings,

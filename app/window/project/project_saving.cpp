@@ -16,9 +16,12 @@ class KeptWork {
 public:
     explicit KeptWork(const fs::path& file) : autosave_(file) {
         std::error_code none;
-        if (fs::exists(recoveryPath(file), none))
-            fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
+        movedAside_ = fs::exists(recoveryPath(file), none);
+        if (movedAside_) fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
     }
+
+    /// Whether the recovery file of an earlier run was there; it is the older one now.
+    [[nodiscard]] bool movedAside() const { return movedAside_; }
 
     Result<void> keep(const Project& project) {
         Result<void> kept = keepUnlessGone(project);
@@ -45,6 +48,7 @@ private:
     std::mutex mutex_;
     Autosave autosave_;
     std::atomic<bool> gone_ = false;
+    bool movedAside_ = false;
 };
 
 ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view, fs::path unsavedFile,
@@ -90,7 +94,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
         return Q_EMIT failed(written.error());
     }
     forgetUnsaved();
-    takenUp_ = false;
+    takenUp_.clear();
     session_.setSaved(*std::move(written), version);
     std::error_code none;
     fs::remove(olderRecovery(session_.file()->path()), none);  // what was saved later than it counts
@@ -129,20 +133,25 @@ void ProjectSaving::forgetUnsaved() {
     startOver();
 }
 
-// Where this run has kept something, the earlier file was moved aside for it.
 void ProjectSaving::discardUnsaved() {
-    std::error_code none;
-    if (takenUp_ && session_.file()) {
-        const fs::path& file = session_.file()->path();
-        fs::remove(kept_ ? olderRecovery(file) : recoveryPath(file), none);
-    }
-    takenUp_ = false;
+    if (!takenUp_.empty() && session_.file()) forgetTakenUp();
+    takenUp_.clear();
     forgetUnsaved();
+}
+
+// Where this run has kept something, the newer of the earlier files was moved over the older one.
+void ProjectSaving::forgetTakenUp() {
+    const fs::path recovery = recoveryPath(session_.file()->path());
+    const fs::path older = olderRecovery(session_.file()->path());
+    const bool moved = kept_ && kept_->movedAside();
+    std::error_code none;
+    if (takenUp_ == recovery) fs::remove(moved ? older : recovery, none);
+    if (takenUp_ == older && !moved) fs::remove(older, none);
 }
 
 void ProjectSaving::projectReplaced() {
     next_ = nullptr;
-    takenUp_ = false;
+    takenUp_.clear();
     writing_.drop();
     startOver();
     if (session_.hasUnsavedWork()) timer_.start();

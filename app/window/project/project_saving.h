@@ -33,8 +33,8 @@ public:
     void keepUnsaved();
     /// Nothing is unsaved any more: this run's recovery file goes.
     void forgetUnsaved();
-    /// The session has taken up what the recovery file of an earlier run holds.
-    void takeUp() { takenUp_ = true; }
+    /// The session has taken up what this recovery file of an earlier run holds.
+    void takeUp(const std::filesystem::path& recovery) { takenUp_ = recovery; }
     /// The user does not want the unsaved work: this run's recovery file goes, and the one that the work was
     /// taken up from. One that was offered and not taken up stays.
     void discardUnsaved();
@@ -45,8 +45,8 @@ public:
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
     /// Where the recovery file lies that was there before this one's was written; see keepUnsaved(). One for
-    /// each project, in place of an older one; nobody is offered it at a later start, and the next save or
-    /// discardUnsaved() after takeUp() removes it.
+    /// each project, in place of an older one; the next save removes it, and so does discardUnsaved() after
+    /// takeUp() of it.
     [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);
 
     static constexpr int autosaveMs = 15000;
@@ -69,7 +69,9 @@ private:
     std::shared_ptr<KeptWork> kept_;   // null: nothing was kept since the last save
     std::weak_ptr<KeptWork> leaving_;  // still being written when it was discarded
     std::function<void()> next_;       // a save that was asked for while another wrote
-    bool takenUp_ = false;
+    void forgetTakenUp();
+
+    std::filesystem::path takenUp_;  // empty: nothing
     QTimer timer_;
     JobSlot writing_;
     JobSlot keeping_;

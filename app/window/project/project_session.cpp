@@ -141,9 +141,16 @@ void ProjectSession::takeCity() {
     Q_EMIT cityChanged();
 }
 
+// Alone, or in a step of undo that is made of several.
 bool ProjectSession::projectChanged() const {
+    const auto changes = [](const QUndoCommand* command, const auto& self) -> bool {
+        if (dynamic_cast<const ProjectCommand*>(command) != nullptr) return true;
+        for (int i = 0; i < command->childCount(); ++i)
+            if (self(command->child(i), self)) return true;
+        return false;
+    };
     for (int i = 0; i < undo_.index(); ++i)
-        if (dynamic_cast<const ProjectCommand*>(undo_.command(i)) != nullptr) return true;
+        if (changes(undo_.command(i), changes)) return true;
     return false;
 }
 

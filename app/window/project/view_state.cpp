@@ -113,6 +113,12 @@ std::optional<CameraPose> cameraFrom(const std::string& text) try {
     return std::nullopt;
 }
 
+double secondsFrom(const std::string& text) try {
+    return std::max(0.0, Json::parse(text).get<double>());
+} catch (const Json::exception&) {
+    return 0;
+}
+
 std::string found(const Texts& texts, const char* key) {
     const auto at = texts.find(key);
     return at == texts.end() ? std::string() : at->second;
@@ -135,6 +141,10 @@ Texts textsOf(const ViewState& state) {
                 {changeScaleKey, textOf(state.changeScale)},
                 {"scenario", state.scenario},
                 {"baseline", state.baseline}};
+    if (!state.answer.empty()) {
+        texts["answer"] = state.answer;
+        texts["answer_seconds"] = Json(state.answerSeconds).dump();
+    }
     if (state.camera) texts["camera"] = cameraText(*state.camera);
     if (state.study) texts["study"] = studyJson(*state.study).dump();
     return texts;
@@ -148,6 +158,8 @@ ViewState viewStateFrom(const Texts& texts) {
     state.changeScale = changeScaleIn(texts);
     if (const std::string name = found(texts, "scenario"); !name.empty()) state.scenario = name;
     state.baseline = found(texts, "baseline");
+    state.answer = found(texts, "answer");
+    state.answerSeconds = secondsFrom(found(texts, "answer_seconds"));
     state.study = studyFrom(found(texts, "study"));
     return state;
 }

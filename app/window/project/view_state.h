@@ -21,10 +21,13 @@ struct ViewState {
     ChangeScale changeScale;
     std::string scenario = existingCity;
     std::string baseline;                ///< empty: none
+    std::string answer;                  ///< "study" or "comparison": it was shown; empty: none was
+    double answerSeconds = 0;            ///< that it took to work out
     std::optional<StudySettings> study;  ///< region, cells, period, engine
 };
 
-/// Keys: "camera", "mode", "measure", "change_scale", "scenario", "baseline", "study" (JSON).
+/// Keys: "camera", "mode", "measure", "change_scale", "scenario", "baseline", "answer", "answer_seconds",
+/// "study" (JSON).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// What can be read; the rest is as in ViewState{}. Any text is taken: the file may come from anywhere.

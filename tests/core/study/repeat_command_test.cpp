@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/io/read_region.h"
 #include "core/study/region_text.h"
+#include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
 namespace {
@@ -17,6 +20,7 @@ Study aStudy() {
     study.settings.region = regionFromLocalBox({{0, 0}, {120, 80}});
     study.settings.period.zone = "America/New_York";
     study.settings.engine = "ray";
+    study.provenance.inputs = {{"city.gpkg", 10, "ab"}};
     return study;
 }
 
@@ -34,11 +38,41 @@ TEST(RegionText, WhatIsNoBoxIsNotCalledOne) {
     const Ring triangle{{0, 0}, {100, 0}, {100, 100}};
     EXPECT_FALSE(boxTextOf({"triangle", {{triangle, {}}}}, frame));
     const Ring square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
-    EXPECT_TRUE(boxTextOf({"square", {{square, {}}}}, frame));
+    EXPECT_FALSE(boxTextOf({"square", {{square, {}}}}, frame)) << "parallels and meridians bend";
     EXPECT_FALSE(boxTextOf({"two", {{square, {}}, {square, {}}}}, frame));
     EXPECT_FALSE(boxTextOf({"none", {}}, frame));
     const Ring hole{{20, 20}, {20, 40}, {40, 40}, {40, 20}};
     EXPECT_FALSE(boxTextOf({"holed", {{square, {hole}}}}, frame));
+}
+
+// Down to a millimetre: finer digits may be lost in the corners' float32, and then the region has a file.
+TEST(RegionText, ABoxIsStatedWithAsManyDigitsAsItTakes) {
+    const Frame frame(LonLat{-73.99, 40.74});
+    for (const double west : {-73.9873, -73.98731234, -74.00000001}) {
+        const auto region = regionFromLonLatBox(frame, west, 40.75, -73.979, 40.757);
+        const auto back = readRegion(boxTextOf(*region, frame).value(), frame);
+        EXPECT_EQ(back->polygons, region->polygons) << west;
+    }
+    EXPECT_EQ(boxTextOf(*regionFromLonLatBox(frame, -73.99, 40.7, -73.9, 40.757), frame),
+              "-73.99,40.7,-73.9,40.757");
+}
+
+// Corners a few kilometres off, sides of more than 500 m: as they are drawn in the window and read from a
+// file.
+TEST(RegionText, AnOutlineComesBackFromItsFileToTheLastBit) {
+    const tests::TemporaryFolder folder;
+    const Frame frame(LonLat{7.4216, 43.7333}, 61.5);
+    const Ring drawn{{-1812.3F, -940.17F}, {2120.77F, -701.03F}, {1500.123F, 1333.9F}, {-7.01F, 2.5F}};
+    const Ring hole{{100.5F, 10}, {100.5F, 40.25F}, {140, 40.25F}, {140, 10}};
+    const auto file = folder.file("drawn.geojson", regionGeoJson({"drawn", {{drawn, {hole}}}}, frame));
+    const auto read = readRegion(file.string(), frame);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->polygons.size(), 1U);
+    for (const glm::vec2 corner : drawn)
+        EXPECT_EQ(std::ranges::count(read->polygons[0].outer, corner), 1) << corner.x << " " << corner.y;
+    EXPECT_NEAR(area(read->polygons[0]), area(Footprint{drawn, {hole}}), 0.01);
+    const auto again = folder.file("again.geojson", regionGeoJson(*read, frame));
+    EXPECT_EQ(readRegion(again.string(), frame)->polygons, read->polygons);
 }
 
 TEST(RegionText, GeoJsonClosesItsRings) {
@@ -57,10 +91,10 @@ TEST(RegionText, GeoJsonClosesItsRings) {
 
 TEST(RepeatCommand, SaysWhatWasAsked) {
     Study study = aStudy();
-    study.inputs = {{"/data/my city.osm.pbf", 10, "ab"}};
+    study.provenance.inputs = {{"/data/my city.osm.pbf", 10, "ab"}};
     study.settings.region = *regionFromLonLatBox(study.city.frame, -73.985, 40.753, -73.983, 40.755);
     EXPECT_EQ(
-        repeatCommand(study, 1000),
+        repeatCommand(study, 1000).value(),
         "noonmark-cli study 'my city.osm.pbf' --start 2026-03-21 --days 1 --from 09:00 --hours 6 --step 1 "
         "--zone America/New_York --region -73.985,40.753,-73.983,40.755 --cell 1 --engine ray --out "
         "repeated");
@@ -68,30 +102,72 @@ TEST(RepeatCommand, SaysWhatWasAsked) {
 
 TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
     Study study = aStudy();
-    study.inputs = {{"it's.gpkg", 10, "ab"},
-                    {"-x.shp", 10, "ab"},
-                    {"-x.dbf", 10, "ab"},
-                    {"-x.tfw", 10, "ab"},
-                    {"sample:grid", 0, ""}};
+    study.provenance.inputs = {{"it's.gpkg", 10, "ab"},
+                               {"-x.shp", 10, "ab"},
+                               {"-x.dbf", 10, "ab"},
+                               {"-x.tfw", 10, "ab"},
+                               {"sample:grid", 0, ""}};
     study.settings.region = {"triangle", {{{{0, 0}, {100, 0}, {100, 100}}, {}}}};
     study.settings.period.window = SolarWindow{90min, 30min};
     study.settings.period.refraction = false;
     study.settings.engine = "iam";
     study.settings.engineSettings = {{"levels", 4}, {"bound", 2.5}};
-    study.reading.heightField = "roof height";
-    study.reading.heightUnit = LengthUnit::feet;
+    study.provenance.reading->heightField = "roof height";
+    study.provenance.reading->heightUnit = LengthUnit::feet;
     EXPECT_EQ(
-        repeatCommand(study, 1000),
+        repeatCommand(study, 1000).value(),
         "noonmark-cli study 'it'\\''s.gpkg' ./-x.shp sample:grid --height-field 'roof height' --height-unit "
         "ft --start 2026-03-21 "
         "--days 1 --window sunrise+90m..sunset-30m --step 1 --zone America/New_York --no-refraction --region "
         "region.geojson --cell 1 --engine iam --option bound=2.5 --option levels=4 --out repeated");
 }
 
+ProjectRecord aProject(const std::string& file, const std::string& fileSha256) {
+    return {file, fileSha256, "cc", {"It's taller", {"Height of b: 60 m"}, "dd"}, std::nullopt};
+}
+
+TEST(RepeatCommand, AProjectIsNamedWithItsScenario) {
+    Study study = aStudy();
+    study.provenance.reading->heightField = "of another file";
+    study.provenance.project = aProject("-my plan.noonmark.gpkg", "ab");
+    study.provenance.region = "--odd name";
+    EXPECT_EQ(
+        repeatCommand(study, 1000).value(),
+        "noonmark-cli study './-my plan.noonmark.gpkg' --scenario 'It'\\''s taller' --start 2026-03-21 "
+        "--days 1 --from 09:00 --hours 6 --step 1 --zone America/New_York --region='--odd name' --cell 1 "
+        "--engine ray --out repeated");
+}
+
+TEST(RepeatCommand, AnUnsavedScenarioHasNone) {
+    Study study = aStudy();
+    for (const auto& project : {aProject("", ""), aProject("plan.noonmark.gpkg", "")}) {
+        study.provenance.project = project;
+        const auto repeat = repeatCommand(study);
+        ASSERT_FALSE(repeat) << *repeat;
+        EXPECT_NE(repeat.error().text().find("Save the project"), std::string::npos);
+        EXPECT_EQ(repeat.error().text().find("city.gpkg"), std::string::npos);
+    }
+    study.provenance.project = aProject("", "");
+    study.provenance.project->scenario = {"Existing", {}, "dd"};
+    EXPECT_EQ(repeatCommand(study).value().rfind("noonmark-cli study city.gpkg", 0), 0U)
+        << "the city as it stands is that of its files";
+    study.provenance.reading.reset();
+    EXPECT_FALSE(repeatCommand(study)) << "how they were read is not known";
+    study.provenance = {};
+    EXPECT_FALSE(repeatCommand(study)) << "nor which they are";
+}
+
+TEST(RepeatCommand, FilesOfOneNameAreToldApart) {
+    Study study = aStudy();
+    study.provenance.inputs = {{"/a/city.gpkg", 10, "ab"}, {"/b/city.gpkg", 10, "cd"}};
+    EXPECT_EQ(repeatCommand(study, 1000).value().rfind("noonmark-cli study /a/city.gpkg /b/city.gpkg", 0),
+              0U);
+}
+
 TEST(RepeatCommand, LongLinesGoOnAfterABackslash) {
     Study study = aStudy();
-    const std::string whole = repeatCommand(study, 1000);
-    std::string wrapped = repeatCommand(study, 60);
+    const std::string whole = repeatCommand(study, 1000).value();
+    std::string wrapped = repeatCommand(study, 60).value();
     std::size_t lines = 1;
     for (std::size_t at = wrapped.find(" \\\n    "); at != std::string::npos;
          at = wrapped.find(" \\\n    ")) {

@@ -60,8 +60,9 @@ TEST(RunStudy, fillsEveryPart) {
 TEST(RunStudy, picksAnEngineByItself) {
     StudySettings settings = aroundTheTower();
     settings.engine = StudySettings().engine;
-    const auto study = run(settings);
+    auto study = run(settings);
     ASSERT_TRUE(study) << errorOf(study);
+    study->provenance.inputs = {{"city.gpkg", 7, "abc"}};
     EXPECT_EQ(study->field.engineKey, "projected");
     EXPECT_TRUE(study->error);
     const auto json = nlohmann::json::parse(studyJson(*study));
@@ -78,6 +79,26 @@ TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
     const glm::dvec2 local = Frame({-73.98, 40.75}).localFromLonLat(observer.place);
     EXPECT_NEAR(local.x, 20050, 0.1);
     EXPECT_NEAR(local.y, 50, 0.1);
+}
+
+TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
+    City city = towers();
+    Building farOff{.sourceId = "far off"};
+    farOff.parts.push_back({.footprint = {square(20000, 10, 20), {}}, .topM = 40});
+    city.buildings = {std::make_shared<const Building>(farOff)};
+    StudySettings settings = aroundTheTower();
+    settings.region = regionFromLocalBox({{19970, 0}, {20050, 60}});
+    NoProgress progress;
+    const auto study = runStudy(city, settings, progress, {});
+    ASSERT_TRUE(study) << study.error().text();
+    const auto json = nlohmann::json::parse(studyJson(*study))["sun_frame"];
+    // East of the origin north leans to the west, by d_lon sin(lat): 20.01 km at 40.75 deg north.
+    const double convergence = 20010 / (6378137 * std::cos(40.75 / 57.29578)) * std::sin(40.75 / 57.29578);
+    EXPECT_NEAR(json["north_turned_deg"], -convergence * 57.29578, 0.001);
+    EXPECT_EQ(json["vertical_turned_deg"], 0);
+    EXPECT_NEAR(json["farthest_from_observer_m"], 50, 0.1);
+    EXPECT_NEAR(json["vertical_error_deg"], 50.0 / 6371009 * 57.29578, 1e-6);
+    EXPECT_EQ(json["steps_levelled"], 0);
 }
 
 TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
@@ -123,7 +144,7 @@ TEST(RunStudy, stopsWhenAsked) {
 TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
     auto study = run(aroundTheTower());
     ASSERT_TRUE(study) << errorOf(study);
-    study->inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
+    study->provenance.inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
     study->warnings = {{WarningKind::dropped, "no area", "way 5"}};
     const auto json = nlohmann::json::parse(studyJson(*study));
     EXPECT_EQ(json["engine"], "ray");

@@ -101,6 +101,7 @@ TEST(TerrainCoverage, tilesCountTheRegionsCells) {
 TEST(TerrainCoverage, housesInReachFarFromItAreRefused) {
     StudySettings settings = over(40);
     settings.period.from = std::chrono::minutes(5 * 60 + 10);
+    settings.period.stepMinutes = 2;
     NoProgress progress;
     const auto study = runStudy(halfCovered(), settings, progress, {});
     ASSERT_FALSE(study);

@@ -126,13 +126,17 @@ TEST_F(TiledStudyTest, grossShadowOnlyHasOneBandAndNoFiguresOfRuns) {
 
 TEST_F(TiledStudyTest, jsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
     const auto whole = nlohmann::json::parse(studyJson(inOnePiece(city, question("ray"))));
-    const auto tiled = nlohmann::json::parse(tiledStudyJson(*run(question("ray"))));
-    for (const auto& [key, value] : whole.items()) EXPECT_TRUE(tiled.contains(key)) << key;
+    auto inTiles = run(question("ray"));
+    inTiles->study.provenance.inputs = {{"city.gpkg", 7, "abc"}};
+    const auto tiled = nlohmann::json::parse(tiledStudyJson(*inTiles));
+    for (const auto& [key, value] : whole.items())
+        EXPECT_TRUE(key == "repeat_note" || tiled.contains(key)) << key;
     for (const char* key : {"receivers", "cells", "region", "rays", "buildings_used", "sunlit_min_per_day"})
         EXPECT_EQ(tiled[key], whole[key]) << key;
     EXPECT_EQ(tiled["tiles"]["count"], 20);
     EXPECT_EQ(tiled["engine_used"], "ray");
-    EXPECT_THAT(tiled["repeat"].get<std::string>(), HasSubstr("noonmark-cli city-study"));
+    EXPECT_THAT(tiled["repeat"].get<std::string>(), HasSubstr("noonmark-cli city-study city.gpkg"));
+    EXPECT_EQ(whole["repeat_note"].get<std::string>().rfind("No command repeats it", 0), 0U);
 }
 
 /// Asks for a stop when so many tiles have been begun, and keeps what it was told.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "tests/core/sun/sun_near.h"
@@ -87,16 +88,69 @@ TEST(SunSteps, areWhereTheSunIs) {
     }
 }
 
-TEST(SunSteps, lastPartialStepIsNotCounted) {
-    Period period = periodIn("America/New_York", 2026y / March / 21);
-    period.stepMinutes = 7;
-    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 51);  // 360 / 7 = 51.4
-    period.stepMinutes = 0.1;
-    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 3600);
-    period.stepMinutes = 240;
-    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 1);
-    period.hours = 0.5;
-    EXPECT_EQ(stepsOf(period, newYork).steps.size(), 0);
+TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
+    struct Case {
+        double hours, stepMinutes;
+        std::size_t steps;
+        double counted;
+    };
+    // 360 / 7 = 51.4, 360 / 240 = 1.5, 30 / 240 = 0.1
+    for (const Case& asked :
+         {Case{6, 7, 51, 360.0 / 51}, Case{6, 0.1, 3600, 0.1}, Case{6, 240, 2, 180}, Case{0.5, 240, 1, 30}}) {
+        Period period = periodIn("America/New_York", 2026y / March / 21);
+        period.hours = asked.hours;
+        period.stepMinutes = asked.stepMinutes;
+        const SunSteps sun = stepsOf(period, newYork);
+        ASSERT_EQ(sun.steps.size(), asked.steps);
+        EXPECT_DOUBLE_EQ(sun.stepMinutes, asked.counted);
+        EXPECT_NEAR(sun.sunlitMinutes(), asked.hours * 60, 1e-9);
+        EXPECT_NEAR(sun.mostOffADayMin, 0, 1e-9);
+        const double lastS = (asked.hours * 60 - asked.counted) * 60;
+        EXPECT_LE(secondsBetween(sun.steps.back().at, utc(2026, 3, 21, 13)), lastS + 0.01);
+        EXPECT_GE(secondsBetween(sun.steps.back().at, utc(2026, 3, 21, 13)), lastS - 0.01);
+    }
+}
+
+// Sunrise to sunset, worked out here from the two events.
+TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
+    const CivilDate date = 2026y / December / 21;
+    const Instant midnight = Zone::named("America/New_York")->instantAt(date, 0min);
+    const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+    const double minutes = duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
+    ASSERT_NEAR(minutes, 375.2, 2);  // 9 h 15 min of daylight
+    Period period = periodIn("America/New_York", date);
+    period.window = SolarWindow{90min, 90min};
+    for (const double step : {1.0, 7.0, 60.0, 240.0}) {
+        period.stepMinutes = step;
+        const SunSteps sun = stepsOf(period, newYork);
+        EXPECT_EQ(sun.steps.size(), std::size_t(std::lround(minutes / step))) << step;
+        EXPECT_NEAR(sun.sunlitMinutes(), minutes, 1e-6) << step;
+        EXPECT_NEAR(sun.windowMinutes, minutes, 1e-6) << step;
+        // The last step begins one step before the window ends.
+        const Instant end = *events.sunset - 90min;
+        EXPECT_NEAR(secondsBetween(sun.steps.back().at, end), sun.stepMinutes * 60, 0.01) << step;
+    }
+}
+
+TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
+    Period period = periodIn("America/New_York", 2026y / January / 1);
+    period.days = 365;
+    period.window = SolarWindow{90min, 90min};
+    double minutes = 0;
+    for (int i = 0; i < 365; ++i) {
+        const CivilDate date{sys_days{period.start} + days{i}};
+        const Instant midnight = Zone::named(period.zone)->instantAt(date, 0min);
+        const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+        minutes += duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
+    }
+    for (const double step : {1.0, 10.0, 60.0}) {
+        period.stepMinutes = step;
+        const SunSteps sun = stepsOf(period, newYork);
+        EXPECT_NEAR(sun.sunlitMinutes(), minutes, 0.01) << step;
+        EXPECT_NEAR(sun.stepMinutes, step, step / 50) << step;
+        EXPECT_GT(sun.mostOffADayMin, 0) << step;
+        EXPECT_LE(sun.mostOffADayMin, step * 0.6) << step;
+    }
 }
 
 TEST(SunSteps, ofOneInstantADay) {
@@ -198,7 +252,7 @@ TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
         EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
         const double length =
             duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
-        EXPECT_EQ(day.count, std::uint32_t(length));
+        EXPECT_EQ(day.count, std::uint32_t(std::lround(length)));
         EXPECT_EQ(day.belowHorizon, 0);
         EXPECT_EQ(sun.steps[day.first].slot, 0);
     }
@@ -211,7 +265,7 @@ TEST(SunSteps, windowBeforeSunriseCountsTheStepsWithoutSun) {
     period.refraction = false;
     const SunSteps sun = stepsOf(period, newYork);
     EXPECT_NEAR(double(sun.belowHorizon), 60, 1);
-    EXPECT_EQ(sun.steps.front().slot, 30);
+    EXPECT_EQ(sun.steps.front().slot, int(std::ceil(30 / sun.stepMinutes)));
 }
 
 TEST(SunSteps, windowThatEndsBeforeItBeginsIsEmpty) {

@@ -1,0 +1,44 @@
+#include "app/cli/project/project_question.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/input/load_city.h"
+#include "core/io/read_region.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+bool looksLikePlace(const std::string& text) {
+    std::error_code ignored;
+    return text.find_first_of(",(") != std::string::npos || std::filesystem::exists(text, ignored);
+}
+
+}  // namespace
+
+Result<Region> regionIn(const Project& project, const City& city, const std::string& text) {
+    auto region = regionNamed(project, text);
+    if (region) return region;
+    if (text == "city") return cityRegion(city);
+    auto place = readRegion(text, project.city->frame);
+    if (place || looksLikePlace(text)) return place;
+    return failure(region.error().what, region.error().where,
+                   region.error().advice + "; or give a box, a polygon or a file");
+}
+
+void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, std::string& name) {
+    CLI::Option* named = command.add_option("--period", name, "A period of the project, instead of --start");
+    named->type_name("NAME");
+    for (CLI::Option* option : command.get_options())
+        if (option != named && std::ranges::find(before, option) == before.end()) named->excludes(option);
+}
+
+Result<Period> periodIn(const Project& project, const std::string& name, const PeriodOptions& options) {
+    if (!name.empty())
+        return periodNamed(project, name).map([](const NamedPeriod& named) { return named.period; });
+    if (!options.start.empty()) return periodFrom(options);
+    return failure("It is not stated when", "period", "Give --start DATE, or --period NAME of the project");
+}
+
+}  // namespace noonmark::cli

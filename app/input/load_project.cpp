@@ -1,0 +1,22 @@
+#include "app/input/load_project.h"
+
+#include "scenarios/project/project_file.h"
+
+namespace noonmark {
+
+bool isProjectFile(const std::string& file) { return file.ends_with(projectEnding); }
+
+LoadedCity loadedFrom(const Project& project, const std::string& file) {
+    LoadedCity loaded;
+    loaded.files = {file};
+    loaded.inputs = project.inputs;
+    loaded.settings = project.reading->settings;
+    loaded.read.city = *project.city;
+    loaded.read.format = "Noonmark project";
+    loaded.read.features = project.city->buildings.size();
+    loaded.read.attribution = project.attribution;
+    loaded.read.warnings = project.reading->warnings;
+    return loaded;
+}
+
+}  // namespace noonmark

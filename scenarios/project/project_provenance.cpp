@@ -1,0 +1,98 @@
+#include "scenarios/project/project_provenance.h"
+
+#include <fmt/format.h>
+
+#include "core/study/region_text.h"
+#include "core/study/sha256.h"
+#include "core/study/study_hash.h"
+#include "scenarios/project/edit_json.h"
+#include "scenarios/weights/weights_text.h"
+
+namespace noonmark {
+
+namespace {
+
+Result<void> addEdits(Sha256& sum, const Project& project, const char* role, const std::string& scenario) {
+    return editsOf(project.scenarios, scenario).map([&](const std::vector<Edit>& edits) {
+        sum.add(fmt::format("{}\n", role));
+        for (const Edit& edit : edits) sum.add(fmt::format("edit {} {}\n", kindOf(edit), jsonOf(edit)));
+    });
+}
+
+// `citySha256`: of the existing city, which takes longest.
+Result<std::string> contentHash(const Project& project, const std::string& citySha256,
+                                const MeasuredPart& part) {
+    Sha256 sum;
+    sum.add(fmt::format("city {}\n", citySha256));
+    auto added = addEdits(sum, project, "scenario", part.scenario);
+    if (added && !part.baseline.empty()) added = addEdits(sum, project, "baseline", part.baseline);
+    if (!added) return tl::make_unexpected(added.error());
+    if (part.weights) sum.add(fmt::format("weights {}\n", weightsJson(*part.weights)));
+    return sum.hex();
+}
+
+// The part as another version of the project has it: its own weight table of that name.
+MeasuredPart asIn(const Project& project, MeasuredPart part) {
+    if (!part.weights) return part;
+    const auto table = weightsNamed(project, part.weights->name);
+    part.weights = table ? *table : TimeWeights{};
+    return part;
+}
+
+bool holds(const ProjectFile& file, const Project& project, const std::string& citySha256,
+           const std::string& contentSha256, const MeasuredPart& part) {
+    const Project& saved = file.project();
+    const std::string city = saved.city == project.city ? citySha256 : cityHash(*saved.city);
+    const auto content = contentHash(saved, city, asIn(saved, part));
+    return content && *content == contentSha256 && file.isUnchanged();
+}
+
+ScenarioRecord recordOf(const Project& project, const std::string& scenario, const std::string& citySha256) {
+    ScenarioRecord record{scenario, {}, {}};
+    const auto edits = editsOf(project.scenarios, scenario);
+    if (edits)
+        for (const Edit& edit : *edits) record.edits.push_back(textOf(edit));
+    const auto city = cityOf(project, scenario);
+    if (city) record.citySha256 = record.edits.empty() ? citySha256 : cityHash(city->city);
+    return record;
+}
+
+ProjectRecord recordOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {
+    const std::string citySha256 = cityHash(*project.city);
+    ProjectRecord record{.scenario = recordOf(project, part.scenario, citySha256)};
+    record.contentSha256 = contentHash(project, citySha256, part).value_or(std::string());
+    if (!part.baseline.empty()) record.baseline = recordOf(project, part.baseline, citySha256);
+    if (onDisk == nullptr) return record;
+    record.file = onDisk->path().filename().string();
+    if (!holds(*onDisk, project, citySha256, record.contentSha256, part)) return record;
+    if (const auto file = inputFile(onDisk->path())) record.fileSha256 = file->sha256;
+    return record;
+}
+
+// A region of the saved project by its name, which names it to the last bit.
+std::string regionTextOf(const Project& project, const ProjectFile* onDisk, const ProjectRecord& record,
+                         const Region& region) {
+    if (!record.saved()) return regionText(region, *project.city);
+    for (const Region& named : onDisk->project().regions)
+        if (named.polygons == region.polygons) return named.name;
+    return boxTextOf(region, project.city->frame).value_or(regionFileName);
+}
+
+}  // namespace
+
+Result<std::string> contentHash(const Project& project, const MeasuredPart& part) {
+    return contentHash(project, cityHash(*project.city), part);
+}
+
+Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {
+    Provenance provenance{
+        project.inputs, project.reading->settings, project.attribution, recordOf(project, onDisk, part), {}};
+    provenance.region = regionTextOf(project, onDisk, *provenance.project, part.region);
+    return provenance;
+}
+
+void putBefore(Warnings& warnings, const Warnings& ofReading) {
+    warnings.insert(warnings.begin(), ofReading.begin(), ofReading.end());
+}
+
+}  // namespace noonmark

@@ -1,0 +1,46 @@
+#include "core/io/read_settings_text.h"
+
+#include <gtest/gtest.h>
+
+namespace noonmark {
+namespace {
+
+ReadSettings everySetting() {
+    ReadSettings reading;
+    reading.heightField = "roof \"height\"";
+    reading.heightUnit = LengthUnit::usSurveyFeet;
+    reading.metresPerLevel = 3.1;
+    reading.defaultHeightM = 7.7;
+    reading.levelsField = "storeys";
+    reading.terrainFromBases = TerrainFromBases::never;
+    reading.layer = "buildings";
+    reading.crs = "EPSG:2263";
+    reading.lod = "2.2";
+    reading.farAwayM = 12345.678;
+    reading.upAxis = UpAxis::z;
+    reading.meshUnit = LengthUnit::centimetres;
+    reading.meshNorthDeg = -28.9;
+    reading.meshAnchor = LonLat{-73.98, 40.76};
+    return reading;
+}
+
+TEST(ReadSettingsText, ComesBackToTheLastBit) {
+    const ReadSettings back = readSettingsFrom(textOf(everySetting())).value();
+    EXPECT_EQ(textOf(back), textOf(everySetting()));
+    EXPECT_EQ(back.farAwayM, 12345.678);
+    EXPECT_EQ(back.meshAnchor, (LonLat{-73.98, 40.76}));
+    EXPECT_EQ(back.heightField, "roof \"height\"");
+    EXPECT_EQ(back.heightUnit, LengthUnit::usSurveyFeet);
+    EXPECT_EQ(textOf(readSettingsFrom("").value()), "");
+}
+
+TEST(ReadSettingsText, DefaultsAreLeftOut) { EXPECT_EQ(textOf(ReadSettings{}), ""); }
+
+TEST(ReadSettingsText, OtherTextIsNoSettings) {
+    for (const char* text :
+         {"crs", R"({"mesh_unit": 9})", R"({"crs": 4326})", "[]", "7", R"({"layer": null})"})
+        EXPECT_FALSE(readSettingsFrom(text)) << text;
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include "app/window/view_panel.h"
+#include "tests/gui/small_open_city.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark {
+namespace {
+
+using test::waitFor;
+
+/// Cities one after the other in one view, looked at as pixels.
+struct DrawOrder : ::testing::Test {
+    ViewPanel panel;
+
+    void SetUp() override {
+        panel.resize(700, 600);
+        panel.show();
+    }
+
+    void show() {
+        panel.showCity(test::smallOpenCity());
+        panel.navigator().showSlanting({{-120, -80}, {100, 80}});
+    }
+
+    QImage captured() {
+        QImage image;
+        panel.view().capture([&image](const QImage& made) { image = made; });
+        EXPECT_TRUE(waitFor([&image] { return !image.isNull(); }));
+        return image;
+    }
+
+    QRect around(glm::dvec3 point, int border) {
+        const auto pixel = pixelOf(panel.view().pose(), panel.view().lens(), point);
+        const double ratio = panel.view().devicePixelRatio();
+        const QPoint middle(int(pixel->x * ratio), int(pixel->y * ratio));
+        return {middle - QPoint(border, border), middle + QPoint(border, border)};
+    }
+
+    /// The darkest and the lightest grey within a few pixels of a point.
+    std::pair<int, int> greysAt(const QImage& image, glm::dvec3 point) {
+        std::pair<int, int> greys{255, 0};
+        const QRect near = around(point, 4);
+        for (int y = near.top(); y <= near.bottom(); ++y)
+            for (int x = near.left(); x <= near.right(); ++x) {
+                const int grey = qGray(image.pixel(x, y));
+                greys = {std::min(greys.first, grey), std::max(greys.second, grey)};
+            }
+        return greys;
+    }
+
+    // Frames come a little after what they show.
+    bool edgeIsSeen(glm::dvec3 point) {
+        return waitFor(
+            [&] {
+                const auto [dark, light] = greysAt(captured(), point);
+                return light - dark > 25;
+            },
+            5000);
+    }
+};
+
+// The roof's front edge has a face above and below it: what is drawn before the faces is not seen there.
+TEST_F(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
+    for (int city = 1; city <= 8; ++city) {
+        show();
+        EXPECT_TRUE(edgeIsSeen({0, -60, 60})) << "city " << city;
+    }
+}
+
+// The region's outline is seen through buildings.
+TEST_F(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
+    const auto isRed = [this] {
+        const QImage image = captured();
+        const QRect near = around({0, -40, 0}, 3);  // behind the southern house
+        for (int y = near.top(); y <= near.bottom(); ++y)
+            for (int x = near.left(); x <= near.right(); ++x) {
+                const QColor colour = image.pixelColor(x, y);
+                if (colour.red() > colour.green() + 80 && colour.red() > colour.blue() + 80) return true;
+            }
+        return false;
+    };
+    for (int city = 1; city <= 8; ++city) {
+        show();
+        panel.showRegion({"line", {test::square({-60, -40}, 120)}});
+        EXPECT_TRUE(waitFor(isRed, 5000)) << "city " << city;
+    }
+}
+
+}  // namespace
+}  // namespace noonmark
