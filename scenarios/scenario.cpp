@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 namespace noonmark {
 
@@ -16,17 +18,29 @@ tl::unexpected<Error> unknown(const std::vector<Scenario>& scenarios, const std:
                    fmt::format("The scenarios are: {}", fmt::join(names, ", ")));
 }
 
+using ByName = std::unordered_map<std::string_view, const Scenario*>;
+
+ByName byName(const std::vector<Scenario>& scenarios) {
+    ByName found;
+    for (const Scenario& scenario : scenarios) found.emplace(scenario.name, &scenario);
+    return found;
+}
+
 // From the scenario down to the one that starts from the existing city.
-Result<std::vector<const Scenario*>> lineage(const std::vector<Scenario>& scenarios, std::string name) {
+Result<std::vector<const Scenario*>> lineage(const std::vector<Scenario>& scenarios, const ByName& named,
+                                             std::string_view name) {
     std::vector<const Scenario*> line;
-    while (!name.empty() && name != existingCity) {
-        const Scenario* scenario = findScenario(scenarios, name);
-        if (scenario == nullptr) return unknown(scenarios, name);
-        if (std::ranges::find(line, scenario) != line.end())
+    for (; !name.empty() && name != existingCity; name = line.back()->base) {
+        const auto scenario = named.find(name);
+        if (scenario == named.end()) return unknown(scenarios, std::string(name));
+        if (std::ranges::find(line, scenario->second) != line.end())
             return failure("The scenario starts from itself", fmt::format("scenario '{}'", name),
                            "Let one of its bases start from the existing city");
-        line.push_back(scenario);
-        name = scenario->base;
+        if (line.size() > mostBases)
+            return failure(fmt::format("The scenario has more than {} bases", mostBases),
+                           fmt::format("scenario '{}'", line.front()->name),
+                           "Let it start from the existing city, or from a scenario nearer to it");
+        line.push_back(scenario->second);
     }
     return line;
 }
@@ -40,7 +54,7 @@ const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::
 
 Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const std::string& name) {
     if (name.empty()) return unknown(scenarios, name);
-    const auto line = lineage(scenarios, name);
+    const auto line = lineage(scenarios, byName(scenarios), name);
     if (!line) return tl::make_unexpected(line.error());
     std::vector<Edit> edits;
     for (auto scenario = line->rbegin(); scenario != line->rend(); ++scenario)
@@ -59,13 +73,17 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
 }
 
 Result<void> checked(const std::vector<Scenario>& scenarios) {
+    if (scenarios.size() > mostScenarios)
+        return failure(fmt::format("There are more than {} scenarios", mostScenarios), "scenarios",
+                       "Keep some in another project");
+    const ByName named = byName(scenarios);
     for (const Scenario& scenario : scenarios) {
         if (scenario.name.empty() || scenario.name == existingCity)
             return failure(fmt::format("A scenario cannot be called '{}'", scenario.name), "scenarios",
                            "Give it a name of its own");
-        if (std::ranges::count(scenarios, scenario.name, &Scenario::name) > 1)
+        if (named.at(scenario.name) != &scenario)
             return failure("Two scenarios have this name", scenario.name, "Rename one");
-        if (const auto line = lineage(scenarios, scenario.name); !line)
+        if (const auto line = lineage(scenarios, named, scenario.name); !line)
             return tl::make_unexpected(line.error());
     }
     return {};

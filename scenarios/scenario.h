@@ -13,6 +13,10 @@ namespace noonmark {
 /// The city as it stands: what a scenario without a base starts from. No scenario bears this name.
 inline constexpr const char* existingCity = "Existing";
 
+/// Limits that no work reaches: a file that goes beyond was made to stop the program.
+inline constexpr std::size_t mostBases = 100;        ///< from one scenario down to the existing city
+inline constexpr std::size_t mostScenarios = 10000;  ///< of a project
+
 /// A named list of edits to the existing city, or to what another scenario makes of it.
 struct Scenario {
     std::string name;         ///< unique in a project, not empty

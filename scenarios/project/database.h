@@ -56,6 +56,7 @@ public:
     /// Valid until the next step().
     [[nodiscard]] std::string_view blob(int column) const;
     [[nodiscard]] bool isNull(int column) const;
+    [[nodiscard]] bool isNumber(int column) const;  ///< an integer or a real; NaN is stored as null
 
 private:
     void reset();
@@ -83,7 +84,9 @@ struct AsBlob {
     const Bytes& bytes;
 };
 
-/// An SQLite file. Not for two threads at once. Backend: database_sqlite.cpp.
+/// An SQLite file that anybody may have made: no trigger of it runs and no view of it is read, it may not
+/// name functions with effects, attach or load anything, and a statement that does not end is broken off. Not
+/// for two threads at once. Backend: database_sqlite.cpp.
 class Database {
 public:
     enum class Access { read, write, create };
@@ -106,6 +109,7 @@ public:
 
 private:
     sqlite3* database_ = nullptr;
+    int looks_ = 0;  // how often the work of all statements was looked at
 };
 
 /// All or nothing: rolled back unless committed.

@@ -31,6 +31,25 @@ int flagsOf(Database::Access access) {
     return SQLITE_OPEN_READONLY;
 }
 
+// The city of a million buildings takes 100 million steps of SQLite's virtual machine.
+constexpr int stepsBetweenLooks = 1'000'000;
+constexpr int mostLooks = 5000;  // a minute or so
+
+int isTooLong(void* looks) { return ++*static_cast<int*>(looks) > mostLooks ? 1 : 0; }
+
+void harden(sqlite3* database) {
+    const auto set = [&](int option, int value) { sqlite3_db_config(database, option, value, nullptr); };
+    set(SQLITE_DBCONFIG_DEFENSIVE, 1);
+    set(SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0);
+    set(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0);
+    set(SQLITE_DBCONFIG_ENABLE_VIEW, 0);
+    set(SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0);
+    sqlite3_limit(database, SQLITE_LIMIT_ATTACHED, 0);
+    sqlite3_limit(database, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+    sqlite3_limit(database, SQLITE_LIMIT_WORKER_THREADS, 0);
+    sqlite3_limit(database, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, 100);
+}
+
 }  // namespace
 
 Statement::Statement(sqlite3* database, std::string_view sql) {
@@ -52,6 +71,10 @@ bool Statement::step() {
 
 std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_, column); }
 double Statement::real(int column) const { return sqlite3_column_double(statement_, column); }
+bool Statement::isNumber(int column) const {
+    const int type = sqlite3_column_type(statement_, column);
+    return type == SQLITE_INTEGER || type == SQLITE_FLOAT;
+}
 bool Statement::isNull(int column) const { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
 
 std::string Statement::text(int column) const {
@@ -89,6 +112,8 @@ Database::Database(const std::filesystem::path& file, Access access) {
         sqlite3_close(database_);
         throw trouble;
     }
+    harden(database_);
+    sqlite3_progress_handler(database_, stepsBetweenLooks, isTooLong, &looks_);
     sqlite3_busy_timeout(database_, waitMs);
 }
 
@@ -152,6 +177,9 @@ Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file)
         case SQLITE_CANTOPEN:
             return {"The project file cannot be opened", where,
                     "Check that it is there and that its folder may be written to"};
+        case SQLITE_INTERRUPT:
+            return {"Reading the project file does not end: it was not made by this program", where,
+                    "Ask for the file again, or take an older copy"};
         case SQLITE_FULL:
             return {"The disk is full", where, "Make room, or save elsewhere; the file is as it was"};
         default:

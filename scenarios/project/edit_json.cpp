@@ -10,6 +10,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr NumberLimits scaleLimits{1e-6, 1e6};
+constexpr NumberLimits angleLimitsDeg{-1e6, 1e6};
+
 Json jsonOf(const TriangleMesh& mesh) {
     Json vertices = Json::array(), triangles = Json::array();
     for (const glm::vec3 point : mesh.vertices) vertices.push_back({point.x, point.y, point.z});
@@ -20,7 +23,9 @@ Json jsonOf(const TriangleMesh& mesh) {
 std::shared_ptr<const TriangleMesh> meshOf(const Json& json) {
     auto mesh = std::make_shared<TriangleMesh>();
     for (const Json& at : json.at("vertices"))
-        mesh->vertices.emplace_back(at.at(0).get<float>(), at.at(1).get<float>(), at.at(2).get<float>());
+        mesh->vertices.emplace_back(float(numberFrom(at.at(0), placeLimitsM)),
+                                    float(numberFrom(at.at(1), placeLimitsM)),
+                                    float(numberFrom(at.at(2), elevationLimitsM)));
     for (const Json& at : json.at("triangles")) {
         const glm::uvec3 corners{at.at(0).get<unsigned>(), at.at(1).get<unsigned>(),
                                  at.at(2).get<unsigned>()};
@@ -49,8 +54,9 @@ Json jsonOf(const Part& part) {
 Part partOf(const Json& json) {
     Part part{.sourceId = json.at("source_id"), .footprint = {ringOf(json.at("outer")), {}}};
     for (const Json& hole : json.at("holes")) part.footprint.holes.push_back(ringOf(hole));
-    part.bottomM = json.at("bottom_m").get<float>();
-    part.topM = json.at("top_m").get<float>();
+    part.bottomM = float(numberFrom(json.at("bottom_m"), elevationLimitsM));
+    part.topM = float(numberFrom(json.at("top_m"), elevationLimitsM));
+    if (!(part.topM > part.bottomM)) throw std::invalid_argument("a part without a height");
     if (const auto source = heightSourceNamed(json.at("height_source").get<std::string>()))
         part.heightSource = *source;
     part.hangs = json.at("hangs").get<bool>();
@@ -68,6 +74,7 @@ Json jsonOf(const Building& building) {
 NewShape shapeOf(const Json& json) {
     Building building{.sourceId = json.at("id"), .name = json.at("name"), .status = json.at("status")};
     for (const Json& part : json.at("parts")) building.parts.push_back(partOf(part));
+    if (building.parts.empty()) throw std::invalid_argument("a building without parts");
     return std::make_shared<const Building>(std::move(building));
 }
 
@@ -98,14 +105,14 @@ struct Writer {
 };
 
 glm::dvec2 moveOf(const Json& json) {
-    return {json.at("east_m").get<double>(), json.at("north_m").get<double>()};
+    return {numberFrom(json.at("east_m"), placeLimitsM), numberFrom(json.at("north_m"), placeLimitsM)};
 }
 
 Placement placementOf(const Json& json) {
     const Json& about = json.at("about_m");
-    return {.about = {about.at(0).get<double>(), about.at(1).get<double>()},
-            .scale = json.at("scale").get<double>(),
-            .clockwiseDeg = json.at("clockwise_deg").get<double>(),
+    return {.about = {numberFrom(about.at(0), placeLimitsM), numberFrom(about.at(1), placeLimitsM)},
+            .scale = numberFrom(json.at("scale"), scaleLimits),
+            .clockwiseDeg = numberFrom(json.at("clockwise_deg"), angleLimitsDeg),
             .byM = moveOf(json)};
 }
 
@@ -114,9 +121,9 @@ Edit read(const std::string& kind, const Json& json) {
     if (kind == "demolish") return Demolish{building()};
     if (kind == "replace") return Replace{building(), shapeOf(json.at("with"))};
     if (kind == "add") return AddBuilding{shapeOf(json.at("with"))};
-    if (kind == "height") return ChangeHeight{building(), json.at("height_m").get<double>()};
+    if (kind == "height") return ChangeHeight{building(), numberFrom(json.at("height_m"), elevationLimitsM)};
     if (kind == "move") return Move{building(), moveOf(json)};
-    if (kind == "rotate") return Rotate{building(), json.at("clockwise_deg").get<double>()};
+    if (kind == "rotate") return Rotate{building(), numberFrom(json.at("clockwise_deg"), angleLimitsDeg)};
     if (kind == "import")
         return ImportMesh{shapeOf(json.at("with")), placementOf(json), json.at("file").get<std::string>()};
     throw std::invalid_argument("an edit of an unknown kind");

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/city/repair_footprint.h"
+#include "scenarios/project/checked_row.h"
 
 namespace noonmark {
 
@@ -80,6 +81,7 @@ RawRing takeRing(Reader& reader) {
     for (std::uint32_t i = 0; reader.sound && i + 1 < count; ++i) {
         const auto x = reader.take<double>();
         ring.emplace_back(x, reader.take<double>());
+        reader.sound &= isWithin(x, placeLimitsM) && isWithin(ring.back().y, placeLimitsM);
     }
     reader.skip(2 * sizeof(double));  // the first point again
     return ring;

@@ -72,12 +72,17 @@ void writeNew(const fs::path& file, const Project& project, const std::string& i
     transaction.commit();
 }
 
+Project readChecked(Database& database) {
+    checkTables(database);
+    return readProject(database);
+}
+
 // An older file is brought to this version in a copy, so that a file that may only be read is opened too.
 Project readAnyVersion(Database& database) {
-    if (versionOf(database) == schemaVersion) return readProject(database);
+    if (versionOf(database) == schemaVersion) return readChecked(database);
     Database copy(Database::InMemory{}, database);
     migrate(copy);
-    return readProject(copy);
+    return readChecked(copy);
 }
 
 Result<void> isOurs(Database& database, const ProjectFile& file) {
@@ -120,6 +125,8 @@ Result<ProjectFile> ProjectFile::open(const fs::path& file) {
         opened.id_ = factOf(database, "project_id");
         opened.saves_ = savesIn(database);
         opened.project_ = readAnyVersion(database);
+        if (auto sound = checked(opened.project_); !sound)
+            throwDamaged(fmt::format("{}: {}", sound.error().where, sound.error().what));
         return opened;
     });
 }
@@ -142,6 +149,8 @@ Result<void> ProjectFile::save(const Project& project) {
         Transaction transaction(database);
         if (auto ours = isOurs(database, *this); !ours) return ours;
         migrate(database);
+        checkTables(database);
+        removeSpatialIndexes(database);
         writeChanges(database, &project_, project);
         noteSave(database, saves_ + 1);
         transaction.commit();

@@ -1,10 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <unordered_map>
 
 #include "core/study/terrain_text.h"
+#include "scenarios/project/checked_row.h"
 #include "scenarios/project/geometry_blob.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/write_project.h"
@@ -30,6 +32,12 @@ Meshes readMeshes(Database& database) {
         auto mesh = std::make_shared<TriangleMesh>();
         mesh->vertices = valuesOf<glm::vec3>(row.blob(1));
         mesh->triangles = valuesOf<glm::uvec3>(row.blob(2));
+        const CheckedRow checked(row, "meshes");
+        if (mesh->triangles.empty()) checked.refuse("the mesh is empty");
+        for (const glm::vec3 v : mesh->vertices)
+            if (!isWithin(double(v.x), placeLimitsM) || !isWithin(double(v.y), placeLimitsM) ||
+                !isWithin(double(v.z), elevationLimitsM))
+                checked.refuse("a corner of the mesh is nowhere");
         for (const glm::uvec3 t : mesh->triangles)
             if (std::max({t.x, t.y, t.z}) >= mesh->vertices.size())
                 throwDamaged("a mesh has a corner too many");
@@ -39,16 +47,17 @@ Meshes readMeshes(Database& database) {
 }
 
 void addParts(const Statement& row, const Meshes& meshes, Building& building) {
+    const CheckedRow checked(row, "buildings");
     auto polygons = polygonsOf(row.blob(1));
-    if (!polygons) throwDamaged("the outline of a building");
+    if (!polygons) checked.refuse("the outline of a building");
     for (Footprint& polygon : *polygons) {
         Part part{.sourceId = row.text(3),
                   .footprint = std::move(polygon),
-                  .bottomM = float(row.real(8)),
-                  .topM = float(row.real(9)),
+                  .bottomM = float(checked.number(8, "bottom_m", elevationLimitsM)),
+                  .topM = float(checked.number(9, "top_m", elevationLimitsM)),
                   .heightSource = heightSourceNamed(row.text(6)).value_or(HeightSource::assumed),
                   .hangs = row.integer(7) != 0};
-        if (!(part.topM > part.bottomM)) throwDamaged("a building without a height");
+        if (!(part.topM > part.bottomM)) checked.refuse("a building without a height");
         if (const auto mesh = meshes.find(row.integer(0)); mesh != meshes.end()) part.mesh = mesh->second;
         building.parts.push_back(std::move(part));
     }
@@ -83,22 +92,27 @@ std::vector<std::shared_ptr<const Building>> readBuildings(Database& database) {
 
 std::shared_ptr<const Terrain> readTerrain(Database& database) {
     Statement row =
-        database.prepare("SELECT west_m, south_m, cell_m, columns, rows, elevations_m FROM terrain");
+        database.prepare("SELECT id, west_m, south_m, cell_m, columns, rows, elevations_m FROM terrain");
     if (!row.step()) return nullptr;
     auto terrain = std::make_shared<Terrain>();
-    terrain->grid = {row.real(0), row.real(1), row.real(2), int(row.integer(3)), int(row.integer(4))};
-    terrain->elevationM = valuesOf<float>(row.blob(5));
-    if (terrain->elevationM.size() != terrain->grid.size()) throwDamaged("the terrain is cut off");
+    const CheckedRow checked(row, "terrain");
+    terrain->grid = checked.grid(1);
+    terrain->elevationM = valuesOf<float>(row.blob(6));
+    if (terrain->elevationM.size() != terrain->grid.size())
+        checked.refuse("elevations_m has not one value a cell");
+    for (const float elevation : terrain->elevationM)
+        if (!isWithin(double(elevation), elevationLimitsM)) checked.refuse("an elevation is out of range");
     // None in files of before: their posts are the middles of squares.
-    if (!takeSource(factOf(database, "terrain_source"), *terrain)) throwDamaged("the place of the terrain");
+    if (!takeSource(factOf(database, "terrain_source"), *terrain)) checked.refuse("the place of the terrain");
     return terrain;
 }
 
-double numberOf(Database& database, const std::string& key) {
+double numberOf(Database& database, const std::string& key, const NumberLimits& limits) {
     const std::string text = factOf(database, key);
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0' || !std::isfinite(value)) throwDamaged("the project's origin");
+    if (text.empty() || *end != '\0' || !isWithin(value, limits))
+        throwDamaged(fmt::format("table noonmark, {}: not {:g} to {:g}", key, limits.low, limits.high));
     return value;
 }
 
@@ -106,8 +120,9 @@ double numberOf(Database& database, const std::string& key) {
 
 std::shared_ptr<const City> readCityTables(Database& database) {
     auto city = std::make_shared<City>();
-    const LonLat origin{numberOf(database, "origin_lon_deg"), numberOf(database, "origin_lat_deg")};
-    city->frame = Frame(origin, numberOf(database, "origin_elevation_m"));
+    const LonLat origin{numberOf(database, "origin_lon_deg", {-360, 360}),
+                        numberOf(database, "origin_lat_deg", {-90, 90})};
+    city->frame = Frame(origin, numberOf(database, "origin_elevation_m", elevationLimitsM));
     city->buildings = readBuildings(database);
     city->terrain = readTerrain(database);
     return city;

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
+#include "scenarios/project/checked_row.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/geometry_blob.h"
 #include "scenarios/project/grid_tiles.h"
+#include "scenarios/project/schema.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -64,10 +67,13 @@ std::vector<Scenario> readScenarios(Database& database) {
     return scenarios;
 }
 
-std::chrono::month_day dayOf(const Statement& row, int column) {
-    return {std::chrono::month(unsigned(row.integer(column))),
-            std::chrono::day(unsigned(row.integer(column + 1)))};
+std::chrono::month_day dayOf(const CheckedRow& row, int column) {
+    return {std::chrono::month(unsigned(row.integer(column, "month", {1, 12}))),
+            std::chrono::day(unsigned(row.integer(column + 1, "day", {1, 31})))};
 }
+
+constexpr NumberLimits dayMinutes{0, 24 * 60};
+constexpr std::size_t mostIntervals = 1000;  // each is compared with each
 
 std::vector<TimeWeights> readWeights(Database& database) {
     std::vector<TimeWeights> tables;
@@ -78,25 +84,32 @@ std::vector<TimeWeights> readWeights(Database& database) {
     while (row.step()) {
         if (row.integer(0) != last) tables.push_back({row.text(1), {}});
         last = row.integer(0);
-        tables.back().intervals.push_back({row.text(2), dayOf(row, 3), dayOf(row, 5),
-                                           std::chrono::minutes(row.integer(7)),
-                                           std::chrono::minutes(row.integer(8)), row.real(9)});
+        const CheckedRow checked(row, "time_weights");
+        if (tables.back().intervals.size() == mostIntervals) checked.refuse("too many intervals");
+        tables.back().intervals.push_back({row.text(2), dayOf(checked, 3), dayOf(checked, 5),
+                                           std::chrono::minutes(checked.integer(7, "from_min", dayMinutes)),
+                                           std::chrono::minutes(checked.integer(8, "to_min", dayMinutes)),
+                                           checked.number(9, "weight", {-1, 1})});
     }
     return tables;
 }
+
+constexpr NumberLimits windowMinutes{-12 * 60, 12 * 60};
 
 Period periodOf(const Statement& row) {
     Period period;
     const auto start = parseDate(row.text(1));
     if (!start) throwDamaged("the date of a period");
     period.start = *start;
-    period.days = int(row.integer(2));
-    period.from = std::chrono::minutes(row.integer(3));
-    period.hours = row.real(4);
-    period.stepMinutes = row.real(5);
+    const CheckedRow checked(row, "periods", 11);
+    period.days = checked.integer(2, "days", {1, 3660});
+    period.from = std::chrono::minutes(checked.integer(3, "from_min", dayMinutes));
+    period.hours = checked.number(4, "hours", {0, 24});
+    period.stepMinutes = checked.number(5, "step_min", {1.0 / 60, 240});
     if (!row.isNull(6))
         period.window =
-            SolarWindow{std::chrono::minutes(row.integer(6)), std::chrono::minutes(row.integer(7)),
+            SolarWindow{std::chrono::minutes(checked.integer(6, "after_sunrise_min", windowMinutes)),
+                        std::chrono::minutes(checked.integer(7, "before_sunset_min", windowMinutes)),
                         row.text(8) == "centre" ? SunriseRule::centre : SunriseRule::upperLimb};
     period.zone = row.text(9);
     period.refraction = row.integer(10) != 0;
@@ -108,7 +121,7 @@ std::vector<NamedPeriod> readPeriods(Database& database) {
     Statement row = database.prepare(
         "SELECT name, start, days, from_min, hours, step_min, after_sunrise_min, before_sunset_min, "
         "sunrise_rule, zone, "
-        "refraction FROM periods ORDER BY id");
+        "refraction, id FROM periods ORDER BY id");
     while (row.step()) periods.push_back({row.text(0), periodOf(row)});
     return periods;
 }
@@ -120,18 +133,34 @@ std::map<std::string, std::string> readView(Database& database) {
     return view;
 }
 
+// What a result's layers are called in write_results.cpp: no other table may be read, or dropped with the
+// result.
+bool isTileTable(std::string_view name) {
+    constexpr std::string_view start = "result_";
+    if (!name.starts_with(start)) return false;
+    const std::string_view numbers = name.substr(start.size());
+    const auto bar = numbers.find('_');
+    return bar != 0 && bar + 1 < numbers.size() && numbers.find_first_not_of("0123456789_") == numbers.npos &&
+           numbers.find('_', bar + 1) == numbers.npos;
+}
+
 KeptLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
     KeptLayer layer{row.text(0), row.text(1), {}};
     layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     const std::string table = row.text(2);
-    for (const char letter : table)
-        if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '_')
-            throwDamaged("a result's table");
-    Statement tile =
-        database.prepare("SELECT tile_column, tile_row, tile_data FROM " + table + " WHERE zoom_level = 0");
-    while (tile.step())
-        if (!decodeTile(tile.blob(2), grid, int(tile.integer(0)), int(tile.integer(1)), layer.values))
-            throwDamaged("a tile of a result");
+    if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is no table of a result", table));
+    checkTable(database, table, {"id", "zoom_level", "tile_column", "tile_row", "tile_data"});
+    Statement tile = database.prepare("SELECT id, tile_column, tile_row, tile_data FROM " + table +
+                                      " WHERE zoom_level = 0");
+    while (tile.step()) {
+        const CheckedRow checked(tile, table.c_str());
+        const int column = checked.integer(1, "tile_column", {0, double((grid.columns - 1) / tileCells)});
+        const int line = checked.integer(2, "tile_row", {0, double((grid.rows - 1) / tileCells)});
+        if (!decodeTile(tile.blob(3), grid, column, line, layer.values)) checked.refuse("a broken tile");
+    }
+    for (const float value : layer.values)
+        if (!std::isnan(value) && !isWithin(double(value), layerLimits))
+            throwDamaged(fmt::format("table {}: a value is out of range", table));
     return layer;
 }
 
@@ -145,7 +174,7 @@ std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database) {
     while (row.step()) {
         KeptResult result{row.text(1), row.text(2), row.text(3), row.text(4),
                           row.text(5), row.text(6), {},          {}};
-        result.grid = {row.real(7), row.real(8), row.real(9), int(row.integer(10)), int(row.integer(11))};
+        result.grid = CheckedRow(row, "results").grid(7);
         Statement layer =
             database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
         for (layer.begin(row.integer(0)); layer.step();)

@@ -14,9 +14,17 @@ Json ringJson(const Ring& ring) {
 
 Ring ringOf(const Json& json) {
     Ring ring;
-    for (const Json& point : json) ring.emplace_back(point.at(0).get<float>(), point.at(1).get<float>());
+    for (const Json& point : json)
+        ring.emplace_back(float(numberFrom(point.at(0), placeLimitsM)),
+                          float(numberFrom(point.at(1), placeLimitsM)));
     if (ring.size() < 3) throw std::invalid_argument("a ring of fewer than three points");
     return ring;
+}
+
+double numberFrom(const Json& json, const NumberLimits& limits) {
+    const auto value = json.get<double>();
+    if (!isWithin(value, limits)) throw std::invalid_argument("a number is out of range");
+    return value;
 }
 
 }  // namespace noonmark

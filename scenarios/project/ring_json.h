@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/city/footprint.h"
+#include "scenarios/project/checked_row.h"
 
 namespace noonmark {
 
@@ -11,5 +12,8 @@ nlohmann::ordered_json ringJson(const Ring& ring);
 
 /// Throws nlohmann's exceptions, or std::invalid_argument for fewer than three points.
 Ring ringOf(const nlohmann::ordered_json& json);
+
+/// Throws nlohmann's exceptions where it is no number, std::invalid_argument where it is out of range.
+double numberFrom(const nlohmann::ordered_json& json, const NumberLimits& limits);
 
 }  // namespace noonmark

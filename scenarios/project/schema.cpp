@@ -1,8 +1,12 @@
 #include "scenarios/project/schema.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/warnings.h"
@@ -97,6 +101,21 @@ void registerTables(Database& database) {
         contents.run(table, "attributes", table, "", std::optional<int>{});
 }
 
+// The tables with their columns, as this program makes them.
+const std::map<std::string, std::vector<std::string>>& ourTables() {
+    static const auto tables = [] {
+        std::map<std::string, std::vector<std::string>> made;
+        Database memory(":memory:", Database::Access::create);
+        memory.execute(projectTables);
+        memory.execute(readingTables);
+        Statement table = memory.prepare(
+            "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
+        while (table.step()) made[table.text(0)].push_back(table.text(1));
+        return made;
+    }();
+    return tables;
+}
+
 // Version 1 held neither the warnings of reading nor the settings: every later report says so.
 void toVersion2(Database& database) {
     addReadingTables(database);
@@ -123,9 +142,45 @@ void createSchema(Database& database, const std::string& localWkt) {
         .run(std::to_string(schemaVersion));
 }
 
+void checkTable(Database& database, const std::string& table, const std::vector<std::string>& columns) {
+    Statement kind = database.prepare(
+        "SELECT 1 FROM sqlite_master WHERE name = ? AND type = 'table' AND rootpage > 0 "
+        "AND sql NOT LIKE 'create virtual%'");
+    kind.begin(table);
+    if (!kind.step()) throwDamaged(fmt::format("'{}' is no table", table));
+    std::set<std::string> found;
+    Statement column = database.prepare("SELECT name FROM pragma_table_xinfo(?) WHERE hidden = 0");
+    for (column.begin(table); column.step();) found.insert(column.text(0));
+    for (const std::string& name : columns)
+        if (!found.contains(name)) throwDamaged(fmt::format("table {} has no column {}", table, name));
+}
+
+void checkTables(Database& database) {
+    for (const auto& [table, columns] : ourTables()) checkTable(database, table, columns);
+}
+
+void removeSpatialIndexes(Database& database) {
+    for (const FeatureTable& layer : featureTables) {
+        const std::string index = fmt::format("rtree_{}_geom", layer.table);
+        std::vector<std::string> statements;
+        Statement found = database.prepare(
+            "SELECT printf('DROP %s IF EXISTS \"%w\"', type, name) FROM sqlite_master WHERE (type = "
+            "'trigger' AND "
+            "tbl_name = ?1 COLLATE NOCASE AND substr(name, 1, length(?2)) = ?2) OR (type = 'table' AND name "
+            "= ?2)");
+        for (found.begin(layer.table, index); found.step();) statements.push_back(found.text(0));
+        if (statements.empty()) continue;
+        for (const std::string& statement : statements) database.execute(statement);
+        database
+            .prepare(
+                "DELETE FROM gpkg_extensions WHERE table_name = ? AND extension_name = 'gpkg_rtree_index'")
+            .run(layer.table);
+    }
+}
+
 int versionOf(Database& database) {
-    const auto table =
-        database.value("SELECT 1 FROM sqlite_master WHERE name = 'noonmark' AND type = 'table'");
+    const auto table = database.value(
+        "SELECT 1 FROM sqlite_master WHERE name = 'noonmark' AND type = 'table' AND rootpage > 0");
     if (!table) return 0;
     const auto version = database.value("SELECT value FROM noonmark WHERE key = 'schema_version'");
     return version ? std::atoi(version->c_str()) : 0;

@@ -1,0 +1,293 @@
+// Project files from strangers: every number, table and statement in them may be made to harm.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <chrono>
+#include <fstream>
+#include <random>
+
+#include "scenarios/project/kept_answer.h"
+#include "scenarios/project/project_file.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/scenarios/sample_project.h"
+
+namespace noonmark::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// Rows of text; nothing of what no statement returns.
+using Rows = std::vector<std::vector<std::string>>;
+
+int keepRow(void* rows, int columns, char** values, char**) {
+    auto& row = static_cast<Rows*>(rows)->emplace_back();
+    for (int i = 0; i < columns; ++i) row.emplace_back(values[i] != nullptr ? values[i] : "");
+    return 0;
+}
+
+class HostileProject : public testing::Test {
+protected:
+    void SetUp() override { remake(); }
+
+    void remake() {
+        fs::remove(file());
+        ASSERT_TRUE(ProjectFile::create(file(), sampleProject()));
+    }
+    [[nodiscard]] fs::path file() const { return folder_.path("town.noonmark.gpkg"); }
+
+    /// As any SQLite program does; statements that are refused change nothing.
+    Rows sql(const std::string& statements) const {
+        sqlite3* database = nullptr;
+        sqlite3_open(file().c_str(), &database);
+        Rows rows;
+        sqlite3_exec(database, statements.c_str(), keepRow, &rows, nullptr);
+        sqlite3_close(database);
+        return rows;
+    }
+
+    /// Why it cannot be opened; empty where it can.
+    [[nodiscard]] std::string trouble() const {
+        const auto opened = ProjectFile::open(file());
+        return opened ? "" : opened.error().text();
+    }
+
+    void expectRefused(const std::string& statements, const std::string& about) {
+        sql(statements);
+        EXPECT_THAT(trouble(), HasSubstr(about)) << statements;
+        remake();
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(HostileProject, NumbersAreCheckedWhereTheyEnter) {
+    expectRefused("UPDATE terrain SET elevations_m = x''", "terrain, row 1: elevations_m");
+    expectRefused("UPDATE terrain SET elevations_m = x'00000000'", "terrain, row 1: elevations_m");
+    for (const char* column : {"columns", "rows"})
+        for (const char* value : {"-3", "0", "2147483648", "1e300", "'many'", "2.5"})
+            for (const std::string table : {"terrain", "results"})
+                expectRefused("UPDATE " + table + " SET " + column + " = " + value, column);
+    expectRefused("UPDATE terrain SET columns = -1, rows = 0, elevations_m = x''", "columns");
+    expectRefused("UPDATE results SET columns = 100000, rows = 100000", "cells");
+    for (const char* value : {"0", "-1", "1e-300", "1e300", "9e999", "'x'"})
+        for (const std::string table : {"terrain", "results"})
+            expectRefused("UPDATE " + table + " SET cell_m = " + value, "cell_m");
+    for (const char* value : {"9e999", "-9e999", "1e300", "'x'"}) {
+        expectRefused(std::string("UPDATE terrain SET west_m = ") + value, "west_m");
+        expectRefused(std::string("UPDATE results SET south_m = ") + value, "south_m");
+        expectRefused(std::string("UPDATE buildings SET top_m = ") + value, "top_m");
+        expectRefused(std::string("UPDATE buildings SET bottom_m = ") + value, "bottom_m");
+    }
+    expectRefused("UPDATE buildings SET top_m = bottom_m", "height");
+    for (const char* value : {"nan", "inf", "1e300", "", "91.5"})
+        expectRefused(std::string("UPDATE noonmark SET value = '") + value + "' WHERE key = 'origin_lat_deg'",
+                      "origin_lat_deg");
+    // 120 float32: NaN, infinity, 1e38.
+    for (const char* bytes : {"0000c07f", "0000807f", "997696 7e"}) {
+        std::string blob;
+        for (int i = 0; i < 360; ++i)
+            for (const char* at = bytes; *at != '\0'; ++at)
+                if (*at != ' ') blob += *at;
+        expectRefused("UPDATE terrain SET elevations_m = x'" + blob + "'", "elevation");
+    }
+}
+
+TEST_F(HostileProject, MeshesOutlinesAndTilesAreChecked) {
+    expectRefused("UPDATE meshes SET vertices = x'', triangles = x''", "meshes");
+    expectRefused("UPDATE meshes SET vertices = zeroblob(length(vertices) - 1)", "cut off");
+    expectRefused("UPDATE meshes SET triangles = x'FFFFFFFFFFFFFFFFFFFFFFFF'", "corner");
+    expectRefused(
+        "UPDATE meshes SET vertices = x'0000C07F0000C07F0000C07F', triangles = x'000000000000000000000000'",
+        "meshes");
+    for (const std::string table : {"buildings", "lots", "regions"}) {
+        expectRefused("UPDATE " + table + " SET geom = x''", "outline");
+        expectRefused("UPDATE " + table + " SET geom = zeroblob(200)", "outline");
+        expectRefused("UPDATE " + table + " SET geom = substr(geom, 1, length(geom) - 20)", "outline");
+    }
+    for (const char* column : {"tile_column", "tile_row"})
+        for (const char* value : {"-1", "-5000", "2000000000", "4294967296", "'x'"})
+            expectRefused("UPDATE result_1_1 SET " + std::string(column) + " = " + value + " WHERE id = 1",
+                          column);
+    expectRefused("UPDATE result_1_1 SET tile_data = zeroblob(1000)", "tile");
+}
+
+TEST_F(HostileProject, PeriodsWeightsAndEditsAreChecked) {
+    for (const char* change : {"first_month = 257", "first_month = 0", "last_day = 99", "from_min = -5",
+                               "to_min = 1e10", "weight = 9e999", "weight = 'heavy'"})
+        expectRefused(std::string("UPDATE time_weights SET ") + change, "time_weights");
+    for (const char* change : {"days = 0", "days = 1e12", "hours = -1", "hours = 9e999", "step_min = 0",
+                               "step_min = 1e-300", "from_min = 99999999999"})
+        expectRefused(std::string("UPDATE periods SET ") + change, "periods");
+    expectRefused("UPDATE periods SET after_sunrise_min = 1e9 WHERE after_sunrise_min IS NOT NULL",
+                  "periods");
+    for (const char* value : {R"({"building":"c","height_m":1e300})", R"({"building":"c","height_m":1e999})",
+                              R"({"building":"c","height_m":"tall"})", "{", "[]", "nonsense"})
+        expectRefused(std::string("UPDATE edits SET value = '") + value + "' WHERE kind = 'height'", "edit");
+    expectRefused(
+        R"(UPDATE edits SET value = replace(value, '"parts":[', '"parts":[],"x":[') WHERE kind = 'add')",
+        "edit");
+    expectRefused(
+        R"(UPDATE edits SET value = replace(value, '"scale":1.5', '"scale":0') WHERE kind = 'import')",
+        "edit");
+    expectRefused(R"(UPDATE edits SET value = replace(value, '200.0', '1e30') WHERE kind = 'add')", "edit");
+}
+
+TEST_F(HostileProject, TriggersDoNotRun) {
+    sql("CREATE TRIGGER empty AFTER INSERT ON scenarios BEGIN DELETE FROM buildings; END;"
+        "CREATE TRIGGER again AFTER UPDATE ON noonmark BEGIN DELETE FROM buildings; DELETE FROM edits; END;");
+    auto opened = ProjectFile::open(file());
+    ASSERT_TRUE(opened) << opened.error().text();
+    Project project = opened->project();
+    project.scenarios.push_back({"C", "", {}});
+    ASSERT_TRUE(opened->save(project));
+    const auto after = ProjectFile::open(file());
+    ASSERT_TRUE(after) << after.error().text();
+    EXPECT_TRUE(sameCity(*after->project().city, *project.city));
+    EXPECT_EQ(after->project().scenarios.back().name, "C");
+}
+
+TEST_F(HostileProject, ViewsInPlaceOfTablesAreRefusedAtOnce) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string endless =
+        " AS WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n) SELECT x AS id, ";
+    expectRefused(
+        "DROP TABLE inputs; CREATE VIEW inputs" + endless + "'a' AS path, 1 AS bytes, '' AS sha256 FROM n;",
+        "damaged");
+    expectRefused("DROP TABLE noonmark; CREATE VIEW noonmark" + endless +
+                      "'schema_version' AS key, '1' AS value FROM n;",
+                  "no Noonmark project");
+    expectRefused("DROP TABLE result_1_1; CREATE VIEW result_1_1" + endless +
+                      "0 AS zoom_level, 0 AS tile_column, 0 AS tile_row, x'' AS tile_data FROM n;",
+                  "damaged");
+    expectRefused("DROP TABLE inputs; CREATE VIRTUAL TABLE inputs USING fts5(id, path, bytes, sha256)",
+                  "no table");
+    expectRefused(
+        "DROP TABLE inputs; CREATE TABLE inputs (id INTEGER PRIMARY KEY, path AS (hex(randomblob(9))), "
+        "bytes, "
+        "sha256)",
+        "damaged");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+}
+
+TEST_F(HostileProject, AResultNamesNoTableOfTheProject) {
+    for (const char* table :
+         {"buildings", "result_1_1; DROP TABLE edits", "result_", "result_1_", "result__1", "noonmark"})
+        expectRefused(std::string("UPDATE result_layers SET tiles = '") + table + "' WHERE id = 1",
+                      "no table of a result");
+}
+
+TEST_F(HostileProject, LongChainsOfScenariosAreRefusedAtOnce) {
+    const auto start = std::chrono::steady_clock::now();
+    expectRefused(
+        "DELETE FROM edits; DELETE FROM scenarios; WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 "
+        "FROM "
+        "n LIMIT 100000) INSERT INTO scenarios SELECT x, 's' || x, iif(x > 1, 's' || (x - 1), '') FROM n;",
+        "scenarios");
+    expectRefused(
+        "DELETE FROM edits; DELETE FROM scenarios; WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 "
+        "FROM "
+        "n LIMIT 5000) INSERT INTO scenarios SELECT x, 's' || x, iif(x > 1, 's' || (x - 1), '') FROM n;",
+        "bases");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST_F(HostileProject, ASpatialIndexThatAGisAddedDoesNotStandInTheWay) {
+    sql("CREATE VIRTUAL TABLE rtree_lots_geom USING rtree(id, minx, maxx, miny, maxy);"
+        "CREATE TRIGGER rtree_lots_geom_insert AFTER INSERT ON lots BEGIN INSERT INTO rtree_lots_geom VALUES "
+        "(NEW.fid, "
+        "ST_MinX(NEW.geom), 1, 0, 1); END;"
+        "INSERT INTO gpkg_extensions VALUES ('lots', 'geom', 'gpkg_rtree_index', '', 'write-only');");
+    auto opened = ProjectFile::open(file());
+    ASSERT_TRUE(opened) << opened.error().text();
+    Project project = opened->project();
+    project.lots.pop_back();
+    const auto saved = opened->save(project);
+    ASSERT_TRUE(saved) << saved.error().text();
+    EXPECT_EQ(ProjectFile::open(file()).value().project().lots, project.lots);
+    EXPECT_THAT(sql("SELECT name FROM sqlite_master WHERE name LIKE 'rtree%'"), testing::IsEmpty());
+    EXPECT_THAT(sql("SELECT 1 FROM gpkg_extensions WHERE extension_name = 'gpkg_rtree_index'"),
+                testing::IsEmpty());
+}
+
+// Whatever opens can be worked with: cities are made, results looked at, and the project saved.
+void useAll(const fs::path& file) {
+    auto opened = ProjectFile::open(file);
+    if (!opened) {
+        EXPECT_FALSE(opened.error().what.empty());
+        return;
+    }
+    const Project project = opened->project();
+    for (const Scenario& scenario : project.scenarios)
+        if (const auto made = cityOf(project, scenario.name); made)
+            for (const auto& building : made->city.buildings)
+                for (const Part& part : building->parts) {
+                    ASSERT_GE(part.footprint.outer.size(), 3U);
+                }
+    for (const auto& result : project.results) (void)answerOf(*result);
+    if (project.city->terrain) {
+        ASSERT_EQ(project.city->terrain->elevationM.size(), project.city->terrain->grid.size());
+        EXPECT_TRUE(std::isfinite(elevationAt(*project.city->terrain, {1, 1})));
+    }
+    Project changed = project;
+    changed.scenarios.push_back({"one more", "", {}});
+    (void)opened->save(changed);
+}
+
+TEST_F(HostileProject, ChangedCellsNeverCrash) {
+    std::vector<std::pair<std::string, std::string>> cells;
+    for (const auto& row :
+         sql("SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = "
+             "'table' AND t.name NOT LIKE 'gpkg%' AND t.name NOT LIKE 'sqlite%' AND t.name NOT LIKE "
+             "'%bands' AND t.name NOT IN ('layer_styles', 'proposals')"))
+        cells.emplace_back(row[0], row[1]);
+    ASSERT_GT(cells.size(), 60U);
+    const std::string whole = [&] {
+        std::ifstream stream(file(), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    }();
+    const std::vector<std::string> values{"NULL",
+                                          "0",
+                                          "-1",
+                                          "1",
+                                          "2147483648",
+                                          "-9223372036854775808",
+                                          "1e300",
+                                          "-1e300",
+                                          "9e999",
+                                          "1e-300",
+                                          "0.5",
+                                          "''",
+                                          "'x'",
+                                          "x''",
+                                          "x'00'",
+                                          "zeroblob(500)",
+                                          "randomblob(60)",
+                                          "printf('%.*c', 3000, '[')",
+                                          "'Existing'",
+                                          "'{}'",
+                                          "'NaN'"};
+    std::mt19937 random(20261122);
+    const auto any = [&](const auto& list) { return list[random() % list.size()]; };
+    for (int round = 0; round < 400; ++round) {
+        std::ofstream(file(), std::ios::binary | std::ios::trunc) << whole;
+        for (int i = 0; i < 1 + int(random() % 2); ++i) {
+            const auto [table, column] = any(cells);
+            // A blob keeps most of its bytes; anything else gets another value.
+            const std::string old = "cast(" + column + " AS blob)";
+            const std::string at = std::to_string(1 + random() % 60);
+            const std::string flipped = "CASE typeof(" + column + ") WHEN 'blob' THEN cast(substr(" + old +
+                                        ", 1, " + at + ") || randomblob(1) || substr(" + old + ", " + at +
+                                        " + 2) AS blob) ELSE " + any(values) + " END";
+            sql("UPDATE OR IGNORE \"" + table + "\" SET " + column + " = " +
+                (random() % 2 == 0 ? flipped : any(values)) +
+                (random() % 2 == 0 ? "" : " WHERE rowid % 2 = 1"));
+        }
+        SCOPED_TRACE(round);
+        useAll(file());
+    }
+}
+
+}  // namespace
+}  // namespace noonmark::tests
