@@ -6,6 +6,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/period_options.h"
+#include "core/study/study.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
