@@ -32,7 +32,7 @@ struct MeshParts {
 /// dropped, faces turned outward, outline taken. A mesh that is not closed is used, with a warning. `where`
 /// names it in warnings. A level sheet becomes a slab, levelSheetM thick, and casts its shadow as every other
 /// part does; an upright one keeps its faces, and its footprint is a strip. A level piece at the foot of
-/// others is their ground and is left out. Whether the whole part hangs: markHanging.
+/// others is their ground and is left out. Whether the whole part is an overhang: markHanging.
 MeshParts partsOf(const TriangleMesh& mesh, const std::string& sourceId, const std::string& where);
 
 /// Marks parts whose whole underside is more than openAirM above `groundM(x, y)` and is not carried by lower

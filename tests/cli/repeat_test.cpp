@@ -62,7 +62,7 @@ nlohmann::json jsonIn(const fs::path& file) {
     return nlohmann::json::parse(stream);
 }
 
-// All that is said, but for how long it took, where the inputs lay, and whether the engine was asked for by
+// Everything that is stated, but for how long it took, where the inputs lay, and whether the engine was chosen by
 // its name or picked.
 nlohmann::json figuresIn(const fs::path& file) {
     nlohmann::json json = jsonIn(file);

@@ -26,7 +26,7 @@ Result<FilePiece> readMeshFile(const std::filesystem::path& file) {
     return readMesh(file, settings, progress, {});
 }
 
-// What is said of a mesh file that cannot be read; empty where it can.
+// The error of a mesh file that cannot be read; empty where it can.
 std::string meshError(const std::filesystem::path& file) {
     const auto piece = readMeshFile(file);
     return piece ? "" : piece.error().text();
