@@ -72,7 +72,10 @@ void addAxes(QChart& chart, QStackedBarSeries& series, const QStringList& months
     chart.addAxis(amount, Qt::AlignLeft);
     series.attachAxis(time);
     series.attachAxis(amount);
-    amount->applyNiceNumbers();
+    if (amount->min() < amount->max())
+        amount->applyNiceNumbers();
+    else
+        amount->setRange(0, 1);  // all months are 0: nice numbers of an empty range are none
 }
 
 QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& font) {
@@ -120,8 +123,8 @@ void MonthChart::show(const std::vector<MonthFigures>& months) {
     for (const MonthFigures& month : months) names << monthWords(month.month);
     const Bars area{tr("Shadow area by month, m²"), valuesOf(months, &MonthFigures::shadowAreaM2),
                     shadowColour(0.6), shadowColour(0.6)};
-    const Bars score{tr("Score by month, m²"),
-                     valuesOf(months, &MonthFigures::scoreM2), impactColour(-0.8), impactColour(0.8)};
+    const Bars score{tr("Score by month, m²"), valuesOf(months, &MonthFigures::scoreM2), impactColour(-0.8),
+                     impactColour(0.8)};
     for (const Bars& bars : {area, score}) layout()->addWidget(viewOf(bars, names, font()));
 }
 
