@@ -16,6 +16,7 @@ LoadedCity loadedFrom(const Project& project, const std::string& file) {
     loaded.read.features = project.city->buildings.size();
     loaded.read.attribution = project.attribution;
     loaded.read.warnings = project.reading->warnings;
+    loaded.read.heights = project.reading->heights;
     return loaded;
 }
 

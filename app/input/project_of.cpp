@@ -23,7 +23,7 @@ Project projectOf(const LoadedCity& loaded) {
     project.city = std::make_shared<const City>(withUniqueIds(loaded.read.city));
     project.attribution = loaded.read.attribution;
     project.inputs = loaded.inputs;
-    project.reading = std::make_shared<const CityReading>(CityReading{loaded.settings, loaded.read.warnings});
+    project.reading = std::make_shared<const CityReading>(CityReading{loaded.settings, loaded.read.warnings, loaded.read.heights});
     addSamplePlaces(project, loaded);
     return project;
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/study/height_facts_json.h"
+
 namespace noonmark {
 
 using Json = nlohmann::ordered_json;
@@ -31,21 +33,7 @@ Json heightsJson(const HeightCounts& counts, const HeightFacts& facts) {
         json["by_source"][std::string(nameOf(source))] = counts.of(source);
     json["assumed_share"] = counts.assumedShare();
     json["assumed_m"] = counts.of(HeightSource::assumed) > 0 ? Json(counts.assumedM) : Json();
-    json["fields"] = Json::array();
-    for (const HeightField& field : facts.fields)
-        json["fields"].push_back({{"file", field.file},
-                                  {"field", field.field},
-                                  {"meaning", field.meaning},
-                                  {"unit", field.unit},
-                                  {"features", field.features}});
-    json["could_be"] = Json::array();
-    for (const UnknownField& field : facts.unknown)
-        json["could_be"].push_back({{"file", field.file},
-                                    {"field", field.field},
-                                    {"low", field.low},
-                                    {"high", field.high},
-                                    {"whole", field.whole},
-                                    {"features", field.features}});
+    json.update(heightFactsJson(facts));
     return json;
 }
 

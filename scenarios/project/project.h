@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/io/height_facts.h"
 #include "core/receivers/grid.h"
 #include "core/receivers/region.h"
 #include "core/study/provenance.h"
@@ -29,6 +30,7 @@ struct CityReading {
     /// Nothing: not known, as of a project file of version 1.
     std::optional<ReadSettings> settings = ReadSettings{};
     Warnings warnings;
+    HeightFacts heights;  ///< the fields that heights were read from
 };
 
 struct NamedPeriod {

@@ -3,15 +3,18 @@
 #include <utility>
 
 #include "core/io/read_settings_text.h"
+#include "core/study/height_facts_json.h"
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/write_project.h"
 
-// How the city was read: the tables `warning_texts` and `warnings`, and `read_settings` of `noonmark`.
+// How the city was read: the tables `warning_texts` and `warnings`, and `read_settings` and `height_fields`
+// of `noonmark`.
 namespace noonmark {
 
 namespace {
 
 constexpr const char* settingsKey = "read_settings";
+constexpr const char* heightsKey = "height_fields";
 constexpr std::array warningKinds{WarningKind::mended, WarningKind::clipped, WarningKind::dropped,
                                   WarningKind::leftOut, WarningKind::assumed};
 
@@ -51,6 +54,20 @@ std::optional<ReadSettings> readSettings(Database& database) {
     return settings;
 }
 
+void writeHeights(Database& database, const HeightFacts& heights) {
+    if (heights == HeightFacts{}) return removeFact(database, heightsKey);
+    setFact(database, heightsKey,
+            heightFactsJson(heights).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+HeightFacts readHeights(Database& database) {
+    const std::string text = factOf(database, heightsKey);
+    if (text.empty()) return {};
+    auto heights = heightFactsFrom(text);
+    if (!heights) throwDamaged("the fields that heights were read from");
+    return *std::move(heights);
+}
+
 WarningKind warningKindOf(const std::string& name) {
     for (const WarningKind kind : warningKinds)
         if (name == nameOf(kind)) return kind;
@@ -61,6 +78,7 @@ WarningKind warningKindOf(const std::string& name) {
 
 void writeReading(Database& database, const CityReading& reading) {
     writeSettings(database, reading.settings);
+    writeHeights(database, reading.heights);
     database.execute("DELETE FROM warnings; DELETE FROM warning_texts;");
     WarningTexts texts(database);
     Statement add = database.prepare("INSERT INTO warnings (text, place) VALUES (?, ?)");
@@ -70,6 +88,7 @@ void writeReading(Database& database, const CityReading& reading) {
 std::shared_ptr<const CityReading> readReading(Database& database) {
     auto reading = std::make_shared<CityReading>();
     reading->settings = readSettings(database);
+    reading->heights = readHeights(database);
     Statement row = database.prepare(
         "SELECT t.kind, t.what, w.place FROM warnings w LEFT JOIN warning_texts t ON t.id = w.text ORDER BY "
         "w.id");

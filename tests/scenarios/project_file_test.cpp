@@ -60,6 +60,7 @@ void expectSame(const Project& a, const Project& b) {
     if (a.reading->settings) {
         EXPECT_EQ(textOf(*a.reading->settings), textOf(*b.reading->settings));
     }
+    EXPECT_EQ(a.reading->heights, b.reading->heights);
     ASSERT_EQ(a.reading->warnings.size(), b.reading->warnings.size());
     for (std::size_t i = 0; i < a.reading->warnings.size(); ++i) {
         EXPECT_EQ(a.reading->warnings[i].kind, b.reading->warnings[i].kind) << i;

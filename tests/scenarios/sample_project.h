@@ -49,6 +49,8 @@ inline Project sampleProject() {
                         {WarningKind::assumed, "no height", "way 1"},
                         {WarningKind::mended, "outline crossed itself", "\"way\" 8, d'Été"},
                         {WarningKind::dropped, "outline crossed itself", ""}};
+    reading.heights = {{{"city.gpkg", "HAUTEUR", "height of the building", "m", 3}},
+                       {{"city.gpkg", "n_d'Été", 1, 12.5, false, 4}}};
     project.reading = std::make_shared<const CityReading>(reading);
     project.lots = {{"corner", box(200, 0, 240, 30)}, {"court", court.parts[0].footprint}};
     project.regions = {{"Park", {box(0, 60, 100, 90), box(0, 100, 50, 120)}}};
