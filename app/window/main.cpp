@@ -3,9 +3,11 @@
 #include <QSettings>
 
 #include "app/window/appearance.h"
+#include "app/window/heap_settings.h"
 #include "app/window/main_window.h"
 
 int main(int argc, char** argv) {
+    noonmark::returnFreedMemory();
     noonmark::chooseRenderer();
     QApplication application(argc, argv);
     noonmark::applyAppearance(application);

@@ -1,0 +1,86 @@
+#include <fmt/core.h>
+#include <malloc.h>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QStandardPaths>
+#include <algorithm>
+#include <fstream>
+
+#include "app/window/appearance.h"
+#include "app/window/heap_settings.h"
+#include "tests/soak/window_user.h"
+
+/// Uses the window by chance for a while and writes what memory it holds, a line a minute, as CSV.
+namespace noonmark::soak {
+namespace {
+
+constexpr double megabyte = 1e6;
+
+/// Resident memory of the process, MB (proc(5): the second number of statm, in pages).
+double residentMb() {
+    std::ifstream file("/proc/self/statm");
+    double size = 0;
+    double resident = 0;
+    file >> size >> resident;
+    return resident * 4096 / megabyte;
+}
+
+/// What the program has asked of the heap and not given back, MB.
+double heapMb() {
+    const auto info = mallinfo2();
+    return double(info.uordblks + info.hblkhd) / megabyte;
+}
+
+void writeLine(double minutes, long actions, int liveEdits) {
+    fmt::print("{:.1f},{},{},{:.1f},{:.1f}\n", minutes, actions, liveEdits, residentMb(), heapMb());
+    std::fflush(stdout);
+}
+
+int soak(const QString& city, double minutes, int liveEdits, unsigned seed) {
+    WindowUser user(city, seed);
+    QElapsedTimer clock;
+    clock.start();
+    const auto passed = [&clock] { return double(clock.elapsed()) / 60000.0; };
+    fmt::print("minutes,actions,live edits,resident MB,heap MB\n");
+    double next = 0;
+    long actions = 0;
+    while (passed() < minutes || user.liveEdits() < liveEdits) {
+        if (passed() >= next) {
+            writeLine(passed(), actions, user.liveEdits());
+            next += 1;
+        }
+        if (passed() < minutes)
+            user.act();
+        else
+            user.editLive();
+        ++actions;
+    }
+    writeLine(passed(), actions, user.liveEdits());
+    return 0;
+}
+
+}  // namespace
+}  // namespace noonmark::soak
+
+int main(int argc, char** argv) {
+    noonmark::returnFreedMemory();
+    noonmark::chooseRenderer();
+    QApplication application(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);  // nothing is left in the user's folders
+    noonmark::applyAppearance(application);
+    QCommandLineParser parser;
+    parser.addHelpOption();
+    const QCommandLineOption minutes("minutes", "How long the window is used by chance.", "minutes", "60");
+    const QCommandLineOption edits("live-edits", "At least so many edits of a tower with its shadow.",
+                                   "edits", "10000");
+    const QCommandLineOption seed("seed", "Of the chance.", "seed", "1");
+    parser.addOptions({minutes, edits, seed});
+    parser.addPositionalArgument("city", "A city file, or sample:central-park-south");
+    parser.process(application);
+    const QStringList files = parser.positionalArguments();
+    return noonmark::soak::soak(files.isEmpty() ? QStringLiteral("sample:central-park-south") : files.first(),
+                                parser.value(minutes).toDouble(), parser.value(edits).toInt(),
+                                parser.value(seed).toUInt());
+}

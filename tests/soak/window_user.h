@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QSettings>
+#include <QTemporaryDir>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "app/window/main_window.h"
+
+namespace noonmark::soak {
+
+/// Uses the window as a restless person would: looks around, changes the period, runs and cancels studies,
+/// designs towers, compares, undoes, opens the city again. All by chance, from a fixed seed.
+class WindowUser {
+public:
+    WindowUser(const QString& city, unsigned seed);
+
+    /// Does one thing and waits until the window is idle. Returns its name.
+    std::string act();
+    /// Changes the height of a tower that is being designed and waits for its shadow.
+    void editLive();
+    [[nodiscard]] int liveEdits() const { return liveEdits_; }
+
+private:
+    using Action = void (WindowUser::*)();
+    void lookAround();
+    void changePeriod();
+    void switchMode();
+    void study();
+    void cancelStudy();
+    void lookAtTime();
+    void demolish();
+    void designTower();
+    void compare();
+    void score();
+    void undoAndRedo();
+    void changeScenario();
+    void openAgain();
+
+    void beginTower();
+    void endTower(bool build);
+    void startRun();
+    void waitUntilIdle();
+    [[nodiscard]] bool busy();
+    [[nodiscard]] int chance(int below) { return int(random_() % unsigned(below)); }
+    [[nodiscard]] double between(double low, double high) {
+        return low + (high - low) * double(random_()) / double(std::mt19937::max());
+    }
+
+    QTemporaryDir folder_;
+    QSettings settings_;
+    QString file_;
+    std::mt19937 random_;
+    std::unique_ptr<MainWindow> window_;
+    int liveEdits_ = 0;
+};
+
+}  // namespace noonmark::soak
