@@ -5,17 +5,26 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <optional>
 
 #include "core/accumulate/blank_field.h"
 #include "core/accumulate/horizon/azimuth_bins.h"
 #include "core/accumulate/horizon/horizon_case.h"
 #include "core/accumulate/horizon/period_sweep.h"
+#include "core/accumulate/horizon/run_rays.h"
 #include "core/accumulate/reach.h"
 #include "core/stopwatch.h"
 
 namespace noonmark {
 
 namespace {
+
+void addDecided(const RunRays& rays, const Receivers& receivers, ShadowField& field) {
+    field.cost.rays += rays.rays();
+    if (rays.receivers() == 0) return;
+    field.engine += fmt::format("; the longest run of {} of {} receivers decided by rays", rays.receivers(),
+                                receivers.cells.size());
+}
 
 Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 const HorizonSweepSettings& settings, Progress& progress,
@@ -36,11 +45,19 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
-    PeriodSweep sweep(walls, *hanging, receivers, sun, binned, settings.counts, progress, stop);
+    std::optional<RunRays> rays;
+    if (settings.counts == ShadowCounts::grossAndRuns) {
+        auto made = RunRays::over(city, used, receivers, sun, settings.checksRuns, stop);
+        if (!made) return tl::make_unexpected(made.error());
+        rays.emplace(*std::move(made));
+    }
+    PeriodSweep sweep(walls, *hanging, receivers, sun, binned, settings.counts, rays ? &*rays : nullptr,
+                      progress, stop);
     field.cost.seconds["build"] = watch.seconds();
     if (const auto done = sweep.run(field); !done) return tl::make_unexpected(done.error());
     field.cost.skipped["prisms and solids whose shadow cannot reach a tile (each x azimuth bins)"] =
         sweep.outOfReach();
+    if (rays) addDecided(*rays, receivers, field);
     progress.report(1, "sweeping horizons");
     return field;
 }

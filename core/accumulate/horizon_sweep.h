@@ -18,6 +18,8 @@ struct HorizonSweepSettings {
     double binDeg = 0;
     /// Without runs bins may be wider at the same error of gross shadow.
     ShadowCounts counts = ShadowCounts::grossAndRuns;
+    /// Rays look along each longest run, too: none is too long for a gap that no bin sees.
+    bool checksRuns = false;
     bool operator==(const HorizonSweepSettings&) const = default;
 };
 
@@ -32,10 +34,12 @@ struct HorizonSweepSettings {
 /// as wide as the error target lets them be: at 0.05 % of the period a year of 8 h days needs some 410 of
 /// 0.3 to 2 deg and is off by 0.03 % in the mean and 0.2 % at most on the grid sample, 0.05 and 0.2 % on
 /// Midtown; a single day needs one for nearly each minute, and is all but exact. The longest run has no
-/// target: it is off by 0.04 to 0.2 % of a day's hours in the mean, but where a short gap of light is missed
-/// or seen two runs become one, or one two: 1 cell in 100 is off by more than 2 % and single cells by up to
-/// half (Midtown, a year at a step of 10 minutes). The answer does not depend on the number of threads, on tiles or on
-/// the order of buildings.
+/// target: where neighbouring bins leave it in doubt by more than 2 % of the longest day, and a step, rays
+/// decide it (horizon/run_doubts.h), except below parts that hang. A gap narrower than a bin that no bin sees
+/// is missed: single cells are off by up to half a day at steps of a minute, unless runs are checked. Midtown,
+/// a year of 8 h days: 0.04 % of a day in the mean and one step at most at a step of 10 minutes, 0.08 % and
+/// 6.5 % at a step of 1 minute, 0.03 % and 0.8 % where runs are checked. The answer does not depend on the
+/// number of threads, on tiles or on the order of buildings.
 ///
 /// Terrain, and general meshes that stand, raise horizons by the edges of their faces, wherever one is turned
 /// away from a sun of the bin and its neighbour is not: exactly the surface that rays meet. Receivers lie at

@@ -21,7 +21,7 @@ struct KeptHorizonsSettings {
 /// that changed by a few buildings is looked at only where these stand, stood or throw their shadow. A city
 /// and receivers as the horizon sweep takes them (horizon_sweep.h: terrain, roofs and parts that hang, too),
 /// with the same error; but each bin's suns are taken in its middle whatever the period, so that short
-/// periods are less exact there.
+/// periods are less exact there, and no rays decide longest runs.
 ///
 /// Rounding: a horizon is kept as its level of 65,535, rounded down (horizon/horizon_code.h), which is what a
 /// fresh sweep counts with too. So after any changes the field is that of new KeptHorizons of the same city,

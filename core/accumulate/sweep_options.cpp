@@ -37,6 +37,18 @@ EngineOption runsOption() {
         .about = "1: longest unbroken shadow is counted too; 0: gross shadow only, in about half the time"};
 }
 
+EngineOption checkOption() {
+    return {
+        .key = "check",
+        .name = "Check runs",
+        .usual = 0,
+        .whole = true,
+        .about =
+            "1: rays look along every longest run, so that a gap narrower than a bin is found at steps of a "
+            "few minutes too, in several times the time; 0: rays decide only what neighbouring bins leave in "
+            "doubt"};
+}
+
 double valueOf(const EngineSettings& settings, const EngineOption& option) {
     const auto set = settings.find(option.key);
     return set == settings.end() ? option.usual : set->second;
@@ -44,13 +56,14 @@ double valueOf(const EngineSettings& settings, const EngineOption& option) {
 
 }  // namespace
 
-std::vector<EngineOption> sweepOptions() { return {errorOption(), binOption(), runsOption()}; }
+std::vector<EngineOption> sweepOptions() { return {errorOption(), binOption(), runsOption(), checkOption()}; }
 
 HorizonSweepSettings sweepSettings(const EngineSettings& settings) {
     const bool runs = valueOf(settings, runsOption()) != 0;
     return {.errorTargetPercent = valueOf(settings, errorOption()),
             .binDeg = valueOf(settings, binOption()),
-            .counts = runs ? ShadowCounts::grossAndRuns : ShadowCounts::gross};
+            .counts = runs ? ShadowCounts::grossAndRuns : ShadowCounts::gross,
+            .checksRuns = valueOf(settings, checkOption()) != 0};
 }
 
 }  // namespace noonmark

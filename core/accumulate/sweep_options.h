@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// What a user may set on engines that sweep horizons: "error", "bin" and "runs".
+/// What a user may set on engines that sweep horizons: "error", "bin", "runs" and "check".
 std::vector<EngineOption> sweepOptions();
 
 /// What is left out is as usual; options of other engines are passed over.

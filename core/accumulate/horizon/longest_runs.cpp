@@ -1,6 +1,7 @@
 #include "core/accumulate/horizon/longest_runs.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace noonmark {
@@ -95,7 +96,7 @@ void walkSteps(Horizons horizons, std::span<const TimedStep> steps, RunLanes& lo
     walk<Shorts8>(horizons, steps, longest);
 }
 
-void boundOf(Horizons horizons, const DayGroup& group, RunLanes& most) {
+void boundRuns(Horizons horizons, const DayGroup& group, RunLanes& most) {
 #ifdef NOONMARK_PICKS_ISA
     if (__builtin_cpu_supports("avx512bw")) return bound512(horizons, group, most);
     if (__builtin_cpu_supports("avx2")) return bound256(horizons, group, most);
@@ -107,6 +108,12 @@ bool beats(const RunLanes& most, const RunLanes& longest) {
     bool any = false;
     for (std::size_t i = 0; i < lanesARun; ++i) any |= most.values[i] > longest.values[i];
     return any;
+}
+
+RunLanes boundOf(Horizons horizons, const DayGroup& group) {
+    RunLanes most;
+    boundRuns(horizons, group, most);
+    return most;
 }
 
 // The highest horizon of every few bins beside one another.
@@ -131,36 +138,85 @@ LongestRuns::LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps>
     for (DayGroup& group : dayGroups(steps_, days, alike)) {
         std::vector<DayGroup> roughly = dayGroups(rough, group.days, alone),
                               each = dayGroups(steps_, group.days, alone);
-        groups_.push_back({std::move(group), std::move(roughly), std::move(each)});
+        const auto number = std::uint32_t(days_.size());
+        days_.insert(days_.end(), group.days.begin(), group.days.end());
+        groups_.push_back({std::move(group), std::move(roughly), std::move(each), number});
     }
 }
 
-RunLanes LongestRuns::of(std::span<const RunLanes> horizons) const {
-    std::vector<RunLanes> bounds(groups_.size());
-    const std::vector<RunLanes> highest = highestOf(horizons);
+LongestRuns::Bounds LongestRuns::boundsOf(std::span<const RunLanes> horizons) const {
+    Bounds bounds;
     std::vector<std::pair<std::int16_t, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < groups_.size(); ++i) {
-        boundOf(horizons, groups_[i].all, bounds[i]);
-        order.emplace_back(std::ranges::max(bounds[i].values), i);
+        bounds.ofGroup.push_back(boundOf(horizons, groups_[i].all));
+        order.emplace_back(std::ranges::max(bounds.ofGroup[i].values), i);
     }
     std::ranges::sort(order, std::ranges::greater{});
-    RunLanes longest;
-    for (const auto& [most, group] : order)
-        if (beats(bounds[group], longest)) walk(horizons, highest, groups_[group], longest);
-    return longest;
+    for (const auto& [most, group] : order) bounds.order.push_back(group);
+    return bounds;
+}
+
+LongestRuns::Found LongestRuns::of(std::span<const RunLanes> horizons) const {
+    const Bounds bounds = boundsOf(horizons);
+    const std::vector<RunLanes> highest = highestOf(horizons);
+    Found found;
+    for (const std::uint32_t group : bounds.order)
+        if (beats(bounds.ofGroup[group], found.longest)) walk(horizons, highest, groups_[group], found);
+    return found;
+}
+
+LongestRuns::Run LongestRuns::run(std::span<const RunLanes> horizons, std::size_t lane, std::uint32_t day,
+                                  int length) const {
+    const DaySteps& steps = days_[day];
+    std::uint32_t run = 0;
+    for (std::uint32_t step = steps.first; step < steps.end; ++step) {
+        const StepPlace& place = steps_[step].place;
+        run = horizons[place.bin].values[lane] > place.sun ? run + 1 : 0;
+        if (run == std::uint32_t(length)) return {step + 1 - run, step + 1};
+    }
+    return {};
+}
+
+std::uint64_t LongestRuns::reached(std::span<const RunLanes> horizons, const RunLanes& wanted) const {
+    constexpr std::int16_t enough = std::numeric_limits<std::int16_t>::max();
+    Found found;
+    for (std::size_t i = 0; i < lanesARun; ++i)
+        found.longest.values[i] = wanted.values[i] > 0 ? std::int16_t(wanted.values[i] - 1) : enough;
+    const Bounds bounds = boundsOf(horizons);
+    std::vector<RunLanes> highest;
+    for (const std::uint32_t group : bounds.order) {
+        if (!beats(bounds.ofGroup[group], found.longest)) continue;
+        if (highest.empty()) highest = highestOf(horizons);
+        walk(horizons, highest, groups_[group], found);
+        for (std::size_t i = 0; i < lanesARun; ++i)
+            if (found.longest.values[i] >= wanted.values[i]) found.longest.values[i] = enough;
+    }
+    std::uint64_t lanes = 0;
+    for (std::size_t i = 0; i < lanesARun; ++i)
+        lanes |= std::uint64_t(found.longest.values[i] == enough) << i;
+    return lanes;
+}
+
+int LongestRuns::searched(std::size_t lane, const Bounds& bounds, RunSearch& search) const {
+    for (const std::uint32_t group : bounds.order)
+        if (bounds.ofGroup[group].values[lane] > search.longest())
+            for (const DaySteps& day : groups_[group].all.days) search.walk(day);
+    return search.longest();
 }
 
 void LongestRuns::walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest,
-                       const Groups& groups, RunLanes& longest) const {
+                       const Groups& groups, Found& found) const {
     const auto mayBeat = [&](std::span<const RunLanes> of, const DayGroup& day) {
-        RunLanes most;
-        boundOf(of, day, most);
-        return beats(most, longest);
+        return beats(boundOf(of, day), found.longest);
     };
     for (std::size_t i = 0; i < groups.each.size(); ++i) {
         const DaySteps& day = groups.all.days[i];
-        if (mayBeat(highest, groups.roughly[i]) && mayBeat(horizons, groups.each[i]))
-            walkSteps(horizons, steps().subspan(day.first, day.end - day.first), longest);
+        if (!mayBeat(highest, groups.roughly[i]) || !mayBeat(horizons, groups.each[i])) continue;
+        const RunLanes before = found.longest;
+        walkSteps(horizons, steps().subspan(day.first, day.end - day.first), found.longest);
+        for (std::size_t lane = 0; lane < lanesARun; ++lane)
+            if (found.longest.values[lane] > before.values[lane])
+                found.day[lane] = groups.number + std::uint32_t(i);
     }
 }
 

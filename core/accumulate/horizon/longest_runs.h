@@ -1,12 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/accumulate/horizon/day_groups.h"
 #include "core/accumulate/horizon/lanes16.h"
+#include "core/accumulate/horizon/run_search.h"
 
 namespace noonmark {
 
@@ -25,8 +27,36 @@ public:
     /// `days`: as of alikeDays(), in whatever order; none may have more than 32,767 steps.
     LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps> days);
 
+    /// Longest runs, and of each the day that it was found on: an index for run().
+    struct Found {
+        RunLanes longest;
+        std::array<std::uint32_t, lanesARun> day{};
+    };
     /// Of each receiver, in steps. `horizons`: one a bin. O(days x bins), and more where days look alike.
-    [[nodiscard]] RunLanes of(std::span<const RunLanes> horizons) const;
+    [[nodiscard]] Found of(std::span<const RunLanes> horizons) const;
+
+    /// Steps [first, end) of the period.
+    struct Run {
+        std::uint32_t first = 0, end = 0;
+    };
+    /// The run of `length` steps of a lane on a day, as of() found it.
+    [[nodiscard]] Run run(std::span<const RunLanes> horizons, std::size_t lane, std::uint32_t day,
+                          int length) const;
+
+    /// Bit k: lane k has a run of at least wanted[k] steps. Stops looking for a lane as soon as there is one.
+    [[nodiscard]] std::uint64_t reached(std::span<const RunLanes> horizons, const RunLanes& wanted) const;
+
+    /// The most that the longest run of each lane may be in each group of days, and the groups, the longest
+    /// first.
+    struct Bounds {
+        std::vector<RunLanes> ofGroup;
+        std::vector<std::uint32_t> order;
+    };
+    [[nodiscard]] Bounds boundsOf(std::span<const RunLanes> horizons) const;
+
+    /// The longest run of one lane, in steps, as `search` finds it, which was begun with its horizons.
+    /// `bounds`: of the highest horizons. Days that cannot hold the longest run are passed over.
+    [[nodiscard]] int searched(std::size_t lane, const Bounds& bounds, RunSearch& search) const;
 
     /// Of one receiver, step by step: those in shadow are told by `hidden(place)`.
     template <class Hidden>
@@ -46,12 +76,14 @@ private:
     struct Groups {
         DayGroup all;
         std::vector<DayGroup> roughly, each;  // its days, one by one
+        std::uint32_t number = 0;             // of its first day in days_
     };
     void walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest, const Groups& groups,
-              RunLanes& longest) const;
+              Found& found) const;
 
     std::vector<TimedStep> steps_;
     std::vector<Groups> groups_;
+    std::vector<DaySteps> days_;  // of all groups
 };
 
 }  // namespace noonmark

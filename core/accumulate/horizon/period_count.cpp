@@ -61,6 +61,8 @@ RunCount runsOf(const SunSteps& sun, const BinnedSun& binned) {
     return {std::move(steps), days};
 }
 
+std::uint64_t laneBit(std::size_t lane) { return std::uint64_t{1} << lane; }
+
 void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& visit) {
     const std::size_t first = part * lanesARun, end = std::min(first + lanesARun, blocks.numbers());
     for (std::size_t number = first; number < end; ++number)
@@ -81,11 +83,25 @@ PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wan
 
 RunLanes RunCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
                                RunMemory& memory) const {
-    copyLanes(codes, part * lanesARun, memory.lanes);
-    addGaps(gaps, part * lanesARun, memory);
-    RunLanes longest = runs_.of(memory.lanes);
+    read(codes, gaps, part, memory);
+    RunLanes longest = runs_.of(memory.lanes).longest;
     if (!memory.open.empty()) walkOpen(memory, longest);
     return longest;
+}
+
+RunLanes RunCount::decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                               const RunDecider& decider, std::uint64_t lanes, RunMemory& memory) const {
+    read(codes, gaps, part, memory);
+    LongestRuns::Found found = runs_.of(memory.lanes);
+    for (const OpenGap& open : memory.open) lanes &= ~laneBit(open.gap.number);
+    decider.decide(runs_, memory.lanes, part, lanes, found, memory.deciding);
+    if (!memory.open.empty()) walkOpen(memory, found.longest);
+    return found.longest;
+}
+
+void RunCount::read(const BinCodes& codes, const BinGaps& gaps, std::size_t part, RunMemory& memory) {
+    copyLanes(codes, part * lanesARun, memory.lanes);
+    addGaps(gaps, part * lanesARun, memory);
 }
 
 // Were all below the gaps hidden too, runs would be no shorter: where that changes nothing, gaps do not.
@@ -93,7 +109,7 @@ void RunCount::walkOpen(RunMemory& memory, RunLanes& longest) const {
     std::vector<RunLanes> filled = memory.lanes;
     for (const auto& [bin, gap] : memory.open)
         filled[bin].values[gap.number] = std::max(filled[bin].values[gap.number], gap.high);
-    const RunLanes most = runs_.of(filled);
+    const RunLanes most = runs_.of(filled).longest;
     std::ranges::stable_sort(memory.open, {}, [](const OpenGap& open) { return open.gap.number; });
     std::vector<std::span<const OpenGap>> ofBin(memory.lanes.size());
     forEachLane(memory.open, [&](std::size_t lane, std::span<const OpenGap> own) {
@@ -106,6 +122,13 @@ void RunCount::walkOpen(RunMemory& memory, RunLanes& longest) const {
                    });
         }));
     });
+}
+
+std::uint64_t receiverLanes(const ReceiverBlocks& blocks, std::size_t part) {
+    std::uint64_t lanes = 0;
+    forEachCell(blocks, part,
+                [&](std::size_t number, std::uint32_t) { lanes |= laneBit(number % lanesARun); });
+    return lanes;
 }
 
 void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,

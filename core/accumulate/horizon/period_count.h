@@ -9,6 +9,7 @@
 #include "core/accumulate/horizon/gaps.h"
 #include "core/accumulate/horizon/longest_runs.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
+#include "core/accumulate/horizon/run_decider.h"
 #include "core/accumulate/horizon/sun_change.h"
 #include "core/accumulate/shadow_field.h"
 
@@ -29,6 +30,7 @@ struct OpenGap {
 struct RunMemory {
     std::vector<RunLanes> lanes;  // of each bin
     std::vector<OpenGap> open;
+    RunDecider::Memory deciding;
 };
 
 /// The longest runs of a period from horizons. Immutable.
@@ -43,7 +45,14 @@ public:
     [[nodiscard]] RunLanes longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
                                        RunMemory& memory) const;
 
+    /// The same, decided by rays where `decider` says so. Bit k of `lanes`: lane k is a receiver. Where gaps
+    /// matter rays are not asked.
+    [[nodiscard]] RunLanes decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                                       const RunDecider& decider, std::uint64_t lanes,
+                                       RunMemory& memory) const;
+
 private:
+    static void read(const BinCodes& codes, const BinGaps& gaps, std::size_t part, RunMemory& memory);
     void walkOpen(RunMemory& memory, RunLanes& longest) const;
 
     LongestRuns runs_;
@@ -71,6 +80,9 @@ private:
     std::vector<std::vector<SunChange>> suns_;
     std::vector<HiddenSuns> hidden_;
 };
+
+/// Bit k: the number 64 part + k is a receiver.
+std::uint64_t receiverLanes(const ReceiverBlocks& blocks, std::size_t part);
 
 /// Writes minutes of numbers [64 part, 64 part + 64) into their cells. `hidden`: steps, one a number.
 void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,

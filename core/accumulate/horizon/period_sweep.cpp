@@ -67,7 +67,7 @@ struct PeriodSweep::Tile {
 };
 
 PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenShapes> open, const Receivers& receivers,
-                         const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts,
+                         const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
                          Progress& progress, std::stop_token stop)
     : walls_(walls),
       open_(listOf(open)),
@@ -76,6 +76,8 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OpenShapes> open
       bins_(sweptBins(binned.bins)),
       fans_(fansAmong(open, bins_)),
       count_(sun, binned, {.gaps = !open.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
+      doubts_(sun, binned),
+      rays_(rays),
       keeps_(counts == ShadowCounts::grossAndRuns),
       progress_(progress),
       stop_(std::move(stop)) {}
@@ -99,6 +101,8 @@ Result<void> PeriodSweep::run(ShadowField& field) {
         timed(field, "sweep", [&] { sweep(tile, field); });
         if (stop_.stop_requested()) return cancelled();
         timed(field, "count", [&] { count(tile, field); });
+        if (stop_.stop_requested()) return cancelled();
+        if (count_.runs() != nullptr) timed(field, "runs", [&] { countRuns(tile, field); });
         if (stop_.stop_requested()) return cancelled();
         receiversDone_ += tile.blocks.receivers();
     }
@@ -218,19 +222,25 @@ void PeriodSweep::count(Tile& tile, ShadowField& field) {
     const Sums hidden = this->hidden(tile, {});
     for (std::size_t part = 0; part < partsOf(tile.blocks); ++part)
         writeGross(tile.blocks, part, hidden, field);
-    if (count_.runs() != nullptr) countRuns(tile, field);
 }
 
 void PeriodSweep::countRuns(const Tile& tile, ShadowField& field) {
     BinCodes codes;
     for (std::size_t bin = 0; bin < bins_.size(); ++bin) codes.push_back(tile.horizons.of(bin));
     const BinGaps gaps(tile.gaps.begin(), tile.gaps.end());
+    const RunCount& runs = *count_.runs();
+    std::optional<RunDecider> decider;
+    if (rays_ != nullptr) decider.emplace(doubts_, *rays_, tile.blocks);
     std::atomic<std::size_t> done{0};
     const std::size_t parts = partsOf(tile.blocks);
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
         if (stop_.stop_requested()) return;
-        writeRuns(tile.blocks, part, count_.runs()->longestRuns(codes, gaps, part, runMemory_.local()),
-                  field);
+        RunMemory& memory = runMemory_.local();
+        writeRuns(
+            tile.blocks, part,
+            decider ? runs.decidedRuns(codes, gaps, part, *decider, receiverLanes(tile.blocks, part), memory)
+                    : runs.longestRuns(codes, gaps, part, memory),
+            field);
         report(tile.blocks, 0.8 + 0.2 * double(++done) / double(parts));
     });
 }

@@ -11,6 +11,7 @@
 
 #include "core/accumulate/horizon/fan_open.h"
 #include "core/accumulate/horizon/period_count.h"
+#include "core/accumulate/horizon/run_rays.h"
 #include "core/accumulate/horizon/square_sums.h"
 #include "core/accumulate/horizon/tile_horizons.h"
 #include "core/accumulate/horizon/tile_sweep.h"
@@ -24,10 +25,10 @@ namespace noonmark {
 /// time, where the longest runs are wanted; else each is counted as soon as it is there.
 class PeriodSweep {
 public:
-    /// All must outlive it.
+    /// All must outlive it. `rays` decide the longest runs in doubt; null: nobody does.
     PeriodSweep(const WallList& walls, std::span<const OpenShapes> open, const Receivers& receivers,
-                const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, Progress& progress,
-                std::stop_token stop);
+                const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
+                Progress& progress, std::stop_token stop);
 
     Result<void> run(ShadowField& field);
 
@@ -70,6 +71,8 @@ private:
     std::vector<SweptBin> bins_;
     std::vector<FanRange> fans_;
     PeriodCount count_;
+    RunDoubts doubts_;
+    RunRays* rays_;
     bool keeps_;  // horizons
     Progress& progress_;
     std::stop_token stop_;

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "core/accumulate/horizon/azimuth_bins.h"
-#include "core/accumulate/horizon/longest_runs.h"
 #include "core/accumulate/horizon/receiver_blocks.h"
 #include "tests/core/accumulate/scenes.h"
 
@@ -62,64 +61,6 @@ TEST(BinnedSun, everyStepIsInABinOfItsAzimuth) {
         EXPECT_EQ(binned.places[i].sun, codeOfSun(towards.z / level));
         EXPECT_TRUE(std::ranges::binary_search(bin.suns, binned.places[i].sun));
         EXPECT_GT(-(bin.away.x * towards.x + bin.away.y * towards.y) / level, std::cos(0.5 / 57.2957));
-    }
-}
-
-std::vector<RunLanes> randomHorizons(std::mt19937& random, std::size_t bins) {
-    std::vector<RunLanes> horizons(bins);
-    std::array<int, lanesARun> level{};
-    for (RunLanes& bin : horizons)
-        for (std::size_t lane = 0; lane < lanesARun; ++lane) {
-            if (random() % 6 == 0) level[lane] = int(random() % 200);
-            bin.values[lane] = std::int16_t(level[lane]);
-        }
-    return horizons;
-}
-
-// Days that begin and end earlier and later, jump over bins, go back, and stand still.
-std::vector<TimedStep> randomDays(std::mt19937& random, int days, int bins) {
-    std::vector<TimedStep> steps;
-    for (int day = 0; day < days; ++day) {
-        const int first = int(random() % 10), count = 60 + int(random() % 60), turn = int(random() % 400);
-        const int height = 100 + int(random() % 40) - day;
-        for (int i = 0; i < count; ++i) {
-            const int along = i < turn ? i : 2 * turn - i;
-            const int bin = std::clamp(first + along * (2 + day % 3) / 3, 0, bins - 1);
-            steps.push_back({{std::uint16_t(bin), std::int16_t(height - std::abs(60 - i))},
-                             i == 0 || random() % 90 == 0});
-        }
-    }
-    return steps;
-}
-
-// Days that are taken for alike need not be.
-std::vector<DaySteps> randomOrder(std::mt19937& random, const std::vector<TimedStep>& steps) {
-    std::vector<DaySteps> days;
-    for (std::uint32_t i = 0; i < steps.size(); ++i)
-        if (steps[i].startsRun)
-            days.push_back({i, i + 1, float(random() % 5) * 0.02F});
-        else
-            days.back().end = i + 1;
-    std::ranges::sort(days, {}, &DaySteps::declination);
-    return days;
-}
-
-TEST(LongestRuns, areThoseOfAStepByStepWalk) {
-    std::mt19937 random(5);
-    for (int round = 0; round < 40; ++round) {
-        const std::vector<RunLanes> horizons = randomHorizons(random, 130);
-        const std::vector<TimedStep> steps = randomDays(random, 1 + round, 130);
-        const LongestRuns runs(steps, randomOrder(random, steps));
-        const RunLanes longest = runs.of(horizons);
-        for (std::size_t receiver = 0; receiver < lanesARun; ++receiver) {
-            int run = 0, expected = 0;
-            for (const TimedStep& step : runs.steps()) {
-                if (step.startsRun) run = 0;
-                run = step.place.sun < horizons[step.place.bin].values[receiver] ? run + 1 : 0;
-                expected = std::max(expected, run);
-            }
-            EXPECT_EQ(longest.values[receiver], expected) << receiver;
-        }
     }
 }
 

@@ -170,4 +170,27 @@ inline std::vector<Sun> arc(int steps, double noonAltitudeDeg, bool sunInNorth =
     return suns;
 }
 
+/// Days of a place, as the year goes: every `every` days, 8 h around noon.
+inline SunSteps days(double latitudeDeg, int every, int stepMinutes = 1) {
+    SunSteps steps;
+    steps.stepMinutes = stepMinutes;
+    const double radian = std::numbers::pi / 180, latitude = latitudeDeg * radian;
+    for (int day = 0; day < 365; day += every) {
+        const double declination = -23.44 * radian * std::cos(2 * std::numbers::pi * (day + 10) / 365);
+        std::vector<Sun> suns;
+        for (int minute = -240; minute < 240; minute += stepMinutes) {
+            const double hour = minute * radian / 4;
+            const double up = std::sin(latitude) * std::sin(declination) +
+                              std::cos(latitude) * std::cos(declination) * std::cos(hour);
+            const double east = -std::cos(declination) * std::sin(hour);
+            const double north = std::cos(latitude) * std::sin(declination) -
+                                 std::sin(latitude) * std::cos(declination) * std::cos(hour);
+            const double azimuth = std::atan2(east, north) / radian;
+            if (up > 0) suns.push_back({azimuth < 0 ? azimuth + 360 : azimuth, std::asin(up) / radian});
+        }
+        addDay(steps, suns);
+    }
+    return steps;
+}
+
 }  // namespace noonmark::tests
