@@ -1,13 +1,11 @@
 #include "app/cli/asked_study.h"
 
-#include <algorithm>
-
+#include "app/cli/load_city.h"
 #include "app/cli/project/project_question.h"
 #include "app/input/all_engines.h"
 #include "app/input/load_project.h"
 #include "app/report/output_folder.h"
 #include "core/io/read_region.h"
-#include "core/io/read_settings_text.h"
 #include "core/stopwatch.h"
 #include "scenarios/project/project_provenance.h"
 
@@ -36,21 +34,12 @@ Result<AskedStudy> askedOfFiles(const StudyOptions& options, Progress& progress,
     const auto period = periodOfFiles(options);
     if (!period) return tl::make_unexpected(period.error());
     settings.period = *period;
-    auto loaded = loadCity(options.read.files, options.read.settings, progress, stop);
+    auto loaded = noonmark::loadCity(options.read.files, options.read.settings, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
     auto region = regionFrom(options.region, loaded->read.city);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
     return AskedStudy{*std::move(loaded), std::move(settings), std::nullopt};
-}
-
-// How a project's city was read is in the project: options would be ignored.
-Result<void> checkProjectAlone(const ReadOptions& read) {
-    if (read.files.size() > 1)
-        return failure("A project stands alone", read.files.front(), "Give the project file and no other");
-    if (textOf(read.settings).empty()) return {};
-    return failure("The city of a project is read already: options of reading change nothing",
-                   read.files.front(), "Leave them out, or make a new project of the files with them");
 }
 
 Result<AskedStudy> askedOfProject(const StudyOptions& options) {
@@ -87,18 +76,22 @@ tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progre
                    exitUsage);
         !engine)
         return tl::make_unexpected(engine.error());
-    const bool ofProject = std::ranges::any_of(options.read.files, isProjectFile);
     auto asked =
-        orCode(ofProject ? askedOfProject(options) : askedOfFiles(options, progress, stop), exitUsage);
+        orCode(namesProject(options.read) ? askedOfProject(options) : askedOfFiles(options, progress, stop),
+               exitUsage);
     if (!asked) return asked;
     if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
         return tl::make_unexpected(folder.error());
     return asked;
 }
 
+Provenance provenanceOf(const AskedStudy& asked) {
+    return asked.provenance ? *asked.provenance : provenanceOf(asked.loaded);
+}
+
 void addSource(Study& study, const AskedStudy& asked) {
     addReading(study, asked.loaded);
-    if (asked.provenance) study.provenance = *asked.provenance;
+    study.provenance = provenanceOf(asked);
 }
 
 }  // namespace noonmark::cli

@@ -28,6 +28,8 @@ struct AskedStudy {
     std::optional<Provenance> provenance;  ///< of a project's scenario
 };
 
+Provenance provenanceOf(const AskedStudy& asked);
+
 /// Adds what reading took and found, and what the city came from.
 void addSource(Study& study, const AskedStudy& asked);
 

@@ -11,6 +11,7 @@
 #include "app/cli/study_table.h"
 #include "app/input/all_engines.h"
 #include "app/report/output_folder.h"
+#include "core/study/provenance_tags.h"
 #include "core/study/region_text.h"
 #include "core/study/repeat_command.h"
 #include "core/study/tiled_study.h"
@@ -32,8 +33,9 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
     const auto asked = askedStudy(options.study, progress, interrupt.token());
     if (!asked) return tl::make_unexpected(asked.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
-    auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells}, file,
-                                      progress, interrupt.token(), enginesWith(asked->settings.engine)),
+    const FileTags tags = provenanceTags(provenanceOf(*asked));
+    auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells, tags},
+                                      file, progress, interrupt.token(), enginesWith(asked->settings.engine)),
                         exitFailed);
     if (tiled) addSource(tiled->study, *asked);
     return tiled;

@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/load_city.h"
 #include "app/cli/table.h"
+#include "app/input/load_project.h"
 #include "core/study/height_words.h"
 #include "core/study/terrain_text.h"
 
@@ -62,13 +63,20 @@ void print(const CityRead& read, std::ostream& out) {
     printWarnings(out, read.warnings);
 }
 
+void printProjectAdvice(const std::string& file, std::ostream& out) {
+    if (isProjectFile(file))
+        out << "\nWhat else the project holds: noonmark-cli project info " << file << '\n';
+}
+
 int runInfo(const InfoOptions& options, const Console& console) {
     const auto loaded = loadCity(options.read, console);
     if (!loaded) return fail(console, loaded.error(), exitUsage);
     if (options.json)
         console.out << infoJson(loaded->read) << '\n';
-    else
+    else {
         print(loaded->read, console.out);
+        printProjectAdvice(options.read.files.front(), console.out);
+    }
     return exitOk;
 }
 

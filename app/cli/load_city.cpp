@@ -1,11 +1,38 @@
 #include "app/cli/load_city.h"
 
+#include <algorithm>
+
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
+#include "app/input/load_project.h"
+#include "core/io/read_settings_text.h"
+#include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
 
+namespace {
+
+Result<LoadedCity> projectCity(const std::string& file) {
+    return ProjectFile::open(file).map(
+        [&](const ProjectFile& disk) { return loadedFrom(disk.project(), file); });
+}
+
+}  // namespace
+
+bool namesProject(const ReadOptions& options) { return std::ranges::any_of(options.files, isProjectFile); }
+
+Result<void> checkProjectAlone(const ReadOptions& options) {
+    const std::string& file = options.files.front();
+    if (options.files.size() > 1)
+        return failure("A project stands alone", file, "Give the project file and no other");
+    if (textOf(options.settings).empty()) return {};
+    return failure("The city of a project is read already: options of reading change nothing", file,
+                   "Leave them out, or make a new project of the files with them");
+}
+
 Result<LoadedCity> loadCity(const ReadOptions& options, const Console& console) {
+    if (namesProject(options))
+        return checkProjectAlone(options).and_then([&] { return projectCity(options.files.front()); });
     const Interrupt interrupt;
     ProgressLine progress(console);
     return noonmark::loadCity(options.files, options.settings, progress, interrupt.token());

@@ -6,7 +6,14 @@
 
 namespace noonmark::cli {
 
-/// Reads the city of a command with a progress line, stopped by Ctrl-C.
+/// Whether one of the files is a project.
+bool namesProject(const ReadOptions& options);
+
+/// A project goes without other files and without settings of reading: how its city was read is in it. To be
+/// asked where namesProject().
+Result<void> checkProjectAlone(const ReadOptions& options);
+
+/// Reads the city of a command with a progress line, stopped by Ctrl-C. Of a project: its city as it stands.
 Result<LoadedCity> loadCity(const ReadOptions& options, const Console& console);
 
 }  // namespace noonmark::cli

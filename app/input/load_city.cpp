@@ -68,10 +68,16 @@ Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSet
     return LoadedCity{files, settings, *std::move(read), *std::move(inputs), seconds};
 }
 
+Provenance provenanceOf(const LoadedCity& loaded) {
+    Provenance provenance;
+    provenance.inputs = loaded.inputs;
+    provenance.reading = loaded.settings;
+    provenance.attribution = loaded.read.attribution;
+    return provenance;
+}
+
 void addReading(Study& study, const LoadedCity& loaded) {
-    study.provenance.reading = loaded.settings;
-    study.provenance.inputs = loaded.inputs;
-    study.provenance.attribution = loaded.read.attribution;
+    study.provenance = provenanceOf(loaded);
     study.heights = loaded.read.heights;
     study.warnings.insert(study.warnings.begin(), loaded.read.warnings.begin(), loaded.read.warnings.end());
     study.seconds["read"] = loaded.seconds;

@@ -22,6 +22,9 @@ struct LoadedCity {
 Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSettings& settings,
                             Progress& progress, std::stop_token stop);
 
+/// Of a city that came straight from its files.
+Provenance provenanceOf(const LoadedCity& loaded);
+
 /// What reading took and found belongs to the study as much as what computing did.
 void addReading(Study& study, const LoadedCity& loaded);
 

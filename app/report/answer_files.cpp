@@ -5,7 +5,9 @@
 #include "app/report/impact_report.h"
 #include "app/report/output_folder.h"
 #include "app/report/score_report.h"
+#include "app/report/write_png.h"
 #include "core/io/write_raster.h"
+#include "core/study/provenance_tags.h"
 #include "core/study/region_text.h"
 #include "scenarios/impact/impact_runs.h"
 #include "scenarios/settings_json.h"
@@ -29,6 +31,7 @@ struct AnswerTexts {
     std::string json;
     std::string csv;
     std::string region;  ///< region.geojson; empty where no command names it
+    FileTags tags;       ///< of map and picture
 };
 
 std::string regionFileOf(const Region& region, const Provenance& provenance, const Frame& frame) {
@@ -39,8 +42,10 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
                  const std::vector<RasterBand>& bands, const Path& folder) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
     OutputFolder files(folder);
-    files.add(texts.name + ".tif", [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands); });
-    files.add(texts.name + ".png", [&](QIODevice& device) { return pictureOf(sheet).save(&device, "PNG"); });
+    files.add(texts.name + ".tif",
+              [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
+    files.add(texts.name + ".png",
+              [&](QIODevice& device) { return writePng(pictureOf(sheet), texts.tags, device); });
     files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
     files.add(texts.name + ".json", textContent(texts.json));
     files.add(texts.name + ".csv", textContent(texts.csv));
@@ -55,17 +60,18 @@ Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, c
     const Impact& impact = answer.study.total;
     const Frame& frame = source.city.frame;
     return writeFiles({"impact", impactJson(answer), impactCsv(answer),
-                       regionFileOf(answer.settings.study.region, answer.provenance, frame)},
+                       regionFileOf(answer.settings.study.region, answer.provenance, frame),
+                       provenanceTags(answer.provenance)},
                       sheetOf(answer, source, scale), impact.grid, frame, bandsOf(impact), folder);
 }
 
 Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder) {
     const Score& score = answer.score;
     const Frame& frame = source.city.frame;
-    return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
-                       regionFileOf(answer.settings.region, answer.provenance, frame)},
-                      sheetOf(answer, source), score.grid, frame, {{"shadow score", "", &score.score}},
-                      folder);
+    return writeFiles(
+        {"score", scoreJson(answer), scoreCsv(answer),
+         regionFileOf(answer.settings.region, answer.provenance, frame), provenanceTags(answer.provenance)},
+        sheetOf(answer, source), score.grid, frame, {{"shadow score", "", &score.score}}, folder);
 }
 
 }  // namespace noonmark

@@ -6,10 +6,12 @@
 #include "app/report/cells_csv.h"
 #include "app/report/output_folder.h"
 #include "app/report/study_report.h"
+#include "app/report/write_png.h"
 #include "core/io/write_city.h"
 #include "core/measures/has_runs.h"
 #include "core/study/breakdown_text.h"
 #include "core/study/map_bands.h"
+#include "core/study/provenance_tags.h"
 #include "core/study/region_text.h"
 #include "core/study/repeat_command.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 Result<void> writeRaster(const Study& study, const std::filesystem::path& file) {
     return writeGeoTiff(file, study.city.frame, study.field.grid,
-                        mapBands(study.field, hasRuns(study.statistics)));
+                        mapBands(study.field, hasRuns(study.statistics)), provenanceTags(study.provenance));
 }
 
 Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
@@ -27,7 +29,7 @@ Result<void> writeMonths(const Study& study, const std::filesystem::path& file) 
     const ShadowBreakdown& months = *study.breakdown;
     for (std::size_t set = 0; set < months.sets.names.size(); ++set)
         bands.push_back({months.sets.names[set], "min", &months.minutes[set]});
-    return writeGeoTiff(file, study.city.frame, months.grid, bands);
+    return writeGeoTiff(file, study.city.frame, months.grid, bands, provenanceTags(study.provenance));
 }
 
 double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
@@ -51,7 +53,7 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     OutputFolder files(folder);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
     files.add("shadow.png", [&](QIODevice& device) {
-        return mapPicture(study, ShadowMeasure::gross).save(&device, "PNG");
+        return writePng(mapPicture(study, ShadowMeasure::gross), provenanceTags(study.provenance), device);
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
     files.add("study.json", textContent(studyJson(study)));

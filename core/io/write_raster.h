@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geo/frame.h"
+#include "core/io/file_tags.h"
 #include "core/receivers/grid.h"
 #include "core/result.h"
 
@@ -29,9 +30,10 @@ public:
     /// NORTH-WEST corner, are written fastest.
     static constexpr int blockCells = 256;
 
-    /// `bands`: names and units; values are not looked at.
+    /// `bands`: names and units; values are not looked at. `tags`: metadata items of the file.
     static Result<GeoTiffWriter> create(const std::filesystem::path& file, const Frame& frame,
-                                        const Grid& grid, const std::vector<RasterBand>& bands);
+                                        const Grid& grid, const std::vector<RasterBand>& bands,
+                                        const FileTags& tags = {});
     GeoTiffWriter(GeoTiffWriter&&) noexcept;
     GeoTiffWriter& operator=(GeoTiffWriter&&) noexcept;
     ~GeoTiffWriter();
@@ -51,7 +53,7 @@ private:
 
 /// All at once, with overviews.
 Result<void> writeGeoTiff(const std::filesystem::path& file, const Frame& frame, const Grid& grid,
-                          const std::vector<RasterBand>& bands);
+                          const std::vector<RasterBand>& bands, const FileTags& tags = {});
 
 /// The bands of a file that a GeoTiffWriter wrote over `grid`, each in grid order. Error: it can't be read,
 /// or has another size.

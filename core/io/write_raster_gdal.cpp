@@ -47,7 +47,8 @@ bool place(GDALDataset& dataset, const Frame& frame, const Grid& grid) {
     return dataset.SetSpatialRef(&plane) == CE_None && dataset.SetGeoTransform(corner.data()) == CE_None;
 }
 
-void describe(GDALDataset& dataset, const std::vector<RasterBand>& bands) {
+void describe(GDALDataset& dataset, const std::vector<RasterBand>& bands, const FileTags& tags) {
+    for (const auto& [name, text] : tags) dataset.SetMetadataItem(name.c_str(), text.c_str());
     for (std::size_t i = 0; i < bands.size(); ++i) {
         GDALRasterBand& band = *dataset.GetRasterBand(int(i) + 1);
         band.SetDescription(bands[i].name.c_str());
@@ -94,14 +95,15 @@ GeoTiffWriter& GeoTiffWriter::operator=(GeoTiffWriter&&) noexcept = default;
 GeoTiffWriter::~GeoTiffWriter() = default;
 
 Result<GeoTiffWriter> GeoTiffWriter::create(const std::filesystem::path& file, const Frame& frame,
-                                            const Grid& grid, const std::vector<RasterBand>& bands) {
+                                            const Grid& grid, const std::vector<RasterBand>& bands,
+                                            const FileTags& tags) {
     if (grid.columns < 1 || grid.rows < 1 || bands.empty())
         return notWritten(file, "there are no cells or no bands");
     const GdalCalls calls;
     std::unique_ptr<Pending> pending(new Pending{PendingFile(file), file, grid, nullptr});
     pending->dataset = created(pending->pending.path(), grid, bands.size());
     if (!pending->dataset || !place(*pending->dataset, frame, grid)) return notWritten(file, calls.why());
-    describe(*pending->dataset, bands);
+    describe(*pending->dataset, bands, tags);
     if (calls.failed()) return notWritten(file, calls.why());
     return GeoTiffWriter(std::move(pending));
 }
@@ -130,14 +132,14 @@ Result<void> GeoTiffWriter::finish(bool overviews, const std::stop_token& stop) 
 }
 
 Result<void> writeGeoTiff(const std::filesystem::path& file, const Frame& frame, const Grid& grid,
-                          const std::vector<RasterBand>& bands) {
+                          const std::vector<RasterBand>& bands, const FileTags& tags) {
     std::vector<const std::vector<float>*> values;
     for (const RasterBand& band : bands) {
         if (band.values == nullptr || band.values->size() != grid.size())
             return notWritten(file, fmt::format("band '{}' does not have one value a cell", band.name));
         values.push_back(band.values);
     }
-    auto writer = GeoTiffWriter::create(file, frame, grid, bands);
+    auto writer = GeoTiffWriter::create(file, frame, grid, bands, tags);
     if (!writer) return tl::make_unexpected(writer.error());
     return writer->write(grid, values).and_then([&] { return writer->finish(); });
 }

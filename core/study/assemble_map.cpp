@@ -25,11 +25,10 @@ Result<void> copyTile(GeoTiffWriter& map, const Grid& tile, const std::filesyste
 }  // namespace
 
 Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
-                         const std::filesystem::path& file, bool runs, Progress& progress,
-                         const std::stop_token& stop) {
+                         const MapFile& file, bool runs, Progress& progress, const std::stop_token& stop) {
     const ShadowField names;
     const std::vector<RasterBand> bands = mapBands(names, runs);
-    auto map = GeoTiffWriter::create(file, frame, plan.whole, bands);
+    auto map = GeoTiffWriter::create(file.path, frame, plan.whole, bands, file.tags);
     if (!map) return tl::make_unexpected(map.error());
     for (const auto& [number, result] : journal.finished()) {
         if (stop.stop_requested()) return cancelled();

@@ -141,7 +141,7 @@ Result<void> checkOpenGround(const Study& study) {
                    "Choose a region outside the buildings, or smaller cells");
 }
 
-Result<TiledStudy> computed(TiledStudy tiled, const Accumulator& engine, const std::filesystem::path& file,
+Result<TiledStudy> computed(TiledStudy tiled, const Accumulator& engine, const MapFile& file,
                             Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
     Study& study = tiled.study;
@@ -154,7 +154,7 @@ Result<TiledStudy> computed(TiledStudy tiled, const Accumulator& engine, const s
         return tl::make_unexpected(covered.error());
     study.warnings = warningsOf(study.terrainCoverage);
     auto journal =
-        TileJournal::open(file.string() + ".tiles", studyHash(study.city, study.settings), tiled.plan);
+        TileJournal::open(file.path.string() + ".tiles", studyHash(study.city, study.settings), tiled.plan);
     if (!journal) return tl::make_unexpected(journal.error());
     tiled.resumedTiles = journal->finished().size();
     TileRunner runner(study.city, study.settings, study.sun, engine, tiled.plan, *journal);
@@ -188,8 +188,8 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
     const TilePlan plan{*grid, settings.tileCells};
     if (auto fits = checkTileMemory(city, plan, question, engines); !fits)
         return tl::make_unexpected(fits.error());
-    return computed({.study = {.city = city, .settings = question}, .plan = plan}, **engine, file, progress,
-                    stop);
+    return computed({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
+                    {file, settings.tags}, progress, stop);
 } catch (const std::bad_alloc&) {
     return failure("There is not enough memory for this study", "", "Choose smaller tiles or fewer steps");
 }

@@ -5,6 +5,7 @@
 #include <stop_token>
 #include <string>
 
+#include "core/io/file_tags.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/study.h"
 
@@ -18,6 +19,7 @@ struct TiledStudySettings {
 
     StudySettings study;
     int tileCells = usualTileCells;  ///< along a side
+    FileTags tags = {};              ///< of the map: provenanceTags()
 };
 
 /// A study whose cells never were in memory at once.

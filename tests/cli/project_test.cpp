@@ -57,6 +57,31 @@ TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
     EXPECT_THAT(noonmarkCli({"info", out}).out, HasSubstr("buildings"));
 }
 
+TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
+    const Spoken info = noonmarkCli({"info", file_, "--json"});
+    ASSERT_EQ(info.code, 0) << info.err;
+    EXPECT_EQ(info.json()["format"], "Noonmark project");
+    EXPECT_EQ(info.json()["buildings"], opened().city->buildings.size());
+    EXPECT_THAT(noonmarkCli({"info", file_}).out, HasSubstr("noonmark-cli project info"));
+    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err, HasSubstr("is read already"));
+    EXPECT_THAT(noonmarkCli({"info", file_, folder_.path("dem.tif").string()}).err,
+                HasSubstr("stands alone"));
+}
+
+TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
+    ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
+    ASSERT_EQ(project("demolish", {"520 Park Avenue", "--scenario", "A"}).code, 0);
+    const Spoken study = measured("study", {"--scenario", "A", "--start", "2026-12-21", "--from", "12:00",
+                                            "--hours", "1", "--step", "10", "--zone", "America/New_York"});
+    ASSERT_EQ(study.code, 0) << study.err;
+    for (const char* name : {"out/shadow.tif", "out/shadow.png"}) {
+        const std::string bytes = textOf(folder_.path(name));
+        EXPECT_THAT(bytes, HasSubstr("park.noonmark.gpkg")) << name;
+        EXPECT_THAT(bytes, HasSubstr("NOONMARK_SCENARIO_CITY_SHA256")) << name;
+        EXPECT_THAT(bytes, HasSubstr("520 Park Avenue")) << name;
+    }
+}
+
 TEST_F(ProjectCommand, ScoresAYear) {
     const Spoken score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;

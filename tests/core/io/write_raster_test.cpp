@@ -57,6 +57,16 @@ TEST_F(WriteRaster, firstRowOfTheFileIsTheNorthernmost) {
     EXPECT_EQ(valueAt(*dataset->GetRasterBand(2), 2, 1), 30);
 }
 
+TEST_F(WriteRaster, theFileCarriesItsTags) {
+    const std::vector<float> values{1, 2, 3, 4};
+    ASSERT_TRUE(writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2},
+                             {{"gross shadow", "min/day", &values}},
+                             {{"NOONMARK_SCENARIO", "Höher & breiter"}, {"NOONMARK_EDITS", "one\ntwo"}}));
+    const auto dataset = opened(folder.path("map.tif"));
+    EXPECT_STREQ(dataset->GetMetadataItem("NOONMARK_SCENARIO"), "Höher & breiter");
+    EXPECT_STREQ(dataset->GetMetadataItem("NOONMARK_EDITS"), "one\ntwo");
+}
+
 TEST_F(WriteRaster, bandsCarryNameUnitAndNoData) {
     const Grid grid{0, 0, 1, 2, 2};
     const std::vector<float> values{1, 2, 3, 4};
