@@ -57,7 +57,7 @@ std::vector<Triangle> wallsOf(const std::vector<GeoBox>& boxes, glm::dvec3 from)
         for (int i = 0; i < 4; ++i) {
             Geodetic first = box.corners[i], second = box.corners[(i + 1) % 4];
             const glm::dvec3 a = earthCentred(first) - from, b = earthCentred(second) - from;
-            first.heightM += box.heightM, second.heightM += box.heightM;
+            first.heightM += box.heightsM[i], second.heightM += box.heightsM[(i + 1) % 4];
             const glm::dvec3 c = earthCentred(second) - from, d = earthCentred(first) - from;
             walls.push_back({a, b, c});
             walls.push_back({a, c, d});
@@ -105,7 +105,7 @@ GeoBox geoBox(Geodetic centre, double eastWidthM, double northWidthM, double hei
     const double east = eastWidthM / 2, north = northWidthM / 2;
     return {{displaced(centre, -east, -north), displaced(centre, east, -north),
              displaced(centre, east, north), displaced(centre, -east, north)},
-            heightM};
+            {heightM, heightM, heightM, heightM}};
 }
 
 glm::dvec3 sunPlace(double unixSeconds) {

@@ -28,8 +28,8 @@ glm::dvec3 underOrthographic(Geodetic origin, glm::dvec2 local);
 
 /// A block with walls along the verticals of its corners.
 struct GeoBox {
-    Geodetic corners[4];  ///< of its base, in order
-    double heightM = 0;
+    Geodetic corners[4];      ///< of its base, in order
+    double heightsM[4] = {};  ///< of its roof above each
 };
 GeoBox geoBox(Geodetic centre, double eastWidthM, double northWidthM, double heightM);
 

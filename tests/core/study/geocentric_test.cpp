@@ -47,6 +47,23 @@ std::vector<GeoBox> blocksAround(Geodetic middle) {
 
 float dropAt(const Place& place, glm::dvec2 local) { return place.terrain ? -float(earthDropM(local)) : 0; }
 
+// Roofs level in the frame of the city, as those of footprints are: 45 km off on terrain they lean by 0.35
+// deg against the local level, 0.1 m at the edge of a block. Near noon, when a shadow's end stands still,
+// single cells at that end are off by half an hour for it.
+std::vector<GeoBox> levelInFrame(const Place& place, std::vector<GeoBox> blocks) {
+    const Frame frame({place.origin.lonDeg, place.origin.latDeg});
+    for (GeoBox& block : blocks) {
+        double drops[4], middle = 0;
+        for (int i = 0; i < 4; ++i) {
+            drops[i] =
+                dropAt(place, frame.localFromLonLat({block.corners[i].lonDeg, block.corners[i].latDeg}));
+            middle += drops[i] / 4;
+        }
+        for (int i = 0; i < 4; ++i) block.heightsM[i] += middle - drops[i];
+    }
+    return blocks;
+}
+
 std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& frame, const GeoBox& box) {
     Part part;
     glm::dvec2 middle(0);
@@ -56,17 +73,18 @@ std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& fram
         middle += local / 4.0;
     }
     constexpr float intoTheGround = 1;  // the sea slopes against the frame
-    part.topM = dropAt(place, middle) + float(box.heightM);
+    part.topM = dropAt(place, middle) + float(box.heightsM[0]);
     part.bottomM = dropAt(place, middle) - (place.terrain ? intoTheGround : 0);
     Building building;
     building.parts.push_back(std::move(part));
     return std::make_shared<const Building>(std::move(building));
 }
 
-// The sea around the origin, in km squares, as far as both districts.
+// The sea around the origin as far as both districts, in squares so small that none sags by a millimetre.
 std::shared_ptr<const Terrain> seaOf(const Place& place) {
-    constexpr int cells = 110;
-    Terrain sea{{-55e3, -55e3, 1e3, cells, cells}, {}};
+    constexpr int cells = 880;
+    constexpr double cellM = 125;
+    Terrain sea{{-55e3, -55e3, cellM, cells, cells}, {}};
     for (int row = 0; row < cells; ++row)
         for (int column = 0; column < cells; ++column)
             sea.elevationM.push_back(dropAt(place, sea.grid.centre(column, row)));
@@ -152,8 +170,7 @@ std::vector<GeoMinutes> truthOf(const Place& place, const Receivers& receivers,
 class Geocentric : public testing::TestWithParam<Place> {};
 
 // Tolerance: a step, for the moment that an edge passes falls on either side of one; a few cells see a corner
-// graze the sun. On the sea 45 km off a roof, level in the frame, leans by 0.35 deg against the local level:
-// 0.1 m at its edge, which the end of a shadow shows that stands still at noon.
+// graze the sun.
 TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
     const Place& place = GetParam();
     const std::vector<GeoBox> blocks = blocksAround(districtOf(place));
@@ -162,13 +179,13 @@ TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
     for (const char* engine : {"ray", "horizon", "projected"}) {
         if (place.terrain && engine == std::string("projected")) continue;  // level ground only
         const Study study = studyOf(place, city, engine);
-        if (truth.empty()) truth = truthOf(place, study.receivers, blocks);
+        if (truth.empty()) truth = truthOf(place, study.receivers, levelInFrame(place, blocks));
         const Differences found = differencesOf(study, truth);
         std::cout << place.name << ", " << engine << ": " << textOf(found) << '\n';
         EXPECT_GT(found.shaded, 30);
-        EXPECT_LE(found.grossOff, place.terrain ? found.cells / 30 : 0) << engine;
+        EXPECT_LE(found.grossOff, place.terrain ? found.cells / 200 : 0) << engine;
         EXPECT_LE(found.longestOff, found.cells / 100) << engine;
-        EXPECT_LE(found.grossMean, place.terrain ? stepMinutes * 0.3 : stepMinutes / 10) << engine;
+        EXPECT_LE(found.grossMean, stepMinutes / 10) << engine;
         EXPECT_LE(found.longestMean, stepMinutes / 5) << engine;
     }
 }
