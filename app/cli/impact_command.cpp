@@ -107,6 +107,7 @@ void addImpactCommand(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("impact", "Measure what one scenario of a project changes against another");
     addMeasureOptions(*command, options->measure);
+    addErrorOptions(*command, options->measure.settings.errorSample);
     command->add_option("--from", options->from, "The scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");

@@ -12,20 +12,6 @@ namespace noonmark::cli {
 
 namespace {
 
-void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
-    CLI::Option* count =
-        command
-            .add_option("--error-sample", sample.receivers,
-                        "Receivers computed again by the ray reference, for the error; 0: none")
-            ->capture_default_str()
-            ->check(CLI::Range(0, ErrorSampleSettings::mostReceivers))
-            ->type_name("N");
-    command
-        .add_flag_callback(
-            "--no-error-sample", [&sample] { sample.receivers = 0; }, "Leave the error unmeasured")
-        ->excludes(count);
-}
-
 void addPlacesOption(CLI::App& command, StudySettings& settings) {
     std::vector<std::string> names;
     for (const ReceiverPlaces places : allReceiverPlaces) names.emplace_back(nameOf(places));
@@ -40,6 +26,20 @@ void addPlacesOption(CLI::App& command, StudySettings& settings) {
 }
 
 }  // namespace
+
+void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
+    CLI::Option* count =
+        command
+            .add_option("--error-sample", sample.receivers,
+                        "Receivers computed again by the ray reference, for the error; 0: none")
+            ->capture_default_str()
+            ->check(CLI::Range(0, ErrorSampleSettings::mostReceivers))
+            ->type_name("N");
+    command
+        .add_flag_callback(
+            "--no-error-sample", [&sample] { sample.receivers = 0; }, "Leave the error unmeasured")
+        ->excludes(count);
+}
 
 void addReceiverOptions(CLI::App& command, StudySettings& settings) {
     command.add_option("--cell", settings.receivers.cellM, "Size of a cell, m")

@@ -28,6 +28,9 @@ void addStudyOptions(CLI::App& command, StudyOptions& options);
 /// What a study in one piece takes besides: months, contributions, the cells as a table.
 void addPieceOptions(CLI::App& command, StudyOptions& options);
 
+/// --error-sample and --no-error-sample.
+void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample);
+
 /// --cell, --pressure and --temperature.
 void addReceiverOptions(CLI::App& command, StudySettings& settings);
 

@@ -80,11 +80,11 @@ Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
     Study study;
     study.city = source.city;
     study.settings = answer.settings.study;
-    study.settings.errorSample.receivers = 0;  // differences have no sample
     study.sun = answer.study.sun;
     study.field = answer.study.after;
     study.field.engine = answer.study.total.engine;
     study.warnings = answer.study.total.warnings;
+    study.error = answer.study.error;
     study.provenance = answer.provenance;
     return study;
 }
@@ -103,7 +103,8 @@ void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& fi
 
 std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSource& source) {
     const Study after = afterAsStudy(answer, source);
-    std::vector<TextBlocks> sections = methodSections(after);
+    std::vector<TextBlocks> sections = methodSections(
+        after, QStringLiteral("The error is that of the change, beside the change that rays find."));
     addBuildings(sections, figuresOf(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
     sections.push_back(

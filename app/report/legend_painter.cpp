@@ -14,6 +14,14 @@ constexpr double barTopPt = 13;
 constexpr double barHeightPt = 9;
 constexpr double tickPt = 2.5;
 
+// Of "min a day, scale locked: ±60 min" the parts that fit, from the first: the page says the others in
+// words.
+QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
+    while (metrics.horizontalAdvance(unit) > room && unit.contains(QStringLiteral(", ")))
+        unit.truncate(unit.lastIndexOf(QStringLiteral(", ")));
+    return metrics.elidedText(unit, Qt::ElideRight, room);
+}
+
 void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) {
     QPainter& painter = canvas.painter;
     const QFont bold = textFont(canvas, titlePt, QFont::Bold);
@@ -24,9 +32,8 @@ void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) 
     const double used = QFontMetricsF(bold).horizontalAdvance(legend.title + QStringLiteral("  "));
     painter.setFont(textFont(canvas, titlePt));
     painter.setPen(ink::quiet);
-    const QString unit =
-        QFontMetricsF(painter.font()).elidedText(legend.unit, Qt::ElideRight, area.width() - used);
-    painter.drawText(QPointF(area.left() + used, baseline), unit);
+    painter.drawText(QPointF(area.left() + used, baseline),
+                     fittingParts(legend.unit, QFontMetricsF(painter.font()), area.width() - used));
 }
 
 QRectF barOf(const Canvas& canvas, const QRectF& area) {

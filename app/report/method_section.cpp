@@ -170,14 +170,16 @@ TextBlocks definitionBlocks(const Study& study) {
     return blocks;
 }
 
-std::vector<TextBlocks> methodSections(const Study& study) {
+std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf) {
     TextBlocks method{heading(QStringLiteral("Method")), body(engineWords(study)),
                       body(receiverWords(study))};
     if (study.city.terrain) method.push_back(body(terrainWords(study)));
     for (const QString& words : {stepWords(study), sunWords(study), frameWords(study)})
         method.push_back(body(words));
-    return {method,
-            {heading(QStringLiteral("Error")), body(engineErrorWords(study)), body(modelErrorWords())}};
+    TextBlocks error{heading(QStringLiteral("Error")), body(engineErrorWords(study)),
+                     body(modelErrorWords())};
+    if (!errorOf.isEmpty() && study.error) error.insert(error.begin() + 1, body(errorOf));
+    return {method, error};
 }
 
 }  // namespace noonmark

@@ -12,8 +12,8 @@ TextBlocks definitionBlocks(const Study& study);
 
 /// How it was computed; how far it can be trusted; what it rests on: files with their hashes, sources of the
 /// heights, warnings; what was left undone. Each section begins with its heading. Long lists are cut, and say
-/// so.
-std::vector<TextBlocks> methodSections(const Study& study);
+/// so. `errorOf`: a sentence that says of what the measured error is, where it is not of the study's field.
+std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf = {});
 std::vector<TextBlocks> sourceSections(const Study& study);
 
 /// The command line that repeats it.

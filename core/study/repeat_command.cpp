@@ -217,9 +217,7 @@ std::vector<RepeatOption> optionsOf(const StudySettings& settings) {
     std::vector<RepeatOption> options;
     if (settings.byMonth) options.push_back({"--by", {"month"}});
     if (settings.contributions) options.push_back({"--contributions", {}});
-    const int sample = settings.errorSample.receivers;
-    if (sample != ErrorSampleSettings{}.receivers)
-        options.push_back({"--error-sample", {fmt::to_string(sample)}});
+    addErrorSample(settings.errorSample, options);
     return options;
 }
 
@@ -229,6 +227,11 @@ std::string regionOf(const Study& study) {
 }
 
 }  // namespace
+
+void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options) {
+    if (sample.receivers != ErrorSampleSettings{}.receivers)
+        options.push_back({"--error-sample", {fmt::to_string(sample.receivers)}});
+}
 
 Result<std::string> repeatCommand(const RepeatQuestion& question, std::size_t width) {
     if (!namesProject(question.provenance) && !namesInputs(question))

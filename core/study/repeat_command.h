@@ -14,6 +14,9 @@ struct RepeatOption {
     std::vector<std::string> values;
 };
 
+/// --error-sample, where it is not the usual one.
+void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options);
+
 /// A question as a command line puts it.
 struct RepeatQuestion {
     std::string command;  ///< "study"

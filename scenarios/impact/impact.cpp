@@ -11,6 +11,7 @@
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
+#include "scenarios/impact/impact_error.h"
 #include "scenarios/impact/reached_receivers.h"
 
 namespace noonmark {
@@ -64,8 +65,8 @@ private:
     Result<ImpactStudy> compare(const City& before, const City& after) {
         done_ = 0;
         const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};
-        fields_ = 2 + fresh.size();
-        ImpactStudy study{.sun = sun_};
+        fields_ = 3 + fresh.size();  // and the error
+        ImpactStudy study{.sun = sun_, .frame = after.frame};
         auto first = fieldOf(before);
         if (!first) return tl::make_unexpected(first.error());
         auto second = fieldOf(after);
@@ -77,7 +78,24 @@ private:
         study.total = differenceOf(study.before, study.after, common_.change);
         for (const std::size_t i : fresh)
             if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
+        if (auto done = measureError(before, after, study); !done) return tl::make_unexpected(done.error());
         return study;
+    }
+
+    // A comparison is not lost for want of its error: only a stop request ends it.
+    Result<void> measureError(const City& before, const City& after, ImpactStudy& study) {
+        const ErrorSampleSettings& sample = settings_.study.errorSample;
+        if (sample.receivers == 0 || study.after.engineKey == referenceEngine) return {};
+        ProgressShare share(progress_, done_++, fields_);
+        const auto error = changeError({before, study.before}, {after, study.after}, common_.receivers, sun_,
+                                       sample, share, stop_);
+        if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
+        if (error)
+            study.error = *error;
+        else
+            study.total.warnings.push_back(
+                {WarningKind::leftOut, "the error against the ray reference", error.error().text()});
+        return {};
     }
 
     Result<void> prepare(const City& before, const City& after) {

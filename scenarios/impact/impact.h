@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -57,13 +58,16 @@ struct ImpactStudy {
     ShadowField before;
     ShadowField after;
     SunSteps sun;
+    Frame frame{{0, 0}};  ///< of the cities
+    /// Of total: see changeError(). None: by the ray reference itself, not asked for, or a warning says why.
+    std::optional<SampledError> error;
 };
 
 /// All fields with the same engine, receivers and steps; the engine auto is asked once, and what it chose is
 /// said in `engine`. A building is new when `before` does not share it (its pointer): both cities come from
 /// one project. Error: as of runStudy, receivers on roofs, or no cell is open ground in both. Costs two
-/// fields, and for each new building one where its shadow can fall (with the ray reference, projected shadows
-/// and the horizon sweep; with the others one more everywhere).
+/// fields, their error on a sample, and for each new building one where its shadow can fall (with the ray
+/// reference, projected shadows and the horizon sweep; with the others one more everywhere).
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
                               Progress& progress, std::stop_token stop,
                               const EngineList& engines = coreEngines());

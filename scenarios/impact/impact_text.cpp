@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/study/error_json.h"
 #include "core/study/provenance_json.h"
 #include "core/study/warnings_json.h"
 #include "scenarios/settings_json.h"
@@ -40,6 +41,7 @@ Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
 
 Json definitions() {
     return {{"change", "the field of `to` less the field of `from`, same engine, steps and receivers"},
+            {"error", "of the change on a sample of receivers, in both cities traced by the ray reference"},
             {"gained_m2", "area where the minutes rose by more than the threshold"},
             {"touched_m2", "area where they rose at all"},
             {"shadow_area_change_m2",
@@ -69,6 +71,7 @@ std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
         thresholds.values.push_back(fmt::format("{}", threshold));
     std::vector<RepeatOption> options{{"--from", {answer.from}}, {"--to", {answer.to}}, thresholds};
     if (answer.settings.byBuilding) options.push_back({"--by-building", {}});
+    addErrorSample(answer.settings.study.errorSample, options);
     return options;
 }
 
@@ -100,6 +103,7 @@ std::string impactJson(const ImpactAnswer& answer) {
     json["steps"] = answer.study.sun.steps.size();
     json["period"]["counted_step_min"] = total.stepMinutes;
     json["sunlit_min_per_day"] = total.sunlitMinutesPerDay;
+    json["error"] = answer.study.error ? errorJson(*answer.study.error, answer.study.frame) : Json();
     json["impact"] = figuresJson(total, answer.thresholdsMin);
     json["by_building"] = Json::array();
     for (const BuildingImpact& building : answer.study.byBuilding)

@@ -179,6 +179,36 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     EXPECT_EQ(alone.before.engineKey, "projected");
 }
 
+// With few bins, so that there is an error to see: the sample of all cells is the whole difference.
+TEST(Impact, StatesTheErrorOfTheChange) {
+    ImpactSettings settings = morning("horizon");
+    settings.study.engineSettings["bin"] = 2;
+    settings.study.receivers.cellM = 5;
+    settings.study.period.stepMinutes = 1;
+    settings.study.errorSample.receivers = 10'000;
+    const City before = threeHouses(), after = with(before, {tower("t", 0, 60)});
+    const ImpactStudy study = impactOf(before, after, settings);
+    ImpactSettings byRays = settings;
+    byRays.study.engine = "ray";
+    byRays.study.engineSettings.clear();
+    const ImpactStudy truth = impactOf(before, after, byRays);
+    EXPECT_FALSE(truth.error);
+    ASSERT_TRUE(study.error);
+    double sum = 0, most = 0;
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < study.total.grossMin.size(); ++i) {
+        if (std::isnan(study.total.grossMin[i])) continue;
+        const double off = std::abs(double(study.total.grossMin[i]) - double(truth.total.grossMin[i]));
+        sum += off, most = std::max(most, off), ++cells;
+    }
+    EXPECT_GT(most, 0);
+    EXPECT_GT(study.error->receivers, cells * 9 / 10);  // those that the sample's points meet
+    EXPECT_NEAR(study.error->gross.meanMin, sum / double(cells), 0.2 * sum / double(cells));
+    EXPECT_LE(study.error->gross.maxMin, most + 1e-3);
+    settings.study.errorSample.receivers = 0;
+    EXPECT_FALSE(impactOf(before, after, settings).error);
+}
+
 TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     ImpactSettings settings = morning("auto");
     settings.study.region = regionFromLocalBox({{0, -360}, {1, 140}});
