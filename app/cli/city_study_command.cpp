@@ -20,6 +20,7 @@ namespace noonmark::cli {
 namespace {
 
 constexpr const char* mapName = "shadow.tif";
+constexpr const char* jsonName = "study.json";
 
 struct CityStudyOptions {
     StudyOptions study;
@@ -29,7 +30,7 @@ struct CityStudyOptions {
 tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const auto asked = askedStudy(options.study, progress, interrupt.token());
+    const auto asked = askedStudy(options.study, {mapName, jsonName}, progress, interrupt.token());
     if (!asked) return tl::make_unexpected(asked.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
     auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells}, file,
@@ -40,9 +41,9 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
 }
 
 Result<std::vector<std::filesystem::path>> writeTexts(const Study& study, const std::string& json,
-                                                      const std::filesystem::path& folder) {
-    OutputFolder files(folder);
-    files.add("study.json", textContent(json));
+                                                      const StudyOptions& options) {
+    OutputFolder files(options.out, outputRulesOf(options, study.provenance.inputs));
+    files.add(jsonName, textContent(json));
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();
@@ -53,7 +54,7 @@ int runCityStudy(const CityStudyOptions& options, const Console& console) {
     if (!tiled) return fail(console, tiled.error().error, tiled.error().code);
     const std::string json = tiledStudyJson(*tiled);
     const std::filesystem::path folder = options.study.out;
-    auto files = writeTexts(tiled->study, json, folder);
+    auto files = writeTexts(tiled->study, json, options.study);
     if (!files) return fail(console, files.error(), exitFailed);
     files->insert(files->begin(), folder / mapName);
     if (options.study.json)

@@ -66,7 +66,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
 }
 
 TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
-    EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 1);
+    EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 2);
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
                 HasSubstr("The existing city is not changed"));
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
