@@ -6,13 +6,20 @@
 namespace noonmark {
 
 Result<std::vector<std::filesystem::path>> writeBenchFiles(const bench::BenchReport& report,
-                                                           const std::filesystem::path& folder) {
-    OutputFolder files(folder);
+                                                           const std::filesystem::path& folder,
+                                                           const OutputRules& rules) {
+    OutputFolder files(folder, rules);
     for (const bench::Finding& finding : report.findings)
         if (!finding.key.empty()) files.add(finding.key + ".csv", textContent(csvOf(finding.table)));
     files.add("report.pdf", [&](QIODevice& device) { return writeBenchPages(report, device); });
     files.add("summary.json", textContent(summaryJson(report)));
     return std::move(files).result();
+}
+
+std::vector<std::string> benchFileNames(std::span<const char* const> keys) {
+    std::vector<std::string> names{"report.pdf", "summary.json"};
+    for (const char* key : keys) names.push_back(std::string(key) + ".csv");
+    return names;
 }
 
 }  // namespace noonmark

@@ -7,6 +7,7 @@
 #include "app/report/output_folder.h"
 #include "core/io/read_region.h"
 #include "core/stopwatch.h"
+#include "core/study/region_text.h"
 #include "scenarios/project/project_provenance.h"
 
 namespace noonmark::cli {
@@ -66,20 +67,38 @@ Result<AskedStudy> askedOfProject(const StudyOptions& options) {
     return AskedStudy{std::move(loaded), std::move(settings), std::move(provenance)};
 }
 
+Result<void> checkBeforeReading(const StudyOptions& options, const std::vector<std::string>& files) {
+    const StudySettings& settings = options.settings;
+    return makeAccumulator(settings.engine, settings.engineSettings, enginesWith(settings.engine))
+        .and_then([&](const auto&) { return checkOutputs(options.out, files, outputRulesOf(options, {})); });
+}
+
+bool needsRegionFile(const AskedStudy& asked) {
+    const Region& region = asked.settings.region;
+    return (asked.provenance ? asked.provenance->region : regionText(region, asked.loaded.read.city)) ==
+           regionFileName;
+}
+
 }  // namespace
 
-tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progress& progress,
-                                             const std::stop_token& stop) {
-    const StudySettings& settings = options.settings;
-    if (auto engine =
-            orCode(makeAccumulator(settings.engine, settings.engineSettings, enginesWith(settings.engine)),
-                   exitUsage);
-        !engine)
-        return tl::make_unexpected(engine.error());
+OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs) {
+    OutputRules rules = outputRules(options.read.files, inputs, options.overwrite);
+    addPlace(rules, options.region);
+    return rules;
+}
+
+tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, std::vector<std::string> files,
+                                             Progress& progress, const std::stop_token& stop) {
+    if (auto may = orCode(checkBeforeReading(options, files), exitUsage); !may)
+        return tl::make_unexpected(may.error());
     auto asked =
         orCode(namesProject(options.read) ? askedOfProject(options) : askedOfFiles(options, progress, stop),
                exitUsage);
     if (!asked) return asked;
+    if (needsRegionFile(*asked)) files.emplace_back(regionFileName);
+    const OutputRules rules = outputRulesOf(options, asked->loaded.inputs);
+    if (auto may = orCode(checkOutputs(options.out, files, rules), exitUsage); !may)
+        return tl::make_unexpected(may.error());
     if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
         return tl::make_unexpected(folder.error());
     return asked;

@@ -2,11 +2,14 @@
 
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/cli/console.h"
 #include "app/cli/study_options.h"
 #include "app/input/load_city.h"
+#include "app/input/output_rules.h"
 
 namespace noonmark::cli {
 
@@ -33,8 +36,12 @@ Provenance provenanceOf(const AskedStudy& asked);
 /// Adds what reading took and found, and what the city came from.
 void addSource(Study& study, const AskedStudy& asked);
 
-/// Reads the city and the region and tries the folder: all that can be wrong before the work begins.
-tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, Progress& progress,
-                                             const std::stop_token& stop);
+/// Reads the city and the region and tries the folder: all that can be wrong before the work begins. `files`:
+/// the names of what will be written there, but for region.geojson.
+tl::expected<AskedStudy, Failure> askedStudy(const StudyOptions& options, std::vector<std::string> files,
+                                             Progress& progress, const std::stop_token& stop);
+
+/// What the outputs may be written over. `inputs`: what the city was read from, as far as it is known.
+OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs);
 
 }  // namespace noonmark::cli

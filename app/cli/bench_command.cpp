@@ -2,15 +2,18 @@
 
 #include <memory>
 #include <ostream>
+#include <span>
 
 #include "app/bench/bench_files.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/offscreen_qt.h"
+#include "app/cli/overwrite_option.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/table.h"
 #include "app/input/all_engines.h"
 #include "app/input/load_city.h"
+#include "app/input/output_rules.h"
 #include "app/report/output_folder.h"
 #include "core/bench/horizon_bench.h"
 #include "core/bench/moments.h"
@@ -28,6 +31,7 @@ struct BenchOptions {
     std::string date = "2026-03-21";
     double sideM = 800;
     std::uint32_t seed = 1;
+    bool overwrite = false;
     bool quick = false;
     bool json = false;
 };
@@ -77,22 +81,28 @@ void print(const bench::BenchReport& report, const std::vector<std::filesystem::
     for (const auto& file : files) out << "  " << file.string() << '\n';
 }
 
-using Bench = Result<bench::BenchReport> (*)(const bench::BenchSite&, const bench::Extent&, const EngineList&,
-                                             Progress&, const std::stop_token&);
+struct Bench {
+    Result<bench::BenchReport> (*run)(const bench::BenchSite&, const bench::Extent&, const EngineList&,
+                                      Progress&, const std::stop_token&);
+    std::span<const char* const> keys;  // of its findings
+};
 
-int runBench(Bench bench, const BenchOptions& options, const Console& console) {
+int runBench(const Bench& bench, const BenchOptions& options, const Console& console) {
     const Interrupt interrupt;
+    const OutputRules rules = outputRules({options.city}, {}, options.overwrite);
+    if (const auto may = checkOutputs(options.out, benchFileNames(bench.keys), rules); !may)
+        return fail(console, may.error(), exitUsage);
     if (const auto folder = prepareFolder(options.out); !folder)
         return fail(console, folder.error(), exitFailed);
     std::optional<ProgressLine> progress(console);
     const auto site = siteOf(options, *progress, interrupt.token());
     if (!site) return fail(console, site.error(), exitUsage);
-    const auto report = bench(*site, options.quick ? bench::quickExtent() : bench::fullExtent(), allEngines(),
-                              *progress, interrupt.token());
+    const auto report = bench.run(*site, options.quick ? bench::quickExtent() : bench::fullExtent(),
+                                  allEngines(), *progress, interrupt.token());
     progress.reset();
     if (!report) return fail(console, report.error(), exitFailed);
     const OffscreenQt qt;
-    const auto files = writeBenchFiles(*report, options.out);
+    const auto files = writeBenchFiles(*report, options.out, rules);
     if (!files) return fail(console, files.error(), exitFailed);
     if (options.json)
         console.out << summaryJson(*report);
@@ -105,6 +115,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
     command.add_option("--out", options.out, "Folder for the tables, the report and summary.json")
         ->required()
         ->type_name("DIR");
+    addOverwriteOption(command, options.overwrite);
     command
         .add_option("--city", options.city,
                     "City file or sample (default: the grid sample, 43,000 buildings)")
@@ -127,7 +138,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
     command.add_flag("--json", options.json, "summary.json on standard output, nothing else");
 }
 
-void addBench(CLI::App& group, const char* name, const char* about, Bench bench, Run& run) {
+void addBench(CLI::App& group, const char* name, const char* about, const Bench& bench, Run& run) {
     const auto options = std::make_shared<BenchOptions>();
     CLI::App* command = group.add_subcommand(name, about);
     addBenchOptions(*command, *options);
@@ -143,10 +154,10 @@ void addBenchCommand(CLI::App& app, Run& run) {
     group->require_subcommand(1);
     addBench(*group, "paper",
              "The experiments of the paper on shadow accrual maps, our value and the paper's side by side",
-             bench::paperBench, run);
+             {bench::paperBench, bench::paperBenchKeys}, run);
     addBench(*group, "horizon",
              "The horizon sweep over a year, projected shadows over a day, edits: against their targets",
-             bench::horizonBench, run);
+             {bench::horizonBench, bench::horizonBenchKeys}, run);
 }
 
 }  // namespace noonmark::cli

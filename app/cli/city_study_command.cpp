@@ -21,6 +21,7 @@ namespace noonmark::cli {
 namespace {
 
 constexpr const char* mapName = "shadow.tif";
+constexpr const char* jsonName = "study.json";
 
 struct CityStudyOptions {
     StudyOptions study;
@@ -30,7 +31,7 @@ struct CityStudyOptions {
 tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const auto asked = askedStudy(options.study, progress, interrupt.token());
+    const auto asked = askedStudy(options.study, {mapName, jsonName}, progress, interrupt.token());
     if (!asked) return tl::make_unexpected(asked.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
     const FileTags tags = provenanceTags(provenanceOf(*asked));
@@ -42,9 +43,9 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
 }
 
 Result<std::vector<std::filesystem::path>> writeTexts(const Study& study, const std::string& json,
-                                                      const std::filesystem::path& folder) {
-    OutputFolder files(folder);
-    files.add("study.json", textContent(json));
+                                                      const StudyOptions& options) {
+    OutputFolder files(options.out, outputRulesOf(options, study.provenance.inputs));
+    files.add(jsonName, textContent(json));
     if (needsRegionFile(study))
         files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
     return std::move(files).result();
@@ -55,7 +56,7 @@ int runCityStudy(const CityStudyOptions& options, const Console& console) {
     if (!tiled) return fail(console, tiled.error().error, tiled.error().code);
     const std::string json = tiledStudyJson(*tiled);
     const std::filesystem::path folder = options.study.out;
-    auto files = writeTexts(tiled->study, json, folder);
+    auto files = writeTexts(tiled->study, json, options.study);
     if (!files) return fail(console, files.error(), exitFailed);
     files->insert(files->begin(), folder / mapName);
     if (options.study.json)

@@ -33,6 +33,10 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& d
     const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
     if (!before) return tl::make_unexpected(before.error());
     if (!after) return tl::make_unexpected(after.error());
+    const Provenance provenance = provenanceOf(project, &disk, {options.to, options.from, study->region, {}});
+    const OutputRules rules = outputRulesOf(options.measure, project);
+    if (const auto may = checkOutputs(options.measure.out, impactFileNames(provenance), rules); !may)
+        return tl::make_unexpected(may.error());
     const ImpactSettings settings{*study, options.byBuilding};
     const Interrupt interrupt;
     ProgressLine progress(console);
@@ -40,7 +44,7 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& d
     if (!made) return tl::make_unexpected(made.error());
     ImpactAnswer answer{options.from, options.to, settings, options.thresholds, *std::move(made)};
     putBefore(answer.study.total.warnings, project.reading->warnings);
-    answer.provenance = provenanceOf(project, &disk, {options.to, options.from, study->region, {}});
+    answer.provenance = provenance;
     return answer;
 }
 
@@ -53,7 +57,8 @@ Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options
     const auto after = cityOf(project, options.to);
     if (!after) return tl::make_unexpected(after.error());
     const OffscreenQt qt;
-    return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out)
+    return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out,
+                            outputRulesOf(options.measure, project))
         .map([](const auto&) {});
 }
 

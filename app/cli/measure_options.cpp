@@ -1,9 +1,11 @@
 #include "app/cli/measure_options.h"
 
 #include "app/cli/engine_options.h"
+#include "app/cli/overwrite_option.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_question.h"
 #include "app/cli/study_options.h"
+#include "app/input/output_rules.h"
 
 namespace noonmark::cli {
 
@@ -23,6 +25,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
     command.add_option("--out", options.out, "Folder for GeoTIFF, picture, PDF page, CSV and JSON")
         ->required()
         ->type_name("DIR");
+    addOverwriteOption(command, options.overwrite);
     command.add_option("--keep", options.keep, "Keep the result in the project, under this name")
         ->type_name("NAME");
     command.add_flag("--json", options.json, "The JSON on standard output, nothing else");
@@ -37,6 +40,12 @@ Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project&
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
     return settings;
+}
+
+OutputRules outputRulesOf(const MeasureOptions& options, const Project& project) {
+    OutputRules rules = outputRules({options.file}, project.inputs, options.overwrite);
+    addPlace(rules, options.region);
+    return rules;
 }
 
 }  // namespace noonmark::cli

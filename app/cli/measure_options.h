@@ -6,6 +6,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/period_options.h"
+#include "core/io/check_output.h"
 #include "core/study/study.h"
 #include "scenarios/project/project_file.h"
 
@@ -19,6 +20,7 @@ struct MeasureOptions {
     PeriodOptions period{.hourOption = "--at"};
     StudySettings settings;
     std::string out;
+    bool overwrite = false;
     std::string keep;
     bool json = false;
 };
@@ -28,5 +30,8 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options);
 /// The settings with region and period read. Error: a region that the project does not have and that is
 /// neither a box nor a file; what periodFrom refuses.
 Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project& project);
+
+/// What the answer may be written over.
+OutputRules outputRulesOf(const MeasureOptions& options, const Project& project);
 
 }  // namespace noonmark::cli

@@ -1,8 +1,10 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/overwrite_option.h"
 #include "app/cli/save_city.h"
 #include "app/input/load_city.h"
+#include "core/io/check_output.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::cli {
@@ -13,10 +15,13 @@ struct SampleOptions {
     std::string name;
     std::string out;
     GridSampleSettings grid;
+    bool overwrite = false;
     bool json = false;
 };
 
 int runSample(const SampleOptions& options, const Console& console) {
+    if (const auto may = checkOutput(options.out, OutputKind::geoPackage, {{}, options.overwrite}); !may)
+        return fail(console, may.error(), exitUsage);
     const auto city = options.name == "grid" ? gridSample(options.grid) : sampleCity(options.name);
     if (!city) return fail(console, city.error(), exitUsage);
     return saveCity(*city, options.out, options.json, console);
@@ -32,6 +37,7 @@ void addSampleCommand(CLI::App& app, Run& run) {
         ->check(CLI::IsMember({"central-park-south", "grid"}))
         ->type_name("NAME");
     command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
+    addOverwriteOption(*command, options->overwrite);
     command->add_option("--buildings", options->grid.buildings, "grid: how many buildings")
         ->capture_default_str()
         ->check(CLI::Range(100, 50000))

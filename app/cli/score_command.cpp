@@ -30,12 +30,15 @@ Result<ScoreAnswer> answered(const ScoreOptions& options, const ProjectFile& dis
     if (!weights) return tl::make_unexpected(weights.error());
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
+    Provenance provenance = provenanceOf(project, &disk, {options.scenario, {}, settings->region, *weights});
+    const OutputRules rules = outputRulesOf(options.measure, project);
+    if (const auto may = checkOutputs(options.measure.out, scoreFileNames(provenance), rules); !may)
+        return tl::make_unexpected(may.error());
     const Interrupt interrupt;
     ProgressLine progress(console);
     auto score = runScore(city->city, *settings, *weights, progress, interrupt.token());
     if (!score) return tl::make_unexpected(score.error());
     putBefore(score->warnings, project.reading->warnings);
-    Provenance provenance = provenanceOf(project, &disk, {options.scenario, {}, settings->region, *weights});
     return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score),
                        std::move(provenance)};
 }
@@ -44,7 +47,8 @@ Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, 
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     const OffscreenQt qt;
-    return writeScoreFiles(answer, {city->city}, options.measure.out).map([](const auto&) {});
+    const OutputRules rules = outputRulesOf(options.measure, project);
+    return writeScoreFiles(answer, {city->city}, options.measure.out, rules).map([](const auto&) {});
 }
 
 void print(const ScoreAnswer& answer, std::ostream& out) {

@@ -19,7 +19,8 @@ namespace {
 tl::expected<Study, Failure> computed(const StudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    auto asked = askedStudy(options, progress, interrupt.token());
+    auto asked = askedStudy(options, studyFileNames(options.settings, {.cellsCsv = options.cellsCsv}),
+                            progress, interrupt.token());
     if (!asked) return tl::make_unexpected(asked.error());
     auto study = orCode(runStudy(asked->loaded.read.city, asked->settings, progress, interrupt.token(),
                                  enginesWith(asked->settings.engine)),
@@ -30,7 +31,9 @@ tl::expected<Study, Failure> computed(const StudyOptions& options, const Console
 
 Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const StudyOptions& options) {
     const OffscreenQt qt;
-    return writeStudyFiles(study, options.out, {.cellsCsv = options.cellsCsv});
+    return writeStudyFiles(
+        study, options.out,
+        {.cellsCsv = options.cellsCsv, .rules = outputRulesOf(options, study.provenance.inputs)});
 }
 
 int runStudyCommand(const StudyOptions& options, const Console& console) {

@@ -5,6 +5,7 @@
 
 #include "app/cli/engine_options.h"
 #include "app/cli/number_range.h"
+#include "app/cli/overwrite_option.h"
 #include "app/cli/project/project_question.h"
 #include "core/receivers/roof_receivers.h"
 
@@ -81,6 +82,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
     command.add_option("--out", options.out, "Folder for the maps, the report and study.json")
         ->required()
         ->type_name("DIR");
+    addOverwriteOption(command, options.overwrite);
     command.add_flag("--json", options.json, "study.json on standard output, nothing else");
 }
 

@@ -17,6 +17,7 @@ struct StudyOptions {
     std::string periodName;  ///< of a project; else `period`
     std::string region;
     std::string out;
+    bool overwrite = false;
     StudySettings settings;  ///< what needs no city and no second look
     bool json = false;
     bool cellsCsv = false;

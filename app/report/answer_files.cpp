@@ -38,10 +38,19 @@ std::string regionFileOf(const Region& region, const Provenance& provenance, con
     return needsRegionFile(provenance) ? regionGeoJson(region, frame) : std::string();
 }
 
+std::vector<std::string> namesOf(const std::string& answer, bool region) {
+    std::vector<std::string> names;
+    for (const char* ending : {".tif", ".png", ".pdf", ".json", ".csv"}) names.push_back(answer + ending);
+    if (region) names.emplace_back(regionFileName);
+    return names;
+}
+
 Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid, const Frame& frame,
-                 const std::vector<RasterBand>& bands, const Path& folder) {
+                 const std::vector<RasterBand>& bands, const Path& folder, const OutputRules& rules) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
-    OutputFolder files(folder);
+    if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty()), rules); !may)
+        return tl::make_unexpected(may.error());
+    OutputFolder files(folder, rules);
     files.add(texts.name + ".tif",
               [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
     files.add(texts.name + ".png",
@@ -56,22 +65,31 @@ Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid,
 }  // namespace
 
 Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
-                       const Path& folder) {
+                       const Path& folder, const OutputRules& rules) {
     const Impact& impact = answer.study.total;
     const Frame& frame = source.city.frame;
     return writeFiles({"impact", impactJson(answer), impactCsv(answer),
                        regionFileOf(answer.settings.study.region, answer.provenance, frame),
                        provenanceTags(answer.provenance)},
-                      sheetOf(answer, source, scale), impact.grid, frame, bandsOf(impact), folder);
+                      sheetOf(answer, source, scale), impact.grid, frame, bandsOf(impact), folder, rules);
 }
 
-Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder) {
+Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
+                      const OutputRules& rules) {
     const Score& score = answer.score;
     const Frame& frame = source.city.frame;
     return writeFiles(
         {"score", scoreJson(answer), scoreCsv(answer),
          regionFileOf(answer.settings.region, answer.provenance, frame), provenanceTags(answer.provenance)},
-        sheetOf(answer, source), score.grid, frame, {{"shadow score", "", &score.score}}, folder);
+        sheetOf(answer, source), score.grid, frame, {{"shadow score", "", &score.score}}, folder, rules);
+}
+
+std::vector<std::string> impactFileNames(const Provenance& provenance) {
+    return namesOf("impact", needsRegionFile(provenance));
+}
+
+std::vector<std::string> scoreFileNames(const Provenance& provenance) {
+    return namesOf("score", needsRegionFile(provenance));
 }
 
 }  // namespace noonmark

@@ -43,8 +43,8 @@ Result<void> prepareFolder(const std::filesystem::path& folder) {
     return {};
 }
 
-OutputFolder::OutputFolder(const std::filesystem::path& folder)
-    : folder_(folder), state_(prepareFolder(folder)) {}
+OutputFolder::OutputFolder(const std::filesystem::path& folder, OutputRules rules)
+    : folder_(folder), rules_(std::move(rules)), state_(prepareFolder(folder)) {}
 
 void OutputFolder::add(const std::string& name, const WriteContent& write) {
     add(name, [&](const std::filesystem::path& file) { return writeWhole(file, write); });
@@ -53,7 +53,7 @@ void OutputFolder::add(const std::string& name, const WriteContent& write) {
 void OutputFolder::add(const std::string& name,
                        const std::function<Result<void>(const std::filesystem::path&)>& write) {
     if (!state_) return;
-    state_ = write(folder_ / name);
+    state_ = checkOutputs(folder_, {name}, rules_).and_then([&] { return write(folder_ / name); });
     if (state_) files_.push_back(folder_ / name);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/check_output.h"
 #include "core/result.h"
 
 namespace noonmark {
@@ -21,10 +22,11 @@ WriteContent textContent(std::string content);
 Result<void> prepareFolder(const std::filesystem::path& folder);
 
 /// The files of one piece of work, one after the other, into a folder that is made when missing. Each is
-/// whole or not there: written beside its place, then renamed. After the first error nothing more is written.
+/// whole or not there: written beside its place, then renamed; what lies there is replaced only where
+/// checkOutput allows it. After the first error nothing more is written.
 class OutputFolder {
 public:
-    explicit OutputFolder(const std::filesystem::path& folder);
+    explicit OutputFolder(const std::filesystem::path& folder, OutputRules rules = {});
 
     void add(const std::string& name, const WriteContent& write);
     /// For what writes files by itself.
@@ -35,6 +37,7 @@ public:
 
 private:
     std::filesystem::path folder_;
+    OutputRules rules_;
     std::vector<std::filesystem::path> files_;
     Result<void> state_;
 };

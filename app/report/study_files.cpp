@@ -46,11 +46,22 @@ Result<void> writeContributions(const Study& study, const std::filesystem::path&
 
 }  // namespace
 
+std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options) {
+    std::vector<std::string> names{"shadow.tif", "shadow.png", "report.pdf", "study.json"};
+    if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.csv"});
+    if (settings.contributions) names.insert(names.end(), {"contributions.csv", "contributions.gpkg"});
+    if (options.cellsCsv) names.emplace_back("cells.csv");
+    return names;
+}
+
 Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
                                                            const std::filesystem::path& folder,
                                                            const StudyFileOptions& options) {
     if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
-    OutputFolder files(folder);
+    std::vector<std::string> names = studyFileNames(study.settings, options);
+    if (needsRegionFile(study)) names.emplace_back(regionFileName);
+    if (auto may = checkOutputs(folder, names, options.rules); !may) return tl::make_unexpected(may.error());
+    OutputFolder files(folder, options.rules);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
     files.add("shadow.png", [&](QIODevice& device) {
         return writePng(mapPicture(study, ShadowMeasure::gross), provenanceTags(study.provenance), device);

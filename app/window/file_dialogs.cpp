@@ -58,4 +58,13 @@ QString askForFolder(QWidget* parent, const QString& title) {
     return QFileDialog::getExistingDirectory(parent, title);
 }
 
+bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files) {
+    if (files.isEmpty()) return true;
+    const auto answer =
+        QMessageBox::question(parent, tr("Export"),
+                              tr("%1 holds these files already: %2. Replace them?")
+                                  .arg(QFileInfo(folder).fileName(), files.join(QStringLiteral(", "))));
+    return answer == QMessageBox::Yes;
+}
+
 }  // namespace noonmark

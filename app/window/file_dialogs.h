@@ -14,4 +14,7 @@ QString askForRegion(QWidget* parent);
 QString askForPicture(QWidget* parent);  ///< always with an ending
 QString askForFolder(QWidget* parent, const QString& title);
 
+/// Whether files that lie in a folder already may be replaced; true where there are none.
+bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);
+
 }  // namespace noonmark

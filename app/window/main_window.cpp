@@ -214,6 +214,8 @@ void MainWindow::showDocument() {
 
 void MainWindow::savePicture(const QString& file) {
     if (file.isEmpty()) return;
+    if (const auto may = checkOutput(file.toStdString(), OutputKind::picture, workbench_.exportRules()); !may)
+        return panel_->messages().showError(may.error());
     const ProjectSession& session = workbench_.session();
     QString title = tr("%1: %2").arg(projectName(), QString::fromStdString(session.scenario()));
     if (!session.baseline().empty())

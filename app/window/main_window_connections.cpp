@@ -64,7 +64,9 @@ void MainWindow::connectFileMenu() {
                                workbench_.shown() != Workbench::Shown::savedResult;
         const QString folder =
             something ? askForFolder(this, tr("%1 into a folder").arg(exportWords())) : QStringLiteral(".");
-        if (!folder.isEmpty()) workbench_.exportShown(folder.toStdString(), panel_->legend().changeScale());
+        if (folder.isEmpty()) return;
+        if (mayReplace(this, folder, workbench_.filesInTheWay(folder.toStdString())))
+            workbench_.exportShown(folder.toStdString(), panel_->legend().changeScale());
     });
     connect(menus_.quit, &QAction::triggered, this, &QWidget::close);
 }

@@ -3,9 +3,11 @@
 #include <QFileInfo>
 #include <limits>
 
+#include "app/input/output_rules.h"
 #include "app/report/answer_files.h"
 #include "app/report/study_files.h"
 #include "app/window/project/answer_origin.h"
+#include "core/study/region_text.h"
 
 namespace noonmark {
 
@@ -149,16 +151,39 @@ Workbench::Shown Workbench::shown() const {
 Workbench::Write Workbench::whatToWrite(const ChangeScale& scale) const {
     const AnswerOrigin origin(session_);
     if (score_)
-        return [score = score_, origin, city = session_.city()](const auto& folder) {
-            return writeScoreFiles(origin.stated(*score), {*city}, folder);
+        return [score = score_, origin, city = session_.city(), rules = exportRules()](const auto& folder) {
+            return writeScoreFiles(origin.stated(*score), {*city}, folder, rules);
         };
     if (comparison_)
-        return [comparison = comparison_, origin, city = session_.city(), scale](const auto& folder) {
-            return writeImpactFiles(origin.stated(*comparison), {*city}, scale, folder);
+        return [comparison = comparison_, origin, city = session_.city(), scale,
+                rules = exportRules()](const auto& folder) {
+            return writeImpactFiles(origin.stated(*comparison), {*city}, scale, folder, rules);
         };
-    return [study = study_, origin](const auto& folder) {
-        return writeStudyFiles(origin.stated(*study), folder, {.cellsCsv = true});
+    return [study = study_, origin, rules = exportRules()](const auto& folder) {
+        return writeStudyFiles(origin.stated(*study), folder, {.cellsCsv = true, .rules = rules});
     };
+}
+
+OutputRules Workbench::exportRules() const {
+    std::vector<std::string> named;
+    if (session_.file()) named.push_back(session_.file()->path().string());
+    return outputRules(named, session_.project().inputs, true);
+}
+
+// Whether region.geojson is among them is known when the region is stated: it is asked about in any case.
+QStringList Workbench::filesInTheWay(const std::filesystem::path& folder) const {
+    Provenance anyRegion;
+    anyRegion.region = regionFileName;
+    std::vector<std::string> names;
+    if (shown() == Shown::score) names = scoreFileNames(anyRegion);
+    if (shown() == Shown::comparison) names = impactFileNames(anyRegion);
+    if (shown() == Shown::study) {
+        names = studyFileNames(study_->settings, {.cellsCsv = true});
+        names.emplace_back(regionFileName);
+    }
+    QStringList there;
+    for (const std::string& name : existingOutputs(folder, names)) there << QString::fromStdString(name);
+    return there;
 }
 
 void Workbench::exportShown(const std::filesystem::path& folder, const ChangeScale& scale) {

@@ -14,6 +14,7 @@
 #include "app/window/project/shown_result.h"
 #include "app/window/run_estimate.h"
 #include "app/window/study_document.h"
+#include "core/io/check_output.h"
 #include "scenarios/impact/impact_text.h"
 #include "scenarios/weights/score_text.h"
 
@@ -46,7 +47,13 @@ public:
     /// not exported: the project file is its file.
     enum class Shown { nothing, study, comparison, score, savedResult };
     [[nodiscard]] Shown shown() const;
+    /// Files that lie there are replaced as exportRules() allow; ask before: filesInTheWay().
     void exportShown(const std::filesystem::path& folder, const ChangeScale& scale);
+    /// The names of files in the folder that exportShown() may replace.
+    [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder) const;
+    /// What an output may be written over, after the user was asked: never the files of the city that is
+    /// open, nor its project.
+    [[nodiscard]] OutputRules exportRules() const;
     /// Scores the scenario that is shown with a weight table of the project, by the document's question. The
     /// answer before stays until then.
     void runScore(const std::string& weights);

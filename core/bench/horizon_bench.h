@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/accumulate/engine_list.h"
 #include "core/bench/bench_report.h"
 #include "core/bench/extent.h"
@@ -13,5 +15,9 @@ namespace noonmark::bench {
 /// in paperBench.
 Result<BenchReport> horizonBench(const BenchSite& site, const Extent& extent, const EngineList& engines,
                                  Progress& progress, const std::stop_token& stop);
+
+/// The keys of its findings, in their order.
+inline constexpr std::array horizonBenchKeys{"horizon_year", "projected_day", "horizon_edits", "day_edits",
+                                             "horizon_scale"};
 
 }  // namespace noonmark::bench

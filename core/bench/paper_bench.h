@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/accumulate/engine_list.h"
 #include "core/bench/bench_report.h"
 #include "core/bench/extent.h"
@@ -13,5 +15,10 @@ namespace noonmark::bench {
 /// after a stop request.
 Result<BenchReport> paperBench(const BenchSite& site, const Extent& extent, const EngineList& engines,
                                Progress& progress, const std::stop_token& stop);
+
+/// The keys of its findings, in their order.
+inline constexpr std::array paperBenchKeys{"time_against_error", "time_by_days",         "engine_times",
+                                           "time_by_resolution", "memory_by_resolution", "level_error",
+                                           "graph_error",        "graph_bound",          "sun_linearity"};
 
 }  // namespace noonmark::bench

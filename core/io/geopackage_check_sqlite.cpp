@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/io/geopackage_check.h"
 
@@ -18,6 +20,13 @@ struct EndStatement {
 };
 using OpenFile = std::unique_ptr<sqlite3, CloseDatabase>;
 using Query = std::unique_ptr<sqlite3_stmt, EndStatement>;
+
+bool isDatabase(const std::filesystem::path& file) {
+    constexpr std::string_view magic("SQLite format 3\0", 16);
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(magic.size(), '\0');
+    return stream.read(head.data(), std::streamsize(head.size())) && head == magic;
+}
 
 // In a URI, as SQLite reads it.
 std::string escaped(const std::string& path) {
@@ -61,6 +70,8 @@ constexpr const char* standardTables =
     "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
     "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
     "AND (name LIKE 'gpkg%' OR name LIKE 'sqlite%' OR name LIKE 'ogr%')";
+constexpr const char* projectTable =
+    "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'noonmark' COLLATE NOCASE";
 constexpr const char* listedTables =
     "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
     "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
@@ -75,6 +86,17 @@ bool isBeingWritten(const std::filesystem::path& database) {
         if (!error && bytes > 0) return true;
     }
     return false;
+}
+
+Result<bool> holdsProject(const std::filesystem::path& file) {
+    if (!isDatabase(file)) return false;
+    const OpenFile database = opened(file);
+    const Query query = database ? prepared(database, projectTable) : Query();
+    const int step = query ? sqlite3_step(query.get()) : SQLITE_CANTOPEN;
+    if (step == SQLITE_ROW || step == SQLITE_DONE) return step == SQLITE_ROW;
+    return failure(fmt::format("It cannot be told whether this is a Noonmark project ({})",
+                               database ? sqlite3_errmsg(database.get()) : "the database cannot be opened"),
+                   file.string(), "Close it in other programs, or name another file");
 }
 
 Result<void> checkGeoPackage(const std::filesystem::path& file) {

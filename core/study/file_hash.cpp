@@ -1,7 +1,7 @@
-#include <cctype>
 #include <fstream>
 #include <system_error>
 
+#include "core/io/companion_files.h"
 #include "core/study/provenance.h"
 #include "core/study/sha256.h"
 
@@ -16,15 +16,6 @@ std::string sha256Of(std::istream& file) {
     while (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0)
         sum.add(piece.data(), std::size_t(file.gcount()));
     return file.bad() ? std::string() : sum.hex();
-}
-
-std::vector<std::string> companionsOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& letter : extension) letter = char(std::tolower(static_cast<unsigned char>(letter)));
-    if (extension == ".shp") return {".dbf", ".shx", ".prj", ".cpg"};
-    if (extension == ".gltf") return {".bin"};
-    if (extension == ".asc" || extension == ".tif" || extension == ".tiff") return {".prj", ".tfw"};
-    return {};
 }
 
 }  // namespace
@@ -43,8 +34,8 @@ Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path) {
     auto main = inputFile(path);
     if (!main) return tl::make_unexpected(main.error());
     std::vector<InputFile> files{*std::move(main)};
-    for (const std::string& extension : companionsOf(path)) {
-        auto companion = inputFile(std::filesystem::path(path).replace_extension(extension));
+    for (const std::filesystem::path& name : companionFiles(path)) {
+        auto companion = inputFile(name);
         if (companion) files.push_back(*std::move(companion));
     }
     return files;

@@ -17,8 +17,8 @@ struct InputFile {
 };
 Result<InputFile> inputFile(const std::filesystem::path& path);
 
-/// The file, and the files that are read along with it: .dbf, .shx, .prj and .cpg of a shapefile, .bin of a
-/// glTF, .prj and .tfw of a raster. Those that are not there are left out; `path` itself must be there.
+/// The file and its companions (companionFiles). Companions that are not there are left out; `path` itself
+/// must be there.
 Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path);
 
 /// The city of a scenario as an output names it: core knows no edits, only their words.

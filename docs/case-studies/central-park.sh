@@ -10,7 +10,7 @@ towers=("One57" "432 Park Avenue" "111 West 57th Street" "Central Park Tower" "2
         "53 West 53rd Street" "520 Park Avenue")
 
 mkdir -p "$out"
-"$cli" project new "$project" sample:central-park-south --replace
+"$cli" project new "$project" sample:central-park-south --overwrite
 # The city without the seven, and the same without Time Warner Center.
 "$cli" project add-scenario "$project" "Before"
 "$cli" project demolish "$project" "${towers[@]}" --scenario "Before"
@@ -23,7 +23,7 @@ mkdir -p "$out"
 impact() {  # season, start, from, to, folder
     printf '\n== %s: %s -> %s\n' "$1" "$3" "$4"
     "$cli" impact "$project" --from "$3" --to "$4" --region Park --start "$2" --days 61 --at 08:00 --hours 8 \
-        --zone America/New_York --cell 2 --threshold 30 60 --by-building --out "$out/$5" --keep "$1: $4"
+        --zone America/New_York --cell 2 --threshold 30 60 --by-building --out "$out/$5" --overwrite --keep "$1: $4"
 }
 impact "November and December" 2026-11-01 "Before, without Time Warner Center" "Before" winter-time-warner
 impact "November and December" 2026-11-01 "Before" "Existing" winter-towers

@@ -8,12 +8,12 @@ out=${1:-shade-and-shadow}
 project="$out/shade-and-shadow.noonmark.gpkg"
 
 mkdir -p "$out"
-"$cli" project new "$project" sample:central-park-south --replace \
+"$cli" project new "$project" sample:central-park-south --overwrite \
     --region "Midtown=-73.9837,40.7608,-73.9779,40.7652" \
     --region "Upper West Side=-73.9847,40.7711,-73.9788,40.7756" \
     --region "Upper East Side=-73.9698,40.7648,-73.9639,40.7693"
 for region in "Park" "Midtown" "Upper West Side" "Upper East Side"; do
     printf '\n== %s\n' "$region"
     "$cli" score "$project" --weights default --region "$region" --start 2026-01-01 --days 365 --at 08:00 --hours 8 \
-        --zone America/New_York --cell 2 --out "$out/$region" --keep "$region"
+        --zone America/New_York --cell 2 --out "$out/$region" --overwrite --keep "$region"
 done

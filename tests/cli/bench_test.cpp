@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,6 +33,11 @@ TEST(BenchFiles, holdTablesChartsAndTheSummary) {
     const OffscreenQt qt;
     const auto files = writeBenchFiles(*report, folder.path("out"));
     ASSERT_TRUE(files) << files.error().text();
+    std::vector<std::string> names;
+    for (const auto& file : *files) names.push_back(file.filename().string());
+    EXPECT_THAT(names, testing::UnorderedElementsAreArray(benchFileNames(bench::paperBenchKeys)));
+    EXPECT_FALSE(writeBenchFiles(*report, folder.path("out"))) << "what is there is not replaced unasked";
+    EXPECT_TRUE(writeBenchFiles(*report, folder.path("out"), {{}, true}));
     EXPECT_EQ(files->size(), report->findings.size() + 2);
     EXPECT_TRUE(contentOf(folder.path("out") / "report.pdf").starts_with("%PDF"));
     EXPECT_EQ(nlohmann::json::parse(contentOf(folder.path("out") / "summary.json")).size(), 9U);
@@ -48,6 +54,12 @@ TEST(BenchCommand, refusesWhatItCannotUse) {
     EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", out, "--zone", "Mars/Olympus"}).code, exitUsage);
     EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", out, "--city", "/no/such.gpkg"}).code, exitUsage);
     EXPECT_EQ(noonmarkCli({"bench", "paper", "--out", "/proc/no/such"}).code, exitFailed);
+    const std::string earlier = folder.path("earlier").string();
+    std::filesystem::create_directory(earlier);
+    std::ofstream(folder.path("earlier/level_error.csv")) << "level,error_pct\n";
+    const Spoken refused = noonmarkCli({"bench", "paper", "--out", earlier});
+    EXPECT_EQ(refused.code, exitUsage);
+    EXPECT_THAT(refused.err, testing::HasSubstr("level_error.csv: There is a file of this name already"));
 }
 
 TEST(AxisScale, linearAxesEndOnRoundNumbers) {

@@ -47,8 +47,9 @@ protected:
     }
 
     Spoken measured(const std::string& command, const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{command,  file_, "--region", "Park",
-                                           "--cell", "10",  "--out",    folder_.path("out").string()};
+        std::vector<std::string> arguments{command,       file_,    "--region",
+                                           "Park",        "--cell", "10",
+                                           "--overwrite", "--out",  folder_.path("out").string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return noonmarkCli(arguments);
     }

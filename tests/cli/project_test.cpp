@@ -68,6 +68,14 @@ TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
                 HasSubstr("stands alone"));
 }
 
+TEST_F(ProjectCommand, IsKnownByWhatItHolds) {
+    const std::filesystem::path copy = folder_.path("another name.gpkg");
+    std::filesystem::copy_file(file_, copy);
+    const Spoken info = noonmarkCli({"info", copy.string(), "--json"});
+    ASSERT_EQ(info.code, 0) << info.err;
+    EXPECT_EQ(info.json()["format"], "Noonmark project");
+}
+
 TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
     ASSERT_EQ(project("demolish", {"520 Park Avenue", "--scenario", "A"}).code, 0);
@@ -91,7 +99,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
 }
 
 TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
-    EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 1);
+    EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 2);
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
                 HasSubstr("The existing city is not changed"));
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,

@@ -62,8 +62,8 @@ nlohmann::json jsonIn(const fs::path& file) {
     return nlohmann::json::parse(stream);
 }
 
-// Everything that is stated, but for how long it took, where the inputs lay, and whether the engine was chosen by
-// its name or picked.
+// Everything that is stated, but for how long it took, where the inputs lay, and whether the engine was
+// chosen by its name or picked.
 nlohmann::json figuresIn(const fs::path& file) {
     nlohmann::json json = jsonIn(file);
     for (const char* key : {"seconds", "accumulate_seconds", "mega_rays_per_s", "inputs", "engine",
@@ -85,7 +85,7 @@ protected:
     /// Runs a command with its inputs, then what it printed; expects the same figures. Returns the JSON.
     nlohmann::json repeated(Words words, const std::string& json, const std::vector<fs::path>& inputs) {
         const fs::path out = folder_.path("out");
-        const Spoken first = noonmarkCli(joined(std::move(words), {"--out", out.string()}));
+        const Spoken first = noonmarkCli(joined(std::move(words), {"--overwrite", "--out", out.string()}));
         EXPECT_EQ(first.code, 0) << first.err;
         if (first.code != 0) return {};
         const nlohmann::json answer = jsonIn(out / json);
@@ -290,8 +290,8 @@ TEST_F(Repeat, AScore) {
 
 TEST_F(Repeat, TheContentHashOutlastsASaveOfOtherThings) {
     const fs::path file = project();
-    const Words words =
-        inMarch({"study", file.string(), "--region", box, "--out", folder_.path("out").string(), "--json"});
+    const Words words = inMarch({"study", file.string(), "--region", box, "--out",
+                                 folder_.path("out").string(), "--overwrite", "--json"});
     const auto before = noonmarkCli(words).json();
     ASSERT_EQ(noonmarkCli({"project", "add-scenario", file.string(), "Unrelated"}).code, 0);
     const auto after = noonmarkCli(words).json();

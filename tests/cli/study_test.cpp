@@ -30,15 +30,16 @@ std::string contentOf(const std::filesystem::path& file) {
 class StudyCommand : public testing::Test {
 protected:
     Spoken study(const std::vector<std::string>& more) {
-        std::vector<std::string> arguments{"study",    city.string(),
-                                           "--start",  "2026-03-21",
-                                           "--from",   "09:00",
-                                           "--hours",  "6",
-                                           "--step",   "10",
-                                           "--zone",   "America/New_York",
-                                           "--region", "-73.9845,40.7527,-73.9826,40.7537",
-                                           "--cell",   "2",
-                                           "--out",    out.string()};
+        std::vector<std::string> arguments{"study",      city.string(),
+                                           "--start",    "2026-03-21",
+                                           "--from",     "09:00",
+                                           "--hours",    "6",
+                                           "--step",     "10",
+                                           "--zone",     "America/New_York",
+                                           "--region",   "-73.9845,40.7527,-73.9826,40.7537",
+                                           "--cell",     "2",
+                                           "--out",      out.string(),
+                                           "--overwrite"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return noonmarkCli(arguments);
     }

@@ -1,8 +1,10 @@
 #include <memory>
 
+#include "app/cli/overwrite_option.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/save_city.h"
+#include "app/input/output_rules.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -13,12 +15,16 @@ struct ExportOptions {
     std::string file;
     std::string scenario;
     std::string out;
+    bool overwrite = false;
     bool json = false;
 };
 
 int runExport(const ExportOptions& options, const Console& console) {
     const auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
+    const OutputRules rules = outputRules({options.file}, disk->project().inputs, options.overwrite);
+    if (const auto may = checkOutput(options.out, OutputKind::geoPackage, rules); !may)
+        return fail(console, may.error(), exitUsage);
     const auto city = cityOf(disk->project(), options.scenario);
     if (!city) return fail(console, city.error(), exitUsage);
     return saveCity(city->city, options.out, options.json, console);
@@ -35,6 +41,7 @@ void addProjectExport(CLI::App& project, Run& run) {
         ->default_val(existingCity)
         ->type_name("NAME");
     command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
+    addOverwriteOption(*command, options->overwrite);
     command->add_flag("--json", options->json, "Say what was written as JSON");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runExport(*options, console); };

@@ -6,6 +6,7 @@
 #include "app/cli/load_city.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
+#include "app/input/output_rules.h"
 #include "app/input/project_of.h"
 #include "core/io/read_region.h"
 #include "scenarios/project/project_file.h"
@@ -19,7 +20,7 @@ struct NewOptions {
     ReadOptions read;
     std::vector<std::string> regions;  // NAME=W,S,E,N or NAME=FILE
     std::vector<std::string> lots;
-    bool replace = false;
+    bool overwrite = false;
 };
 
 // "Park=park.geojson" as a region of that name.
@@ -61,14 +62,24 @@ Result<Project> projectFrom(const NewOptions& options, const LoadedCity& loaded)
         .map([&] { return std::move(project); });
 }
 
+// The city's files, and those of the places: "Park=park.geojson".
+OutputRules rulesOf(const NewOptions& options) {
+    OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
+    for (const auto* places : {&options.regions, &options.lots})
+        for (const std::string& place : *places) addPlace(rules, place.substr(place.find('=') + 1));
+    return rules;
+}
+
 int runNew(const NewOptions& options, const Console& console) {
+    if (const auto may = checkOutput(options.file, OutputKind::project, rulesOf(options)); !may)
+        return fail(console, may.error(), exitUsage);
     const auto loaded = loadCity(options.read, console);
     if (!loaded) return fail(console, loaded.error(), exitUsage);
     const auto project = projectFrom(options, *loaded);
     if (!project) return fail(console, project.error(), exitUsage);
     const auto made =
         ProjectFile::create(options.file, *project,
-                            options.replace ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
+                            options.overwrite ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
     if (!made) return fail(console, made.error(), exitFailed);
     console.out << fmt::format("{}: {} buildings, {} regions, {} lots\n", options.file,
                                withCommas(project->city->buildings.size()), project->regions.size(),
@@ -90,7 +101,9 @@ void addProjectNew(CLI::App& project, Run& run) {
         ->type_name("NAME=W,S,E,N|FILE");
     command->add_option("--lot", options->lots, "Ground to build on; any number")
         ->type_name("NAME=W,S,E,N|FILE");
-    command->add_flag("--replace", options->replace, "Write over a file of this name");
+    command->add_flag(
+        "--overwrite,--replace", options->overwrite,
+        "Replace the project of this name with all its scenarios; never an input or another file");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runNew(*options, console); }; });
 }

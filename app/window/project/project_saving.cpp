@@ -4,6 +4,7 @@
 #include <mutex>
 #include <utility>
 
+#include "app/input/output_rules.h"
 #include "app/window/project/project_session.h"
 
 namespace noonmark {
@@ -75,7 +76,9 @@ void ProjectSaving::save() {
 void ProjectSaving::saveAs(const fs::path& file) {
     if (writing_.busy()) return void(next_ = [this, file] { saveAs(file); });
     write(file, [file, project = session_.withView(view_())]() -> Result<ProjectFile> {
-        return ProjectFile::create(file, project, ProjectFile::IfThere::replace);
+        return checkOutput(file, OutputKind::project, outputRules({}, project.inputs, true)).and_then([&] {
+            return ProjectFile::create(file, project, ProjectFile::IfThere::replace);
+        });
     });
 }
 

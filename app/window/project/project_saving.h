@@ -27,7 +27,7 @@ public:
                   QObject* parent = nullptr);
 
     void save();                                     ///< only where the session has a file
-    void saveAs(const std::filesystem::path& file);  ///< writes over what is there
+    void saveAs(const std::filesystem::path& file);  ///< over a project, never another file
     /// What is not saved, now; as the timer does `autosaveMs` after a change. A recovery file of an earlier
     /// run is moved aside, not written over.
     void keepUnsaved();
