@@ -1,10 +1,13 @@
 #include "app/input/load_project.h"
 
+#include "core/io/geopackage_check.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {
 
-bool isProjectFile(const std::string& file) { return file.ends_with(projectEnding); }
+bool isProjectFile(const std::string& file) {
+    return file.ends_with(projectEnding) || holdsProject(file).value_or(false);
+}
 
 LoadedCity loadedFrom(const Project& project, const std::string& file) {
     LoadedCity loaded;

@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// Whether it is a project file, by its ending.
+/// Whether it is a project file, by its ending or by what it holds. Looks into databases only.
 bool isProjectFile(const std::string& file);
 
 /// The project's city as it stands, with what was noted when it was read from its files. `file`: the
