@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/city/plausible_heights.h"
 #include "core/io/height_text.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double tallestM = 1200;
 constexpr double mostLevels = 300;
-constexpr double lowestGroundM = -500;
-constexpr double highestGroundM = 9000;
 
 // Reads one feature's values; holds what all of its steps need.
 class Reader {
@@ -76,21 +74,21 @@ private:
 
     std::optional<Found> measured() {
         return first(
-            FieldRole::height, [](double m) { return m > 0 && m <= tallestM; },
+            FieldRole::height, [](double m) { return m > 0 && m <= tallestBuildingM; },
             "a height that cannot be read; the next best source stands in",
-            "a height of zero or less, or over 1,200 m; the next best source stands in");
+            "a height of zero or less, or over 2,000 m; the next best source stands in");
     }
     std::optional<Found> overGround(const std::optional<Found>& groundM) {
         const auto top = first(
             FieldRole::topElevation,
-            [](double m) { return m >= lowestGroundM && m <= highestGroundM + tallestM; },
+            [](double m) { return m >= lowestLandM && m <= highestLandM + tallestBuildingM; },
             "a roof's elevation that cannot be read; the next best source stands in",
-            "a roof's elevation below -500 m or over 10,200 m; the next best source stands in");
+            "a roof's elevation below -500 m or over 11,000 m; the next best source stands in");
         if (!top || !groundM) return std::nullopt;
         const double heightM = top->number - groundM->number;
         const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
-        if (heightM > 0 && heightM <= tallestM) return Found{heightM, origin};
-        warn("a roof that is not above its ground, or over 1,200 m; the next best source stands in",
+        if (heightM > 0 && heightM <= tallestBuildingM) return Found{heightM, origin};
+        warn("a roof that is not above its ground, or over 2,000 m; the next best source stands in",
              fmt::format("{}: {} = {:g} m", id_, origin, heightM));
         return std::nullopt;
     }
@@ -110,7 +108,7 @@ private:
         Warnings unheard;  // a roof's odd height matters to nobody
         Reader quiet(values_, rules_, id_, unheard);
         const auto height = quiet.first(
-            FieldRole::roofHeight, [](double m) { return m >= 0 && m < tallestM / 2; }, "", "");
+            FieldRole::roofHeight, [](double m) { return m >= 0 && m < tallestBuildingM / 2; }, "", "");
         if (height) return height->number;
         const auto storeys = quiet.levels(FieldRole::roofLevels);
         return storeys ? storeys->number * rules_.metresPerLevel : 0;
@@ -133,9 +131,9 @@ private:
 
     std::optional<double> underside() {
         const auto height = first(
-            FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestM; },
+            FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestBuildingM; },
             "a min_height that cannot be read; it is left out",
-            "a min_height below the ground or over 1,200 m; it is left out");
+            "a min_height below the ground or over 2,000 m; it is left out");
         if (height) return height->number;
         const auto storeys = levels(FieldRole::minLevel);
         if (!storeys) return std::nullopt;
@@ -164,7 +162,7 @@ private:
 
     std::optional<Found> ground() {
         return first(
-            FieldRole::groundElevation, [](double m) { return m >= lowestGroundM && m <= highestGroundM; },
+            FieldRole::groundElevation, [](double m) { return m >= lowestLandM && m <= highestLandM; },
             "a ground elevation that cannot be read; it is left out",
             "a ground elevation below -500 m or over 9,000 m; it is left out");
     }

@@ -37,7 +37,7 @@ constexpr double canopyThicknessM = 0.5;
 /// Height: the first height field that holds one; else the roof's elevation over the ground's; else storeys
 /// (and the roof's own height) x metres a storey; else the default, for a canopy (`canopy`: building=roof)
 /// one storey. The underside: min_height, else storeys below; else 0. Zero, negative and absurd heights (over
-/// 1,200 m) count as none. Where the underside is not below the top, a measured height is drawn from the
+/// 2,000 m) count as none. Where the underside is not below the top, a measured height is drawn from the
 /// ground, and a guessed one is put on the underside. Every value that was not taken as written is a warning
 /// (but see byDefault).
 HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/io/file_kind.h"
+#include "core/io/implausible_buildings.h"
 #include "core/io/place_advice.h"
 #include "core/io/read_part.h"
 #include "core/io/stand_on_terrain.h"
@@ -69,6 +70,8 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
         ProgressShare share(progress, i, turns.size());
         auto piece = readPiece(*turns[i], settings, share, stop);
         if (!piece) return tl::make_unexpected(piece.error());
+        if (auto some = leaveOutImplausible(turns[i]->path.filename().string(), *piece); !some)
+            return tl::make_unexpected(some.error());
         if (!settings.frame) settings.frame = piece->frame;
         turns[i]->piece = *std::move(piece);
     }

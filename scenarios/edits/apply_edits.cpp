@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/city/building_ground.h"
+#include "core/city/plausible_heights.h"
 #include "core/io/stand_on_terrain.h"
 
 namespace noonmark {
@@ -46,7 +47,11 @@ public:
         if (!(scale >= 0.001 && scale <= 1000))
             return failure(fmt::format("A mesh cannot be scaled by {:g}", scale), edit.file,
                            "Give a scale of 0.001 to 1000");
-        return add(placed(*edit.shape, edit.placement));
+        const Building there = placed(*edit.shape, edit.placement);
+        if (double(topM(there)) > tallestBuildingM)
+            return failure(fmt::format("The building would be {:.0f} m high", topM(there)), edit.file,
+                           fmt::format("Give a smaller scale: at most {:g} m are allowed", tallestBuildingM));
+        return add(there);
     }
 
     Result<void> operator()(const ChangeHeight& edit) {

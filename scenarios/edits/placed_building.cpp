@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/city/plausible_heights.h"
 #include "core/city/repair_footprint.h"
 
 namespace noonmark {
@@ -121,7 +122,7 @@ Building lifted(Building building, double byM) {
 }
 
 Result<Building> withHeight(const Building& building, double groundM, double heightM) {
-    if (!(heightM >= 0.1 && heightM <= 2000))
+    if (!(heightM >= 0.1 && heightM <= tallestBuildingM))
         return failure(fmt::format("A building cannot be {:g} m high", heightM), building.sourceId,
                        "Give a height of 0.1 to 2000 m, or demolish it");
     const float oldTop = topM(building);

@@ -7,13 +7,13 @@
 
 #include "core/city/city.h"
 #include "core/city/mesh_topology.h"
+#include "core/city/plausible_heights.h"
 #include "scenarios/massing/floor_plate.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double highestM = 2000;
 constexpr double sameLevelM = 1e-6;
 
 tl::unexpected<Error> outOfRange(const std::string& what, double value, const char* advice) {
@@ -23,7 +23,7 @@ tl::unexpected<Error> outOfRange(const std::string& what, double value, const ch
 Result<void> checkSetbacks(const MassingSettings& settings, double fromM, double heightM) {
     double below = fromM;
     for (const Setback& setback : settings.setbacks) {
-        if (!(setback.insetM > 0 && setback.insetM <= highestM))
+        if (!(setback.insetM > 0 && setback.insetM <= tallestBuildingM))
             return outOfRange("A setback's depth in m", setback.insetM, "Give more than 0");
         if (!(setback.aboveM > below && setback.aboveM < heightM))
             return failure(
@@ -48,7 +48,7 @@ Result<Heights> heightsOf(const MassingSettings& settings) {
         return failure("The height is stated twice or not at all", "massing",
                        "Give either storeys or a total height");
     Heights heights{0, settings.storeys > 0 ? settings.storeys * settings.storeyHeightM : settings.heightM};
-    if (!(heights.topM >= settings.storeyHeightM && heights.topM <= highestM))
+    if (!(heights.topM >= settings.storeyHeightM && heights.topM <= tallestBuildingM))
         return outOfRange("A height in m", heights.topM, "Give at least one storey, and at most 2000 m");
     if (!settings.podium) return heights;
     heights.podiumM = settings.podium->storeys * settings.storeyHeightM;

@@ -7,12 +7,12 @@
 
 #include "core/city/floor_area.h"
 #include "core/city/mesh_outline.h"
+#include "core/city/plausible_heights.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double highestM = 2000;
 constexpr int mostStoreys = 500;
 
 Result<void> checked(const Footprint& lot, const GivenMass& given, double plateFactor) {
@@ -69,7 +69,7 @@ Result<Massing> sameFloorArea(const Footprint& lot, const GivenMass& given, doub
     const bool wider = plateFactor > 1;
     const double wanted = std::min(area(lot), areaOf(given.plate) * plateFactor);
     const int storeys = storeysFor(given.grossFloorM2, wanted, wider);
-    const int most = std::min(mostStoreys, int(highestM / given.storeyHeightM));
+    const int most = std::min(mostStoreys, int(tallestBuildingM / given.storeyHeightM));
     if (storeys > most)
         return failure(fmt::format("The tower would have {} storeys", storeys), "variant",
                        fmt::format("Give a floor plate of {:.0f} m2 or more: {} storeys",

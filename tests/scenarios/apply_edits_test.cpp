@@ -148,6 +148,8 @@ TEST(ApplyEdits, ErrorsNameTheEditAndWhatIsWrong) {
     EXPECT_THAT(errorOf(city, {ChangeHeight{"a", std::nan("")}}), HasSubstr("0.1 to 2000 m"));
     EXPECT_THAT(errorOf(city, {Move{"a", {std::nan(""), 0}}}), HasSubstr("cannot be moved"));
     EXPECT_THAT(errorOf(city, {ImportMesh{tower("m"), {.scale = 0}, "m.obj"}}), HasSubstr("0.001 to 1000"));
+    EXPECT_THAT(errorOf(city, {ImportMesh{tower("m"), {.scale = 900}, "m.obj"}}),
+                HasSubstr("at most 2000 m"));
 }
 
 TEST(BuildingIds, EveryBuildingGetsItsOwn) {

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/city/plausible_heights.h"
+
 namespace noonmark {
 
 namespace {
 
-constexpr double highestM = 2000;
 constexpr double leastSine = 0.1392;  // of 8 degrees
 
 }  // namespace
@@ -24,12 +25,12 @@ std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot) {
 }
 
 double wholeStoreys(double heightM, double storeyM) {
-    const double most = std::floor(highestM / storeyM + 1e-9);
+    const double most = std::floor(tallestBuildingM / storeyM + 1e-9);
     return std::clamp(std::round(heightM / storeyM), 1.0, most) * storeyM;
 }
 
 double freeHeight(double heightM, double storeyM) {
-    return std::clamp(std::round(heightM * 10) / 10, storeyM, highestM);
+    return std::clamp(std::round(heightM * 10) / 10, storeyM, tallestBuildingM);
 }
 
 }  // namespace noonmark

@@ -10,6 +10,7 @@
 #include "app/window/massing/setback_table.h"
 #include "app/window/massing/tower_draft.h"
 #include "app/window/number_fields.h"
+#include "core/city/plausible_heights.h"
 
 namespace noonmark {
 
@@ -17,7 +18,7 @@ MassingForm::MassingForm(QWidget* parent)
     : QWidget(parent),
       storeys_(wholeField(1, 500, {})),
       storeyHeight_(numberField(2, 10, 2, 0.1, tr(" m"))),
-      height_(numberField(2, 2000, 1, 3.5, tr(" m"))),
+      height_(numberField(2, tallestBuildingM, 1, 3.5, tr(" m"))),
       plate_(new PlateField),
       turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
       podium_(new QGroupBox(tr("Podium"))),

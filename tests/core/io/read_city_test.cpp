@@ -7,14 +7,17 @@
 #include "core/city/building_ground.h"
 #include "core/io/gdal_calls.h"
 #include "core/io/write_city.h"
+#include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/shared/box_obj.h"
 #include "tests/shared/growing_progress.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using tests::sizedRectangle;
 
@@ -114,9 +117,11 @@ TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
     tests::OsmText osm;
     osm.way(sizedRectangle(0, 0, 60, 60), {{"building", "yes"}, {"height", "40"}, {"name", "Hall"}});
     osm.way(sizedRectangle(0, 0, 60, 30), {{"building:part", "yes"}, {"height", "10"}});
-    osm.way(sizedRectangle(10, 5, 20, 20), {{"building:part", "yes"}, {"height", "40"}, {"min_height", "10"}});
+    osm.way(sizedRectangle(10, 5, 20, 20),
+            {{"building:part", "yes"}, {"height", "40"}, {"min_height", "10"}});
     osm.way(sizedRectangle(0, 30, 60, 30), {{"building:part", "yes"}, {"height", "22"}, {"min_height", "6"}});
-    osm.relation(sizedRectangle(100, 0, 40, 40), {sizedRectangle(110, 10, 20, 20)}, {{"building", "construction"}});
+    osm.relation(sizedRectangle(100, 0, 40, 40), {sizedRectangle(110, 10, 20, 20)},
+                 {{"building", "construction"}});
     osm.way(sizedRectangle(200, 0, 10, 10), {{"building", "roof"}, {"building:levels", "2"}});
     const City city = read({folder.file("a.osm", osm.xml())}).city;
     ASSERT_TRUE(writeCityGeoPackage(folder.path("a.gpkg"), city));
@@ -189,6 +194,31 @@ TEST_F(ReadCity, canBeStopped) {
     const auto result = readCity({osmFile("a.osm", 0)}, settings, quiet, stop.get_token());
     ASSERT_FALSE(result);
     EXPECT_TRUE(isCancelled(result.error()));
+}
+
+// One limit for what has a shape of its own, whatever file it comes in.
+TEST_F(ReadCity, LeavesOutShapesThatNoBuildingCanHave) {
+    tests::CityJsonMaker maker;
+    maker.addBuilding("tower", maker.boxSolid({0, 0, 0}, {30, 30, 1990}));
+    maker.addBuilding("needle", maker.boxSolid({50, 0, 0}, {60, 10, 2010}));
+    maker.addBuilding("orbit", maker.boxSolid({50, 50, 1e9}, {60, 60, 1e9 + 10}));
+    const CityRead city = read({folder.file("a.city.json", maker.document().dump())});
+    ASSERT_EQ(city.city.buildings.size(), 1U);
+    EXPECT_EQ(city.city.buildings[0]->sourceId, "tower");
+    std::vector<std::string> left;
+    for (const Warning& warning : city.warnings)
+        if (warning.kind == WarningKind::leftOut) left.push_back(warning.where + ": " + warning.what);
+    EXPECT_THAT(left, ElementsAre("a.city.json: needle: it is higher than 2,000 m",
+                                  "a.city.json: orbit: it lies more than 20 km below or above the ground"));
+}
+
+TEST_F(ReadCity, AMeshInMillimetresIsRefusedWithWhatToDo) {
+    settings.meshAnchor = LonLat{-73.98, 40.75};
+    EXPECT_THAT(errorOf({folder.file("mm.obj", tests::boxObj(10000, 12000, 30000))}),
+                HasSubstr("it is higher than 2,000 m"));
+    EXPECT_THAT(
+        errorOf({folder.file("huge.obj", "v 0 0 0\nv 1 0 0\nv 0 1e30 0\nv 1 1e30 0\nf 1 2 3\nf 2 4 3\n")}),
+        HasSubstr("No building can be used"));
 }
 
 }  // namespace
