@@ -4,6 +4,7 @@
 #include <exception>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 #include "app/cli/command.h"
 #include "core/version.h"
@@ -34,7 +35,19 @@ std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc
     return "There is no command '" + words + argv[next] + "'";
 }
 
+// The parser would take the next word for the value.
+std::string emptyOption(int argc, const char* const* argv) {
+    for (int i = 1; i < argc; ++i)
+        if (const std::string_view word = argv[i]; word.starts_with("--") && word.ends_with('='))
+            return std::string(word.substr(0, word.size() - 1));
+    return {};
+}
+
 int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv, const Console& console) {
+    if (const std::string option = emptyOption(argc, argv); !option.empty()) {
+        say(console, option + "= has no value (--help shows the options)");
+        return exitUsage;
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {  // --help, --version
@@ -44,6 +57,14 @@ int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv
         return exitUsage;
     }
     return run(console);
+}
+
+// What could not be written must not look like success to a script.
+int checkWritten(const Console& console, int code) {
+    console.out.flush();
+    if (console.out || code != exitOk) return code;
+    say(console, "The output could not be written to its end. Check that its disk has room");
+    return exitFailed;
 }
 
 }  // namespace
@@ -71,7 +92,7 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addScoreCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);
-        return parseAndRun(app, run, argc, argv, console);
+        return checkWritten(console, parseAndRun(app, run, argc, argv, console));
     } catch (const std::exception& error) {
         say(console, error.what());
         return exitFailed;

@@ -2,8 +2,6 @@
 
 #include <QFile>
 
-#include "core/io/pending_file.h"
-
 namespace noonmark {
 
 namespace {
@@ -13,14 +11,18 @@ Result<void> notWritten(const std::filesystem::path& file, const QString& why) {
                    "Choose a folder that you may write to, and check that its disk has room");
 }
 
-Result<void> writeWhole(const std::filesystem::path& file, const WriteContent& write) {
-    PendingFile pending(file);
-    QFile device(pending.path());
+// Writers of pictures and pages fail without a word of their own.
+QString reasonOf(const QFile& device) {
+    return device.error() == QFileDevice::NoError ? QStringLiteral("not all of it could be written")
+                                                  : device.errorString();
+}
+
+Result<void> writeContent(const std::filesystem::path& file, const WriteContent& write) {
+    QFile device(file);
     if (!device.open(QIODevice::WriteOnly)) return notWritten(file, device.errorString());
     const bool written = write(device) && device.flush();
-    if (!written || device.error() != QFileDevice::NoError) return notWritten(file, device.errorString());
-    device.close();
-    return pending.commit();
+    if (!written || device.error() != QFileDevice::NoError) return notWritten(file, reasonOf(device));
+    return {};
 }
 
 }  // namespace
@@ -47,17 +49,24 @@ OutputFolder::OutputFolder(const std::filesystem::path& folder, OutputRules rule
     : folder_(folder), rules_(std::move(rules)), state_(prepareFolder(folder)) {}
 
 void OutputFolder::add(const std::string& name, const WriteContent& write) {
-    add(name, [&](const std::filesystem::path& file) { return writeWhole(file, write); });
+    add(name, [&](const std::filesystem::path& file) { return writeContent(file, write); });
 }
 
 void OutputFolder::add(const std::string& name,
                        const std::function<Result<void>(const std::filesystem::path&)>& write) {
     if (!state_) return;
-    state_ = checkOutputs(folder_, {name}, rules_).and_then([&] { return write(folder_ / name); });
-    if (state_) files_.push_back(folder_ / name);
+    const PendingFile& pending = *pending_.emplace_back(std::make_unique<PendingFile>(folder_ / name));
+    state_ = checkOutputs(folder_, {name}, rules_).and_then([&] { return write(pending.path()); });
+    if (state_)
+        files_.push_back(folder_ / name);
+    else if (state_.error().where == pending.path())
+        state_.error().where = folder_ / name;
 }
 
 Result<std::vector<std::filesystem::path>> OutputFolder::result() && {
+    const auto finished = std::move(pending_);  // what gets no name is removed here
+    for (const auto& file : finished)
+        if (state_) state_ = file->commit();
     if (!state_) return tl::make_unexpected(std::move(state_).error());
     return std::move(files_);
 }

@@ -3,10 +3,12 @@
 #include <QIODevice>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/io/check_output.h"
+#include "core/io/pending_file.h"
 #include "core/result.h"
 
 namespace noonmark {
@@ -21,8 +23,8 @@ WriteContent textContent(std::string content);
 /// files come last.
 Result<void> prepareFolder(const std::filesystem::path& folder);
 
-/// The files of one piece of work, one after the other, into a folder that is made when missing. Each is
-/// whole or not there: written beside its place, then renamed; what lies there is replaced only where
+/// The files of one piece of work, in a folder that is made when missing: all of them or none. Each is
+/// written beside its place, and result() gives them their names; what lies there is replaced only where
 /// checkOutput allows it. After the first error nothing more is written.
 class OutputFolder {
 public:
@@ -32,13 +34,14 @@ public:
     /// For what writes files by itself.
     void add(const std::string& name, const std::function<Result<void>(const std::filesystem::path&)>& write);
 
-    /// The paths written, or the first error.
+    /// Gives the files their names: the paths written, or the first error.
     Result<std::vector<std::filesystem::path>> result() &&;
 
 private:
     std::filesystem::path folder_;
     OutputRules rules_;
     std::vector<std::filesystem::path> files_;
+    std::vector<std::unique_ptr<PendingFile>> pending_;
     Result<void> state_;
 };
 

@@ -75,7 +75,10 @@ std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField&
     FeatureValue value{
         field.meaning.role, field.name, trimmed(feature.GetFieldAsString(field.index)), {}, field.unit};
     if (value.text.empty()) return std::nullopt;
-    if (isNumber(feature.GetFieldDefnRef(field.index)->GetType()))
+    const OGRFieldDefn& definition = *feature.GetFieldDefnRef(field.index);
+    if (definition.GetSubType() == OFSTBoolean)
+        value.text = feature.GetFieldAsInteger(field.index) != 0 ? "true" : "false";
+    else if (isNumber(definition.GetType()))
         value.number = feature.GetFieldAsDouble(field.index);
     return value;
 }

@@ -108,6 +108,14 @@ std::string commonest(const Warnings& warnings) {
     return most == groups.end() ? "" : lineOf(*most);
 }
 
+// A PBF whose nodes do not lie in dense blocks cannot be told from a damaged one here.
+std::string adviceFor(const std::filesystem::path& file) {
+    if (file.extension() != ".pbf") return "Download or export it again";
+    return "Download it again; or, if its nodes are not stored densely, convert it: osmium cat OLD.osm.pbf "
+           "-o "
+           "NEW.osm.pbf";
+}
+
 // Reads all layers, one feature at a time.
 class FileReader {
 public:
@@ -155,7 +163,7 @@ private:
             if (!feature && stop_.stop_requested()) return cancelled();
             if (!feature && calls.failures() > failures)
                 return failure("It breaks off or is damaged (" + calls.complaints().back() + ")",
-                               file_.string(), "Download or export it again");
+                               file_.string(), adviceFor(file_));
             if (!feature) return {};
             reader.read(*feature, warnings);
             if (++features % 256 != 0) continue;

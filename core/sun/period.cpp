@@ -37,9 +37,10 @@ std::optional<Error> troubleWithHours(const Period& period) {
     if (period.from < 0min || period.from > 24h) {
         return Error{"The start of the day's hours is out of range", "from", "Give 00:00 to 24:00"};
     }
-    if (!within(period.hours, 0, 24)) {
+    constexpr double leastHours = 1.0 / 3600;
+    if (!within(period.hours, 0, 24) || (period.hours > 0 && period.hours < leastHours)) {
         return Error{fmt::format("{:g} hours a day are out of range", period.hours), "hours",
-                     "Give 0 (one instant) to 24"};
+                     "Give 0 (one instant), or a second (0.00028) to 24"};
     }
     return std::nullopt;
 }

@@ -45,6 +45,22 @@ TEST(Usage, helpAndVersionAreAnswers) {
     }
 }
 
+TEST(Usage, anEmptyValueDoesNotTakeTheNextWord) {
+    expectUsageError(study({"--name=", "--json"}), "--name= has no value");
+}
+
+// As where the disk that standard output goes to is full.
+TEST(Usage, outputThatCannotBeWrittenIsNoSuccess) {
+    struct Full : std::streambuf {
+        int_type overflow(int_type) override { return traits_type::eof(); }
+    } full;
+    std::ostream out(&full);
+    std::ostringstream err;
+    const char* words[] = {"noonmark-cli", "engines"};
+    EXPECT_EQ(runCommandLine(2, words, {out, err}), exitFailed);
+    EXPECT_THAT(err.str(), HasSubstr("could not be written"));
+}
+
 TEST(Usage, enginesNameTheirOptions) {
     const Spoken engines = noonmarkCli({"engines"});
     EXPECT_EQ(engines.code, exitOk);

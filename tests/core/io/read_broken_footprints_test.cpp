@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -33,7 +34,8 @@ std::string osmText() {
     tests::OsmText osm;
     osm.way(tests::sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
     osm.way(tests::sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
-    osm.relation(tests::sizedRectangle(60, 0, 40, 40), {tests::sizedRectangle(70, 10, 10, 10)}, {{"building", "yes"}});
+    osm.relation(tests::sizedRectangle(60, 0, 40, 40), {tests::sizedRectangle(70, 10, 10, 10)},
+                 {{"building", "yes"}});
     return osm.xml();
 }
 
@@ -48,6 +50,20 @@ TEST(ReadBrokenFootprints, cutShortAtEveryLength) {
     const std::string osm = osmText();
     for (std::size_t length = 0; length <= osm.size(); length += 41)
         readAndJudge(folder.file("cut.osm", osm.substr(0, length)));
+}
+
+TEST(ReadBrokenFootprints, trueIsNoHeight) {
+    const tests::TemporaryFolder folder;
+    std::string text(geoJson);
+    text.replace(text.find(R"("12 m")"), 6, "true");
+    NoProgress quiet;
+    const auto piece = readFootprints(folder.file("true.geojson", text), {}, quiet, {});
+    ASSERT_TRUE(piece) << piece.error().text();
+    EXPECT_EQ(piece->buildings.at(0)->parts.at(0).heightSource, HeightSource::levels);
+    const bool said = std::ranges::any_of(piece->warnings, [](const Warning& warning) {
+        return warning.where.find("height = \"true\"") != std::string::npos;
+    });
+    EXPECT_TRUE(said);
 }
 
 TEST(ReadBrokenFootprints, withBytesChanged) {

@@ -49,6 +49,7 @@ TEST(Period, saysWhichFieldIsOutOfRange) {
     EXPECT_EQ(fieldOfError([](Period& p) { p.from = 24h + 1min; }), "from");
     EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 24.1; }), "hours");
     EXPECT_EQ(fieldOfError([](Period& p) { p.hours = -1; }), "hours");
+    EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 1e-9; }), "hours");
     EXPECT_EQ(fieldOfError([=](Period& p) { p.hours = nan; }), "hours");
     EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 0; }), "step");
     EXPECT_EQ(fieldOfError([](Period& p) { p.stepMinutes = 241; }), "step");

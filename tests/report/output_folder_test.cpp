@@ -1,0 +1,59 @@
+#include "app/report/output_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "tests/core/io/temporary_folder.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::string> namesIn(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.push_back(entry.path().filename().string());
+    return names;
+}
+
+TEST(OutputFolder, writesAllOrNothing) {
+    const tests::TemporaryFolder folder;
+    OutputFolder files(folder.path("out"));
+    files.add("a.txt", textContent("a"));
+    files.add("b.txt", [](QIODevice&) { return false; });
+    files.add("c.txt", textContent("c"));
+    const auto written = std::move(files).result();
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().where, folder.path("out") / "b.txt");
+    EXPECT_THAT(written.error().text(), HasSubstr("not all of it could be written"));
+    OutputFolder again(folder.path("out"));
+    again.add("d.txt", textContent("d"));
+    EXPECT_TRUE(std::move(again).result());
+    EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"d.txt"});
+}
+
+// As on a disk that is full: no file may grow beyond 64 KiB.
+TEST(OutputFolderDeathTest, aFullDiskIsSaidAndLeavesNothing) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const tests::TemporaryFolder folder;
+    const auto fill = [&] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{1 << 16, 1 << 16};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        OutputFolder files(folder.path("out"));
+        files.add("small.txt", textContent("small"));
+        files.add("large.txt", textContent(std::string(1 << 20, 'x')));
+        const auto written = std::move(files).result();
+        std::cerr << (written ? "written" : written.error().text()) << '\n';
+        std::_Exit(namesIn(folder.path("out")).empty() ? 0 : 1);
+    };
+    EXPECT_EXIT(fill(), testing::ExitedWithCode(0), "large.txt: The file could not be written");
+}
+
+}  // namespace
+}  // namespace noonmark
