@@ -25,11 +25,6 @@ namespace noonmark {
 
 namespace {
 
-float justBeyond(float coordinate) {
-    return std::max(coordinate + RayReferenceSettings::asideM,
-                    std::nextafter(coordinate, std::numeric_limits<float>::max()));
-}
-
 /// The receivers of one tile and what they have seen so far.
 struct Watchers {
     std::vector<std::uint32_t> cells;
@@ -158,7 +153,7 @@ glm::vec3 rayOrigin(glm::vec3 receiver) {
     // A float's grain passes half a millimetre 8 km from the origin, and the lift grows with it from there.
     const float farthest = std::max(std::abs(receiver.x), std::abs(receiver.y));
     const float lift = RayReferenceSettings::liftM * std::max(1.0F, farthest / 8192.0F);
-    return {justBeyond(receiver.x), justBeyond(receiver.y), receiver.z + lift};
+    return {receiver.x, receiver.y, receiver.z + lift};
 }
 
 RayReference::RayReference(RayReferenceSettings settings) : settings_(settings) {}

@@ -7,10 +7,6 @@ namespace noonmark {
 struct RayReferenceSettings {
     /// How far above the ground a ray starts, metres: keeps a receiver out of the terrain's own triangles.
     static constexpr float liftM = 0.001F;
-    /// How far east and north of its place it starts, metres (at least one grain of the coordinate): keeps a
-    /// ray out of the planes of walls, where rounding would decide. Wider than Embree's tolerance on
-    /// triangles up to 500 m.
-    static constexpr float asideM = 0x1p-14F;
     int threads = 0;  ///< 0, or more than there are: all cores
 };
 
@@ -20,7 +16,8 @@ struct RayReferenceSettings {
 /// Ground: a ray starts `liftM` above it (more than 8 km from the origin in proportion: a float's grain
 /// grows), so flat ground and the terrain's own triangles do not shade their own receiver.
 ///
-/// Edges are half-open, as in `contains`: a receiver exactly on a line counts as just east and north of it.
+/// Edges are half-open, as in `contains`: a receiver exactly on a line counts as just east and north of it
+/// (RayScene::asideM).
 /// So on a wall it is lit by a sun before the wall and dark with the sun behind the building; in line with
 /// an eastern or northern wall and the sun it is lit, with a western or southern one dark; between two
 /// buildings that share a wall no light passes. The answer does not depend on the number of threads, nor on
@@ -36,7 +33,7 @@ private:
     RayReferenceSettings settings_;
 };
 
-/// Where the rays of a receiver begin: its place on the ground, lifted and moved aside.
+/// Where the rays of a receiver begin: its place on the ground, lifted. The scene moves it aside.
 glm::vec3 rayOrigin(glm::vec3 receiver);
 
 }  // namespace noonmark

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
@@ -21,7 +23,7 @@ constexpr const char* deviceConfig = "ignore_config_files=1";
 
 void collectOccluders(const RTCFilterFunctionNArguments* arguments);
 
-void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& mesh) {
+void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& mesh, glm::vec3 from) {
     if (mesh.triangles.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -29,13 +31,32 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& m
     void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                               sizeof(glm::uvec3), mesh.triangles.size());
     if (vertices != nullptr && triangles != nullptr) {
-        std::ranges::copy(mesh.vertices, static_cast<glm::vec3*>(vertices));
+        std::ranges::transform(mesh.vertices, static_cast<glm::vec3*>(vertices),
+                               [&](glm::vec3 vertex) { return vertex - from; });
         std::ranges::copy(mesh.triangles, static_cast<glm::uvec3*>(triangles));
         if (id == buildingsId) rtcSetGeometryIntersectFilterFunction(geometry, collectOccluders);
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(scene, geometry, id);
     }
     rtcReleaseGeometry(geometry);
+}
+
+// From where coordinates are counted, since Embree works in float32 and would know what lies 60 km from the
+// city's origin to 8 mm: the middle of buildings that are far off, in whole metres, so that coordinates near
+// it lose nothing; else the origin itself.
+glm::vec3 countedFrom(const TriangleMesh& mesh) {
+    constexpr float nearM = 4096;  // known to 0.5 mm
+    if (mesh.vertices.empty()) return glm::vec3(0);
+    glm::vec3 low = mesh.vertices.front(), high = low;
+    for (const glm::vec3 vertex : mesh.vertices) low = glm::min(low, vertex), high = glm::max(high, vertex);
+    const glm::vec3 middle = glm::round((low + high) / 2.0F);
+    return std::max(std::abs(middle.x), std::abs(middle.y)) < nearM ? glm::vec3(0)
+                                                                    : glm::vec3(middle.x, middle.y, 0);
+}
+
+float justBeyond(float coordinate) {
+    return std::max(coordinate + RayScene::asideM,
+                    std::nextafter(coordinate, std::numeric_limits<float>::max()));
 }
 
 bool mayGoOn(void* stop, double) { return !static_cast<const std::stop_token*>(stop)->stop_requested(); }
@@ -157,6 +178,12 @@ struct RayScene::Tree {
     RTCScene scene = device != nullptr ? rtcNewScene(device) : nullptr;
     std::vector<std::uint32_t> buildingOfTriangle;
     std::size_t triangles = 0;
+    glm::vec3 from{0};  // what Embree counts coordinates from
+
+    [[nodiscard]] glm::vec3 startOf(glm::vec3 origin) const {
+        const glm::vec3 place = origin - from;
+        return {justBeyond(place.x), justBeyond(place.y), place.z};
+    }
 
     Tree() = default;
     Tree(const Tree&) = delete;
@@ -172,8 +199,9 @@ struct RayScene::Tree {
         // Robust: rays between triangles that share an edge find no gap, in boxes as in triangles.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-        attach(device, scene, terrainId, terrain);
-        attach(device, scene, buildingsId, buildings.mesh);
+        from = countedFrom(buildings.mesh);
+        attach(device, scene, terrainId, terrain, from);
+        attach(device, scene, buildingsId, buildings.mesh, from);
         buildingOfTriangle = buildings.buildingOfTriangle;
         triangles = buildings.mesh.triangles.size() + terrain.triangles.size();
         std::stop_token asked = stop;
@@ -208,7 +236,7 @@ Result<RayScene> RayScene::over(const City& city, std::span<const std::uint32_t>
 bool RayScene::occluded(glm::vec3 origin, glm::vec3 direction) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    RTCRay ray = rayFrom(origin, direction);
+    RTCRay ray = rayFrom(tree_->startOf(origin), direction);
     rtcOccluded1(tree_->scene, &context, &ray);
     return ray.tfar < 0;
 }
@@ -222,7 +250,7 @@ void RayScene::blockedLanes(std::span<const glm::vec3> origins, const DirectionP
     const int* valid = validLanes[std::size_t(directions.count)].valid.data();
     RTCRay16 rays = raysAlong(directions);
     for (std::size_t i = 0; i < origins.size(); ++i) {
-        startFrom(rays, origins[i]);
+        startFrom(rays, tree_->startOf(origins[i]));
         rtcOccluded16(valid, tree_->scene, &context, &rays);
         blocked[i] = blockedOf(rays);
     }
@@ -232,7 +260,7 @@ std::optional<RayHit> RayScene::firstHit(glm::vec3 origin, glm::vec3 direction) 
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit found{};
-    found.ray = rayFrom(origin, direction);
+    found.ray = rayFrom(tree_->startOf(origin), direction);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(tree_->scene, &context, &found);
     if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
@@ -250,7 +278,7 @@ void RayScene::firstOccluders(std::span<const glm::vec3> origins, glm::vec3 dire
     OccluderContext context(tree_->buildingOfTriangle, levels, occluders);
     RTCRayHit16 found;
     for (std::size_t lane = 0; lane < 16; ++lane) {
-        const glm::vec3 origin = origins[std::min(lane, origins.size() - 1)];
+        const glm::vec3 origin = tree_->startOf(origins[std::min(lane, origins.size() - 1)]);
         found.ray.org_x[lane] = origin.x, found.ray.org_y[lane] = origin.y, found.ray.org_z[lane] = origin.z;
         found.ray.dir_x[lane] = direction.x, found.ray.dir_y[lane] = direction.y,
         found.ray.dir_z[lane] = direction.z;

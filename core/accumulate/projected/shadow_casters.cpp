@@ -8,6 +8,7 @@
 #include "core/accumulate/projected/cell_coordinates.h"
 #include "core/accumulate/projected/convex_pieces.h"
 #include "core/accumulate/ray_reference.h"
+#include "core/accumulate/ray_scene.h"
 #include "core/city/mesh_topology.h"
 #include "core/city/triangulate.h"
 
@@ -120,7 +121,7 @@ private:
         caster.high = glm::dvec2(-1e30);
         for (const glm::vec2 point : ring) {
             const glm::dvec2 cells =
-                cellsFromLocal(grid_, glm::dvec2(point) - double(RayReferenceSettings::asideM));
+                cellsFromLocal(grid_, glm::dvec2(point) - double(RayScene::asideM));
             result_.points.push_back(cells);
             caster.low = glm::min(caster.low, cells);
             caster.high = glm::max(caster.high, cells);

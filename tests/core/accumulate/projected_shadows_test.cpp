@@ -143,7 +143,7 @@ TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
 // Rays begin a little north-east of a receiver: here one stands just outside a wall, and its rays begin
 // inside.
 TEST(ProjectedShadows, aReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehind) {
-    const float line = 0.5F + RayReferenceSettings::asideM / 2;
+    const float line = 0.5F + RayScene::asideM / 2;
     const Ring box = rectangle(line, line, 12, 12);
     const Ring angle{{line, line}, {12, line}, {12, 6}, {6, 6}, {6, 12}, {line, 12}};
     for (const Ring& ring : {box, angle}) {

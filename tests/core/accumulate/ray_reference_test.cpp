@@ -39,6 +39,41 @@ TEST(RayReference, cellsThatAreNoReceiversHoldNaN) {
     EXPECT_EQ(field.cost.skipped.at("cells under buildings"), 200);
 }
 
+// --- Far from the origin
+// -----------------------------------------------------------------------------------------
+
+// 60 km off coordinates are multiples of 4 mm, and so are the boxes' here; a slab test in double decides,
+// but within a millimetre of a box.
+TEST(RayReference, isAsExactFarFromTheOriginAsNear) {
+    constexpr glm::dvec3 far(60'000, -45'000, 0);
+    std::vector<Box3> boxes = randomBoxes(21, 8);
+    for (Box3& box : boxes) {
+        box.low = glm::round((box.low + far) * 256.0) / 256.0;
+        box.high = glm::round((box.high + far) * 256.0) / 256.0;
+    }
+    const City city = cityOf(boxes);
+    const Receivers receivers = receiversOver(city, 59'980.5F, -45'020.5F, 60'180.5F, -44'820.5F, 1);
+    SunSteps sun = oneDay(arc(240, 50));
+    std::size_t decided = 0, wrong = 0;
+    for (std::size_t step = 0; step < sun.steps.size(); step += 8) {
+        const glm::dvec3 towards(sun.steps[step].direction);
+        SunSteps one = sun;
+        one.steps = {sun.steps[step]};
+        one.days = {{.first = 0, .count = 1}};
+        const ShadowField field = traced(city, receivers, one);
+        for (const std::uint32_t cell : receivers.cells) {
+            const glm::dvec3 origin(rayOrigin(receivers.position(cell)));
+            const bool surely = inShadow(boxes, origin, towards, -0.001),
+                       perhaps = inShadow(boxes, origin, towards, 0.001);
+            if (surely != perhaps) continue;
+            ++decided;
+            wrong += (field.grossMin[cell] > 0) != surely;
+        }
+    }
+    EXPECT_GT(decided, 400'000U);
+    EXPECT_EQ(wrong, 0U);
+}
+
 // --- Gross and continuous
 // ----------------------------------------------------------------------------------------
 

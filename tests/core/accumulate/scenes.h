@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accumulate/ray_reference.h"
+#include "core/accumulate/ray_scene.h"
 #include "core/city/city.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
