@@ -2,6 +2,8 @@
 
 #include <glm/common.hpp>
 
+#include "core/accumulate/ray_scene.h"
+
 namespace noonmark {
 
 namespace {
@@ -32,9 +34,11 @@ private:
         }
     }
 
+    // Receivers stand as far east and north of the middles of their cells as those of rays: none is on a
+    // wall.
     [[nodiscard]] glm::dvec2 cellsFromLocal(glm::vec2 local) const {
-        return {(double(local.x) - grid_.westM) / grid_.cellM - 0.5,
-                (double(local.y) - grid_.southM) / grid_.cellM - 0.5};
+        const glm::dvec2 beside = glm::dvec2(local) - double(RayScene::asideM);
+        return {(beside.x - grid_.westM) / grid_.cellM - 0.5, (beside.y - grid_.southM) / grid_.cellM - 0.5};
     }
 
     const Grid& grid_;
