@@ -130,8 +130,11 @@ std::string formatOf(const std::filesystem::path& file) {
     return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
 }
 
-Result<FilePiece> piece(const MeshScene& scene, const std::filesystem::path& file,
-                        const ReadSettings& settings, Progress& progress, const std::stop_token& stop) {
+}  // namespace
+
+Result<FilePiece> pieceOfScene(const MeshScene& scene, const std::filesystem::path& file,
+                               const ReadSettings& settings, Progress& progress,
+                               const std::stop_token& stop) {
     const Result<Frame> frame = frameFor(file, settings);
     if (!frame) return tl::make_unexpected(frame.error());
     const glm::dvec2 origin =
@@ -157,8 +160,6 @@ Result<FilePiece> piece(const MeshScene& scene, const std::filesystem::path& fil
     return result;
 }
 
-}  // namespace
-
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress, std::stop_token stop) try {
     if (!settings.frame && !settings.meshAnchor)
@@ -171,7 +172,7 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
     progress.report(0, "reading the mesh");
     const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    return piece(*scene, file, settings, progress, stop);
+    return pieceOfScene(*scene, file, settings, progress, stop);
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
                    "Export it again");
