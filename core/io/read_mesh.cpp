@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <numbers>
 
 #include "core/city/mesh_topology.h"
@@ -121,6 +123,21 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
         "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
 }
 
+// Single corners that broken files put where no number of ours reaches.
+void dropFarTriangles(SceneReader& reader) {
+    constexpr float mostM = 1e6F;  // what a Frame is meant for
+    for (NamedMesh& object : reader.objects) {
+        const auto isFar = [&](const glm::uvec3& corners) {
+            for (int i = 0; i < 3; ++i)
+                if (!glm::all(glm::lessThan(glm::abs(object.mesh.vertices[corners[i]]), glm::vec3(mostM))))
+                    return true;
+            return false;
+        };
+        const std::size_t dropped = std::erase_if(object.mesh.triangles, isFar);
+        reader.warn(WarningKind::dropped, "triangles more than 1,000 km away", object.name, dropped);
+    }
+}
+
 std::string formatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -147,6 +164,7 @@ Result<FilePiece> pieceOfScene(const MeshScene& scene, const std::filesystem::pa
     }
     if (const auto near = checkDistance(reader.objects, file, origin, settings.farAwayM); !near)
         return tl::make_unexpected(near.error());
+    dropFarTriangles(reader);
     FilePiece result{
         .warnings = std::move(reader.warnings), .format = formatOf(file), .features = reader.objects.size()};
     if (!settings.frame) result.frame = *frame;
