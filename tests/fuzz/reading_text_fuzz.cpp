@@ -1,6 +1,8 @@
-// How a project's city was read: the settings, and the fields that heights were read from.
+// How a project's city was read: the settings, the fields that heights were read from, and the terrain's
+// source.
 #include "core/io/read_settings_text.h"
 #include "core/study/height_facts_json.h"
+#include "core/study/terrain_text.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 
@@ -26,11 +28,19 @@ void readFacts(const std::string& text) {
     require(again && heightFactsJson(*again) == json, "height facts come back");
 }
 
+void readSource(const std::string& text) {
+    noonmark::Terrain terrain{noonmark::PostGrid(0, 0, 1, 2, 2), std::vector<float>(4)};
+    if (!noonmark::takeSource(text, terrain)) return;
+    (void)noonmark::textOf(terrain);
+    require(noonmark::takeSource(noonmark::sourceText(terrain), terrain), "a source comes back");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(noonmark::tests::textOf(data, size));
     readSettings(text);
     readFacts(text);
+    readSource(text);
     return 0;
 }

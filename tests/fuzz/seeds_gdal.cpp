@@ -77,7 +77,8 @@ void writeShapefile(const SeedFolder& seeds) {
         put(lengths, std::uint16_t(part.size()));
         bytes += part;
     }
-    seeds.write("shapefile", "buildings", lengths + bytes + bytesOf(fs::path(shp).replace_extension(".prj")));
+    seeds.write("shapefile", "buildings", lengths + bytes);
+    seeds.write("shapefile", "with-prj", lengths + bytes + bytesOf(fs::path(shp).replace_extension(".prj")));
     fs::remove_all(shp.parent_path());
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/io/read_settings_text.h"
 #include "core/study/height_facts_json.h"
+#include "core/study/terrain_text.h"
 #include "core/study/tile_result.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/geometry_blob.h"
@@ -65,6 +66,7 @@ void writeTexts(const SeedFolder& seeds, const Project& project) {
     seeds.write("weights_json", "months", weightsJson(monthlyWeights()));
     seeds.write("weights_json", "school", weightsJson(project.weights.back()));
     seeds.write("reading_text", "settings", textOf(*project.reading->settings));
+    seeds.write("reading_text", "terrain", sourceText(*project.city->terrain));
     seeds.write("reading_text", "heights", heightFactsJson(project.reading->heights).dump());
     TileResult tile{.number = 1, .engineKey = "ray", .engine = "rays"};
     tile.compared = {{{1, 2}, 3, 4, 5, 6}};
