@@ -21,9 +21,10 @@ LonLatPolygon polygonOf(const std::string& text) {
     std::istringstream rings(text);
     for (std::string ring; std::getline(rings, ring, ';');) {
         std::istringstream numbers(ring);
-        std::vector<LonLat>& points = polygon.emplace_back();
+        std::vector<LonLat> points;
         for (glm::dvec2 point; numbers >> point.x >> point.y;)
             points.push_back(frame.lonLatFromLocal(glm::clamp(point, -1e5, 1e5)));
+        if (!points.empty()) polygon.push_back(std::move(points));
     }
     return polygon;
 }
