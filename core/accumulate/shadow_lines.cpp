@@ -81,9 +81,11 @@ NOONMARK_EVERY_ISA void markChanges(const SourceLines& lines, int places, const 
         other = other != zero;
         beyond = beyond < zero;
         Ints16 bits = (other | beyond) & laneBits;
-        bits |= __builtin_shuffle(bits, counting ^ 8);
-        bits |= __builtin_shuffle(bits, counting ^ 4);
-        bits |= __builtin_shuffle(bits, counting ^ 2);
+        for (const int apart : {8, 4, 2}) {
+            Ints16 others;
+            shuffleLanes(bits, counting ^ apart, others);
+            bits |= others;
+        }
         changed[at] = std::uint16_t(bits[0] | bits[1]);
     }
 }

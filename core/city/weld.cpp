@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <unordered_map>
@@ -9,12 +10,18 @@ namespace noonmark {
 namespace {
 
 using Index = std::uint32_t;
-using Cell = glm::i64vec3;
+using Cell = glm::dvec3;  // whole numbers, which may be larger than integers hold
 
 struct CellHash {
     std::size_t operator()(const Cell& cell) const {
-        return std::size_t(cell.x) * 73856093U ^ std::size_t(cell.y) * 19349663U ^
-               std::size_t(cell.z) * 83492791U;
+        return bitsOf(cell.x) * 73856093U ^ bitsOf(cell.y) * 19349663U ^ bitsOf(cell.z) * 83492791U;
+    }
+
+private:
+    // -0 equals 0 and has other bits; the low bits of small whole numbers are all 0.
+    static std::size_t bitsOf(double number) {
+        const std::uint64_t bits = std::bit_cast<std::uint64_t>(number + 0.0);
+        return bits ^ bits >> 32U;
     }
 };
 
@@ -41,7 +48,7 @@ private:
         cells_.emplace(cellOf(glm::dvec3(point)), index);
         return index;
     }
-    [[nodiscard]] Cell cellOf(glm::dvec3 point) const { return Cell(glm::floor(point / (2.0 * tolerance_))); }
+    [[nodiscard]] Cell cellOf(glm::dvec3 point) const { return glm::floor(point / (2.0 * tolerance_)); }
     [[nodiscard]] Cell cellAt(glm::vec3 point, int corner) const {
         const glm::dvec3 shift((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
         return cellOf(glm::dvec3(point) + shift * double(tolerance_));

@@ -26,8 +26,8 @@ public:
         if (groundM) reading.groundElevationM = groundM->number;
         readTop(reading, canopy, groundM);
         const auto bottom = underside();
-        reading.bottomM = bottom.value_or(0);
-        if (reading.bottomM >= reading.topM) settle(reading);
+        if (bottom && *bottom >= leastHeightM) reading.bottomM = *bottom;
+        if (reading.bottomM > reading.topM - leastHeightM) settle(reading);
         if (canopy && !bottom) makeSlab(reading);
         return reading;
     }
@@ -74,7 +74,7 @@ private:
 
     std::optional<Found> measured() {
         return first(
-            FieldRole::height, [](double m) { return m > 0 && m <= tallestBuildingM; },
+            FieldRole::height, [](double m) { return m >= leastHeightM && m <= tallestBuildingM; },
             "a height that cannot be read; the next best source stands in",
             "a height of zero or less, or over 2,000 m; the next best source stands in");
     }
@@ -87,7 +87,7 @@ private:
         if (!top || !groundM) return std::nullopt;
         const double heightM = top->number - groundM->number;
         const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
-        if (heightM > 0 && heightM <= tallestBuildingM) return Found{heightM, origin};
+        if (heightM >= leastHeightM && heightM <= tallestBuildingM) return Found{heightM, origin};
         warn("a roof that is not above its ground, or over 2,000 m; the next best source stands in",
              fmt::format("{}: {} = {:g} m", id_, origin, heightM));
         return std::nullopt;
@@ -102,7 +102,7 @@ private:
         auto storeys = levels(FieldRole::levels);
         if (!storeys) return storeys;
         storeys->number = storeys->number * rules_.metresPerLevel + roof();
-        return storeys->number > 0 ? storeys : std::nullopt;
+        return storeys->number >= leastHeightM ? storeys : std::nullopt;
     }
     double roof() {
         Warnings unheard;  // a roof's odd height matters to nobody

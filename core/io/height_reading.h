@@ -20,7 +20,10 @@ struct HeightRules {
 /// Between the two fields of HeightReading::origin.
 constexpr std::string_view elevationsMinus = " - ";
 
-/// A feature's extent above its own ground, metres; 0 <= bottomM < topM.
+/// What is lower counts as no height: in float32, on a mountain, it would be none.
+constexpr double leastHeightM = 0.01;
+
+/// A feature's extent above its own ground, metres; 0 <= bottomM <= topM - leastHeightM.
 struct HeightReading {
     double bottomM = 0;
     double topM = 0;
@@ -37,7 +40,8 @@ constexpr double canopyThicknessM = 0.5;
 /// Height: the first height field that holds one; else the roof's elevation over the ground's; else storeys
 /// (and the roof's own height) x metres a storey; else the default, for a canopy (`canopy`: building=roof)
 /// one storey. The underside: min_height, else storeys below; else 0. Zero, negative and absurd heights (over
-/// 2,000 m) count as none. Where the underside is not below the top, a measured height is drawn from the
+/// 2,000 m) count as none, and so do those below leastHeightM. Where the underside is not below the top, a
+/// measured height is drawn from the
 /// ground, and a guessed one is put on the underside. Every value that was not taken as written is a warning
 /// (but see byDefault).
 HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <filesystem>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "core/city/mesh.h"
+#include "core/io/mesh_scene.h"
 #include "core/io/read_part.h"
 
 namespace noonmark {
@@ -24,5 +26,10 @@ struct NamedMesh {
 /// or roofs. False when stopped.
 bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece,
                   Progress& progress, const std::stop_token& stop);
+
+/// What readMesh() makes of the scene that the reader's process handed over, which may hold anything. `file`:
+/// for messages; it is not opened. In read_mesh.cpp.
+Result<FilePiece> pieceOfScene(const MeshScene& scene, const std::filesystem::path& file,
+                               const ReadSettings& settings, Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -60,7 +60,7 @@ OutlineRemainder remainderOf(const PlacedFeature& outline, const Parts& parts) {
     rest.topM = guessedTop(own, covering);
     rest.source = HeightSource::assumed;
     rest.guessed = true;
-    if (rest.bottomM >= rest.topM) rest.bottomM = 0;
+    if (rest.bottomM > rest.topM - leastHeightM) rest.bottomM = 0;
     return rest;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <numbers>
 
 #include "core/city/mesh_topology.h"
@@ -121,6 +123,21 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
         "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
 }
 
+// Single corners that broken files put where no number of ours reaches.
+void dropFarTriangles(SceneReader& reader) {
+    constexpr float mostM = 1e6F;  // what a Frame is meant for
+    for (NamedMesh& object : reader.objects) {
+        const auto isFar = [&](const glm::uvec3& corners) {
+            for (int i = 0; i < 3; ++i)
+                if (!glm::all(glm::lessThan(glm::abs(object.mesh.vertices[corners[i]]), glm::vec3(mostM))))
+                    return true;
+            return false;
+        };
+        const std::size_t dropped = std::erase_if(object.mesh.triangles, isFar);
+        reader.warn(WarningKind::dropped, "triangles more than 1,000 km away", object.name, dropped);
+    }
+}
+
 std::string formatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -130,8 +147,11 @@ std::string formatOf(const std::filesystem::path& file) {
     return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
 }
 
-Result<FilePiece> piece(const MeshScene& scene, const std::filesystem::path& file,
-                        const ReadSettings& settings, Progress& progress, const std::stop_token& stop) {
+}  // namespace
+
+Result<FilePiece> pieceOfScene(const MeshScene& scene, const std::filesystem::path& file,
+                               const ReadSettings& settings, Progress& progress,
+                               const std::stop_token& stop) {
     const Result<Frame> frame = frameFor(file, settings);
     if (!frame) return tl::make_unexpected(frame.error());
     const glm::dvec2 origin =
@@ -144,6 +164,7 @@ Result<FilePiece> piece(const MeshScene& scene, const std::filesystem::path& fil
     }
     if (const auto near = checkDistance(reader.objects, file, origin, settings.farAwayM); !near)
         return tl::make_unexpected(near.error());
+    dropFarTriangles(reader);
     FilePiece result{
         .warnings = std::move(reader.warnings), .format = formatOf(file), .features = reader.objects.size()};
     if (!settings.frame) result.frame = *frame;
@@ -157,8 +178,6 @@ Result<FilePiece> piece(const MeshScene& scene, const std::filesystem::path& fil
     return result;
 }
 
-}  // namespace
-
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress, std::stop_token stop) try {
     if (!settings.frame && !settings.meshAnchor)
@@ -171,7 +190,7 @@ Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings
     progress.report(0, "reading the mesh");
     const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
     if (!scene) return tl::make_unexpected(scene.error());
-    return piece(*scene, file, settings, progress, stop);
+    return pieceOfScene(*scene, file, settings, progress, stop);
 } catch (const std::exception& exception) {
     return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
                    "Export it again");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/json_number.h"
+
 namespace noonmark {
 
 namespace {
@@ -20,7 +22,7 @@ void takeStated(const Json& json, const char* key, T& value) {
 }
 
 LengthUnit lengthUnitOf(const Json& json) {
-    const int unit = json;
+    const int unit = wholeNumberFrom<int>(json);
     if (unit < 0 || unit > int(LengthUnit::centimetres)) throw std::out_of_range("unit");
     return LengthUnit(unit);
 }
@@ -79,7 +81,7 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
     takeStated(json, "far_away_m", reading.farAwayM);
     if (json.contains("terrain_from_bases"))
         reading.terrainFromBases = TerrainFromBases(
-            std::clamp(json.at("terrain_from_bases").get<int>(), 0, int(TerrainFromBases::never)));
+            std::clamp(wholeNumberFrom<int>(json.at("terrain_from_bases")), 0, int(TerrainFromBases::never)));
     return reading;
 } catch (const std::exception&) {  // no JSON, or of another shape
     return std::nullopt;

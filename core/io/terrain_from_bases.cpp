@@ -26,8 +26,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> sidesOf(const std::vector<g
     for (const glm::uvec3 t : triangles)
         for (int i = 0; i < 3; ++i) sides.emplace_back(std::minmax(t[i], t[(i + 1) % 3]));
     std::ranges::sort(sides);
-    const auto repeated = std::ranges::unique(sides);
-    sides.erase(repeated.begin(), repeated.end());
+    sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
     return sides;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/json_number.h"
+
 namespace noonmark {
 
 using Json = nlohmann::ordered_json;
@@ -12,13 +14,13 @@ namespace {
 HeightField heightFieldFrom(const Json& json) {
     return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
             json.at("meaning").get<std::string>(), json.at("unit").get<std::string>(),
-            json.at("features").get<std::size_t>()};
+            wholeNumberFrom<std::size_t>(json.at("features"))};
 }
 
 UnknownField unknownFieldFrom(const Json& json) {
     return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
             json.at("low").get<double>(),       json.at("high").get<double>(),
-            json.at("whole").get<bool>(),       json.at("features").get<std::size_t>()};
+            json.at("whole").get<bool>(),       wholeNumberFrom<std::size_t>(json.at("features"))};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/json_number.h"
 #include "core/study/warnings_json.h"
 
 namespace noonmark {
@@ -129,17 +130,17 @@ TerrainSource sourceFrom(const Json& json) {
     try {
         return {.method = methodOf(json.value("method", std::string())),
                 .file = json.value("file", std::string()),
-                .sourceColumns = json.value("source_columns", std::size_t(0)),
-                .sourceRows = json.value("source_rows", std::size_t(0)),
-                .sourcePoints = json.value("source_points", std::size_t(0)),
+                .sourceColumns = wholeNumberIn(json, "source_columns", std::size_t(0)),
+                .sourceRows = wholeNumberIn(json, "source_rows", std::size_t(0)),
+                .sourcePoints = wholeNumberIn(json, "source_points", std::size_t(0)),
                 .sourceCellM = json.value("source_cell_m", 0.0),
                 .misplacedM = json.value("misplaced_m", 0.0),
                 .heightRmsM = json.value("height_rms_m", 0.0),
                 .heightMaxM = json.value("height_max_m", 0.0),
-                .filled = json.value("filled_posts", std::size_t(0)),
-                .impossible = json.value("impossible_posts", std::size_t(0)),
+                .filled = wholeNumberIn(json, "filled_posts", std::size_t(0)),
+                .impossible = wholeNumberIn(json, "impossible_posts", std::size_t(0)),
                 .cut = json.value("cut_to_what_is_near", false)};
-    } catch (const Json::exception&) {
+    } catch (const std::exception&) {  // of another shape, or numbers out of range
         return {};
     }
 }

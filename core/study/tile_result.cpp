@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "core/json_number.h"
+
 namespace noonmark {
 
 using Json = nlohmann::json;
@@ -24,10 +26,12 @@ ComparedCell comparedCellFrom(const Json& json) {
 
 TileResult resultFrom(const Json& json) {
     const Json& sums = json.at("sums");
-    TileResult result{json.at("tile"),
-                      {sums.at(0), sums.at(1), minutesFrom(sums.at(2)), sums.at(3), sums.at(4)}};
-    result.cost.rays = json.at("rays");
-    result.cost.skipped = json.at("skipped");
+    TileResult result{wholeNumberFrom<std::size_t>(json.at("tile")),
+                      {wholeNumberFrom<std::size_t>(sums.at(0)), sums.at(1), minutesFrom(sums.at(2)),
+                       sums.at(3), sums.at(4)}};
+    result.cost.rays = wholeNumberFrom<std::uint64_t>(json.at("rays"));
+    for (const auto& [reason, count] : json.at("skipped").items())
+        result.cost.skipped[reason] = wholeNumberFrom<std::uint64_t>(count);
     result.cost.seconds = json.at("stages");
     result.engineKey = json.at("engine");
     result.engine = json.at("engine_settings");
@@ -58,7 +62,7 @@ Json jsonOf(const TileResult& result) {
 
 std::optional<TileResult> tileResultFrom(const Json& json) try {
     return resultFrom(json);
-} catch (const Json::exception&) {
+} catch (const std::exception&) {  // of another shape, or numbers out of range
     return std::nullopt;
 }
 

@@ -46,10 +46,10 @@ public:
     }
 
     /// "5", "-10:30", "+1:00:00"
-    seconds time() {
+    seconds time(unsigned mostHours) {
         const bool negative = takeIf('-');
         if (!negative) takeIf('+');
-        seconds value = hours{number(167)};
+        seconds value = hours{number(mostHours)};
         if (takeIf(':')) value += minutes{number(59)};
         if (takeIf(':')) value += seconds{number(59)};
         return negative ? -value : value;
@@ -61,6 +61,10 @@ private:
     std::string_view rest_;
     bool good_ = true;
 };
+
+// POSIX; changes of the clocks may lie a week away (RFC 8536).
+constexpr unsigned mostHoursOfOffset = 24;
+constexpr unsigned mostHoursOfChange = 167;
 
 PosixRule::Change takeChange(Scanner& scanner) {
     using Kind = PosixRule::Change::Kind;
@@ -76,7 +80,7 @@ PosixRule::Change takeChange(Scanner& scanner) {
         change.kind = scanner.takeIf('J') ? Kind::dayWithoutLeap : Kind::dayOfYear;
         change.day = scanner.number(365);
     }
-    change.time = scanner.takeIf('/') ? scanner.time() : hours{2};
+    change.time = scanner.takeIf('/') ? scanner.time(mostHoursOfChange) : hours{2};
     return change;
 }
 
@@ -104,11 +108,11 @@ std::optional<PosixRule> PosixRule::parsed(std::string_view text) {
     PosixRule rule;
     Scanner scanner(text);
     scanner.name();
-    rule.standard_ = -scanner.time();  // POSIX counts west as positive
+    rule.standard_ = -scanner.time(mostHoursOfOffset);  // POSIX counts west as positive
     if (scanner.good() && !scanner.atEnd()) {
         Summer summer;
         scanner.name();
-        summer.offset = scanner.atTime() ? -scanner.time() : rule.standard_ + hours{1};
+        summer.offset = scanner.atTime() ? -scanner.time(mostHoursOfOffset) : rule.standard_ + hours{1};
         summer.start = takeChange(scanner);
         summer.end = takeChange(scanner);
         if (!isCalendar(summer.start) || !isCalendar(summer.end)) return std::nullopt;

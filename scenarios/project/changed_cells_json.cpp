@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/json_number.h"
+
 namespace noonmark {
 
 using Json = nlohmann::ordered_json;
@@ -33,7 +35,8 @@ Json changedCellsJson(const std::vector<CellChange>& change) {
 std::vector<CellChange> changedCellsFrom(const Json& json, std::size_t cells) {
     std::vector<CellChange> change(cells, CellChange::none);
     for (const Json& run : json) {
-        const auto first = run.at(0).get<std::size_t>(), count = run.at(1).get<std::size_t>();
+        const auto first = wholeNumberFrom<std::size_t>(run.at(0)),
+                   count = wholeNumberFrom<std::size_t>(run.at(1));
         if (first > cells || count > cells - first)
             throw std::invalid_argument("changed cells lie outside of the grid");
         std::fill_n(change.begin() + std::ptrdiff_t(first), count, changeNamed(run.at(2)));

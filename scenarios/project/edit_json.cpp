@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json_number.h"
 #include "scenarios/project/ring_json.h"
 
 namespace noonmark {
@@ -27,8 +28,8 @@ std::shared_ptr<const TriangleMesh> meshOf(const Json& json) {
                                     float(numberFrom(at.at(1), placeLimitsM)),
                                     float(numberFrom(at.at(2), elevationLimitsM)));
     for (const Json& at : json.at("triangles")) {
-        const glm::uvec3 corners{at.at(0).get<unsigned>(), at.at(1).get<unsigned>(),
-                                 at.at(2).get<unsigned>()};
+        const glm::uvec3 corners{wholeNumberFrom<unsigned>(at.at(0)), wholeNumberFrom<unsigned>(at.at(1)),
+                                 wholeNumberFrom<unsigned>(at.at(2))};
         for (int i = 0; i < 3; ++i)
             if (corners[i] >= mesh->vertices.size())
                 throw std::invalid_argument("a corner that is not there");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/json_number.h"
 #include "core/study/inputs_json.h"
 #include "core/study/study_hash.h"
 #include "scenarios/impact/impact_runs.h"
@@ -66,10 +67,10 @@ KeptStudy studyOf(const KeptResult& result, const Json& json) {
     field.continuousMin = runsOf(result, 1, hasRuns(study.statistics));
     field.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
     field.stepMinutes = countedStepOf(json);
-    field.days = json.at("period").at("days");
+    field.days = wholeNumberFrom<int>(json.at("period").at("days"));
     field.engine = json.at("engine_settings");
-    study.steps = json.at("steps");
-    study.belowHorizon = json.at("steps_below_horizon");
+    study.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
+    study.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     study.seconds = json.at("seconds").value("accumulate", 0.0);
     study.error = errorWordsFrom(json);
     return study;

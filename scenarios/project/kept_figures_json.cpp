@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "core/json_number.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -44,7 +45,7 @@ std::string nameOrId(const Json& building) {
 }  // namespace
 
 ShadowStatistics statisticsFrom(const Json& study) {
-    return {study.at("receivers"),
+    return {wholeNumberFrom<std::size_t>(study.at("receivers")),
             study.at("receiver_area_m2"),
             study.at("shadow_area_m2"),
             study.at("mean_gross_min"),
@@ -85,8 +86,9 @@ std::string errorWordsFrom(const Json& study) {
         "area {:+.4f} % of the ground; gross, mean {:.4f} %, worst cell {:.3f} %; {} of {} receivers against "
         "the ray reference",
         error.at("area_pct").get<double>(), error.at("gross").at("mean_pct").get<double>(),
-        error.at("gross").at("max_pct").get<double>(), error.at("sample_receivers").get<std::uint64_t>(),
-        error.at("of_receivers").get<std::uint64_t>());
+        error.at("gross").at("max_pct").get<double>(),
+        wholeNumberFrom<std::uint64_t>(error.at("sample_receivers")),
+        wholeNumberFrom<std::uint64_t>(error.at("of_receivers")));
 }
 
 }  // namespace noonmark

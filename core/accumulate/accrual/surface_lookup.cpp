@@ -116,7 +116,11 @@ template <class Register>
     const IntsOf<Register> laneBit = 1 << counting;
     IntsOf<Register> bits = stored > threshold ? laneBit : IntsOf<Register>{};
     bits = normals.facing > 0 ? bits : laneBit;
-    for (int apart = lanes / 2; apart > 0; apart /= 2) bits |= __builtin_shuffle(bits, counting ^ apart);
+    for (int apart = lanes / 2; apart > 0; apart /= 2) {
+        IntsOf<Register> others;
+        shuffleLanes<IntsOf<Register>>(bits, counting ^ apart, others);
+        bits |= others;
+    }
     return std::uint64_t(std::uint32_t(bits[0]));
 }
 

@@ -14,12 +14,6 @@ struct Gap {
     HorizonCode low, high;
 };
 
-/// Those of one receiver, of gaps by number. O(log gaps).
-inline std::span<const Gap> gapsOf(std::uint32_t number, std::span<const Gap> gaps) {
-    const auto own = std::ranges::equal_range(gaps, number, {}, &Gap::number);
-    return {own.begin(), own.end()};
-}
-
 /// By number, those of one receiver from below.
 inline void sortByNumber(std::span<Gap> gaps) {
     std::ranges::sort(gaps, [](const Gap& a, const Gap& b) {
@@ -36,15 +30,19 @@ void forEachReceiver(std::span<const T> gaps, const Visit& visit) {
     }
 }
 
+struct EveryGap {
+    constexpr bool operator()(const auto& /*gap*/) const { return true; }
+};
+
 /// Calls visit(gap, from) for each gap that reaches above all that the horizon and the gaps before it hide:
 /// it adds the levels [from, gap.high). What begins a level above something that hides begins where that
 /// ends: the two are one but for rounding. `gaps`: of one receiver, from below, joined or not; they may hold
-/// more than a horizon.
-template <class Gaps, class Visit>
-void forEachAdded(HorizonCode horizon, Gaps&& gaps, const Visit& visit) {
+/// more than a horizon. Gaps that are not `wanted` are passed over.
+template <class Gaps, class Visit, class Wanted = EveryGap>
+void forEachAdded(HorizonCode horizon, const Gaps& gaps, const Visit& visit, const Wanted& wanted = {}) {
     HorizonCode hidden = horizon;
     for (const auto& gap : gaps) {
-        if (gap.high <= hidden) continue;
+        if (!wanted(gap) || gap.high <= hidden) continue;
         visit(gap, int(gap.low) <= int(hidden) + 1 ? hidden : gap.low);
         hidden = gap.high;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 // A function marked so is compiled for several instruction sets and the best one is picked when the program
@@ -25,6 +26,18 @@ inline constexpr int lanesAVector = 16;
 inline const float* lanesOf(const Floats16& vector) { return reinterpret_cast<const float*>(&vector); }
 inline float* lanesOf(Floats16& vector) { return reinterpret_cast<float*>(&vector); }
 inline std::int32_t* lanesOf(Ints16& vector) { return reinterpret_cast<std::int32_t*>(&vector); }
+
+/// to[lane] = from[lanes[lane]] in such vectors of any length. Vectors go by reference: as values they would
+/// cross instruction sets.
+template <class Ints>
+[[gnu::always_inline]] inline void shuffleLanes(const Ints& from, const Ints& lanes, Ints& to) {
+#ifdef __clang__
+    const Ints whole = from;
+    for (std::size_t i = 0; i < sizeof(Ints) / sizeof(from[0]); ++i) to[i] = whole[lanes[i]];
+#else
+    to = __builtin_shuffle(from, lanes);
+#endif
+}
 
 /// Memory that starts on a cache line.
 template <class T>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <ranges>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -55,8 +54,9 @@ template <class More, class Less>
 void forEachSole(const OwnedView& view, std::uint32_t building, const More& more, const Less& less) {
     forEachAdded(view.code, view.gaps, [&](const OwnedGap& gap, HorizonCode from) { more(from, gap.high); });
     const auto foreign = [&](const OwnedGap& gap) { return gap.building != building; };
-    forEachAdded(view.stands(building) ? view.other : view.code, view.gaps | std::views::filter(foreign),
-                 [&](const OwnedGap& gap, HorizonCode from) { less(from, gap.high); });
+    forEachAdded(
+        view.stands(building) ? view.other : view.code, view.gaps,
+        [&](const OwnedGap& gap, HorizonCode from) { less(from, gap.high); }, foreign);
 }
 
 /// Calls visit(building) once for whoever makes the horizon and all whose parts hang there.

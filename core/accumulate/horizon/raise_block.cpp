@@ -26,7 +26,7 @@ constexpr int side = ReceiverBlocks::side;
     for (int i = 0; i < side; ++i) {
         const float cot = cotAtFirst - less * float(i), behind = cot > 0 ? cot : 0;
         const bool shaded = (float(i) + low >= 0) & (float(i) + high < 0) & (cot > nearest);
-        horizon[i] = shaded & (behind < horizon[i]) ? behind : horizon[i];
+        horizon[i] = (shaded & (behind < horizon[i])) ? behind : horizon[i];
     }
 }
 
@@ -44,7 +44,7 @@ void codesOfAny(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* 
         const float cot = cots[i] > 0 ? cots[i] : 0;
         const int level = int(float(steepnessLevels) / (1 + cot));
         const int code = std::min(level, steepnessLevels - 1) + int(noHorizon);
-        codes[i] = (code > int(lowest)) & (cots[i] >= 0) ? HorizonCode(code) : noHorizon;
+        codes[i] = ((code > int(lowest)) & (cots[i] >= 0)) ? HorizonCode(code) : noHorizon;
     }
 }
 

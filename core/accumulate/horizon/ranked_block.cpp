@@ -16,7 +16,7 @@ namespace {
     for (int i = 0; i < lanesAVector; ++i) {
         const bool shaded = edge.shaded[i] != 0, foreign = building[i] != wall.building;
         const bool higher = shaded & (edge.cot[i] < best[i]);
-        const float second = higher ? best[i] : shaded & (edge.cot[i] < other[i]) ? edge.cot[i] : other[i];
+        const float second = higher ? best[i] : (shaded & (edge.cot[i] < other[i])) ? edge.cot[i] : other[i];
         other[i] = foreign ? second : other[i];
         best[i] = higher ? edge.cot[i] : best[i];
         building[i] = higher ? wall.building : building[i];

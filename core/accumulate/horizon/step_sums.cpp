@@ -59,8 +59,11 @@ void StepSums::add(const SetTables& tables, const TileRanks& ranks, std::span<co
 }
 
 void StepSums::add(const SetTables& tables, std::uint32_t number, const OwnedView& view) {
-    for (const auto& [set, hidden] : tables) {
-        const auto between = [&](HorizonCode from, HorizonCode to) { return hidden(to) - hidden(from); };
+    for (const SetTable& table : tables) {
+        const std::size_t set = table.set;
+        const auto between = [&](HorizonCode from, HorizonCode to) {
+            return table.hidden(to) - table.hidden(from);
+        };
         forEachAttributed(view, [&](std::uint32_t building, HorizonCode from, HorizonCode to) {
             cells_[set][number] += between(from, to);
             attributed_[building * sets() + set] += between(from, to);

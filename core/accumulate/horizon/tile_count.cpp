@@ -112,7 +112,8 @@ void TileCount::addGaps(const KeptBin& bin, const HiddenSuns& hidden, std::size_
 }
 
 void TileCount::take(TileSteps& steps) {
-    auto& [more, parts] = steps;
+    auto& more = steps.more;
+    auto& parts = steps.parts;
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
         if (std::exchange(parts[part], std::uint8_t(0)) == 0) return;
         grossIsOld_[part] = runsAreOld_[part] = 1;

@@ -17,7 +17,7 @@ constexpr int side = ReceiverBlocks::side;
     EdgeHorizon edge;
     findHorizon(wall, shift, along, ground, edge);
     for (int i = 0; i < side; ++i)
-        horizon[i] = (edge.shaded[i] != 0) & (edge.cot[i] < horizon[i]) ? edge.cot[i] : horizon[i];
+        horizon[i] = ((edge.shaded[i] != 0) & (edge.cot[i] < horizon[i])) ? edge.cot[i] : horizon[i];
 }
 
 NOONMARK_EVERY_ISA

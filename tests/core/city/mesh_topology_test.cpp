@@ -35,6 +35,17 @@ TEST(MeshTopology, weldingTakesPointsWithinTheToleranceWhereverTheyLie) {
     }
 }
 
+TEST(MeshTopology, weldingTakesPointsHoweverFarAway) {
+    TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+    mesh.vertices.emplace_back(1e30F, 0, 0);
+    mesh.vertices.emplace_back(2e30F, -3e38F, 0);
+    mesh.vertices.emplace_back(1e30F, 0, 0);
+    mesh.triangles.insert(mesh.triangles.end(), {{0, 8, 9}, {0, 9, 10}});
+    const TriangleMesh whole = welded(tests::unshared(mesh));
+    EXPECT_EQ(whole.vertices.size(), 10U);
+    EXPECT_EQ(whole.triangles.size(), 14U);
+}
+
 TEST(MeshTopology, uselessTrianglesGo) {
     TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
     mesh.vertices.emplace_back(NAN, 0, 0);

@@ -64,7 +64,7 @@ TEST_F(HeightReadingTest, aBadHeightGivesWayToTheNextField) {
 }
 
 TEST_F(HeightReadingTest, zeroNegativeAndAbsurdHeightsAreNone) {
-    for (const char* text : {"0", "-1", "5000"}) {
+    for (const char* text : {"0", "-1", "5000", "0.00001"}) {
         EXPECT_DOUBLE_EQ(read({value(height, text), value(levels, "2")}).topM, 6.4) << text;
         ASSERT_EQ(warnings.size(), 1U) << text;
         EXPECT_THAT(warnings[0].what, HasSubstr("zero or less"));
@@ -93,6 +93,14 @@ TEST_F(HeightReadingTest, anUndersideAboveTheTopIsSaid) {
     EXPECT_DOUBLE_EQ(guessed.bottomM, 20);
     EXPECT_DOUBLE_EQ(guessed.topM, 26.4);
     EXPECT_EQ(warnings.size(), 1U);
+}
+
+// Where the ground is high, float32 would take top and underside for the same.
+TEST_F(HeightReadingTest, hardlyAnyHeightIsNone) {
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "19.9999999")}).bottomM, 0);
+    EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "0.0000001")}).bottomM, 0);
+    EXPECT_DOUBLE_EQ(read({value(levels, "0.0000001")}).topM, 9.6);
+    EXPECT_DOUBLE_EQ(read({value(groundElevation, "20"), value(topElevation, "20.0000001")}).topM, 9.6);
 }
 
 TEST_F(HeightReadingTest, minHeightBelowTheGroundIsLeftOutAndSaid) {

@@ -203,6 +203,14 @@ TEST(ReadMesh, mapCoordinatesAreRefused) {
     EXPECT_NE(piece.error().what.find("from its own origin"), std::string::npos);
 }
 
+TEST(ReadMesh, trianglesFarBeyondTheCityAreDropped) {
+    const std::string text = objText(box({0, 0, 0}, {10, 20, 30})) + "v 4e25 0 5\nf 1 2 9\nf 2 3 9\n";
+    const FilePiece piece = read("far.obj", text, placed()).value();
+    ASSERT_EQ(piece.buildings.size(), 1U);
+    tests::expectClosedSolid(piece.buildings[0]->parts.at(0), 6000);
+    EXPECT_TRUE(warns(piece, "more than 1,000 km away"));
+}
+
 TEST(ReadMesh, brokenFilesAreErrors) {
     for (const char* name : {"a.obj", "a.ply", "a.glb", "a.gltf"})
         for (const char* content : {"", "v", "{}", "ply\n", "glTF", "f 1 2 3\n", "v 1 2 3\n", "\xff\xfe\xfd"})

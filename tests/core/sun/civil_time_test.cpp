@@ -196,9 +196,9 @@ TEST(PosixRule, readsEveryForm) {
 }
 
 TEST(PosixRule, refusesWhatIsNone) {
-    for (const char* text :
-         {"", "E", "EST", "EST5EDT", "EST5EDT,M13.1.0,M3.1.0", "EST5EDT,M3.2.0", "EST5EDT,M0.2.0,M1.1.0",
-          "EST5EDT,J0,J5", "<+03-3", "EST5EDT,M3.2.0,M11.1.0x", "EST99999999999"}) {
+    for (const char* text : {"", "E", "EST", "EST5EDT", "EST5EDT,M13.1.0,M3.1.0", "EST5EDT,M3.2.0",
+                             "EST5EDT,M0.2.0,M1.1.0", "EST5EDT,J0,J5", "<+03-3", "EST5EDT,M3.2.0,M11.1.0x",
+                             "EST99999999999", "EST25", "EST5EDT25,M3.2.0,M11.1.0"}) {
         EXPECT_FALSE(PosixRule::parsed(text)) << text;
     }
 }

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace noonmark::tests {
+
+/// The input as text.
+inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+/// This process's own folder below TMPDIR, which packaging/fuzz puts into memory. Made at the first call,
+/// which also takes TBB down to one thread: what a finding does must not depend on chance.
+const std::filesystem::path& fuzzFolder();
+
+/// Writes a file into fuzzFolder(), in place of the last one of that name.
+std::filesystem::path fuzzFile(const std::string& name, std::string_view bytes);
+
+}  // namespace noonmark::tests

@@ -1,0 +1,17 @@
+// glTF, as JSON or as glb, in this process: what it finds in the mesh library is shut up in a process of its
+// own in the product.
+#include "core/mesh_reader/mesh_file_check.h"
+#include "core/mesh_reader/read_scene.h"
+#include "tests/fuzz/fuzz_file.h"
+#include "tests/fuzz/mesh_scenes.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace noonmark::tests;
+    const auto file =
+        fuzzFile(textOf(data, size).starts_with("glTF") ? "mesh.glb" : "mesh.gltf", textOf(data, size));
+    if (!noonmark::checkMeshFile(file)) return 0;
+    noonmark::MeshScene scene;
+    if (noonmark::readScene(file, [&](const noonmark::MeshObject& object) { scene.push_back(object); }))
+        useScene(scene);
+    return 0;
+}

@@ -1,0 +1,44 @@
+#include "tests/fuzz/mesh_scenes.h"
+
+#include <exception>
+
+#include "core/io/mesh_buildings.h"
+#include "tests/fuzz/require.h"
+#include "tests/fuzz/sound.h"
+
+namespace noonmark::tests {
+
+namespace {
+
+// Bytes, since numbers of broken files may be NaN, which equals nothing.
+std::string bytesOf(const MeshScene& scene) {
+    std::string bytes;
+    appendSceneHead(bytes);
+    for (const MeshObject& object : scene) appendObject(bytes, object);
+    appendSceneEnd(bytes);
+    return bytes;
+}
+
+}  // namespace
+
+ReadSettings meshSettings() {
+    ReadSettings settings;
+    settings.upAxis = UpAxis::z;
+    settings.meshAnchor = LonLat{-73.98, 40.75};
+    return settings;
+}
+
+void useScene(const MeshScene& scene) {
+    const std::string bytes = bytesOf(scene);
+    bool complete = false;
+    const auto again = sceneFromBytes(bytes, complete);
+    require(again && complete && bytesOf(*again) == bytes, "a scene comes back as it was handed over");
+    NoProgress progress;
+    try {
+        use(pieceOfScene(*again, "mesh.obj", meshSettings(), progress, {}));
+    } catch (const std::exception&) {
+        // readMesh() makes an Error of it.
+    }
+}
+
+}  // namespace noonmark::tests

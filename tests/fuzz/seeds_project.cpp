@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include "core/io/read_settings_text.h"
+#include "core/study/height_facts_json.h"
+#include "core/study/terrain_text.h"
+#include "core/study/tile_result.h"
+#include "scenarios/project/edit_json.h"
+#include "scenarios/project/geometry_blob.h"
+#include "scenarios/project/project_file.h"
+#include "scenarios/weights/weights_text.h"
+#include "tests/fuzz/require.h"
+#include "tests/fuzz/seeds.h"
+#include "tests/fuzz/small_project.h"
+
+namespace noonmark::tests {
+
+namespace {
+
+void writeProject(const SeedFolder& seeds, const Project& project) {
+    const auto file = seeds.file("project_bytes", "project.noonmark.gpkg");
+    require(ProjectFile::create(file, project).has_value(), "a project is written");
+    shrink(file);
+}
+
+// As fuzz_edit_json takes it: a digit for the kind first.
+void writeEdits(const SeedFolder& seeds, const Project& project) {
+    constexpr std::string_view kinds[] = {"demolish", "replace", "add", "height", "move", "rotate", "import"};
+    for (const Scenario& scenario : project.scenarios)
+        for (const Edit& edit : scenario.edits)
+            for (std::size_t kind = 0; kind < std::size(kinds); ++kind)
+                if (kindOf(edit) == kinds[kind])
+                    seeds.write("edit_json", std::string(kinds[kind]), std::to_string(kind) + jsonOf(edit));
+}
+
+void writeGeometries(const SeedFolder& seeds, const Project& project) {
+    for (const NamedLot& lot : project.lots) seeds.write("geometry_blob", lot.name, polygonBlob(lot.outline));
+    for (const Region& region : project.regions)
+        seeds.write("geometry_blob", region.name, multiPolygonBlob(region.polygons));
+    seeds.write("geometry_blob", "tangled", polygonBlob({{{0, 0}, {10.1F, 10}, {10, 0}, {0, 9.3F}}, {}}));
+}
+
+// One edit of each kind for each column: which of some hundred it is, the first bytes say.
+void writeCellEdits(const SeedFolder& seeds, const std::string& target, int columns) {
+    constexpr std::string_view contents[] = {"",
+                                             std::string_view("\1\0\0\0\0\0\0\0", 8),
+                                             std::string_view("\0\0\0\0\0\0\xf0\x3f", 8),
+                                             "text",
+                                             "blob",
+                                             std::string_view("\7\0\2[]", 5),
+                                             "",
+                                             ""};
+    for (int column = 0; column < columns; ++column)
+        for (std::size_t kind = 0; kind < std::size(contents); ++kind) {
+            std::string edit;
+            put(edit, std::uint16_t(column));
+            put(edit, std::uint8_t(kind));
+            put(edit, std::uint8_t(contents[kind].size()));
+            seeds.write(target, fmt::format("{}-{}", column, kind), edit.append(contents[kind]));
+        }
+}
+
+void writeTexts(const SeedFolder& seeds, const Project& project) {
+    seeds.write("weights_csv", "months", weightsCsv(monthlyWeights()));
+    seeds.write("weights_csv", "school", weightsCsv(project.weights.back()));
+    seeds.write("weights_json", "months", weightsJson(monthlyWeights()));
+    seeds.write("weights_json", "school", weightsJson(project.weights.back()));
+    seeds.write("reading_text", "settings", textOf(*project.reading->settings));
+    seeds.write("reading_text", "terrain", sourceText(*project.city->terrain));
+    seeds.write("reading_text", "heights", heightFactsJson(project.reading->heights).dump());
+    TileResult tile{.number = 1, .engineKey = "ray", .engine = "rays"};
+    tile.compared = {{{1, 2}, 3, 4, 5, 6}};
+    seeds.write("tile_journal", "tiles", jsonOf(tile).dump() + "\n" + jsonOf(TileResult{}).dump());
+}
+
+}  // namespace
+
+void shrink(const std::filesystem::path& database) {
+    sqlite3* open = nullptr;
+    sqlite3_open(database.c_str(), &open);
+    sqlite3_exec(open, "PRAGMA page_size = 512; VACUUM", nullptr, nullptr, nullptr);
+    sqlite3_close(open);
+}
+
+void makeProjectSeeds(const SeedFolder& seeds) {
+    const Project project = smallProject();
+    writeProject(seeds, project);
+    writeEdits(seeds, project);
+    writeGeometries(seeds, project);
+    writeTexts(seeds, project);
+    writeCellEdits(seeds, "project_cells", 130);
+    writeCellEdits(seeds, "geopackage_cells", 50);
+}
+
+}  // namespace noonmark::tests

@@ -1,0 +1,101 @@
+#include "tests/fuzz/sound.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/stand_on_terrain.h"
+#include "core/io/terrain_from_bases.h"
+#include "tests/fuzz/require.h"
+
+namespace noonmark::tests {
+
+namespace {
+
+void requireShape(const Ring& ring) {
+    require(ring.size() >= 3, "a ring has three points or more");
+    for (const glm::vec2 point : ring)
+        require(std::isfinite(point.x) && std::isfinite(point.y), "points of a ring are finite");
+}
+
+void requireShape(const Footprint& footprint) {
+    requireShape(footprint.outer);
+    for (const Ring& hole : footprint.holes) requireShape(hole);
+}
+
+void requireShape(const TriangleMesh& mesh) {
+    for (const glm::vec3 point : mesh.vertices)
+        require(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
+                "vertices of a mesh are finite");
+    for (const glm::uvec3 corners : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            require(corners[i] < mesh.vertices.size(), "corners of a triangle are there");
+}
+
+void requireShape(const Part& part) {
+    requireShape(part.footprint);
+    require(std::isfinite(part.bottomM) && std::isfinite(part.topM), "heights are finite");
+    require(part.topM > part.bottomM, "a part has a height");
+    if (part.mesh) requireShape(*part.mesh);
+}
+
+std::vector<BasedBuilding> basedBuildings(const FilePiece& piece) {
+    std::vector<BasedBuilding> based;
+    for (std::size_t i = 0; i < piece.groundM.size(); ++i)
+        if (piece.groundM[i]) based.push_back({piece.buildings[i].get(), *piece.groundM[i]});
+    return based;
+}
+
+}  // namespace
+
+void requireSound(const Building& building) {
+    require(!building.parts.empty(), "a building has parts");
+    for (const Part& part : building.parts) requireShape(part);
+}
+
+void requireSound(const Terrain& terrain) {
+    require(terrain.elevationM.size() == terrain.grid.size(), "every post has an elevation");
+    require(std::ranges::all_of(terrain.elevationM, [](float z) { return std::isfinite(z); }),
+            "elevations are finite");
+    require(std::isfinite(elevationAt(terrain, {0, 0})), "the ground has an elevation everywhere");
+}
+
+void requireSound(const City& city) {
+    for (const auto& building : city.buildings) requireSound(*building);
+    if (city.terrain) requireSound(*city.terrain);
+}
+
+void requireSound(const FilePiece& piece) {
+    for (const auto& building : piece.buildings) requireSound(*building);
+    require(piece.groundM.empty() || piece.groundM.size() == piece.buildings.size(),
+            "every building has its ground");
+    if (piece.terrain) requireSound(*piece.terrain);
+    require(!piece.format.empty(), "the format has a name");
+}
+
+void requireSound(const std::vector<Footprint>& polygons) {
+    for (const Footprint& polygon : polygons) requireShape(polygon);
+}
+
+void requireSound(const Error& error) {
+    require(!error.what.empty(), "an error says what is wrong");
+    require(!isCancelled(error), "only a stop cancels");
+}
+
+// As readCity() does it.
+static void standOnBases(const FilePiece& piece) {
+    const std::vector<BasedBuilding> based = basedBuildings(piece);
+    (void)textOf(reliefOf(based));
+    const auto terrain = terrainFromBases(based);
+    if (!terrain) return;
+    requireSound(*terrain);
+    for (std::size_t i = 0; i < piece.groundM.size(); ++i)
+        requireSound(standing(*piece.buildings[i], piece.groundM[i], &*terrain));
+}
+
+void use(const Result<FilePiece>& piece) {
+    if (!piece) return requireSound(piece.error());
+    requireSound(*piece);
+    standOnBases(*piece);
+}
+
+}  // namespace noonmark::tests
