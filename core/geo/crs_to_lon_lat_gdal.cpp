@@ -33,8 +33,16 @@ bool understand(OGRSpatialReference& system, const std::string& crs) {
 }  // namespace
 
 struct CrsToLonLat::Parts {
+    // GDAL keeps what is handed back for the next layer in the same system: it looks for a transformation in
+    // a database, which takes longer than all else about a small file.
+    struct HandBack {
+        void operator()(OGRCoordinateTransformation* used) const {
+            OGRCoordinateTransformation::DestroyCT(used);
+        }
+    };
+
     OGRSpatialReference system;
-    std::unique_ptr<OGRCoordinateTransformation> toLonLat;
+    std::unique_ptr<OGRCoordinateTransformation, HandBack> toLonLat;
     double metresPerElevationUnit = 1;
     bool elevationUnitIsStated = false;
     double west = -180, south = -90, east = 180, north = 90;  // where it is used
