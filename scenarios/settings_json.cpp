@@ -1,7 +1,5 @@
 #include "scenarios/settings_json.h"
 
-#include <fmt/format.h>
-
 #include "core/receivers/roof_receivers.h"
 #include "core/version.h"
 
@@ -34,21 +32,6 @@ RepeatQuestion projectQuestion(const std::string& command, const StudySettings& 
                                const Provenance& provenance, const std::string& engineKey,
                                std::vector<RepeatOption> options) {
     return {command, settings, provenance, engineKey, "--at", true, std::move(options)};
-}
-
-std::string sourceFields(const Provenance& provenance) {
-    if (!provenance.project) return ",,,,";
-    const ProjectRecord& project = *provenance.project;
-    return fmt::format(",{},{},{},{}", csvField(project.file), csvField(project.scenario.name),
-                       project.baseline ? csvField(project.baseline->name) : std::string(),
-                       project.contentSha256);
-}
-
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return quoted + '"';
 }
 
 }  // namespace noonmark

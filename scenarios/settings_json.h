@@ -22,12 +22,4 @@ RepeatQuestion projectQuestion(const std::string& command, const StudySettings& 
 /// Whether its command names region.geojson, which then lies beside the outputs.
 inline bool needsRegionFile(const Provenance& provenance) { return provenance.region == regionFileName; }
 
-/// The last columns of a table: project, scenario, baseline, content_sha256; so that a table that is copied
-/// alone still says what it is of. The values of a line likewise; both begin with a comma.
-inline constexpr const char* sourceColumns = ",project,scenario,baseline,content_sha256";
-std::string sourceFields(const Provenance& provenance);
-
-/// A field of a CSV file (RFC 4180).
-std::string csvField(const std::string& text);
-
 }  // namespace noonmark

@@ -73,10 +73,10 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     if (study.breakdown && study.settings.byMonth) {
         files.add("by_month.tif",
                   [&](const std::filesystem::path& file) { return writeMonths(study, file); });
-        files.add("by_month.csv", textContent(monthsCsv(*study.breakdown)));
+        files.add("by_month.csv", textContent(monthsCsv(study)));
     }
     if (study.breakdown && study.settings.contributions) {
-        files.add("contributions.csv", textContent(contributionsCsv(*study.breakdown, study.city)));
+        files.add("contributions.csv", textContent(contributionsCsv(study)));
         files.add("contributions.gpkg",
                   [&](const std::filesystem::path& file) { return writeContributions(study, file); });
     }

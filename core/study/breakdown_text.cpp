@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/study/source_columns.h"
+
 namespace noonmark {
 
 namespace {
@@ -20,11 +22,12 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& caster) {
+void addLine(std::string& csv, const BuildingShadow& shadow, const std::string& caster,
+             const std::string& source) {
     csv += fmt::format("{},{:.1f},{:.1f}", caster, total(shadow.attributedMinM2), total(shadow.soleMinM2));
     for (std::size_t set = 0; shadow.soleMinM2.size() > 1 && set < shadow.soleMinM2.size(); ++set)
         csv += fmt::format(",{:.1f},{:.1f}", shadow.attributedMinM2[set], shadow.soleMinM2[set]);
-    csv += "\n";
+    csv += source + "\n";
 }
 
 }  // namespace
@@ -44,28 +47,32 @@ std::vector<MonthShadow> monthsOf(const ShadowBreakdown& breakdown) {
     return months;
 }
 
-std::string monthsCsv(const ShadowBreakdown& breakdown) {
-    std::string csv = "month,sunlit_min,shadow_area_m2,mean_shadow_min\n";
-    for (const MonthShadow& month : monthsOf(breakdown))
-        csv += fmt::format("{},{:.1f},{:.2f},{:.2f}\n", month.month, month.sunlitMinutes, month.shadowAreaM2,
-                           month.meanMinutes);
+std::string monthsCsv(const Study& study) {
+    std::string csv = fmt::format("month,sunlit_min,shadow_area_m2,mean_shadow_min{}\n", sourceColumns);
+    const std::string source = sourceFields(study.provenance);
+    for (const MonthShadow& month : monthsOf(*study.breakdown))
+        csv += fmt::format("{},{:.1f},{:.2f},{:.2f}{}\n", month.month, month.sunlitMinutes,
+                           month.shadowAreaM2, month.meanMinutes, source);
     return csv;
 }
 
-std::string contributionsCsv(const ShadowBreakdown& breakdown, const City& city) {
+std::string contributionsCsv(const Study& study) {
+    const ShadowBreakdown& breakdown = *study.breakdown;
+    const std::string source = sourceFields(study.provenance);
     std::string csv = "building,source_id,name,attributed_min_m2,sole_min_m2";
     for (std::size_t set = 0; breakdown.sets.names.size() > 1 && set < breakdown.sets.names.size(); ++set)
         csv += fmt::format(",attributed {0},sole {0}", breakdown.sets.names[set]);
-    csv += "\n";
+    csv += sourceColumns + std::string("\n");
     std::vector<BuildingShadow> shadows = breakdown.buildings;
     std::ranges::stable_sort(shadows, std::ranges::greater{},
                              [](const BuildingShadow& shadow) { return total(shadow.attributedMinM2); });
     for (const BuildingShadow& shadow : shadows) {
-        const Building& building = *city.buildings[shadow.building];
+        const Building& building = *study.city.buildings[shadow.building];
         addLine(csv, shadow,
-                fmt::format("{},{},{}", shadow.building, cell(building.sourceId), cell(building.name)));
+                fmt::format("{},{},{}", shadow.building, cell(building.sourceId), cell(building.name)),
+                source);
     }
-    if (breakdown.terrain) addLine(csv, *breakdown.terrain, ",\"terrain\",\"terrain\"");
+    if (breakdown.terrain) addLine(csv, *breakdown.terrain, ",\"terrain\",\"terrain\"", source);
     return csv;
 }
 

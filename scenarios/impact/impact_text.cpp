@@ -7,6 +7,7 @@
 
 #include "core/study/error_json.h"
 #include "core/study/provenance_json.h"
+#include "core/study/source_columns.h"
 #include "core/study/warnings_json.h"
 #include "scenarios/settings_json.h"
 

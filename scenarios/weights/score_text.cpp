@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/study/provenance_json.h"
+#include "core/study/source_columns.h"
 #include "core/study/warnings_json.h"
 #include "scenarios/settings_json.h"
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/io/fold_text.h"
+#include "core/study/source_columns.h"
 #include "core/study/warnings_json.h"
-#include "scenarios/settings_json.h"
 #include "scenarios/weights/csv_rows.h"
 
 namespace noonmark {

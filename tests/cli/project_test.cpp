@@ -68,6 +68,16 @@ TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
                 HasSubstr("stands alone"));
 }
 
+TEST_F(ProjectCommand, TablesNameTheProject) {
+    ASSERT_EQ(project("add-scenario", {"A"}).code, 0);
+    const Spoken study = measured("study", {"--scenario", "A", "--start", "2026-12-21", "--from", "12:00",
+                                            "--hours", "1", "--step", "10", "--zone", "America/New_York",
+                                            "--by", "month", "--contributions", "--engine", "horizon"});
+    ASSERT_EQ(study.code, 0) << study.err;
+    for (const char* name : {"out/by_month.csv", "out/contributions.csv"})
+        EXPECT_THAT(textOf(folder_.path(name)), HasSubstr(",park.noonmark.gpkg,A,,")) << name;
+}
+
 TEST_F(ProjectCommand, IsKnownByWhatItHolds) {
     const std::filesystem::path copy = folder_.path("another name.gpkg");
     std::filesystem::copy_file(file_, copy);
