@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -18,8 +19,12 @@ namespace {
 
 constexpr unsigned terrainId = 0;
 constexpr unsigned buildingsId = 1;
-// A user's own Embree settings file must not change a reference.
-constexpr const char* deviceConfig = "ignore_config_files=1";
+// A user's own Embree settings file must not change a reference. Tests name an instruction set, to run what
+// other machines do: "sse4.2", "avx2".
+std::string deviceConfig() {
+    const char* wanted = std::getenv("NOONMARK_RAY_ISA");
+    return std::string("ignore_config_files=1") + (wanted != nullptr ? std::string(",isa=") + wanted : "");
+}
 
 void collectOccluders(const RTCFilterFunctionNArguments* arguments);
 
@@ -107,10 +112,11 @@ void startFrom(RTCRay16& rays, glm::vec3 origin) {
     std::ranges::fill(rays.tfar, std::numeric_limits<float>::infinity());
 }
 
-// Embree sets the far end of a blocked ray to minus infinity.
-std::uint32_t blockedOf(const RTCRay16& rays) {
+// Embree sets the far end of a blocked ray to minus infinity; where registers hold fewer than 16 lanes, that
+// of lanes that nobody asked for too.
+std::uint32_t blockedOf(const RTCRay16& rays, unsigned count) {
     std::uint32_t blocked = 0;
-    for (unsigned lane = 0; lane < DirectionPacket::capacity; ++lane)
+    for (unsigned lane = 0; lane < count; ++lane)
         if (rays.tfar[lane] < 0) blocked |= 1U << lane;
     return blocked;
 }
@@ -174,7 +180,7 @@ constexpr auto validLanes = [] {
 }  // namespace
 
 struct RayScene::Tree {
-    RTCDevice device = rtcNewDevice(deviceConfig);
+    RTCDevice device = rtcNewDevice(deviceConfig().c_str());
     RTCScene scene = device != nullptr ? rtcNewScene(device) : nullptr;
     std::vector<std::uint32_t> buildingOfTriangle;
     std::size_t triangles = 0;
@@ -252,7 +258,7 @@ void RayScene::blockedLanes(std::span<const glm::vec3> origins, const DirectionP
     for (std::size_t i = 0; i < origins.size(); ++i) {
         startFrom(rays, tree_->startOf(origins[i]));
         rtcOccluded16(valid, tree_->scene, &context, &rays);
-        blocked[i] = blockedOf(rays);
+        blocked[i] = blockedOf(rays, unsigned(directions.count));
     }
 }
 
