@@ -52,7 +52,7 @@ const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::
     return found == scenarios.end() ? nullptr : &*found;
 }
 
-Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const std::string& name) {
+Result<std::vector<Edit>> collectEdits(const std::vector<Scenario>& scenarios, const std::string& name) {
     if (name.empty()) return unknown(scenarios, name);
     const auto line = lineage(scenarios, byName(scenarios), name);
     if (!line) return tl::make_unexpected(line.error());
@@ -64,7 +64,7 @@ Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const 
 
 Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& scenarios,
                           const std::string& name) {
-    const auto edits = editsOf(scenarios, name);
+    const auto edits = collectEdits(scenarios, name);
     if (!edits) return tl::make_unexpected(edits.error());
     return applied(existing, *edits).map_error([&](Error error) {
         error.where = fmt::format("scenario '{}', {}", name, error.where);

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/result.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/edit.h"
 
@@ -30,7 +30,7 @@ const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::
 
 /// All edits that lead from the existing city to a scenario, its bases' first. Empty for existingCity.
 /// Error: an unknown name, or scenarios that start from one another in a circle.
-Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const std::string& name);
+Result<std::vector<Edit>> collectEdits(const std::vector<Scenario>& scenarios, const std::string& name);
 
 /// What a scenario makes of the existing city, and what it changes in it. Errors as of editsOf and applied().
 Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& scenarios,

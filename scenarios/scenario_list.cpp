@@ -15,7 +15,7 @@ Result<Place> placeOf(std::vector<Scenario>& scenarios, const std::string& name)
     if (name == existingCity)
         return failure("The existing city stays as it is", "scenario 'Existing'",
                        "Name one of the project's scenarios");
-    if (const auto known = editsOf(scenarios, name); !known) return tl::make_unexpected(known.error());
+    if (const auto known = collectEdits(scenarios, name); !known) return tl::make_unexpected(known.error());
     return std::ranges::find(scenarios, name, &Scenario::name);
 }
 

@@ -1,7 +1,7 @@
 #include "scenarios/settings_json.h"
 
+#include "core/base/version.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/version.h"
 
 namespace noonmark {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/study/region_text.h"
-#include "core/study/repeat_command.h"
+#include "core/study/provenance/repeat_command.h"
 #include "core/study/study.h"
+#include "core/study/text/region_text.h"
 
 namespace noonmark {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/bench/bench_report.h"
-#include "core/io/check_output.h"
-#include "core/result.h"
+#include "core/io/files/check_output.h"
 
 namespace noonmark {
 

@@ -7,9 +7,9 @@
 
 #include "app/bench/comparison_painter.h"
 #include "app/bench/finding_block.h"
-#include "app/report/headline.h"
-#include "app/report/pdf_page.h"
-#include "app/report/study_words.h"
+#include "app/report/sheets/headline.h"
+#include "app/report/sheets/pdf_page.h"
+#include "app/report/sheets/study_words.h"
 
 namespace noonmark {
 
@@ -84,7 +84,7 @@ private:
         canvas_.painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter,
                                  QString::fromStdString(report_.site + "; " + report_.machine));
         canvas_.painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
-                                 QStringLiteral("%1, page %2").arg(programWords()).arg(++page_));
+                                 QStringLiteral("%1, page %2").arg(describeProgram()).arg(++page_));
     }
 
     QPdfWriter& writer_;

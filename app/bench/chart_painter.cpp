@@ -27,7 +27,7 @@ constexpr double rightPt = 9;  // half of the last number of the axis below
 constexpr double hairlinePt = 0.35;
 constexpr double linePt = 1.1;
 
-std::vector<double> valuesOf(const bench::Chart& chart, double bench::ChartPoint::*member) {
+std::vector<double> getValues(const bench::Chart& chart, double bench::ChartPoint::*member) {
     std::vector<double> values;
     for (const auto& series : chart.series)
         for (const auto& point : series.points) values.push_back(point.*member);
@@ -41,8 +41,8 @@ public:
         : canvas_{canvas.painter, unitsPerPoint},
           chart_(chart),
           inks_(inks),
-          x_(chart.x, valuesOf(chart, &bench::ChartPoint::x)),
-          y_(chart.y, valuesOf(chart, &bench::ChartPoint::y)),
+          x_(chart.x, getValues(chart, &bench::ChartPoint::x)),
+          y_(chart.y, getValues(chart, &bench::ChartPoint::y)),
           picture_(new QChart) {
         scene_.addItem(picture_);  // which owns it
         dress();

@@ -2,7 +2,7 @@
 
 #include <QRectF>
 
-#include "app/report/style.h"
+#include "app/report/sheets/style.h"
 #include "core/bench/finding.h"
 
 namespace noonmark {

@@ -3,8 +3,8 @@
 #include <QRectF>
 
 #include "app/bench/chart_inks.h"
-#include "app/report/style.h"
-#include "app/report/text_column.h"
+#include "app/report/sheets/style.h"
+#include "app/report/sheets/text_column.h"
 #include "core/bench/finding.h"
 
 namespace noonmark {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/report/style.h"
+#include "app/report/sheets/style.h"
 
 namespace noonmark {
 

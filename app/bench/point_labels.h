@@ -3,7 +3,7 @@
 #include <QRectF>
 #include <vector>
 
-#include "app/report/style.h"
+#include "app/report/sheets/style.h"
 
 namespace noonmark {
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "app/cli/console.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark::cli {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/cli/command.h"
-#include "core/version.h"
+#include "core/base/version.h"
 
 namespace noonmark::cli {
 

@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/input/load_project.h"
-#include "core/io/read_settings_text.h"
+#include "core/io/heights/read_settings_text.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

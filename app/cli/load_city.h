@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "app/cli/read_options.h"
+#include "app/cli/options/read_options.h"
 #include "app/input/load_city.h"
 
 namespace noonmark::cli {

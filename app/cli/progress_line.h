@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/cli/console.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 namespace noonmark::cli {
 

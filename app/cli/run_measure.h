@@ -5,12 +5,12 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/cli/measure_options.h"
-#include "scenarios/project/keep_result.h"
+#include "app/cli/options/measure_options.h"
+#include "scenarios/project/results/save_result.h"
 
 namespace noonmark::cli {
 
-/// What differs between the measures of a project. `Answer` has a withResult() (keep_result.h).
+/// What differs between the measures of a project. `Answer` has a addResult() (save_result.h).
 template <class Answer>
 struct Measure {
     std::function<Result<Answer>(const ProjectFile&)> answer;
@@ -30,7 +30,7 @@ int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, co
     const auto written = measure.writeFiles(*answer, disk->project());
     if (!written) return fail(console, written.error(), exitFailed);
     if (!options.keep.empty())
-        if (const auto saved = disk->save(withResult(disk->project(), options.keep, *answer)); !saved)
+        if (const auto saved = disk->save(addResult(disk->project(), options.keep, *answer)); !saved)
             return fail(console, saved.error(), exitFailed);
     if (options.json)
         console.out << measure.json(*answer) << '\n';

@@ -7,7 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/table.h"
 #include "core/io/write_city.h"
-#include "core/study/warnings_json.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark::cli {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "app/cli/console.h"
+#include "core/base/warnings.h"
 #include "core/city/city.h"
-#include "core/warnings.h"
 
 namespace noonmark::cli {
 

@@ -7,9 +7,9 @@
 
 #include "app/cli/table.h"
 #include "core/measures/has_runs.h"
-#include "core/study/error_words.h"
-#include "core/study/height_words.h"
-#include "core/study/terrain_text.h"
+#include "core/study/text/error_words.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
 
 namespace noonmark::cli {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/warnings.h"
+#include "core/base/warnings.h"
 
 namespace noonmark::cli {
 

@@ -1,6 +1,6 @@
 #include "app/input/all_engines.h"
 
-#include "core/accumulate/engine_ground.h"
+#include "core/engines/engine_ground.h"
 #include "render/gl/gl_engines.h"
 
 namespace noonmark {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/accumulate/engine_list.h"
+#include "core/engines/api/engine_registry.h"
 
 namespace noonmark {
 

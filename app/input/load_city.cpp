@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/base/stopwatch.h"
 #include "core/samples/sample_city.h"
-#include "core/stopwatch.h"
 
 namespace noonmark {
 
@@ -51,8 +51,8 @@ Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
 bool isSample(std::string_view file) { return file.starts_with(samplePrefix); }
 
 Result<City> sampleCity(const std::string& name) {
-    if (name == "central-park-south") return centralParkSouthSample();
-    if (name == "grid") return gridSample({});
+    if (name == "central-park-south") return makeCentralParkSouthSample();
+    if (name == "grid") return makeGridSample({});
     return failure("There is no such sample", "sample '" + name + "'",
                    "The samples are central-park-south and grid");
 }
@@ -85,7 +85,7 @@ void addReading(Study& study, const LoadedCity& loaded) {
 }
 
 Region cityRegion(const City& city) {
-    Region region = regionFromLocalBox(bounds(city));
+    Region region = makeRegionFromLocalBox(bounds(city));
     region.name = "the whole city";
     return region;
 }
@@ -99,7 +99,7 @@ Region firstRegion(const LoadedCity& loaded, float mostM) {
     // Some open ground around, or a single building would leave nothing to shade.
     constexpr float borderM = 50;
     const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(mostM / 2));
-    Region region = regionFromLocalBox({centre - half, centre + half});
+    Region region = makeRegionFromLocalBox({centre - half, centre + half});
     region.name = "the middle of the city";
     return region;
 }

@@ -1,6 +1,6 @@
 #include "app/input/load_project.h"
 
-#include "core/io/geopackage_check.h"
+#include "core/io/files/geopackage_check.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/check_output.h"
-#include "core/study/provenance.h"
+#include "core/io/files/check_output.h"
+#include "core/study/provenance/provenance.h"
 
 namespace noonmark {
 

@@ -6,7 +6,7 @@ namespace noonmark::bench {
 
 namespace {
 
-std::string wordsOf(const Extent& extent) {
+std::string describe(const Extent& extent) {
     const Extent full;
     return fmt::format(
         "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; what takes "
@@ -20,9 +20,9 @@ std::string wordsOf(const Extent& extent) {
 
 }  // namespace
 
-Extent fullExtent() { return {}; }
+Extent makeFullExtent() { return {}; }
 
-Extent quickExtent() {
+Extent makeQuickExtent() {
     Extent quick;
     quick.hours = 8;
     quick.graphReceivers = 25'000;
@@ -37,7 +37,7 @@ Extent quickExtent() {
     quick.onceAboveS = 0.3;
     quick.neverAboveS = 12;
     quick.sampleReceivers = 2000;
-    quick.words = wordsOf(quick);
+    quick.words = describe(quick);
     return quick;
 }
 

@@ -35,9 +35,9 @@ struct Extent {
 };
 
 /// Some hours on two cores.
-Extent fullExtent();
+Extent makeFullExtent();
 
 /// Within 5 minutes on two cores.
-Extent quickExtent();
+Extent makeQuickExtent();
 
 }  // namespace noonmark::bench

@@ -21,9 +21,9 @@ std::string processorName() {
 
 }  // namespace
 
-Machine thisMachine() { return {processorName(), tbb::info::default_concurrency()}; }
+Machine detectMachine() { return {processorName(), tbb::info::default_concurrency()}; }
 
-std::string machineWords(const Machine& machine) {
+std::string describeMachine(const Machine& machine) {
     return fmt::format("{}, {} thread{}", machine.processor, machine.threads,
                        machine.threads == 1 ? "" : "s");
 }

@@ -11,9 +11,9 @@ struct Machine {
 };
 
 /// The one at hand.
-Machine thisMachine();
+Machine detectMachine();
 
 /// "AMD EPYC, 2 threads"
-std::string machineWords(const Machine& machine);
+std::string describeMachine(const Machine& machine);
 
 }  // namespace noonmark::bench

@@ -26,7 +26,7 @@ bool resetPeak() {
 
 }  // namespace
 
-std::optional<std::uint64_t> peakMemoryOf(const std::function<void()>& work) {
+std::optional<std::uint64_t> measurePeakMemory(const std::function<void()>& work) {
     malloc_trim(0);
     if (!resetPeak()) return {};
     const auto before = statusBytes("VmRSS");

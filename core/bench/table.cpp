@@ -22,7 +22,7 @@ std::string textOf(const TableCell& cell) {
 
 }  // namespace
 
-std::string csvOf(const Table& table) {
+std::string toCsv(const Table& table) {
     std::string csv = fmt::format("{}\n", fmt::join(table.columns, ","));
     for (const auto& row : table.rows) {
         std::vector<std::string> cells;

@@ -17,6 +17,6 @@ struct Table {
 
 /// RFC 4180, lines ended by \n, a full stop in numbers, the columns' names first. Numbers have the digits
 /// that bring them back exactly.
-std::string csvOf(const Table& table);
+std::string toCsv(const Table& table);
 
 }  // namespace noonmark::bench

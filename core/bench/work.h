@@ -3,8 +3,8 @@
 #include <stop_token>
 #include <string>
 
-#include "core/bench/allowance.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/bench/contests/allowance.h"
 
 namespace noonmark::bench {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/city/footprint.h"
-#include "core/city/mesh.h"
+#include "core/city/footprints/footprint.h"
+#include "core/city/meshes/mesh.h"
 
 namespace noonmark {
 
@@ -29,7 +29,7 @@ inline constexpr std::array heightSources{HeightSource::measured, HeightSource::
 /// "measured", "levels", "assumed", "mesh", "designed", "made up": in files and tables.
 std::string_view nameOf(HeightSource source);
 /// The source of that name; none for any other text.
-std::optional<HeightSource> heightSourceNamed(std::string_view name);
+std::optional<HeightSource> parseHeightSource(std::string_view name);
 
 /// One solid: a footprint between two elevations, or a general closed mesh whose outline the footprint is.
 struct Part {
@@ -39,7 +39,7 @@ struct Part {
     float topM = 0;     ///< local z of its highest point; > bottomM
     HeightSource heightSource = HeightSource::assumed;
     /// Open air below it: not heightfield-like, and the ground under it is a receiver.
-    bool hangs = false;
+    bool isOverhanging = false;
     /// Null for a prism. Else the part's geometry; footprint, bottomM and topM bound it.
     std::shared_ptr<const TriangleMesh> mesh;
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/city/building.h"
-#include "core/city/terrain.h"
+#include "core/city/terrain/terrain.h"
 #include "core/geo/frame.h"
 
 namespace noonmark {

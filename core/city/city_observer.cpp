@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-Observer observerIn(const City& city, glm::dvec2 local) {
+Observer placeObserver(const City& city, glm::dvec2 local) {
     Observer observer{city.frame.lonLatFromLocal(local), city.frame.originElevationM()};
     const glm::dmat2 level = city.frame.localFromEastNorth(observer.place);
     const glm::dvec2 slope = city.terrain ? earthDropSlope(local) : glm::dvec2(0);
@@ -16,6 +16,8 @@ Observer observerIn(const City& city, glm::dvec2 local) {
     return observer;
 }
 
-double verticalErrorDeg(double distanceM) { return Radians{distanceM / meanEarthRadiusM}.degrees().value; }
+double computeVerticalErrorDeg(double distanceM) {
+    return Radians{distanceM / meanEarthRadiusM}.degrees().value;
+}
 
 }  // namespace noonmark

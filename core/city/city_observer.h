@@ -17,11 +17,11 @@ namespace noonmark {
 ///   the same paraboloid and a slope (earthDropSlope), which the sun gets too.
 ///
 /// What is left elsewhere in a region, where the vertical is not the observer's: see verticalErrorDeg.
-Observer observerIn(const City& city, glm::dvec2 local);
+Observer placeObserver(const City& city, glm::dvec2 local);
 
 /// How far the direction of this observer's sun may be off at a place so far away, degrees: the angle between
 /// the two verticals, 0.009 deg (2 s of the sun's way) a km. On terrain, whose drop holds most of that angle,
 /// by about an eighth of it while the sun is low.
-double verticalErrorDeg(double distanceM);
+double computeVerticalErrorDeg(double distanceM);
 
 }  // namespace noonmark

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/warnings.h"
 #include "core/city/building.h"
-#include "core/warnings.h"
 
 namespace noonmark {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "core/units.h"
+#include "core/base/result.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <regex>
 
+#include "core/base/gdal_calls.h"
 #include "core/geo/crs_to_lon_lat.h"
-#include "core/io/gdal_calls.h"
 
 namespace noonmark {
 

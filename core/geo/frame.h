@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 
-#include "core/units.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/io/file_kind.h"
-#include "core/io/implausible_buildings.h"
-#include "core/io/place_advice.h"
+#include "core/base/progress_share.h"
+#include "core/io/files/file_kind.h"
+#include "core/io/footprints/place_advice.h"
+#include "core/io/heights/implausible_buildings.h"
 #include "core/io/read_part.h"
-#include "core/io/stand_on_terrain.h"
-#include "core/io/terrain_from_bases.h"
-#include "core/progress_share.h"
+#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/terrain_from_bases.h"
 
 namespace noonmark {
 
@@ -30,7 +30,7 @@ Result<std::vector<InputFile>> recognised(const std::vector<Path>& paths) {
     if (paths.empty()) return failure("No file is named", {}, "Name at least one file of buildings");
     std::vector<InputFile> files;
     for (const Path& path : paths) {
-        const auto kind = fileKind(path);
+        const auto kind = detectFileKind(path);
         if (!kind) return tl::make_unexpected(kind.error());
         files.push_back({path, *kind, {}});
     }
@@ -102,9 +102,9 @@ std::vector<BasedBuilding> basedBuildings(const std::vector<InputFile>& files) {
 void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, TerrainFromBases wanted) {
     if (all.city.terrain || wanted == TerrainFromBases::never) return;
     const std::vector<BasedBuilding> based = basedBuildings(files);
-    const BaseRelief relief = reliefOf(based);
+    const BaseRelief relief = measureRelief(based);
     if (wanted == TerrainFromBases::automatic && !relief.matters()) return;
-    std::optional<Terrain> terrain = terrainFromBases(based);
+    std::optional<Terrain> terrain = interpolateBases(based);
     if (!terrain) return;
     all.warnings.push_back({WarningKind::assumed,
                             "there is no terrain: the ground between the buildings was made from their bases",
@@ -149,7 +149,7 @@ void joinBuildings(CityRead& all, const InputFile& file) {
             all.city.buildings.push_back(piece.buildings[i]);
         else
             all.city.buildings.push_back(std::make_shared<const Building>(
-                standing(*piece.buildings[i], piece.groundM[i], all.city.terrain.get())));
+                standOnTerrain(*piece.buildings[i], piece.groundM[i], all.city.terrain.get())));
     }
 }
 

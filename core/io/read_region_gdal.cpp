@@ -11,10 +11,10 @@
 #include <memory>
 #include <optional>
 
-#include "core/io/fold_text.h"
-#include "core/io/gdal_calls.h"
-#include "core/io/open_dataset.h"
-#include "core/io/polygon_layer.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/files/fold_text.h"
+#include "core/io/files/open_dataset.h"
+#include "core/io/footprints/polygon_layer.h"
 
 namespace noonmark {
 
@@ -38,7 +38,7 @@ std::optional<LonLatBox> parseBox(std::string_view text) {
 
 Result<Region> regionOfBox(const LonLatBox& box, const Frame& frame, const std::string& text) {
     const auto [west, south, east, north] = box;
-    const auto region = regionFromLonLatBox(frame, west, south, east, north);
+    const auto region = makeRegionFromLonLatBox(frame, west, south, east, north);
     if (!region) return region;
     for (const LonLat corner :
          {LonLat{west, south}, LonLat{east, south}, LonLat{east, north}, LonLat{west, north}})
@@ -79,7 +79,7 @@ Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& fram
 }
 
 bool isWkt(std::string_view text) {
-    const std::string start = foldedText(text.substr(0, 24));
+    const std::string start = foldText(text.substr(0, 24));
     return start.starts_with("polygon") || start.starts_with("multipolygon");
 }
 

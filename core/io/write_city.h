@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/base/warnings.h"
 #include "core/city/city.h"
-#include "core/result.h"
-#include "core/warnings.h"
 
 namespace noonmark {
 

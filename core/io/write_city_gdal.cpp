@@ -6,10 +6,10 @@
 #include <optional>
 #include <unordered_set>
 
-#include "core/city/building_ground.h"
+#include "core/base/gdal_calls.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/geo/longitude.h"
-#include "core/io/gdal_calls.h"
-#include "core/io/pending_file.h"
+#include "core/io/files/pending_file.h"
 #include "core/io/write_city.h"
 
 namespace noonmark {
@@ -73,7 +73,7 @@ public:
     bool write(const Building& building, std::size_t index) {
         index_ = index;
         const std::string id = idFor(building);
-        const float ground = groundUnder(building, city_);
+        const float ground = findGroundUnder(building, city_);
         return std::ranges::all_of(
             building.parts, [&](const Part& part) { return write(building, id, part, double(ground)); });
     }
@@ -94,7 +94,7 @@ private:
         const double elevation = city_.frame.originElevationM() + groundM;
         if (city_.terrain || elevation != 0) feature.SetField("ground_elevation", elevation);
         feature.SetField("height_source", std::string(nameOf(part.heightSource)).c_str());
-        feature.SetField("hangs", part.hangs ? 1 : 0);
+        feature.SetField("hangs", part.isOverhanging ? 1 : 0);
         for (const BuildingColumn& column : figures_)
             feature.SetField(column.name.c_str(), column.values[index_]);
         const OGRPolygon polygon = polygonOf(part.footprint, city_.frame);

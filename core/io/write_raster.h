@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/geo/frame.h"
-#include "core/io/file_tags.h"
-#include "core/receivers/grid.h"
-#include "core/result.h"
+#include "core/geo/grid.h"
+#include "core/io/files/file_tags.h"
 
 namespace noonmark {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/io/gdal_calls.h"
-#include "core/io/open_dataset.h"
-#include "core/io/pending_file.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/files/open_dataset.h"
+#include "core/io/files/pending_file.h"
 #include "core/io/write_raster.h"
 
 namespace noonmark {

@@ -4,12 +4,12 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/accumulate/shadow_field.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/measures/sampled_error.h"
-#include "core/progress.h"
 #include "core/receivers/receivers.h"
-#include "core/result.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
@@ -45,17 +45,17 @@ Receivers onlyReceivers(const Receivers& receivers, std::vector<std::uint32_t> c
 
 /// The field of an engine at these receivers, beside what the ray reference finds there over all steps. Costs
 /// cells x steps rays and a ray scene of the buildings in reach; hands out no running results.
-Result<std::vector<ComparedCell>> comparedWithReference(const City& city, const Receivers& receivers,
-                                                        const SunSteps& sun, const ShadowField& field,
-                                                        std::vector<std::uint32_t> cells, Progress& progress,
-                                                        std::stop_token stop);
+Result<std::vector<ComparedCell>> compareWithReference(const City& city, const Receivers& receivers,
+                                                       const SunSteps& sun, const ShadowField& field,
+                                                       std::vector<std::uint32_t> cells, Progress& progress,
+                                                       std::stop_token stop);
 
 /// Minutes of the day with the most steps: 100 % of continuous shadow.
 double longestDayMinutes(const SunSteps& sun);
 
 /// All of it: a sample of the field's receivers, compared.
-Result<SampledError> sampledError(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                  const ShadowField& field, const ErrorSampleSettings& settings,
-                                  Progress& progress, std::stop_token stop);
+Result<SampledError> sampleError(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                 const ShadowField& field, const ErrorSampleSettings& settings,
+                                 Progress& progress, std::stop_token stop);
 
 }  // namespace noonmark

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <span>
 
-#include "core/accumulate/shadow_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/measures/sampled_error.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
 
-// Whether the longest runs were counted (core/accumulate/shadow_counts.h). Where they were not, minutes of
+// Whether the longest runs were counted (core/engines/api/shadow_counts.h). Where they were not, minutes of
 // continuous shadow are NaN in every cell and every figure: there is nothing to show or to write of them.
 
 /// Of a map of runs, or of their change. Reads as far as the first number: all cells where there is none.

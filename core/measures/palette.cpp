@@ -34,7 +34,7 @@ double encoded(double linear) {
 }
 
 /// IEC 61966-2-1 (sRGB) from CIE 1976 L*a*b*, D65 white; what lies outside sRGB is clipped.
-Rgb colourOf(const Lch& lch) {
+Rgb pickColour(const Lch& lch) {
     const double hue = lch.hue * std::numbers::pi / 180;
     const double fy = (lch.lightness + 16) / 116;
     const double x = 0.95047 * labInverse(fy + lch.chroma * std::cos(hue) / 500);
@@ -60,7 +60,7 @@ Table shadowTable() {
         const double along = double(i) / (tableSize - 1) * (shadowStops.size() - 1);
         const auto from = std::min<std::size_t>(std::size_t(along), shadowStops.size() - 2);
         table[std::size_t(i)] =
-            colourOf(between(shadowStops[from], shadowStops[from + 1], along - double(from)));
+            pickColour(between(shadowStops[from], shadowStops[from + 1], along - double(from)));
     }
     return table;
 }
@@ -83,7 +83,7 @@ Rgb impactRgb(double share) {
     Lch end = clamped < 0 ? lessShadow : moreShadow;
     Lch middle = noChange;
     middle.hue = end.hue;  // white has no hue of its own
-    return colourOf(between(middle, end, std::abs(clamped)));
+    return pickColour(between(middle, end, std::abs(clamped)));
 }
 
 LegendScale legendScale(double largestValue) {

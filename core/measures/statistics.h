@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/accumulate/shadow_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
@@ -27,15 +27,15 @@ struct ShadowSums {
 
     void add(const ShadowSums& piece);
 };
-ShadowSums sumsOf(const ShadowField& field);
+ShadowSums computeSums(const ShadowField& field);
 
 /// Figures of the sums; `sunlitMinutesPerDay` and `cellAreaM2` as the pieces have them.
-ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2);
+ShadowStatistics computeStatistics(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2);
 
 /// Over all receivers of the field. O(cells), sums in double.
-ShadowStatistics statisticsOf(const ShadowField& field);
+ShadowStatistics computeStatistics(const ShadowField& field);
 
 /// Over the receivers whose centres lie in the region.
-ShadowStatistics statisticsOf(const ShadowField& field, const Region& region);
+ShadowStatistics computeStatistics(const ShadowField& field, const Region& region);
 
 }  // namespace noonmark

@@ -1,12 +1,12 @@
 // noonmark-mesh-reader: reads one mesh file under limits and writes its triangles to a pipe. Noonmark starts
-// it for each mesh (core/io/mesh_reader_process.h), so that a file which crashes the mesh library costs no
-// unsaved work.
+// it for each mesh (core/io/meshes/mesh_reader_process.h), so that a file which crashes the mesh library
+// costs no unsaved work.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#include "core/io/mesh_reader_process.h"
+#include "core/io/meshes/mesh_reader_process.h"
 #include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/own_limits.h"
 #include "core/mesh_reader/read_scene.h"

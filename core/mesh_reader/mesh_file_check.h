@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark {
 

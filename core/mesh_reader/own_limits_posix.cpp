@@ -8,7 +8,7 @@
 #include <fstream>
 #include <new>
 
-#include "core/io/mesh_reader_process.h"
+#include "core/io/meshes/mesh_reader_process.h"
 #include "core/mesh_reader/own_limits.h"
 
 namespace noonmark {

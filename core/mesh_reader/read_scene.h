@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "core/io/mesh_scene.h"
+#include "core/io/meshes/mesh_scene.h"
 
 namespace noonmark {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/city/footprint.h"
-#include "core/receivers/grid.h"
+#include "core/city/footprints/footprint.h"
+#include "core/geo/grid.h"
 
 namespace noonmark {
 

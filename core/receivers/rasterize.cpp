@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/city/crossing.h"
+#include "core/city/footprints/crossing.h"
 
 namespace noonmark {
 
@@ -25,7 +25,8 @@ void addCrossings(const Ring& ring, double y, Crossings& crossings) {
         if (crossesRow(ring[j], ring[i], y)) crossings.push_back(crossingX(ring[j], ring[i], y));
 }
 
-// ceil() of a rounded quotient can be one off; settle it with the comparison that `contains` makes: crossing <= centre.
+// ceil() of a rounded quotient can be one off; settle it with the comparison that `contains` makes: crossing
+// <= centre.
 int firstColumn(const Grid& grid, double x) {
     int column = firstAtOrBeyond(x, grid.westM, grid.cellM, grid.columns);
     while (column > 0 && x <= grid.centre(column - 1, 0).x) --column;

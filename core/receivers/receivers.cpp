@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/city/ground_contact.h"
+#include "core/city/terrain/ground_contact.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
@@ -41,7 +41,7 @@ void markBuildings(Receivers& receivers, const City& city, const std::stop_token
         for (const Part& part : building->parts) {
             const glm::vec2 corner =
                 part.footprint.outer.empty() ? glm::vec2(0) : part.footprint.outer.front();
-            for (const Footprint& contact : groundContact(part, groundAt(city, glm::dvec2(corner))))
+            for (const Footprint& contact : findGroundContact(part, groundAt(city, glm::dvec2(corner))))
                 mark(receivers, contact, CellKind::ground, CellKind::building);
         }
     }
@@ -92,15 +92,15 @@ double lowestGroundM(const Receivers& receivers) {
     return lowest;
 }
 
-Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
-                                    const std::stop_token& stop) {
+Result<Receivers> placeReceiversOnGround(const City& city, const Region& region,
+                                         const ReceiverSettings& settings, const std::stop_token& stop) {
     return gridOver(region, settings).and_then([&](const Grid& grid) {
-        return receiversInPart(city, region, grid, stop);
+        return placeReceiversInPart(city, region, grid, stop);
     });
 }
 
-Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
-                                  const std::stop_token& stop) {
+Result<Receivers> placeReceiversInPart(const City& city, const Region& region, const Grid& part,
+                                       const std::stop_token& stop) {
     Receivers receivers;
     receivers.grid = part;
     receivers.kind.assign(receivers.grid.size(), CellKind::outside);

@@ -4,16 +4,16 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/receivers/grid.h"
+#include "core/geo/grid.h"
 #include "core/receivers/region.h"
-#include "core/result.h"
 
 namespace noonmark {
 
 enum class CellKind : std::uint8_t {
     outside,   ///< its centre is not in the region, or nothing is asked there
-    building,  ///< its centre is where a part meets the ground (core/city/ground_contact.h)
+    building,  ///< its centre is where a part meets the ground (core/city/terrain/ground_contact.h)
     ground,    ///< a receiver
     roof,      ///< a receiver on top of a building
 };
@@ -47,15 +47,15 @@ double lowestGroundM(const Receivers& receivers);
 /// that the same cells come back for an overlapping region. On the ground, whatever the settings' places
 /// (core/receivers/roof_receivers.h). Memory 9 bytes a cell; refused above 2^31 cells. cancelled() when
 /// stopped.
-Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
-                                    const std::stop_token& stop = {});
+Result<Receivers> placeReceiversOnGround(const City& city, const Region& region,
+                                         const ReceiverSettings& settings, const std::stop_token& stop = {});
 
 /// The grid of such receivers: all of the region's box. The same errors.
 Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings);
 
 /// The cells of any part of that grid, as they are in the whole. O(cells of the part + buildings).
 /// cancelled() when stopped.
-Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
-                                  const std::stop_token& stop = {});
+Result<Receivers> placeReceiversInPart(const City& city, const Region& region, const Grid& part,
+                                       const std::stop_token& stop = {});
 
 }  // namespace noonmark

@@ -74,13 +74,13 @@ std::string_view nameOf(ReceiverPlaces places) {
     return names[std::size_t(places)];
 }
 
-std::optional<ReceiverPlaces> placesNamed(std::string_view name) {
+std::optional<ReceiverPlaces> parsePlaces(std::string_view name) {
     for (const ReceiverPlaces places : allReceiverPlaces)
         if (nameOf(places) == name) return places;
     return std::nullopt;
 }
 
-std::string_view wordsOf(ReceiverPlaces places) {
+std::string_view describe(ReceiverPlaces places) {
     constexpr std::string_view words[] = {"the ground", "roofs", "the ground and roofs"};
     return words[std::size_t(places)];
 }
@@ -104,7 +104,7 @@ Result<void> checkOnGround(ReceiverPlaces places) {
 
 Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
                               const std::stop_token& stop) {
-    return receiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {
+    return placeReceiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {
         return placed(std::move(receivers), city, settings.places);
     });
 }

@@ -15,15 +15,15 @@ inline constexpr std::array allReceiverPlaces{ReceiverPlaces::ground, ReceiverPl
                                               ReceiverPlaces::both};
 
 /// The places that nameOf() gives this name; nothing where there are none.
-std::optional<ReceiverPlaces> placesNamed(std::string_view name);
+std::optional<ReceiverPlaces> parsePlaces(std::string_view name);
 
 /// In words: "the ground", "roofs", "the ground and roofs".
-std::string_view wordsOf(ReceiverPlaces places);
+std::string_view describe(ReceiverPlaces places);
 
 /// Error where anything but the ground is asked for: what compares cities or scores them is of the ground.
 Result<void> checkOnGround(ReceiverPlaces places);
 
-/// The receivers of a region where its settings ask for them. The same errors as receiversOnGround().
+/// The receivers of a region where its settings ask for them. The same errors as placeReceiversOnGround().
 Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
                               const std::stop_token& stop = {});
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/receivers/grid.h"
+#include "core/geo/grid.h"
 
 namespace noonmark {
 

@@ -21,7 +21,7 @@ struct BlockSettings {
 
 /// The buildings of one block, heights log-normal, in the order of its lots; narrow lots stay under nine
 /// times their width.
-std::vector<Building> buildingsOn(const StreetBox& block, const BlockSettings& settings,
+std::vector<Building> buildOnLots(const StreetBox& block, const BlockSettings& settings,
                                   const StreetAxes& axes, SampleRandom& random);
 
 }  // namespace noonmark

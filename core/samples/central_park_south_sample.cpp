@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/city/mesh_outline.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "core/samples/block_buildings.h"
 #include "core/samples/central_park_streets.h"
 #include "core/samples/central_park_towers.h"
@@ -54,21 +54,21 @@ void add(City& city, Building building, std::string id) {
 
 void addBlock(City& city, const BlockSettings& settings, Avenue avenue, int street) {
     SampleRandom random(seed, int(avenue), street);
-    for (Building& building : buildingsOn(blockAt(avenue, street), settings, {}, random))
+    for (Building& building : buildOnLots(blockAt(avenue, street), settings, {}, random))
         add(city, std::move(building), fmt::format("lot {}", city.buildings.size() + 1));
 }
 
 Building buildingOf(const NamedTower& tower) {
     return {.name = tower.name,
             .status = tower.status,
-            .parts = prismOn({cornersOf(tower.floor)}, 0, tower.heightM, {})};
+            .parts = makePrism({cornersOf(tower.floor)}, 0, tower.heightM, {})};
 }
 
 Building timeWarnerCenter() {
     Building center{.name = "Time Warner Center", .status = "built"};
-    center.parts = prismOn({cornersOf(timeWarnerPodium())}, 0, timeWarnerPodiumM, {});
+    center.parts = makePrism({cornersOf(timeWarnerPodium())}, 0, timeWarnerPodiumM, {});
     for (const NamedTower& tower : timeWarnerTowers())
-        for (Part& part : prismOn({cornersOf(tower.floor)}, timeWarnerPodiumM, tower.heightM, {}))
+        for (Part& part : makePrism({cornersOf(tower.floor)}, timeWarnerPodiumM, tower.heightM, {}))
             center.parts.push_back(std::move(part));
     return center;
 }
@@ -101,7 +101,7 @@ Footprint groundOf(const StreetPolygon& polygon, const Frame& frame) {
 std::vector<Lot> lotsOfBlock(Avenue avenue, int street) {
     SampleRandom random(seed, int(avenue), street);
     const BlockSettings settings = quarter(street < 59 ? broadwaySouth() : broadwayNorth());
-    std::vector<Lot> lots = lotsOf(blockAt(avenue, street), settings.widths, random);
+    std::vector<Lot> lots = cutIntoLots(blockAt(avenue, street), settings.widths, random);
     for (const SkewedAvenue& broadway : settings.avenues) lots = cutBy(broadway, std::move(lots));
     return lots;
 }
@@ -119,7 +119,7 @@ std::vector<Lot> emptiedLots(const StreetBox& floor) {
 
 }  // namespace
 
-City centralParkSouthSample() {
+City makeCentralParkSouthSample() {
     City city;
     city.frame = centralParkFrame();
     for (const NamedTower& tower : caseStudyTowers()) add(city, buildingOf(tower), tower.name);
@@ -134,13 +134,13 @@ Region centralParkRegion(const City& city) {
 }
 
 // Joined in street axes, where neighbours share their corners to the last bit.
-std::vector<CaseStudyLot> caseStudyLots(const City& city) {
+std::vector<CaseStudyLot> listCaseStudyLots(const City& city) {
     std::vector<CaseStudyLot> lots;
     for (const NamedTower& tower : caseStudyTowers()) {
         std::vector<Footprint> pieces;
         for (const Lot& lot : emptiedLots(tower.floor))
             pieces.push_back({{lot.ground.begin(), lot.ground.end()}, {}});
-        for (const Footprint& joined : unionOf(pieces))
+        for (const Footprint& joined : computeUnion(pieces))
             lots.push_back({tower.name, groundOf({joined.outer.begin(), joined.outer.end()}, city.frame)});
     }
     return lots;

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/samples/street_axes.h"
-#include "core/units.h"
 
 namespace noonmark {
 

@@ -74,7 +74,7 @@ void addRow(City& city, const GridSampleSettings& settings, const Extent& extent
     const BlockSettings block = blockSettings(settings, extent);
     for (int column = 0; column < extent.columns; ++column) {
         SampleRandom random(settings.seed, column, row);
-        for (Building& building : buildingsOn(blockAt(column, row, extent.columns), block, {}, random)) {
+        for (Building& building : buildOnLots(blockAt(column, row, extent.columns), block, {}, random)) {
             if (int(city.buildings.size()) == settings.buildings) return;
             add(city, std::move(building));
         }
@@ -100,7 +100,7 @@ Result<void> checked(const GridSampleSettings& settings) {
 
 }  // namespace
 
-Result<City> gridSample(const GridSampleSettings& settings) {
+Result<City> makeGridSample(const GridSampleSettings& settings) {
     if (const auto good = checked(settings); !good) return tl::make_unexpected(good.error());
     City city;
     city.frame = Frame(settings.origin);

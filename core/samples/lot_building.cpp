@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/samples/lot_forms.h"
 
 namespace noonmark {
@@ -42,7 +42,7 @@ private:
     }
 
     void addOnStreet(const Plan& plan, double bottomM, double topM) {
-        for (Part& part : prismOn(plan, bottomM, topM, axes_)) parts_.push_back(std::move(part));
+        for (Part& part : makePrism(plan, bottomM, topM, axes_)) parts_.push_back(std::move(part));
     }
 
     // A half turn on the northern side: it keeps orientation.
@@ -110,7 +110,7 @@ private:
     std::vector<Part> parts_;
 };
 
-Part partOf(Footprint footprint, double bottomM, double topM) {
+Part cutInterval(Footprint footprint, double bottomM, double topM) {
     return {.footprint = std::move(footprint),
             .bottomM = float(bottomM),
             .topM = float(topM),
@@ -119,18 +119,18 @@ Part partOf(Footprint footprint, double bottomM, double topM) {
 
 }  // namespace
 
-std::vector<Part> prismOn(const std::vector<StreetPolygon>& rings, double bottomM, double topM,
-                          const StreetAxes& axes) {
+std::vector<Part> makePrism(const std::vector<StreetPolygon>& rings, double bottomM, double topM,
+                            const StreetAxes& axes) {
     std::vector<RawRing> local = rings;
     for (RawRing& ring : local)
         for (glm::dvec2& point : ring) point = axes.localFromStreet(point);
     std::vector<Part> parts;
     for (Footprint& piece : repairFootprint(local).pieces)
-        parts.push_back(partOf(std::move(piece), bottomM, topM));
+        parts.push_back(cutInterval(std::move(piece), bottomM, topM));
     return parts;
 }
 
-Building buildingOn(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes,
+Building buildOnLot(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes,
                     SampleRandom& random) {
     Building building;
     building.status = "built";

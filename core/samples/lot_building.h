@@ -16,11 +16,11 @@ struct LotBuildingSettings {
 /// square or round tower, or setbacks in three tiers, as height, width and chance have it. On a lot that is
 /// cut the building follows the cut. Its footprints are simple as they are made, or repaired. No parts where
 /// the ground is too small for any.
-Building buildingOn(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes,
+Building buildOnLot(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes,
                     SampleRandom& random);
 
 /// A prism from street axes. The outline counter-clockwise, holes clockwise; what is not simple is repaired.
-std::vector<Part> prismOn(const std::vector<StreetPolygon>& rings, double bottomM, double topM,
-                          const StreetAxes& axes);
+std::vector<Part> makePrism(const std::vector<StreetPolygon>& rings, double bottomM, double topM,
+                            const StreetAxes& axes);
 
 }  // namespace noonmark

@@ -13,7 +13,7 @@ struct Lot {
     bool frontsNorth = false;
     StreetPolygon ground;  ///< what a skewed avenue left of the box
 
-    [[nodiscard]] bool isWhole() const { return areaOf(ground) > 0.999 * box.width() * box.depth(); }
+    [[nodiscard]] bool isWhole() const { return computeArea(ground) > 0.999 * box.width() * box.depth(); }
 };
 
 struct LotWidths {
@@ -23,7 +23,7 @@ struct LotWidths {
 };
 
 /// A block's lots: two rows back to back, side by side without gaps, together the block.
-std::vector<Lot> lotsOf(const StreetBox& block, const LotWidths& widths, SampleRandom& random);
+std::vector<Lot> cutIntoLots(const StreetBox& block, const LotWidths& widths, SampleRandom& random);
 
 /// The lots with their ground cut by an avenue; those with less than 60 m2 left are left out.
 std::vector<Lot> cutBy(const SkewedAvenue& avenue, std::vector<Lot> lots);

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/receivers/region.h"
-#include "core/result.h"
 
 namespace noonmark {
 
@@ -25,14 +25,14 @@ struct GridSampleSettings {
 
 /// The same city, to the last bit, for the same settings on every machine. Error for a setting out of range.
 /// About 6 us a building.
-Result<City> gridSample(const GridSampleSettings& settings);
+Result<City> makeGridSample(const GridSampleSettings& settings);
 
 /// Central Park's southern end, its streets and blocks with made-up buildings of 20 to 200 m, the seven
 /// towers of the paper's case study (section 8.1) at their public positions, floor sizes and roof heights
 /// with `status` "built" or "to be built" as of the paper, and Time Warner Center. Some 3,100 buildings; the
 /// named ones come first and stand alone on their lots. The streets are an ideal grid, true to some 15 m; a
 /// tower stands within 30 m of its public place.
-City centralParkSouthSample();
+City makeCentralParkSouthSample();
 
 /// The park itself from 59th to 72nd Street, for regions and pictures, in the city's frame.
 Region centralParkRegion(const City& city);
@@ -45,6 +45,6 @@ struct CaseStudyLot {
 
 /// The lots that stay empty for the seven towers, those of one tower joined: each holds its tower and no
 /// other building. In the city's frame, in the order of the towers.
-std::vector<CaseStudyLot> caseStudyLots(const City& city);
+std::vector<CaseStudyLot> listCaseStudyLots(const City& city);
 
 }  // namespace noonmark

@@ -41,7 +41,7 @@ StreetPolygon cornersOf(const StreetBox& box) {
     return {{box.west, box.south}, {box.east, box.south}, {box.east, box.north}, {box.west, box.north}};
 }
 
-double areaOf(const StreetPolygon& polygon) {
+double computeArea(const StreetPolygon& polygon) {
     double twice = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         const glm::dvec2 a = polygon[i] - polygon[0];
@@ -56,7 +56,7 @@ StreetPolygon SkewedAvenue::clipped(const StreetPolygon& polygon) const {
     const double middle = through.x - eastPerNorth * through.y;
     StreetPolygon west = halfOf(polygon, eastPerNorth, middle - half, -1);
     StreetPolygon east = halfOf(polygon, eastPerNorth, middle + half, 1);
-    return areaOf(west) > areaOf(east) ? std::move(west) : std::move(east);
+    return computeArea(west) > computeArea(east) ? std::move(west) : std::move(east);
 }
 
 }  // namespace noonmark

@@ -31,7 +31,7 @@ struct StreetBox {
 using StreetPolygon = std::vector<glm::dvec2>;
 
 StreetPolygon cornersOf(const StreetBox& box);
-double areaOf(const StreetPolygon& polygon);
+double computeArea(const StreetPolygon& polygon);
 
 /// A straight avenue that minds no grid: Broadway.
 struct SkewedAvenue {

@@ -33,7 +33,7 @@ double estimatedTriangles(const Part& part) {
     return 4 * double(points);  // two a wall, about one a point in each cap
 }
 
-double triangleCount(const City& city) {
+double countTriangles(const City& city) {
     double count = city.terrain ? 2 * double(city.terrain->grid.size()) : 0;
     for (const auto& building : city.buildings)
         for (const Part& part : building->parts) count += estimatedTriangles(part);
@@ -46,7 +46,7 @@ double stepCount(const Period& period) {
 }
 
 double engineBytesPerCell(const EngineList& engines, const std::string& key) {
-    const Engine* engine = findEngine(engines, key);
+    const EngineEntry* engine = findEngine(engines, key);
     return engine == nullptr ? 0 : engine->info.bytesPerCell;
 }
 
@@ -56,7 +56,7 @@ double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
 
 std::uint64_t memoryNeed(const City& city, const StudySettings& settings, const EngineList& engines) {
     const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(engines, settings.engine)) +
-                         triangleCount(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
+                         countTriangles(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
     constexpr double most = double(std::numeric_limits<std::int64_t>::max());
     return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
 }

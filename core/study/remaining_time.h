@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/progress.h"
-#include "core/stopwatch.h"
+#include "core/base/progress.h"
+#include "core/base/stopwatch.h"
 
 namespace noonmark {
 

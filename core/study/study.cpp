@@ -7,11 +7,11 @@
 #include <new>
 #include <utility>
 
-#include "core/accumulate/projected_breakdown.h"
-#include "core/accumulate/sweep_options.h"
+#include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
+#include "core/engines/horizon/sweep_options.h"
+#include "core/engines/projected/projected_breakdown.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/stopwatch.h"
 #include "core/study/memory_need.h"
 
 namespace noonmark {
@@ -62,14 +62,15 @@ Result<void> checkBreakdown(const StudySettings& settings) {
 // Months by projected shadows where these made the field: both say the same then.
 Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
-    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : oneSet(study.sun);
+    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
     const bool projected = settings.engine == "projected" || study.field.engineKey == "projected";
     if (projected && !settings.contributions)
-        return projectedBreakdown(study.city, study.receivers, study.sun, sets, progress, std::move(stop));
-    const BreakdownSettings breakdown{.sweep = sweepSettings(settings.engineSettings),
+        return computeProjectedBreakdown(study.city, study.receivers, study.sun, sets, progress,
+                                         std::move(stop));
+    const BreakdownSettings breakdown{.sweep = readSweepSettings(settings.engineSettings),
                                       .byBuilding = settings.contributions};
-    return horizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
-                            std::move(stop));
+    return computeHorizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
+                                   std::move(stop));
 }
 
 Result<void> brokenDown(Study& study, Progress& progress, std::stop_token stop) {
@@ -78,14 +79,14 @@ Result<void> brokenDown(Study& study, Progress& progress, std::stop_token stop) 
                  [&] { return breakdownOf(study, progress, stop); });
 }
 
-Result<void> computed(Study& study, const Accumulator& engine, Progress& progress, std::stop_token stop) {
+Result<void> computed(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
     return timed(study, "receivers", study.receivers, stop,
                  [&] { return receiversIn(study.city, settings.region, settings.receivers, stop); })
         .and_then([&] { return checkReceivers(study); })
         .and_then([&] {
             return timed(study, "sun", study.sun, stop,
-                         [&] { return sunSteps(settings.period, observerOf(study), stop); });
+                         [&] { return computeSunSteps(settings.period, observerOf(study), stop); });
         })
         .and_then([&] { return checkSun(study); })
         .and_then([&] {
@@ -107,8 +108,8 @@ bool wantsError(const Study& study) {
 // A study is not lost for want of its error: only a stop request ends it.
 Result<void> measureError(Study& study, Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
-    const auto error = sampledError(study.city, study.receivers, study.sun, study.field,
-                                    study.settings.errorSample, progress, stop);
+    const auto error = sampleError(study.city, study.receivers, study.sun, study.field,
+                                   study.settings.errorSample, progress, stop);
     if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
     if (error)
         study.error = *error;
@@ -123,7 +124,7 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
 
 Observer observerOf(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);
-    Observer observer = observerIn(city, glm::dvec2(box.low + box.high) / 2.0);
+    Observer observer = placeObserver(city, glm::dvec2(box.low + box.high) / 2.0);
     observer.pressureHPa = settings.pressureHPa;
     observer.temperatureC = settings.temperatureC;
     return observer;
@@ -137,7 +138,7 @@ SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings) {
     facts.convergenceDeg = Radians{std::atan2(turn[1].x, turn[1].y)}.degrees().value;
     facts.tiltDeg = Radians{std::atan2(std::hypot(up.x, up.y), up.z)}.degrees().value;
     facts.farthestM = glm::length(glm::dvec2(box.high - box.low)) / 2;
-    facts.verticalErrorDeg = verticalErrorDeg(facts.farthestM);
+    facts.verticalErrorDeg = computeVerticalErrorDeg(facts.farthestM);
     return facts;
 }
 
@@ -148,7 +149,7 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     const Stopwatch watch;
     const auto period = checked(settings.period);
     if (!period) return tl::make_unexpected(period.error());
-    const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
+    const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     if (auto able = checkBreakdown(settings); !able) return tl::make_unexpected(able.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
@@ -157,7 +158,7 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     if (auto done = computed(study, **engine, progress, stop); !done)
         return tl::make_unexpected(done.error());
     if (study.field.engineKey.empty()) study.field.engineKey = settings.engine;
-    study.statistics = statisticsOf(study.field);
+    study.statistics = computeStatistics(study.field);
     study.warnings = study.field.warnings;
     for (Warning& warning : warningsOf(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
     if (wantsError(study))

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/accumulate/engine_list.h"
-#include "core/accumulate/horizon_breakdown.h"
+#include "core/engines/api/engine_registry.h"
+#include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/io/read_city.h"
 #include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
-#include "core/study/provenance.h"
+#include "core/study/provenance/provenance.h"
 #include "core/study/terrain_coverage.h"
 #include "core/sun/sun_steps.h"
 

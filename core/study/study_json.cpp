@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/accumulate/blank_field.h"
+#include "core/base/version.h"
+#include "core/engines/api/blank_field.h"
 #include "core/measures/has_runs.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/breakdown_text.h"
-#include "core/study/error_json.h"
-#include "core/study/height_words.h"
-#include "core/study/provenance_json.h"
-#include "core/study/repeat_command.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/repeat_command.h"
 #include "core/study/study.h"
-#include "core/study/terrain_text.h"
-#include "core/study/warnings_json.h"
-#include "core/version.h"
+#include "core/study/text/breakdown_text.h"
+#include "core/study/text/error_json.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 

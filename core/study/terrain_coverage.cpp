@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accumulate/reach.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -24,7 +24,7 @@ bool coversAll(const Terrain& terrain, const Grid& cells) {
     return true;
 }
 
-Box2 boxOf(const Grid& cells) {
+Box2 computeBox(const Grid& cells) {
     return {{float(cells.westM), float(cells.southM)}, {float(cells.eastM()), float(cells.northM())}};
 }
 
@@ -49,14 +49,14 @@ private:
     double farM_ = 0;
 };
 
-TerrainCoverage::Share castersOf(const City& city, const Grid& cells, const SunSteps& sun) {
+TerrainCoverage::Share placeCasters(const City& city, const Grid& cells, const SunSteps& sun) {
     TerrainCoverage::Share share;
     Counter counter(*city.terrain, share);
     const ShadowReach reach(sun);
     const float lowest = *std::ranges::min_element(city.terrain->elevationM);
     for (const auto& building : city.buildings) {
         const Box2 box = bounds(*building);
-        if (reach.touches(box, double(topM(*building) - lowest), boxOf(cells)))
+        if (reach.touches(box, double(topM(*building) - lowest), computeBox(cells)))
             counter.add(glm::dvec2(box.low + box.high) / 2.0);
     }
     return share;
@@ -66,7 +66,7 @@ TerrainCoverage::Share castersOf(const City& city, const Grid& cells, const SunS
 
 TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun) {
     if (!city.terrain) return {};
-    TerrainCoverage coverage{.casters = castersOf(city, receivers.grid, sun)};
+    TerrainCoverage coverage{.casters = placeCasters(city, receivers.grid, sun)};
     if (coversAll(*city.terrain, receivers.grid)) {
         coverage.receivers.all = receivers.cells.size();
         return coverage;
@@ -79,7 +79,7 @@ TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, co
 TerrainCoverage terrainCoverage(const City& city, const Region& region, const Grid& cells,
                                 const SunSteps& sun) {
     if (!city.terrain) return {};
-    TerrainCoverage coverage{.casters = castersOf(city, cells, sun)};
+    TerrainCoverage coverage{.casters = placeCasters(city, cells, sun)};
     Counter counter(*city.terrain, coverage.receivers);
     constexpr double mostCells = 1e6;
     const int step = std::max(1, int(std::ceil(std::sqrt(double(cells.size()) / mostCells))));

@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <string>
 
+#include "core/base/result.h"
+#include "core/base/warnings.h"
 #include "core/city/city.h"
 #include "core/receivers/receivers.h"
-#include "core/result.h"
 #include "core/sun/sun_steps.h"
-#include "core/warnings.h"
 
 namespace noonmark {
 

@@ -41,7 +41,7 @@ glm::dvec3 asSeen(const EarthAndSun& at) {
 
 }  // namespace
 
-glm::dvec3 apparentSun(double ttDays) {
+glm::dvec3 computeApparentSun(double ttDays) {
     double precessionNutation[3][3];
     double x = 0;
     double y = 0;

@@ -39,7 +39,7 @@ bool isZone(const std::string& name) {
 }
 
 tl::unexpected<Error> unknownZone(std::string_view name) {
-    const auto close = closeNames(name, zoneNames());
+    const auto close = findCloseNames(name, zoneNames());
     return failure(fmt::format("\"{}\" is no time zone", name), "zone",
                    close.empty() ? "Give a name such as America/New_York or UTC"
                                  : fmt::format("Did you mean {}?", fmt::join(close, ", ")));

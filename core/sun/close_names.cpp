@@ -44,8 +44,8 @@ std::optional<std::size_t> nearness(std::string_view wanted, std::string_view ca
 
 }  // namespace
 
-std::vector<std::string> closeNames(std::string_view text, const std::vector<std::string>& names,
-                                    std::size_t most) {
+std::vector<std::string> findCloseNames(std::string_view text, const std::vector<std::string>& names,
+                                        std::size_t most) {
     constexpr std::size_t longestName = 64;
     const std::string wanted = plain(text.substr(0, longestName));
     std::vector<std::pair<std::size_t, std::string>> ranked;

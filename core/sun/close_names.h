@@ -8,7 +8,7 @@ namespace noonmark {
 
 /// The names that someone may have meant who wrote `text`: few letters away, or whose last part ("New_York")
 /// is. Best first.
-std::vector<std::string> closeNames(std::string_view text, const std::vector<std::string>& names,
-                                    std::size_t most = 3);
+std::vector<std::string> findCloseNames(std::string_view text, const std::vector<std::string>& names,
+                                        std::size_t most = 3);
 
 }  // namespace noonmark

@@ -34,7 +34,7 @@ Cubic cubicThrough(const glm::dvec3& before, const glm::dvec3& at, const glm::dv
 std::vector<glm::dvec3> nodesFrom(Instant first, std::size_t count) {
     std::vector<glm::dvec3> nodes(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        nodes[i] = apparentSun(ttDays(first + spacing * std::int64_t(i)));
+        nodes[i] = computeApparentSun(ttDays(first + spacing * std::int64_t(i)));
     });
     return nodes;
 }

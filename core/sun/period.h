@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/sun/civil_time.h"
 #include "core/sun/sun_events.h"
 

@@ -39,8 +39,8 @@ Result<Observer> checked(const Observer& observer) {
     return observer;
 }
 
-SolarPosition solarPosition(const Observer& observer, Instant at) {
-    return ObserverFrame(observer).position(apparentSun(ttDays(at)), earthRotation(ut1Days(at)));
+SolarPosition computeSolarPosition(const Observer& observer, Instant at) {
+    return ObserverFrame(observer).position(computeApparentSun(ttDays(at)), earthRotation(ut1Days(at)));
 }
 
 Degrees refraction(const Observer& observer, Degrees trueAltitude) {
@@ -55,7 +55,7 @@ Degrees refraction(const Observer& observer, Degrees trueAltitude) {
         0.0, density * arcMinutes / 60)};  // the formula turns negative at the zenith, by 0.002 arc minutes
 }
 
-glm::dvec3 directionFromAzimuthAltitude(Degrees azimuth, Degrees altitude) {
+glm::dvec3 toDirection(Degrees azimuth, Degrees altitude) {
     const double a = azimuth.radians().value;
     const double e = altitude.radians().value;
     return {std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "core/result.h"
-#include "core/units.h"
+#include "core/base/result.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 
@@ -44,13 +44,13 @@ struct SolarPosition {
 };
 
 /// One position from ERFA, not interpolated: within 0.0003 deg of NREL SPA and of JPL Horizons. About 30 us.
-SolarPosition solarPosition(const Observer& observer, Instant at);
+SolarPosition computeSolarPosition(const Observer& observer, Instant at);
 
 /// Refraction to be added to a true altitude. Source of the formula: see the .cpp.
 Degrees refraction(const Observer& observer, Degrees trueAltitude);
 
 /// Unit vector towards the sun in the local frame: x east, y north, z up.
-glm::dvec3 directionFromAzimuthAltitude(Degrees azimuth, Degrees altitude);
+glm::dvec3 toDirection(Degrees azimuth, Degrees altitude);
 
 /// Positions for many instants of a span: ERFA at a coarse spacing, interpolated; differs from solarPosition
 /// by less than 0.00002 deg. A year of minutes costs milliseconds. Immutable once made; safe to share between
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] Radians hourAngle(Instant at) const;
 
 private:
-    friend SunEvents sunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
+    friend SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
     static Ephemeris spanning(const Observer& observer, Instant from, Instant to);  // no check of the years
 
     Ephemeris();

@@ -59,7 +59,7 @@ std::optional<Instant> crossing(const Ephemeris& sun, Instant up, Instant down, 
 
 }  // namespace
 
-SunEvents sunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule) {
+SunEvents computeSunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule) {
     SunEvents events;
     events.transit = transitNearest(sun, localMidnight + halfDay);
     const double altitudeDeg = thresholdDeg(rule);
@@ -74,9 +74,9 @@ SunEvents sunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rul
     return events;
 }
 
-SunEvents sunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule) {
-    return sunEvents(Ephemeris::spanning(observer, localMidnight - days{1}, localMidnight + days{2}),
-                     localMidnight, rule);
+SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule) {
+    return computeSunEvents(Ephemeris::spanning(observer, localMidnight - days{1}, localMidnight + days{2}),
+                            localMidnight, rule);
 }
 
 }  // namespace noonmark

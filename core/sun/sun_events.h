@@ -29,10 +29,10 @@ struct SunEvents {
 /// instant of 0:00 local time): sunrise in the 12 h before it, sunset in the 12 h after. On the first and
 /// last day of midnight sun one of them is missing and the day is ordinary. Within 1 s of NREL SPA. About 0.2
 /// ms.
-SunEvents sunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
+SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
 
 /// The same for many days of one place: `ephemeris` covers from 1 day before the first midnight to 2 days
 /// after the last. About 10 us.
-SunEvents sunEvents(const Ephemeris& ephemeris, Instant localMidnight, SunriseRule rule);
+SunEvents computeSunEvents(const Ephemeris& ephemeris, Instant localMidnight, SunriseRule rule);
 
 }  // namespace noonmark

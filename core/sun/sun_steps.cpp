@@ -58,7 +58,7 @@ struct FramedSun {
 
 FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees altitude) {
     constexpr double leastZ = 1e-6;  // a ten-thousandth of a degree
-    glm::dvec3 towards = frameFromPlace * directionFromAzimuthAltitude(azimuth, altitude);
+    glm::dvec3 towards = frameFromPlace * toDirection(azimuth, altitude);
     const bool levelled = towards.z <= 0;
     if (levelled) towards.z = leastZ;
     return {glm::vec3(glm::normalize(towards)), levelled};
@@ -98,7 +98,7 @@ private:
     [[nodiscard]] Window windowOf(CivilDate date) const {
         if (period_.window) {
             const Instant midnight = zone_.instantAt(date, 0min);
-            const SunEvents events = sunEvents(sun_, midnight, period_.window->rule);
+            const SunEvents events = computeSunEvents(sun_, midnight, period_.window->rule);
             return solarWindow(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
         }
         const Instant from = zone_.instantAt(date, period_.from);
@@ -180,7 +180,8 @@ std::optional<Error> tooManySteps(const Period& period) {
 
 }  // namespace
 
-Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const std::stop_token& stop) {
+Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
+                                 const std::stop_token& stop) {
     if (const auto good = checked(period); !good) return tl::make_unexpected(good.error());
     if (const auto trouble = tooManySteps(period)) return tl::make_unexpected(*trouble);
     const auto zone = Zone::named(period.zone);

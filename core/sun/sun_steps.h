@@ -58,6 +58,7 @@ struct SunSteps {
 /// it stays up, it begins or ends with the civil day. Error: a period or observer out of range, more than 50
 /// million steps, or cancelled(). A year of 8 h days at one minute takes some 40 ms of processor time, on all
 /// cores.
-Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const std::stop_token& stop = {});
+Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
+                                 const std::stop_token& stop = {});
 
 }  // namespace noonmark

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "core/accumulate/accrual/accrual_settings.h"
-#include "core/accumulate/accrual/interval_casters.h"
-#include "core/accumulate/accrual/map_frame.h"
-#include "core/accumulate/accrual/surface_lookup.h"
-#include "core/accumulate/shadow_mask.h"
+#include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/accrual/interval_casters.h"
+#include "core/engines/accrual/map_frame.h"
+#include "core/engines/accrual/surface_lookup.h"
+#include "core/engines/common/shadow_mask.h"
 #include "render/gl/gl_context.h"
 
 namespace noonmark {

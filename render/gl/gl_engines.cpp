@@ -2,22 +2,21 @@
 
 #include <algorithm>
 
-#include "core/accumulate/graph_accumulator.h"
-#include "core/accumulate/interval_options.h"
+#include "core/engines/accrual/interval_options.h"
+#include "core/engines/graph/graph_engine.h"
 #include "render/gl/gl_shadow_maps.h"
 
 namespace noonmark {
 
 namespace {
 
-Engine engineOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
+EngineEntry engineOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
     info.bytesPerCell = accrualBytesPerCell;
     info.options = accrualOptions(std::min(limits.mapSize, AccrualSettings::maxMapSize));
-    return {std::move(info),
-            [passes](const EngineSettings& settings) -> Result<std::unique_ptr<Accumulator>> {
-                const auto maps = GlShadowMaps::make(passes, accrualSettings(settings));
+    return {std::move(info), [passes](const EngineSettings& settings) -> Result<std::unique_ptr<Engine>> {
+                const auto maps = GlShadowMaps::make(passes, readAccrualSettings(settings));
                 if (!maps) return tl::make_unexpected(maps.error());
-                return std::make_unique<GraphAccumulator>(*maps, graphSettings(settings));
+                return std::make_unique<GraphEngine>(*maps, readGraphSettings(settings));
             }};
 }
 

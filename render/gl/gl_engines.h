@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/accumulate/engine_list.h"
+#include "core/engines/api/engine_registry.h"
 
 namespace noonmark {
 

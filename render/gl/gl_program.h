@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "render/gl/gl_api.h"
 
 namespace noonmark {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "core/accumulate/accrual/accrual_settings.h"
-#include "core/accumulate/interval_engine.h"
+#include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/common/interval_engine.h"
 #include "render/gl/gl_context.h"
 
 namespace noonmark {

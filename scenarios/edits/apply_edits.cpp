@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/city/building_ground.h"
 #include "core/city/plausible_heights.h"
-#include "core/io/stand_on_terrain.h"
+#include "core/city/terrain/building_ground.h"
+#include "core/io/terrain/stand_on_terrain.h"
 
 namespace noonmark {
 
@@ -16,7 +16,7 @@ namespace {
 using Shared = std::shared_ptr<const Building>;
 
 double lowestGround(const Building& building, const City& city) {
-    return city.terrain ? double(lowestGroundUnder(building, *city.terrain)) : 0.0;
+    return city.terrain ? double(findLowestGround(building, *city.terrain)) : 0.0;
 }
 
 // A city while edits are made to it; it keeps the account of what came and went.
@@ -57,7 +57,7 @@ public:
     Result<void> operator()(const ChangeHeight& edit) {
         return with(edit.building, [&](std::size_t i) {
             const Building& old = *buildings()[i];
-            return withHeight(old, double(groundUnder(old, edited_.city)), edit.heightM)
+            return withHeight(old, double(findGroundUnder(old, edited_.city)), edit.heightM)
                 .map([&](Building building) { put(i, std::move(building)); });
         });
     }
@@ -67,7 +67,7 @@ public:
     Result<void> operator()(const Rotate& edit) {
         return with(edit.building, [&](std::size_t i) {
             return relocate(edit.building,
-                            {.about = middleOf(*buildings()[i]), .clockwiseDeg = edit.clockwiseDeg});
+                            {.about = findMiddle(*buildings()[i]), .clockwiseDeg = edit.clockwiseDeg});
         });
     }
 
@@ -144,7 +144,7 @@ Result<EditedCity> applied(const City& city, std::span<const Edit> edits) {
     return std::move(work).take();
 }
 
-ChangedVolume volumeOf(const CityChanges& changes) {
+ChangedVolume computeVolume(const CityChanges& changes) {
     ChangedVolume volume;
     for (const auto* list : {&changes.removed, &changes.added})
         for (const auto& building : *list) {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/result.h"
 #include "scenarios/edits/edit.h"
 
 namespace noonmark {
@@ -33,6 +33,6 @@ struct ChangedVolume {
     Box2 box;             ///< empty: nothing changed
     float topM = -1e30F;  ///< local z
 };
-ChangedVolume volumeOf(const CityChanges& changes);
+ChangedVolume computeVolume(const CityChanges& changes);
 
 }  // namespace noonmark

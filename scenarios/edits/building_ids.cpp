@@ -29,7 +29,7 @@ std::string nearOne(const City& city, const std::string& text) {
 
 }  // namespace
 
-City withUniqueIds(City city) {
+City makeIdsUnique(City city) {
     std::unordered_set<std::string> used;
     for (auto& building : city.buildings) {
         const std::string own = building->sourceId.empty() ? "building" : building->sourceId;

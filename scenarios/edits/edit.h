@@ -65,6 +65,6 @@ std::string textOf(const Edit& edit);
 
 /// The word of the file and the command line: "demolish", "replace", "add", "height", "move", "rotate",
 /// "import".
-std::string_view kindOf(const Edit& edit);
+std::string_view getKind(const Edit& edit);
 
 }  // namespace noonmark

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/city/footprints/repair_footprint.h"
 #include "core/city/plausible_heights.h"
-#include "core/city/repair_footprint.h"
 
 namespace noonmark {
 
@@ -134,7 +134,7 @@ Result<Building> withHeight(const Building& building, double groundM, double hei
                    "Choose a greater height, or demolish it");
 }
 
-glm::dvec2 middleOf(const Building& building) {
+glm::dvec2 findMiddle(const Building& building) {
     glm::dvec2 sum{0, 0};
     double weight = 0;
     for (const Part& part : building.parts) {

@@ -2,8 +2,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "core/base/result.h"
 #include "core/city/building.h"
-#include "core/result.h"
 
 namespace noonmark {
 
@@ -30,6 +30,6 @@ Building lifted(Building building, double byM);
 Result<Building> withHeight(const Building& building, double groundM, double heightM);
 
 /// The middle of the outlines' area, local metres.
-glm::dvec2 middleOf(const Building& building);
+glm::dvec2 findMiddle(const Building& building);
 
 }  // namespace noonmark

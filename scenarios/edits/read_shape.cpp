@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/io/file_kind.h"
+#include "core/io/files/file_kind.h"
 
 namespace noonmark {
 
@@ -26,7 +26,7 @@ double lowestM(const Building& building) {
 Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
                              const ReadSettings& settings, const Frame& frame, Warnings& warnings,
                              Progress& progress, std::stop_token stop) {
-    const auto kind = fileKind(file);
+    const auto kind = detectFileKind(file);
     if (!kind) return tl::make_unexpected(kind.error());
     ReadSettings here = settings;
     here.frame = frame;

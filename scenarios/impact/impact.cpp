@@ -6,8 +6,8 @@
 #include <optional>
 #include <unordered_set>
 
-#include "core/accumulate/auto_engine.h"
-#include "core/progress_share.h"
+#include "core/base/progress_share.h"
+#include "core/engines/auto_engine.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
@@ -57,7 +57,7 @@ public:
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
         auto study = compare(before, after);
         if (study || isCancelled(study.error()) || !choice_ || choice_->key == referenceEngine) return study;
-        choice_ = raysSince(*choice_, study.error());
+        choice_ = fallBackToRays(*choice_, study.error());
         return compare(before, after);
     }
 
@@ -87,8 +87,8 @@ private:
         const ErrorSampleSettings& sample = settings_.study.errorSample;
         if (sample.receivers == 0 || study.after.engineKey == referenceEngine) return {};
         ProgressShare share(progress_, done_++, fields_);
-        const auto error = changeError({before, study.before}, {after, study.after}, common_.receivers, sun_,
-                                       sample, share, stop_);
+        const auto error = measureChangeError({before, study.before}, {after, study.after}, common_.receivers,
+                                              sun_, sample, share, stop_);
         if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
         if (error)
             study.error = *error;
@@ -101,18 +101,18 @@ private:
     Result<void> prepare(const City& before, const City& after) {
         const StudySettings& study = settings_.study;
         if (auto ground = checkOnGround(study.receivers.places); !ground) return ground;
-        auto engine = makeAccumulator(study.engine, study.engineSettings, engines_);
+        auto engine = makeEngine(study.engine, study.engineSettings, engines_);
         if (!engine) return tl::make_unexpected(engine.error());
         engine_ = *std::move(engine);
         if (auto fits = checkMemory(after, study, engines_); !fits) return fits;
-        auto common = commonReceivers(before, after, study.region, study.receivers, stop_);
+        auto common = findCommonReceivers(before, after, study.region, study.receivers, stop_);
         if (!common) return tl::make_unexpected(common.error());
         common_ = *std::move(common);
         if (common_.receivers.cells.empty())
             return failure("No cell of the region is open ground in both cities", study.region.name,
                            "Choose a larger region, or smaller cells");
         return checked(study.period).and_then([&](const Period& period) {
-            return sunSteps(period, observerOf(after, study), stop_)
+            return computeSunSteps(period, observerOf(after, study), stop_)
                 .and_then([&](SunSteps sun) { return keep(std::move(sun)); })
                 .and_then([&] {
                     return checkCoverage(terrainCoverage(after, common_.receivers, sun_), study.region.name);
@@ -159,7 +159,7 @@ private:
     Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
         if (!looksAtEachReceiverAlone(with.engineKey, common_.receivers.flat())) return fieldOf(without);
         if (!reach_) reach_.emplace(sun_);
-        const Receivers reached = reachedBy(building, common_.receivers, *reach_);
+        const Receivers reached = findReached(building, common_.receivers, *reach_);
         if (reached.cells.empty()) {
             ++done_;
             return with;
@@ -173,7 +173,7 @@ private:
     const EngineList& engines_;
     Progress& progress_;
     std::stop_token stop_;
-    std::unique_ptr<Accumulator> engine_;
+    std::unique_ptr<Engine> engine_;
     std::optional<EngineChoice> choice_;  // by the engine auto, for all fields
     CommonReceivers common_;
     SunSteps sun_;
@@ -184,11 +184,11 @@ private:
 
 }  // namespace
 
-Result<CommonReceivers> commonReceivers(const City& before, const City& after, const Region& region,
-                                        const ReceiverSettings& settings, const std::stop_token& stop) {
-    const auto old = receiversOnGround(before, region, settings, stop);
+Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
+                                            const ReceiverSettings& settings, const std::stop_token& stop) {
+    const auto old = placeReceiversOnGround(before, region, settings, stop);
     if (!old) return tl::make_unexpected(old.error());
-    auto made = receiversOnGround(after, region, settings, stop);
+    auto made = placeReceiversOnGround(after, region, settings, stop);
     if (!made) return tl::make_unexpected(made.error());
     CommonReceivers common{*std::move(made), {}};
     common.change.resize(common.receivers.kind.size());

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/accumulate/shadow_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -41,8 +41,9 @@ struct CommonReceivers {
     Receivers receivers;
     std::vector<CellChange> change;
 };
-Result<CommonReceivers> commonReceivers(const City& before, const City& after, const Region& region,
-                                        const ReceiverSettings& settings, const std::stop_token& stop = {});
+Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
+                                            const ReceiverSettings& settings,
+                                            const std::stop_token& stop = {});
 
 /// Difference of two fields on the same receivers.
 Impact differenceOf(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);
@@ -59,7 +60,8 @@ struct ImpactStudy {
     ShadowField after;
     SunSteps sun;
     Frame frame{{0, 0}};  ///< of the cities
-    /// Of total: see changeError(). None: by the ray reference itself, not asked for, or a warning says why.
+    /// Of total: see measureChangeError(). None: by the ray reference itself, not asked for, or a warning
+    /// says why.
     std::optional<SampledError> error;
 };
 

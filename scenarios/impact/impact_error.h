@@ -15,8 +15,9 @@ struct CityField {
 /// How far the change that an engine finds between two cities is from the change that the ray reference
 /// finds, on a sample of the receivers that both have. Twice the rays of a study's error, so on half as many
 /// receivers where rays are short.
-Result<SampledError> changeError(const CityField& before, const CityField& after, const Receivers& receivers,
-                                 const SunSteps& sun, const ErrorSampleSettings& settings, Progress& progress,
-                                 const std::stop_token& stop);
+Result<SampledError> measureChangeError(const CityField& before, const CityField& after,
+                                        const Receivers& receivers, const SunSteps& sun,
+                                        const ErrorSampleSettings& settings, Progress& progress,
+                                        const std::stop_token& stop);
 
 }  // namespace noonmark

@@ -70,11 +70,11 @@ ImpactFigures counted(const Impact& impact, double thresholdMin, IsCounted&& isC
 
 }  // namespace
 
-ImpactFigures figuresOf(const Impact& impact, double thresholdMin) {
+ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
     return counted(impact, thresholdMin, [](std::size_t) { return true; });
 }
 
-ImpactFigures figuresOf(const Impact& impact, const Region& region, double thresholdMin) {
+ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin) {
     std::vector<bool> inside(impact.grid.size(), false);
     for (const Footprint& polygon : region.polygons)
         forEachRun(polygon, impact.grid, [&](int row, int first, int end) {

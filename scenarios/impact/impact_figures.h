@@ -29,9 +29,9 @@ struct ImpactFigures {
 /// Over all receivers. `thresholdMin`: minutes a day for gross, minutes for continuous, 0 or more; the
 /// default of the paper's case study is 30, Boston's rules ask for 60. A change below a thousandth of a
 /// minute is none: float32 rounding. O(cells), sums in double.
-ImpactFigures figuresOf(const Impact& impact, double thresholdMin = 30);
+ImpactFigures computeFigures(const Impact& impact, double thresholdMin = 30);
 
 /// Over the cells whose centres lie in the region.
-ImpactFigures figuresOf(const Impact& impact, const Region& region, double thresholdMin = 30);
+ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin = 30);
 
 }  // namespace noonmark

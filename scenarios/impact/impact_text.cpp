@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/study/error_json.h"
-#include "core/study/provenance_json.h"
-#include "core/study/source_columns.h"
-#include "core/study/warnings_json.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/error_json.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -28,7 +28,7 @@ Json changeJson(const ChangeFigures& figures) {
 Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
     Json json = Json::array();
     for (const double threshold : thresholds) {
-        const ImpactFigures figures = figuresOf(impact, threshold);
+        const ImpactFigures figures = computeFigures(impact, threshold);
         json.push_back({{"threshold_min", threshold},
                         {"receiver_area_m2", figures.receiverAreaM2},
                         {"gross", changeJson(figures.gross)},
@@ -78,14 +78,15 @@ std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
 
 }  // namespace
 
-ComparisonFigures figuresOf(const ImpactAnswer& answer) {
+ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
     ComparisonFigures figures{answer.from, answer.to, {}, {}, textOf(answer.settings.study.period),
                               total.engine};
-    for (const double threshold : answer.thresholdsMin) figures.all.push_back(figuresOf(total, threshold));
+    for (const double threshold : answer.thresholdsMin)
+        figures.all.push_back(computeFigures(total, threshold));
     for (const BuildingImpact& building : answer.study.byBuilding)
         figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
-                                      figuresOf(building.impact, answer.thresholdsMin.front())});
+                                      computeFigures(building.impact, answer.thresholdsMin.front())});
     return figures;
 }
 
@@ -126,10 +127,10 @@ std::string impactCsv(const ImpactAnswer& answer) {
         std::string(sourceColumns) + "\r\n";
     const std::string source = sourceFields(answer.provenance);
     for (const double threshold : answer.thresholdsMin)
-        csv += line("", "all", figuresOf(answer.study.total, threshold), source);
+        csv += line("", "all", computeFigures(answer.study.total, threshold), source);
     for (const BuildingImpact& building : answer.study.byBuilding)
         for (const double threshold : answer.thresholdsMin)
-            csv += line(building.id, building.name, figuresOf(building.impact, threshold), source);
+            csv += line(building.id, building.name, computeFigures(building.impact, threshold), source);
     return csv;
 }
 

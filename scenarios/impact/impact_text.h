@@ -30,9 +30,9 @@ struct ComparisonFigures {
     std::string period;  ///< in words
     std::string engine;
 };
-ComparisonFigures figuresOf(const ImpactAnswer& answer);
+ComparisonFigures computeFigures(const ImpactAnswer& answer);
 
-/// The command that repeats it; see core/study/repeat_command.h.
+/// The command that repeats it; see core/study/provenance/repeat_command.h.
 Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width = 120);
 
 /// Keys are stable, units in their names; figures for every threshold, of all and of each new building.

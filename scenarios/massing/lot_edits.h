@@ -10,7 +10,7 @@
 namespace noonmark {
 
 /// What a building covers where it stands, all parts together; several pieces where it stands in several.
-std::vector<Footprint> outlineOf(const Building& building);
+std::vector<Footprint> computeOutline(const Building& building);
 
 /// Demolitions of all buildings whose middle lies on the lot.
 std::vector<Edit> clearing(const City& city, const Footprint& lot);
@@ -25,7 +25,7 @@ struct Variant {
     Massing massing;
     double grossFloorM2 = 0;  ///< of the given building
 };
-Result<Variant> variantOf(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
-                          double storeyHeightM = usualStoreyM);
+Result<Variant> makeVariant(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
+                            double storeyHeightM = usualStoreyM);
 
 }  // namespace noonmark

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/building.h"
-#include "core/result.h"
 
 namespace noonmark {
 
@@ -70,10 +70,10 @@ struct Massing {
 /// what height is left over after whole storeys is the last storey's. Error, with the limit: a setting out of
 /// range, a plate larger than the lot, an inset that leaves nothing, a turned plate that leaves the lot, a
 /// podium as high as the whole. Some 5 ms a plate.
-Result<Massing> massingOn(const Footprint& lot, const MassingSettings& settings);
+Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings);
 
 /// Tiers made of plates, their figures worked out; for shapes that are not made from settings.
-Massing massingOf(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
+Massing parseMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
 
 /// A building of prisms that stand on z = 0, one part a piece of a tier; status "proposed". Error when a
 /// prism is not a closed, outward oriented solid of the volume that it should have.

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/city/footprint.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/city/footprints/footprint.h"
 
 namespace noonmark {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "scenarios/massing/straight_skeleton.h"
 
 namespace noonmark {
@@ -31,7 +31,7 @@ void orient(PolygonWithHoles& polygon) {
         if (hole->is_counterclockwise_oriented()) hole->reverse_orientation();
 }
 
-RawRing ringOf(const Polygon& polygon) {
+RawRing parseRing(const Polygon& polygon) {
     RawRing ring;
     for (const auto& point : polygon.vertices()) ring.emplace_back(point.x(), point.y());
     return ring;
@@ -113,14 +113,14 @@ std::vector<Footprint> StraightSkeleton::inset(double distanceM) const try {
     // Outlines come counter-clockwise, holes clockwise; a hole belongs to the outline that holds it.
     std::vector<std::vector<RawRing>> polygons;
     for (const auto& ring : rings)
-        if (ring->is_counterclockwise_oriented()) polygons.push_back({ringOf(*ring)});
+        if (ring->is_counterclockwise_oriented()) polygons.push_back({parseRing(*ring)});
     for (const auto& ring : rings) {
         if (ring->is_counterclockwise_oriented()) continue;
         for (auto& polygon : polygons) {
             Polygon outline;
             for (const glm::dvec2 point : polygon.front()) outline.push_back({point.x, point.y});
             if (outline.has_on_unbounded_side(*ring->vertices_begin())) continue;
-            polygon.push_back(ringOf(*ring));
+            polygon.push_back(parseRing(*ring));
             break;
         }
     }

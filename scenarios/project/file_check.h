@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark {
 

@@ -38,22 +38,22 @@ Result<void> checkNames(const Range& list, Name nameOf, const char* what) {
 
 }  // namespace
 
-Result<NamedLot> lotNamed(const Project& project, const std::string& name) {
+Result<NamedLot> findLot(const Project& project, const std::string& name) {
     return named(project.lots, ownName, name, "lot");
 }
-Result<Region> regionNamed(const Project& project, const std::string& name) {
+Result<Region> findRegion(const Project& project, const std::string& name) {
     return named(project.regions, ownName, name, "region");
 }
-Result<TimeWeights> weightsNamed(const Project& project, const std::string& name) {
+Result<TimeWeights> findWeights(const Project& project, const std::string& name) {
     return named(project.weights, ownName, name, "weight table");
 }
-Result<NamedPeriod> periodNamed(const Project& project, const std::string& name) {
+Result<NamedPeriod> findPeriod(const Project& project, const std::string& name) {
     return named(project.periods, ownName, name, "period");
 }
-Result<std::shared_ptr<const KeptResult>> resultNamed(const Project& project, const std::string& name) {
+Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name) {
     return named(project.results, sharedName, name, "kept result");
 }
-Result<Scenario> scenarioNamed(const Project& project, const std::string& name) {
+Result<Scenario> findScenarioByName(const Project& project, const std::string& name) {
     return named(project.scenarios, ownName, name, "scenario");
 }
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/city/city.h"
-#include "core/io/height_facts.h"
-#include "core/receivers/grid.h"
+#include "core/geo/grid.h"
+#include "core/io/heights/height_facts.h"
 #include "core/receivers/region.h"
-#include "core/study/provenance.h"
+#include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/time_weights.h"
@@ -40,14 +40,14 @@ struct NamedPeriod {
 };
 
 /// One map of a kept result.
-struct KeptLayer {
+struct SavedLayer {
     std::string name;           ///< "gross shadow"
     std::string unit;           ///< "min/day"
     std::vector<float> values;  ///< grid order, NaN where there is no receiver
 };
 
 /// A result that the user keeps, with all that it rests on.
-struct KeptResult {
+struct SavedResult {
     std::string name;      ///< unique in a project
     std::string kind;      ///< "study", "impact" or "score"
     std::string scenario;  ///< the city that it is of
@@ -55,7 +55,7 @@ struct KeptResult {
     std::string settings;  ///< JSON: engine, period, region, figures, as study.json has them
     std::string inputs;    ///< JSON: path, bytes and sha256 of every file that the city was read from
     Grid grid;
-    std::vector<KeptLayer> layers;
+    std::vector<SavedLayer> layers;
 };
 
 /// All that one project file holds. A value: cheap to copy for undo, since the city and the results are
@@ -70,19 +70,19 @@ struct Project {
     std::vector<NamedLot> lots;
     std::vector<Region> regions;
     std::vector<Scenario> scenarios;
-    std::vector<TimeWeights> weights{monthlyWeights()};
+    std::vector<TimeWeights> weights{makeMonthlyWeights()};
     std::vector<NamedPeriod> periods;
-    std::vector<std::shared_ptr<const KeptResult>> results;
+    std::vector<std::shared_ptr<const SavedResult>> results;
     std::map<std::string, std::string> view;  ///< camera, layout, switches: keys are the window's own
 };
 
 /// What a name means, or an Error that lists the names there are.
-Result<NamedLot> lotNamed(const Project& project, const std::string& name);
-Result<Region> regionNamed(const Project& project, const std::string& name);
-Result<TimeWeights> weightsNamed(const Project& project, const std::string& name);
-Result<NamedPeriod> periodNamed(const Project& project, const std::string& name);
-Result<std::shared_ptr<const KeptResult>> resultNamed(const Project& project, const std::string& name);
-Result<Scenario> scenarioNamed(const Project& project, const std::string& name);
+Result<NamedLot> findLot(const Project& project, const std::string& name);
+Result<Region> findRegion(const Project& project, const std::string& name);
+Result<TimeWeights> findWeights(const Project& project, const std::string& name);
+Result<NamedPeriod> findPeriod(const Project& project, const std::string& name);
+Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name);
+Result<Scenario> findScenarioByName(const Project& project, const std::string& name);
 
 /// What a scenario, or existingCity, makes of the project's city.
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario);

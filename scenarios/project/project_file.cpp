@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <random>
 
-#include "core/io/pending_file.h"
-#include "core/version.h"
+#include "core/base/version.h"
+#include "core/io/files/pending_file.h"
 #include "scenarios/project/file_check.h"
-#include "scenarios/project/grid_tiles.h"
 #include "scenarios/project/read_project.h"
-#include "scenarios/project/schema.h"
+#include "scenarios/project/tables/grid_tiles.h"
+#include "scenarios/project/tables/schema.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -46,7 +46,7 @@ void noteSave(Database& database, std::int64_t saves) {
     setFact(database, "saved_at", *database.value("SELECT strftime('%Y-%m-%dT%H:%M:%fZ','now')"));
 }
 
-std::int64_t savesIn(Database& database) { return std::atoll(factOf(database, "saves").c_str()); }
+std::int64_t savesIn(Database& database) { return std::atoll(readFact(database, "saves").c_str()); }
 
 Result<void> checkVersion(Database& database, const fs::path& file) {
     const int version = versionOf(database);
@@ -87,7 +87,7 @@ Project readAnyVersion(Database& database) {
 
 Result<void> isOurs(Database& database, const ProjectFile& file) {
     if (auto known = checkVersion(database, file.path()); !known) return known;
-    if (factOf(database, "project_id") == file.id() && savesIn(database) == file.saves()) return {};
+    if (readFact(database, "project_id") == file.id() && savesIn(database) == file.saves()) return {};
     return failure("The project was saved by someone else since it was opened", file.path().string(),
                    "Save under another name, or open it again");
 }
@@ -122,7 +122,7 @@ Result<ProjectFile> ProjectFile::open(const fs::path& file) {
         if (auto known = checkVersion(database, file); !known) return tl::make_unexpected(known.error());
         ProjectFile opened;
         opened.path_ = file;
-        opened.id_ = factOf(database, "project_id");
+        opened.id_ = readFact(database, "project_id");
         opened.saves_ = savesIn(database);
         opened.project_ = readAnyVersion(database);
         if (auto sound = checked(opened.project_); !sound)

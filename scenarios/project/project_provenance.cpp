@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "core/study/region_text.h"
-#include "core/study/sha256.h"
-#include "core/study/study_hash.h"
+#include "core/study/provenance/sha256.h"
+#include "core/study/provenance/study_hash.h"
+#include "core/study/text/region_text.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/weights/weights_text.h"
 
@@ -13,14 +13,14 @@ namespace noonmark {
 namespace {
 
 Result<void> addEdits(Sha256& sum, const Project& project, const char* role, const std::string& scenario) {
-    return editsOf(project.scenarios, scenario).map([&](const std::vector<Edit>& edits) {
+    return collectEdits(project.scenarios, scenario).map([&](const std::vector<Edit>& edits) {
         sum.add(fmt::format("{}\n", role));
-        for (const Edit& edit : edits) sum.add(fmt::format("edit {} {}\n", kindOf(edit), jsonOf(edit)));
+        for (const Edit& edit : edits) sum.add(fmt::format("edit {} {}\n", getKind(edit), toJson(edit)));
     });
 }
 
 // `citySha256`: of the existing city, which takes longest.
-Result<std::string> contentHash(const Project& project, const std::string& citySha256,
+Result<std::string> hashContent(const Project& project, const std::string& citySha256,
                                 const MeasuredPart& part) {
     Sha256 sum;
     sum.add(fmt::format("city {}\n", citySha256));
@@ -34,7 +34,7 @@ Result<std::string> contentHash(const Project& project, const std::string& cityS
 // The part as another version of the project has it: its own weight table of that name.
 MeasuredPart asIn(const Project& project, MeasuredPart part) {
     if (!part.weights) return part;
-    const auto table = weightsNamed(project, part.weights->name);
+    const auto table = findWeights(project, part.weights->name);
     part.weights = table ? *table : TimeWeights{};
     return part;
 }
@@ -43,13 +43,13 @@ bool holds(const ProjectFile& file, const Project& project, const std::string& c
            const std::string& contentSha256, const MeasuredPart& part) {
     const Project& saved = file.project();
     const std::string city = saved.city == project.city ? citySha256 : cityHash(*saved.city);
-    const auto content = contentHash(saved, city, asIn(saved, part));
+    const auto content = hashContent(saved, city, asIn(saved, part));
     return content && *content == contentSha256 && file.isUnchanged();
 }
 
 ScenarioRecord recordOf(const Project& project, const std::string& scenario, const std::string& citySha256) {
     ScenarioRecord record{scenario, {}, {}};
-    const auto edits = editsOf(project.scenarios, scenario);
+    const auto edits = collectEdits(project.scenarios, scenario);
     if (edits)
         for (const Edit& edit : *edits) record.edits.push_back(textOf(edit));
     const auto city = cityOf(project, scenario);
@@ -60,7 +60,7 @@ ScenarioRecord recordOf(const Project& project, const std::string& scenario, con
 ProjectRecord recordOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {
     const std::string citySha256 = cityHash(*project.city);
     ProjectRecord record{.scenario = recordOf(project, part.scenario, citySha256)};
-    record.contentSha256 = contentHash(project, citySha256, part).value_or(std::string());
+    record.contentSha256 = hashContent(project, citySha256, part).value_or(std::string());
     if (!part.baseline.empty()) record.baseline = recordOf(project, part.baseline, citySha256);
     if (onDisk == nullptr) return record;
     record.file = onDisk->path().filename().string();
@@ -80,8 +80,8 @@ std::string regionTextOf(const Project& project, const ProjectFile* onDisk, cons
 
 }  // namespace
 
-Result<std::string> contentHash(const Project& project, const MeasuredPart& part) {
-    return contentHash(project, cityHash(*project.city), part);
+Result<std::string> hashContent(const Project& project, const MeasuredPart& part) {
+    return hashContent(project, cityHash(*project.city), part);
 }
 
 Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {

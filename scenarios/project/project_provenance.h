@@ -22,7 +22,7 @@ struct MeasuredPart {
 Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part);
 
 /// Of the content that the part rests on, as contentHashWords says. Error: a scenario that is not there.
-Result<std::string> contentHash(const Project& project, const MeasuredPart& part);
+Result<std::string> hashContent(const Project& project, const MeasuredPart& part);
 
 /// The warnings of reading the city go before those of computing.
 void putBefore(Warnings& warnings, const Warnings& ofReading);

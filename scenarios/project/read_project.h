@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scenarios/project/database.h"
 #include "scenarios/project/project.h"
+#include "scenarios/project/tables/database.h"
 
 namespace noonmark {
 
@@ -12,6 +12,6 @@ Project readProject(Database& database);
 /// Parts of it.
 std::shared_ptr<const City> readCityTables(Database& database);
 std::shared_ptr<const CityReading> readReading(Database& database);
-std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database);
+std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database);
 
 }  // namespace noonmark

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "scenarios/project/database.h"
 #include "scenarios/project/project.h"
+#include "scenarios/project/tables/database.h"
 
 namespace noonmark {
 
@@ -15,12 +15,12 @@ void writeCity(Database& database, const City* before, const City& after);
 void writeReading(Database& database, const CityReading& reading);
 void writeScenarios(Database& database, const std::vector<Scenario>& before,
                     const std::vector<Scenario>& after);
-void writeResult(Database& database, const KeptResult& result);
+void writeResult(Database& database, const SavedResult& result);
 void removeResult(Database& database, const std::string& name);
 
 /// Sets a row of the table `noonmark`.
 void setFact(Database& database, const std::string& key, const std::string& value);
 void removeFact(Database& database, const std::string& key);
-std::string factOf(Database& database, const std::string& key);  ///< empty where it is not there
+std::string readFact(Database& database, const std::string& key);  ///< empty where it is not there
 
 }  // namespace noonmark

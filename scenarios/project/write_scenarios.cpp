@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/geometry_blob.h"
+#include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -38,7 +38,7 @@ public:
             .run(id, scenario.name, scenario.base);
         for (std::size_t i = first; i < scenario.edits.size(); ++i) {
             const Edit& edit = scenario.edits[i];
-            addEdit_.run(id, i, kindOf(edit), textOf(edit), jsonOf(edit));
+            addEdit_.run(id, i, getKind(edit), textOf(edit), toJson(edit));
             addProposals(database_.lastRow(), scenario.name, std::visit(BuiltBy{}, edit));
         }
     }

@@ -45,7 +45,7 @@ private:
 
 }  // namespace
 
-std::vector<CsvRow> csvRows(std::string_view text) {
+std::vector<CsvRow> parseCsvRows(std::string_view text) {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     const char separator = separatorOf(text);

@@ -15,6 +15,6 @@ struct CsvRow {
 /// The rows of a CSV text (RFC 4180: quoted fields hold commas, line ends and doubled quotes), without empty
 /// ones. Where the heading has semicolons and no comma, as spreadsheets of many countries write it, those
 /// part the fields. A byte order mark is passed over; blanks around fields that are not quoted too.
-std::vector<CsvRow> csvRows(std::string_view text);
+std::vector<CsvRow> parseCsvRows(std::string_view text);
 
 }  // namespace noonmark

@@ -71,7 +71,7 @@ Result<WeightedInterval> laterHalf(WeightedInterval& interval) {
 
 }  // namespace
 
-Result<AddedInterval> withInterval(TimeWeights table, std::size_t after) {
+Result<AddedInterval> addInterval(TimeWeights table, std::size_t after) {
     after = std::min(after, table.intervals.size() - 1);
     WeightedInterval& before = table.intervals[after];
     const auto gap = gapAfter(table, dayOf(before.last) + 1);
@@ -82,7 +82,7 @@ Result<AddedInterval> withInterval(TimeWeights table, std::size_t after) {
     return AddedInterval{std::move(table), after + 1};
 }
 
-Result<TimeWeights> withoutInterval(TimeWeights table, std::size_t position) {
+Result<TimeWeights> removeInterval(TimeWeights table, std::size_t position) {
     if (position < table.intervals.size())
         table.intervals.erase(table.intervals.begin() + std::ptrdiff_t(position));
     return checked(table).map([&] { return std::move(table); });

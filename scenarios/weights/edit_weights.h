@@ -16,9 +16,9 @@ struct AddedInterval {
 /// holds, up to the next one or the end of the year; where every day is held, over the later half of the days
 /// of `after`, with its hours and weight. Error: that one holds a single day. A table has an interval at
 /// least.
-Result<AddedInterval> withInterval(TimeWeights table, std::size_t after);
+Result<AddedInterval> addInterval(TimeWeights table, std::size_t after);
 
 /// Without the interval at `position`. Error: it is the only one.
-Result<TimeWeights> withoutInterval(TimeWeights table, std::size_t position);
+Result<TimeWeights> removeInterval(TimeWeights table, std::size_t position);
 
 }  // namespace noonmark

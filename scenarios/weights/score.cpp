@@ -6,10 +6,10 @@
 #include <new>
 #include <optional>
 
-#include "core/accumulate/auto_engine.h"
-#include "core/accumulate/projected_breakdown.h"
-#include "core/accumulate/projected_shadows.h"
-#include "core/progress_share.h"
+#include "core/base/progress_share.h"
+#include "core/engines/auto_engine.h"
+#include "core/engines/projected/projected_breakdown.h"
+#include "core/engines/projected/projected_shadows.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
@@ -33,18 +33,18 @@ public:
           receivers_(receivers),
           sun_(sun),
           weights_(weights),
-          pieces_(piecesOf(sun, zone, weights)),
+          pieces_(splitIntoPieces(sun, zone, weights)),
           progress_(progress),
           stop_(std::move(stop)) {}
 
-    Result<Score> run(const Accumulator& engine) {
+    Result<Score> run(const Engine& engine) {
         const auto* automatic = dynamic_cast<const AutoEngine*>(&engine);
         if (automatic == nullptr) return by(engine);
         const City* const cities[]{&city_};
         EngineChoice choice = automatic->choose(cities, receivers_, sun_);
         auto score = by(*choice.engine);
         if (!score && !isCancelled(score.error()) && choice.key != referenceEngine) {
-            choice = raysSince(choice, score.error());
+            choice = fallBackToRays(choice, score.error());
             score = by(*choice.engine);
         }
         if (!score) return score;
@@ -54,25 +54,25 @@ public:
     }
 
 private:
-    Result<Score> by(const Accumulator& engine) {
+    Result<Score> by(const Engine& engine) {
         if (pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce)
             if (auto score = atOnce(engine)) return *std::move(score);
         return pieceByPiece(engine);
     }
 
     // Nothing: by an engine that knows no pieces.
-    std::optional<Result<Score>> atOnce(const Accumulator& engine) {
-        const StepSets sets = setsOf(pieces_, sun_);
+    std::optional<Result<Score>> atOnce(const Engine& engine) {
+        const StepSets sets = makeSets(pieces_, sun_);
         if (const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine))
-            return horizonBreakdown(city_, receivers_, sun_, sets, {.sweep = sweep->settings()}, progress_,
-                                    stop_)
+            return computeHorizonBreakdown(city_, receivers_, sun_, sets, {.sweep = sweep->settings()},
+                                           progress_, stop_)
                 .map([&](const ShadowBreakdown& breakdown) {
                     return summed(breakdown,
                                   fmt::format("Horizon sweep: {}, one sweep for all months and intervals",
                                               breakdown.bins));
                 });
         if (dynamic_cast<const ProjectedShadows*>(&engine) == nullptr) return std::nullopt;
-        return projectedBreakdown(city_, receivers_, sun_, sets, progress_, stop_)
+        return computeProjectedBreakdown(city_, receivers_, sun_, sets, progress_, stop_)
             .map([&](const ShadowBreakdown& breakdown) {
                 return summed(
                     breakdown,
@@ -88,7 +88,7 @@ private:
         return score;
     }
 
-    Result<Score> pieceByPiece(const Accumulator& engine) {
+    Result<Score> pieceByPiece(const Engine& engine) {
         ScoreSum sum(receivers_, weights_, pieces_);
         std::string words;
         Warnings warnings;
@@ -117,9 +117,9 @@ private:
 
 }  // namespace
 
-Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
-                      const TimeWeights& weights, const Accumulator& engine, Progress& progress,
-                      const std::stop_token& stop) {
+Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
+                           const Zone& zone, const TimeWeights& weights, const Engine& engine,
+                           Progress& progress, const std::stop_token& stop) {
     if (const auto sound = checked(weights); !sound) return tl::make_unexpected(sound.error());
     return Scoring(city, receivers, sun, zone, weights, progress, stop).run(engine);
 }
@@ -128,41 +128,29 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
                        Progress& progress, const std::stop_token& stop, const EngineList& engines) try {
     if (const auto ground = checkOnGround(settings.receivers.places); !ground)
         return tl::make_unexpected(ground.error());
-    const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
+    const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     const auto zone = Zone::named(settings.period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
-    const auto receivers = receiversOnGround(city, settings.region, settings.receivers, stop);
+    const auto receivers = placeReceiversOnGround(city, settings.region, settings.receivers, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
     if (receivers->cells.empty())
         return failure("No cell of the region lies on open ground", settings.region.name,
                        "Choose a region outside the buildings, or smaller cells");
     const auto sun = checked(settings.period).and_then([&](const Period& period) {
-        return sunSteps(period, observerOf(city, settings), stop);
+        return computeSunSteps(period, observerOf(city, settings), stop);
     });
     if (!sun) return tl::make_unexpected(sun.error());
     if (sun->steps.empty())
         return failure("The sun is below the horizon all the time", textOf(settings.period),
                        "Choose other hours or days");
-    auto score = scoreOf(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
+    auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
     if (score && score->engineKey.empty()) score->engineKey = settings.engine;
     return score;
 } catch (const std::bad_alloc&) {
     return failure("There is not enough memory for this score", "",
                    "Choose larger cells, a smaller region or fewer steps");
-}
-
-double scoreIn(const Score& score, const Region& region) {
-    double sum = 0;
-    for (const Footprint& polygon : region.polygons)
-        forEachRun(polygon, score.grid, [&](int row, int first, int end) {
-            for (int column = first; column < end; ++column) {
-                const double value = double(score.score[score.grid.index(column, row)]);
-                if (!std::isnan(value)) sum += value * score.grid.cellAreaM2();
-            }
-        });
-    return sum;
 }
 
 }  // namespace noonmark

@@ -45,16 +45,13 @@ struct Score {
 /// projected shadows look at the city once for all months and intervals, at the cost of one field. Any other
 /// engine runs once for every part of the period that lies in one month and one interval. The engine auto is
 /// asked once, and what it chose is said in `engine`. Error: a table that is not sound, or the engine's.
-Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
-                      const TimeWeights& weights, const Accumulator& engine, Progress& progress,
-                      const std::stop_token& stop);
+Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
+                           const Zone& zone, const TimeWeights& weights, const Engine& engine,
+                           Progress& progress, const std::stop_token& stop);
 
 /// Receivers, sun and score over `settings.region`. Errors as of runStudy and scoreOf.
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
                        Progress& progress, const std::stop_token& stop,
                        const EngineList& engines = coreEngines());
-
-/// The score of the cells whose centres lie in the region, m2.
-double scoreIn(const Score& score, const Region& region);
 
 }  // namespace noonmark

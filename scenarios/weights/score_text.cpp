@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "core/study/provenance_json.h"
-#include "core/study/source_columns.h"
-#include "core/study/warnings_json.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {

@@ -15,7 +15,7 @@ struct ScoreAnswer {
     Provenance provenance{};
 };
 
-/// The command that repeats it; see core/study/repeat_command.h.
+/// The command that repeats it; see core/study/provenance/repeat_command.h.
 Result<std::string> repeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
 
 /// Keys are stable, units in their names; the months and the intervals with their weights.

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/accumulate/step_sets.h"
+#include "core/engines/api/step_sets.h"
 #include "core/sun/sun_steps.h"
 #include "scenarios/weights/time_weights.h"
 
@@ -21,9 +21,9 @@ struct TimePiece {
 };
 
 /// All steps, each in just one piece, in the order in which the pieces begin. O(steps x intervals).
-std::vector<TimePiece> piecesOf(const SunSteps& sun, const Zone& zone, const TimeWeights& weights);
+std::vector<TimePiece> splitIntoPieces(const SunSteps& sun, const Zone& zone, const TimeWeights& weights);
 
 /// Each piece as one set of the period's steps. At most 65,535 pieces.
-StepSets setsOf(const std::vector<TimePiece>& pieces, const SunSteps& sun);
+StepSets makeSets(const std::vector<TimePiece>& pieces, const SunSteps& sun);
 
 }  // namespace noonmark

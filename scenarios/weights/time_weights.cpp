@@ -43,7 +43,7 @@ bool WeightedInterval::holds(CivilDate date, std::chrono::minutes timeOfDay) con
     return holdsDate(*this, date.month() / date.day()) && from <= timeOfDay && timeOfDay < to;
 }
 
-TimeWeights monthlyWeights() {
+TimeWeights makeMonthlyWeights() {
     TimeWeights table{"default", {}};
     for (unsigned i = 0; i < 12; ++i) {
         const month at{i + 1};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
@@ -31,7 +31,7 @@ struct TimeWeights {
 };
 
 /// The paper's table 3, month by month: -1 -1 -0.5 0 0.5 1 1 1 0.5 0 -0.5 -1. Its name is "default".
-TimeWeights monthlyWeights();
+TimeWeights makeMonthlyWeights();
 
 /// Error: no name or interval, a weight, date or hour out of range, or two intervals that hold the same time.
 Result<void> checked(const TimeWeights& weights);

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/fold_text.h"
-#include "core/study/source_columns.h"
-#include "core/study/warnings_json.h"
+#include "core/io/files/fold_text.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/weights/csv_rows.h"
 
 namespace noonmark {
@@ -41,10 +41,10 @@ std::string textOf(std::chrono::month_day date) {
 
 // "Jun": where the interval begins its first day is meant, where it ends its last.
 std::optional<std::chrono::month_day> monthAsDay(const std::string& text, bool last) {
-    const std::string folded = foldedText(text);
+    const std::string folded = foldText(text);
     if (folded.size() < 3) return std::nullopt;
-    for (const WeightedInterval& month : monthlyWeights().intervals)
-        if (foldedText(month.name).starts_with(folded)) return last ? month.last : month.first;
+    for (const WeightedInterval& month : makeMonthlyWeights().intervals)
+        if (foldText(month.name).starts_with(folded)) return last ? month.last : month.first;
     return std::nullopt;
 }
 
@@ -152,8 +152,8 @@ std::string weightsJson(const TimeWeights& weights) {
     return jsonText(entries);
 }
 
-Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& name) {
-    const auto lines = csvRows(text);
+Result<TimeWeights> parseWeightsCsv(std::string_view text, const std::string& name) {
+    const auto lines = parseCsvRows(text);
     if (lines.empty()) return failure("The table is empty", name, "Begin with `weights show`");
     std::vector<Row> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -163,7 +163,7 @@ Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& nam
             return failure(fmt::format("It has {} fields, and the heading {}", fields.size(), heading.size()),
                            row.where, "Give a field for every column");
         for (std::size_t column = 0; column < fields.size(); ++column)
-            if (!row.fields.emplace(foldedText(heading[column]), fields[column]).second)
+            if (!row.fields.emplace(foldText(heading[column]), fields[column]).second)
                 return failure(fmt::format("The column '{}' stands twice", heading[column]), "heading",
                                "Leave one of them out");
         rows.push_back(std::move(row));
@@ -171,7 +171,7 @@ Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& nam
     return tableOf(rows, name);
 }
 
-Result<TimeWeights> weightsFromJson(std::string_view text, const std::string& name) {
+Result<TimeWeights> parseWeightsJson(std::string_view text, const std::string& name) {
     const Json entries = Json::parse(text, nullptr, false);
     if (!entries.is_array())
         return failure("It is no JSON array of intervals", name, "Begin with `weights show --json`");
@@ -198,7 +198,7 @@ Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::st
                        "Give a table of less than 1 MB");
     const auto start = text.find_first_not_of(" \t\r\n");
     const bool json = start != std::string::npos && (text[start] == '[' || text[start] == '{');
-    return (json ? weightsFromJson(text, name) : weightsFromCsv(text, name)).map_error([&](Error error) {
+    return (json ? parseWeightsJson(text, name) : parseWeightsCsv(text, name)).map_error([&](Error error) {
         error.where = fmt::format("{}, {}", file.string(), error.where);
         return error;
     });

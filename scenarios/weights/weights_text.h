@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
@@ -25,8 +25,8 @@ Result<WeightedInterval> intervalFrom(const std::map<std::string, std::string>& 
 
 /// What the two write, named `name`. Columns in any order; `name`, `from` and `to` may be left out (all day).
 /// Error, with the line or the entry: a column, day, hour or weight that is none, and as of checked().
-Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& name);
-Result<TimeWeights> weightsFromJson(std::string_view text, const std::string& name);
+Result<TimeWeights> parseWeightsCsv(std::string_view text, const std::string& name);
+Result<TimeWeights> parseWeightsJson(std::string_view text, const std::string& name);
 
 /// From a file, JSON where it begins like JSON. Error: it cannot be read, or is larger than 1 MB.
 Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::string& name);

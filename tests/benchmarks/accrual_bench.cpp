@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "core/accumulate/reach.h"
-#include "core/accumulate/shadow_accrual_map.h"
+#include "core/engines/accrual/shadow_accrual_map.h"
+#include "core/engines/common/shadow_reach.h"
 #include "render/gl/depth_maps.h"
 #include "render/gl/gl_api.h"
 #include "render/gl/gl_shadow_maps.h"
@@ -89,16 +89,17 @@ public:
         : scene_(scene),
           settings_(settings),
           limits_(limits),
-          frame_(groundFrame(scene.receivers.grid, settings.mapSize, settings.texelsOnCells)),
+          frame_(makeGroundFrame(scene.receivers.grid, settings.mapSize, settings.texelsOnCells)),
           masks_(scene.receivers.cells.size()) {
         const CasterFaces faces =
-            casterFaces(scene.city, buildingsInReach(scene.city, scene.receivers, scene.sun));
-        casters_ = castersOf(faces, frame_.placed(faces.points), frame_, scene.interval(), settings.side, {});
+            makeCasterFaces(scene.city, findBuildingsInReach(scene.city, scene.receivers, scene.sun));
+        casters_ =
+            placeCasters(faces, frame_.placed(faces.points), frame_, scene.interval(), settings.side, {});
         SurfacePoints cells;
         for (const std::uint32_t cell : scene.receivers.cells)
             cells.positions.push_back(scene.receivers.position(cell));
         cells.normals.assign(cells.size(), {0, 0, 1});
-        receivers_ = placedSurface(cells, frame_);
+        receivers_ = placeSurface(cells, frame_);
     }
 
     // Drawing cannot be timed alone: software OpenGL leaves out what nobody looks at.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/accumulate/interval_engine.h"
+#include "core/engines/common/interval_engine.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 #include "tests/benchmarks/bench_scene.h"
@@ -26,9 +26,10 @@ struct HourScene {
 inline HourScene hourScene(const std::string& cityName) {
     HourScene scene;
     scene.city = cityFrom(cityName);
-    scene.receivers = receiversOnGround(scene.city, middleOf(scene.city), {1}).value();
+    scene.receivers = placeReceiversOnGround(scene.city, findMiddle(scene.city), {1}).value();
     scene.sun =
-        sunSteps({.hours = 1, .zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
+        computeSunSteps({.hours = 1, .zone = "America/New_York"}, {.place = scene.city.frame.origin()})
+            .value();
     return scene;
 }
 

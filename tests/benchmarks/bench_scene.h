@@ -46,14 +46,15 @@ inline City cityFrom(const std::string& argument) {
     if (std::filesystem::exists(argument))
         return taken(readCity({argument}, {}, progress, {}),
                      [](CityRead&& read) { return std::move(read.city); });
-    return taken(gridSample({.buildings = std::stoi(argument)}), [](City&& city) { return std::move(city); });
+    return taken(makeGridSample({.buildings = std::stoi(argument)}),
+                 [](City&& city) { return std::move(city); });
 }
 
 /// 800 m square around the middle.
-inline Region middleOf(const City& city) {
+inline Region findMiddle(const City& city) {
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F;
-    return regionFromLocalBox({middle - 400.0F, middle + 400.0F});
+    return makeRegionFromLocalBox({middle - 400.0F, middle + 400.0F});
 }
 
 }  // namespace noonmark::bench

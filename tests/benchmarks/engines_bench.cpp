@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/accumulate/engine_list.h"
+#include "core/engines/api/engine_registry.h"
 #include "core/measures/statistics.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -28,16 +28,16 @@ struct Scene {
 Scene dayScene(const std::string& cityName, double hours) {
     Scene scene;
     scene.city = cityFrom(cityName);
-    scene.receivers = receiversOnGround(scene.city, middleOf(scene.city), {1}).value();
+    scene.receivers = placeReceiversOnGround(scene.city, findMiddle(scene.city), {1}).value();
     scene.sun =
-        sunSteps({.hours = hours, .zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
+        computeSunSteps({.hours = hours, .zone = "America/New_York"}, {.place = scene.city.frame.origin()})
+            .value();
     return scene;
 }
 
 ShadowField run(const Scene& scene, std::string_view engine) {
     NoProgress progress;
-    auto field =
-        makeAccumulator(engine).value()->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
+    auto field = makeEngine(engine).value()->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
     if (field) return std::move(*field);
     fmt::print(stderr, "{}: {}\n", engine, field.error().text());
     std::exit(EXIT_FAILURE);
@@ -57,7 +57,7 @@ CellError errorOf(const Scene& scene, const ShadowField& field, const ShadowFiel
         error.worstMin = std::max(error.worstMin, difference);
     }
     error.meanPct *= 100 / (double(scene.receivers.cells.size()) * field.sunlitMinutesPerDay);
-    const ShadowStatistics is = statisticsOf(field), should = statisticsOf(truth);
+    const ShadowStatistics is = computeStatistics(field), should = computeStatistics(truth);
     error.areaPct = 100 * (is.shadowAreaM2 - should.shadowAreaM2) / should.receiverAreaM2;
     return error;
 }

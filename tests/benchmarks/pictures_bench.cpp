@@ -11,13 +11,13 @@
 #include <mutex>
 
 #include "app/input/all_engines.h"
-#include "app/window/open_city.h"
-#include "app/window/view_refinement.h"
-#include "core/accumulate/partial_field.h"
-#include "core/accumulate/partial_pace.h"
-#include "core/accumulate/surface_accrual.h"
-#include "core/accumulate/surface_rays.h"
-#include "core/stopwatch.h"
+#include "app/window/study/open_city.h"
+#include "app/window/view/view_refinement.h"
+#include "core/base/stopwatch.h"
+#include "core/engines/accrual/surface_accrual.h"
+#include "core/engines/api/partial_field.h"
+#include "core/engines/api/partial_pace.h"
+#include "core/engines/ray/surface_rays.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -82,11 +82,12 @@ struct Question {
     SunSteps sun;
 
     Question(const City& city, int days)
-        : receivers(receiversOnGround(city, middleOf(city), {1}).value()),
-          sun(sunSteps({.days = days, .zone = "America/New_York"}, {.place = city.frame.origin()}).value()) {}
+        : receivers(placeReceiversOnGround(city, findMiddle(city), {1}).value()),
+          sun(computeSunSteps({.days = days, .zone = "America/New_York"}, {.place = city.frame.origin()})
+                  .value()) {}
 };
 
-void picturesOf(const City& city, const Question& asked, const Accumulator& engine, std::string_view name,
+void picturesOf(const City& city, const Question& asked, const Engine& engine, std::string_view name,
                 double seconds) {
     Onlooker onlooker(seconds);
     (void)engine.accumulate(city, asked.receivers, asked.sun, onlooker, onlooker.token());
@@ -94,7 +95,7 @@ void picturesOf(const City& city, const Question& asked, const Accumulator& engi
 }
 
 // The same work with and without an onlooker, in turn.
-void watchingCost(const City& city, const Question& asked, const Accumulator& engine, std::string_view name) {
+void watchingCost(const City& city, const Question& asked, const Engine& engine, std::string_view name) {
     Seconds watched, alone;
     for (int round = 0; round < 3; ++round) {
         watched.keepBest(secondsOf([&] {
@@ -110,7 +111,7 @@ void watchingCost(const City& city, const Question& asked, const Accumulator& en
     std::fflush(stdout);
 }
 
-void explore(const std::shared_ptr<const OpenCity>& city, int days, const SurfaceEngine& engine,
+void explore(const std::shared_ptr<const OpenCity>& city, int days, const ViewEngine& engine,
              std::string_view name, double seconds) {
     ViewQuestion question{city,
                           {glm::dvec3(0), 900, 20, 40},
@@ -143,7 +144,7 @@ int main(int argc, char** argv) {
     const std::string only = argc > 3 ? argv[3] : "";
     OpenCity opened;
     opened.loaded.read.city = cityFrom(name);
-    opened.arrays = std::make_shared<const CityArrays>(arraysOf(opened.city()));
+    opened.arrays = std::make_shared<const CityArrays>(makeArrays(opened.city()));
     opened.picker = ScenePicker(opened.city(), RayScene::over(opened.city()).value());
     const auto city = std::make_shared<const OpenCity>(std::move(opened));
     for (const int days : only.empty() || only == "explore" ? std::vector{1, 365} : std::vector<int>{}) {
@@ -151,9 +152,9 @@ int main(int argc, char** argv) {
         explore(city, days, {SurfaceAccrual::make({}, {}).value(), false}, "by maps", seconds);
     }
     const Question year(city->city(), 365), day(city->city(), 1);
-    for (const Engine& engine : allEngines()) {
+    for (const EngineEntry& engine : allEngines()) {
         if (!only.empty() && only != engine.info.key) continue;
-        const auto made = makeAccumulator(engine.info.key, {}, allEngines());
+        const auto made = makeEngine(engine.info.key, {}, allEngines());
         if (!made) {
             fmt::print("{:<28} {}\n", engine.info.key, made.error().text());
             continue;

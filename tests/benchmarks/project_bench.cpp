@@ -5,7 +5,7 @@
 //     project_bench [city file] [rounds]
 #include <cstdio>
 
-#include "render/city_arrays.h"
+#include "render/scene/city_arrays.h"
 #include "scenarios/project/project_file.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -31,9 +31,9 @@ void must(const Result<void>& done) {
 Project projectOf(City city) {
     Project project;
     const Box2 box = bounds(city);
-    project.regions.push_back(middleOf(city));
+    project.regions.push_back(findMiddle(city));
     project.regions.back().name = "Middle";
-    project.lots.push_back({"Lot", regionFromLocalBox({box.low, box.low + 40.0F}).polygons.front()});
+    project.lots.push_back({"Lot", makeRegionFromLocalBox({box.low, box.low + 40.0F}).polygons.front()});
     project.city = std::make_shared<const City>(std::move(city));
     project.scenarios.push_back({"A", "", {}});
     return project;
@@ -68,7 +68,7 @@ void round(const std::filesystem::path& file, const Project& truth, Rounds& best
     best.open.keepBest(secondsOf([&] { disk = must(ProjectFile::open(file)); }));
     check(sameBuildings(*disk.project().city, *truth.city), "the city that was read");
     CityArrays arrays;
-    best.arrays.keepBest(secondsOf([&] { arrays = arraysOf(*disk.project().city); }));
+    best.arrays.keepBest(secondsOf([&] { arrays = makeArrays(*disk.project().city); }));
     best.triangles = arrays.triangles.size() / 3;
     check(best.triangles > 9 * truth.city->buildings.size(), "the arrays of the picture");
     Project project = disk.project();
@@ -82,7 +82,7 @@ void round(const std::filesystem::path& file, const Project& truth, Rounds& best
 
 int main(int argc, char** argv) {
     const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-    const Project project = projectOf(argc > 1 ? cityFrom(argv[1]) : must(gridSample(largeGrid)));
+    const Project project = projectOf(argc > 1 ? cityFrom(argv[1]) : must(makeGridSample(largeGrid)));
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "noonmark_project_bench.noonmark.gpkg";
     const Seconds create =

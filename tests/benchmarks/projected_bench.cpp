@@ -11,11 +11,11 @@
 #include <map>
 #include <vector>
 
-#include "core/accumulate/projected/bit_raster.h"
-#include "core/accumulate/projected_shadows.h"
-#include "core/accumulate/ray_reference.h"
-#include "core/accumulate/ray_scene.h"
-#include "core/bench/day_edits.h"
+#include "core/bench/horizon/day_edits.h"
+#include "core/engines/projected/filling/bit_raster.h"
+#include "core/engines/projected/projected_shadows.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/ray/ray_scene.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -23,8 +23,7 @@ using namespace noonmark::bench;
 
 namespace {
 
-ShadowField fieldOf(const Accumulator& engine, const City& city, const Receivers& receivers,
-                    const SunSteps& sun) {
+ShadowField fieldOf(const Engine& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
     NoProgress progress;
     return engine.accumulate(city, receivers, sun, progress, {}).value();
 }
@@ -62,10 +61,10 @@ std::uint32_t compare(const Receivers& receivers, const ShadowField& field, cons
 
 // What both say at one cell, step by step where they differ, and what stands around it.
 void explain(const City& city, const Receivers& receivers, const SunSteps& sun, std::uint32_t cell) {
-    const auto rasters = projectedRasters(city, receivers, sun).value();
+    const auto rasters = computeShadowRasters(city, receivers, sun).value();
     const BitLayout layout(receivers.grid);
     const auto scene = RayScene::over(city).value();
-    const glm::vec3 origin = rayOrigin(receivers.position(cell));
+    const glm::vec3 origin = placeRayOrigin(receivers.position(cell));
     fmt::print("ray origin {:.6f} {:.6f} {:.6f}\n", origin.x, origin.y, origin.z);
     const int column = int(cell) % layout.columns, row = int(cell) / layout.columns;
     for (std::size_t step = 0; step < sun.steps.size(); ++step) {
@@ -92,7 +91,7 @@ void explain(const City& city, const Receivers& receivers, const SunSteps& sun, 
 
 void moveTower(const City& city, int rounds) {
     NoProgress progress;
-    const Finding finding = dayEdits({.city = city}, {.runs = rounds}, {progress, {}}).value();
+    const Finding finding = benchDayEdits({.city = city}, {.runs = rounds}, {progress, {}}).value();
     fmt::print("{}\n", finding.text);
     for (const auto& row : finding.comparisons[0].rows)
         fmt::print("  {}: {} ms, {} to {}\n", row[0], row[1], row[2], row[3]);
@@ -104,10 +103,11 @@ int main(int argc, char** argv) {
     const std::string name = argc > 1 ? argv[1] : "43000";
     const City city = std::filesystem::exists(name)
                           ? cityFrom(name)
-                          : taken(gridSample({.buildings = std::stoi(name), .roundness = 7}),
+                          : taken(makeGridSample({.buildings = std::stoi(name), .roundness = 7}),
                                   [](City&& made) { return std::move(made); });
-    const Receivers receivers = receiversOnGround(city, middleOf(city), {1}).value();
-    const SunSteps sun = sunSteps({.zone = "America/New_York"}, {.place = city.frame.origin()}).value();
+    const Receivers receivers = placeReceiversOnGround(city, findMiddle(city), {1}).value();
+    const SunSteps sun =
+        computeSunSteps({.zone = "America/New_York"}, {.place = city.frame.origin()}).value();
     std::map<std::string, std::vector<double>> stages;
     std::vector<double> processor;
     ShadowField field;

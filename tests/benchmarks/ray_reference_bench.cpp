@@ -16,11 +16,11 @@
 #include <limits>
 #include <numbers>
 
-#include "core/accumulate/flush_denormals.h"
-#include "core/accumulate/ray_reference.h"
-#include "core/accumulate/ray_scene.h"
-#include "core/accumulate/reach.h"
-#include "core/accumulate/sun_packets.h"
+#include "core/engines/common/flush_denormals.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/common/sun_packets.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/ray/ray_scene.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -46,9 +46,9 @@ SunSteps sixHours() {
 class BareLoop {
 public:
     BareLoop(const City& city, const Receivers& receivers, const SunSteps& sun)
-        : receivers_(receivers), packets_(sunPackets(sun)) {
+        : receivers_(receivers), packets_(packSteps(sun)) {
         City used;
-        for (const std::uint32_t i : buildingsInReach(city, receivers, sun))
+        for (const std::uint32_t i : findBuildingsInReach(city, receivers, sun))
             used.buildings.push_back(city.buildings[i]);
         const TriangleMesh mesh = meshOf(used).mesh;
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -79,7 +79,7 @@ public:
                               const FlushDenormals flush;
                               std::uint64_t mine = 0;
                               for (std::size_t i = range.begin(); i < range.end(); ++i)
-                                  mine += blockedAt(rayOrigin(receivers_.position(receivers_.cells[i])));
+                                  mine += blockedAt(placeRayOrigin(receivers_.position(receivers_.cells[i])));
                               blocked += mine;
                           });
         return blocked;
@@ -155,7 +155,7 @@ bool race(const BareLoop& bare, const City& city, const Receivers& receivers, co
 int main(int argc, char** argv) {
     const City city = cityFrom(argc > 1 ? argv[1] : "43000");
     const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
-    const Receivers receivers = receiversOnGround(city, middleOf(city), {2}).value();
+    const Receivers receivers = placeReceiversOnGround(city, findMiddle(city), {2}).value();
     const SunSteps sun = sixHours();
     const BareLoop bare(city, receivers, sun);
     Best best;

@@ -11,7 +11,7 @@
 #include "app/bench/axis_scale.h"
 #include "app/bench/bench_files.h"
 #include "app/cli/offscreen_qt.h"
-#include "core/bench/paper_bench.h"
+#include "core/bench/paper/paper_bench.h"
 #include "tests/cli/spoken.h"
 #include "tests/core/bench/tiny_site.h"
 #include "tests/core/io/temporary_folder.h"
@@ -26,8 +26,8 @@ std::string contentOf(const std::filesystem::path& file) {
 
 TEST(BenchFiles, holdTablesChartsAndTheSummary) {
     NoProgress silent;
-    const auto report =
-        bench::paperBench(bench::tests::tinySite(), bench::tests::leastExtent(), coreEngines(), silent, {});
+    const auto report = bench::runPaperBench(bench::tests::tinySite(), bench::tests::leastExtent(),
+                                             coreEngines(), silent, {});
     ASSERT_TRUE(report) << report.error().text();
     const noonmark::tests::TemporaryFolder folder;
     const OffscreenQt qt;

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/placed_building.h"
 #include "tests/cli/project_command.h"
@@ -28,7 +28,7 @@ protected:
     [[nodiscard]] std::vector<std::string> kinds() const {
         std::vector<std::string> kinds;
         const Project project = opened();
-        for (const Edit& edit : project.scenarios[0].edits) kinds.emplace_back(kindOf(edit));
+        for (const Edit& edit : project.scenarios[0].edits) kinds.emplace_back(getKind(edit));
         return kinds;
     }
 
@@ -36,13 +36,13 @@ protected:
 };
 
 TEST_F(ProjectEdits, EveryKindGoesIntoTheFileAndBack) {
-    const glm::dvec2 before = middleOf(building("One57"));
+    const glm::dvec2 before = findMiddle(building("One57"));
     EXPECT_THAT(done("move", {"One57", "--scenario", "A", "--east", "12", "--north", "-3.5"}),
                 HasSubstr("A: Move One57 by 12.0 m east, -3.5 m north"));
-    EXPECT_NEAR(middleOf(building("One57")).x, before.x + 12, 1e-3);
-    EXPECT_NEAR(middleOf(building("One57")).y, before.y - 3.5, 1e-3);
+    EXPECT_NEAR(findMiddle(building("One57")).x, before.x + 12, 1e-3);
+    EXPECT_NEAR(findMiddle(building("One57")).y, before.y - 3.5, 1e-3);
     EXPECT_THAT(done("rotate", {"One57", "--scenario", "A", "--clockwise", "90"}), HasSubstr("Turn One57"));
-    EXPECT_NEAR(middleOf(building("One57")).x, before.x + 12, 1e-2);
+    EXPECT_NEAR(findMiddle(building("One57")).x, before.x + 12, 1e-2);
     EXPECT_THAT(done("height", {"One57", "432 Park Avenue", "--scenario", "A", "--height", "150"}),
                 AllOf(HasSubstr("Make One57 150.0 m high"), HasSubstr("432 Park Avenue")));
     EXPECT_NEAR(topM(building("432 Park Avenue")), 150, 1e-3);
@@ -62,8 +62,8 @@ TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
     done("import", {mesh_, "--scenario", "A", "--id", "middle", "--at", "-73.975,40.77", "--scale", "2",
                     "--clockwise", "90", "--east", "5"});
     const glm::dvec2 place = opened().city->frame.localFromLonLat({-73.975, 40.77});
-    EXPECT_NEAR(middleOf(building("middle")).x, place.x + 5, 0.01);
-    EXPECT_NEAR(middleOf(building("middle")).y, place.y, 0.01);
+    EXPECT_NEAR(findMiddle(building("middle")).x, place.x + 5, 0.01);
+    EXPECT_NEAR(findMiddle(building("middle")).y, place.y, 0.01);
     const Box2 box = bounds(building("middle"));
     EXPECT_NEAR(box.high.x - box.low.x, 60, 0.01);  // 30 m from south to north, doubled and turned
     EXPECT_NEAR(topM(building("middle")), 200, 0.01);
@@ -91,8 +91,8 @@ TEST_F(ProjectEdits, AMeshTakesTheReplacedBuildingsPlaceAndName) {
     const Building made = building("One57");
     EXPECT_EQ(made.sourceId, old.sourceId);
     EXPECT_EQ(made.name, old.name);
-    EXPECT_NEAR(middleOf(made).x, middleOf(old).x, 0.01);
-    EXPECT_NEAR(middleOf(made).y, middleOf(old).y, 0.01);
+    EXPECT_NEAR(findMiddle(made).x, findMiddle(old).x, 0.01);
+    EXPECT_NEAR(findMiddle(made).y, findMiddle(old).y, 0.01);
     EXPECT_TRUE(made.parts[0].mesh);
 }
 

@@ -44,7 +44,7 @@ TEST_F(ProjectPlaces, ALotIsABoxAPolygonAFileOrABuildingsOutline) {
     const Project project = opened();
     EXPECT_NEAR(area(project.lots[7].outline), 2 * area(project.lots[8].outline), 1);
     EXPECT_TRUE(contains(project.lots.back().outline,
-                         middleOf(*project.city->buildings[findBuilding(*project.city, "One57").value()])));
+                         findMiddle(*project.city->buildings[findBuilding(*project.city, "One57").value()])));
     done("lot remove", {"file", "file (2)", "own"});
     EXPECT_THAT(lots(), testing::ElementsAre("box", "wkt", "file (3)"));
     EXPECT_EQ(project.lots.size() - 3, opened().lots.size());

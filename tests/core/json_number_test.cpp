@@ -1,4 +1,4 @@
-#include "core/json_number.h"
+#include "core/base/json_number.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "tests/fuzz/require.h"
 
 namespace noonmark::tests {

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "core/io/field_roles.h"
-#include "core/io/osm_semantics.h"
-#include "core/io/place_features.h"
+#include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/place_features.h"
+#include "core/io/osm/osm_semantics.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 
@@ -33,7 +33,7 @@ void addTag(const std::string& tag, FeatureValues& values) {
     const auto equals = std::min(tag.find('='), tag.size());
     const std::string key = tag.substr(0, equals);
     const std::string text = tag.substr(std::min(equals + 1, tag.size()));
-    if (const auto meaning = meaningOfTag(key); meaning && !text.empty())
+    if (const auto meaning = findTagMeaning(key); meaning && !text.empty())
         values.push_back({meaning->role, key, text, {}, meaning->unit.value_or(LengthUnit::metres)});
 }
 
@@ -44,7 +44,8 @@ std::optional<UnplacedFeature> featureOf(const std::string& line, Warnings& warn
     LonLatPolygon polygon = polygonOf(piece);
     FeatureValues values;
     while (std::getline(pieces, piece, '|')) addTag(piece, values);
-    auto facts = factsOf(values, {.heights = {}, .tagged = true, .sayNoBuilding = true}, "feature", warnings);
+    auto facts =
+        collectFacts(values, {.heights = {}, .tagged = true, .sayNoBuilding = true}, "feature", warnings);
     if (!facts || polygon.empty()) return std::nullopt;
     return UnplacedFeature{*std::move(facts), {std::move(polygon)}};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/mesh_scene.h"
+#include "core/io/meshes/mesh_scene.h"
 #include "core/io/read_city.h"
 
 namespace noonmark::tests {

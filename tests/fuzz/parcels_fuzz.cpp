@@ -1,5 +1,5 @@
 // A register of parcels.
-#include "core/io/read_parcels.h"
+#include "core/io/footprints/read_parcels.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"

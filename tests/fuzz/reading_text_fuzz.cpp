@@ -1,8 +1,8 @@
 // How a project's city was read: the settings, the fields that heights were read from, and the terrain's
 // source.
-#include "core/io/read_settings_text.h"
-#include "core/study/height_facts_json.h"
-#include "core/study/terrain_text.h"
+#include "core/io/heights/read_settings_text.h"
+#include "core/study/text/height_facts_json.h"
+#include "core/study/text/terrain_text.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 
@@ -19,12 +19,12 @@ void readSettings(const std::string& text) {
 }
 
 void readFacts(const std::string& text) {
-    const auto facts = noonmark::heightFactsFrom(text);
+    const auto facts = noonmark::parseHeightFacts(text);
     if (!facts) return;
-    for (const auto& field : facts->fields) require(!wordsOf(field).empty(), "a field has words");
-    for (const auto& field : facts->unknown) require(!wordsOf(field).empty(), "a field has words");
+    for (const auto& field : facts->fields) require(!describe(field).empty(), "a field has words");
+    for (const auto& field : facts->unknown) require(!describe(field).empty(), "a field has words");
     const auto json = heightFactsJson(*facts);
-    const auto again = noonmark::heightFactsFrom(json.dump());
+    const auto again = noonmark::parseHeightFacts(json.dump());
     require(again && heightFactsJson(*again) == json, "height facts come back");
 }
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "core/io/write_city.h"
 #include "core/io/write_raster.h"
 #include "tests/fuzz/require.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "core/io/mesh_scene.h"
+#include "core/io/meshes/mesh_scene.h"
 #include "tests/fuzz/seeds.h"
 #include "tests/shared/box_obj.h"
 
@@ -27,7 +27,7 @@ MeshObject box(const std::string& name, const std::string& parent) {
     return {name, {piece}, parent};
 }
 
-std::string sceneOf(std::initializer_list<MeshObject> objects) {
+std::string makeMapScene(std::initializer_list<MeshObject> objects) {
     std::string bytes;
     appendSceneHead(bytes);
     for (const MeshObject& object : objects) appendObject(bytes, object);
@@ -84,9 +84,9 @@ std::string glb() {
 }  // namespace
 
 void makeMeshSeeds(const SeedFolder& seeds) {
-    seeds.write("mesh_scene", "box", sceneOf({box("house", "")}));
+    seeds.write("mesh_scene", "box", makeMapScene({box("house", "")}));
     seeds.write("mesh_scene", "surfaces",
-                sceneOf({box("WallSurface", "a"), box("RoofSurface", "a"), box("", "")}));
+                makeMapScene({box("WallSurface", "a"), box("RoofSurface", "a"), box("", "")}));
     std::string error;
     appendSceneHead(error);
     appendError(error, {"what", "where", "advice"});

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/io/read_part.h"
-#include "core/result.h"
 
 namespace noonmark::tests {
 

@@ -6,12 +6,12 @@
 #include <stop_token>
 #include <thread>
 
-#include "core/accumulate/graph_accumulator.h"
-#include "core/accumulate/shadow_accrual_map.h"
+#include "core/engines/accrual/shadow_accrual_map.h"
+#include "core/engines/graph/graph_engine.h"
 #include "render/gl/depth_maps.h"
 #include "render/gl/gl_engines.h"
 #include "render/gl/gl_shadow_maps.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
@@ -70,18 +70,18 @@ TEST_F(ShadowMapsGl, oneDrawEqualsSixtyPassesBitForBit) {
 /// A scene on the device, and the depths of all its steps.
 struct DeviceScene {
     City city = cityOf(randomBoxes(22, 8));
-    MapFrame frame = groundFrame({-10, -10, 1, 180, 180}, 256, false);
+    MapFrame frame = makeGroundFrame({-10, -10, 1, 180, 180}, 256, false);
     CasterFaces faces = [this] {
         std::vector<std::uint32_t> all(city.buildings.size());
         std::iota(all.begin(), all.end(), 0U);
-        return casterFaces(city, all);
+        return makeCasterFaces(city, all);
     }();
     IntervalCasters casters =
-        castersOf(faces, frame.placed(faces.points), frame, interval, CasterSide::awayFromSun, {});
+        placeCasters(faces, frame.placed(faces.points), frame, interval, CasterSide::awayFromSun, {});
 
     [[nodiscard]] std::vector<std::vector<float>> depths(const GlLimits& limits, int layers) const {
         const auto maps = DepthMaps::make(limits, frame.columns, frame.rows, layers).value();
-        maps->take(frame, placedSurface({{{0, 0, 0}}, {{0, 0, 1}}, {}}, frame), {});
+        maps->take(frame, placeSurface({{{0, 0, 0}}, {{0, 0, 1}}, {}}, frame), {});
         maps->take(casters, interval);
         std::vector<std::vector<float>> all;
         for (int step = 0; step < interval.steps; step += layers) {
@@ -130,7 +130,7 @@ TEST_F(ShadowMapsGl, agreesWithTheRays) {
     const ShadowField truth = traced(city, receivers, sun);
     for (const GlPasses passes : {GlPasses::oneAStep, GlPasses::oneAnInterval}) {
         NoProgress progress;
-        const auto field = GraphAccumulator(onDevice(passes, {}), {.merge = false})
+        const auto field = GraphEngine(onDevice(passes, {}), {.merge = false})
                                .accumulate(city, receivers, sun, progress, {})
                                .value();
         double sum = 0;
@@ -181,8 +181,8 @@ TEST_F(ShadowMapsGl, stops) {
 
 TEST_F(ShadowMapsGl, enginesAreChosenByTheirKeys) {
     for (const char* key : {"shadow-map-gl", "sam-gl"})
-        EXPECT_TRUE(makeAccumulator(key, {{"map", 256}}, glEngines())) << key;
-    EXPECT_FALSE(makeAccumulator("sam-gl", {{"map", 1e6}}, glEngines()));
+        EXPECT_TRUE(makeEngine(key, {{"map", 256}}, glEngines())) << key;
+    EXPECT_FALSE(makeEngine("sam-gl", {{"map", 1e6}}, glEngines()));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/window/main_window.h"
+#include "app/window/frame/main_window.h"
 #include "app/window/project/answer_origin.h"
-#include "app/window/warnings_dock.h"
+#include "app/window/study/warnings_dock.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 

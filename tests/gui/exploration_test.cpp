@@ -1,4 +1,4 @@
-#include "app/window/exploration.h"
+#include "app/window/view/exploration.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/window/explored_picture.h"
-#include "core/accumulate/surface_accrual.h"
-#include "core/accumulate/surface_rays.h"
+#include "app/window/view/explored_picture.h"
+#include "core/engines/accrual/surface_accrual.h"
+#include "core/engines/ray/surface_rays.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -36,7 +36,7 @@ Period morning(int days = 1) {
 struct Refinement : ::testing::Test {
     ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr,
                           leastTurnTests};
-    SurfaceEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
+    ViewEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
     // All answers, from the first to the finest.
@@ -47,7 +47,7 @@ struct Refinement : ::testing::Test {
         return all;
     }
 
-    SurfaceShadow truthOf(const ViewAnswer& answer) {
+    SurfaceShadow computeTruth(const ViewAnswer& answer) {
         return engine.accumulator
             ->accumulate(question.city->city(), answer.view.surface->points, *answer.sun, progress, {})
             .value();
@@ -100,7 +100,7 @@ TEST_F(Refinement, TurnsAreAsLongAsFivePicturesASecondAllow) {
 
 TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
     for (const ViewAnswer& answer : answers()) {
-        const SurfaceShadow truth = truthOf(answer);
+        const SurfaceShadow truth = computeTruth(answer);
         EXPECT_EQ(answer.view.shadow.grossMin, truth.grossMin);
         EXPECT_EQ(answer.view.shadow.continuousMin, truth.continuousMin);
         EXPECT_EQ(answer.view.shadow.sunlitMinutesPerDay, 180);
@@ -168,7 +168,7 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     EXPECT_EQ(shown->view.shadow.grossMin, running.field.grossMin);
     EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 60);
     EXPECT_TRUE(surfacePicture(shown->view, ShadowMeasure::gross, 180).soFar);
-    EXPECT_TRUE(detailWords(shown->view, 350).startsWith(QStringLiteral("4 of 12 sun intervals")));
+    EXPECT_TRUE(describeDetail(shown->view, 350).startsWith(QStringLiteral("4 of 12 sun intervals")));
     EXPECT_FALSE(withRunning(all[3], running)) << "of another level";
 }
 
@@ -208,7 +208,7 @@ TEST_F(Refinement, ByAccrualMapsEachLevelOfADaySharpensStepByStep) {
             EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 180) << "of all of the day";
             EXPECT_LE(offBy(shown->view, done.view), before * 1.01) << running.part;
             EXPECT_TRUE(isSoFar(shown->view));
-            EXPECT_TRUE(detailWords(shown->view, 350).startsWith(QString::fromStdString(running.part)));
+            EXPECT_TRUE(describeDetail(shown->view, 350).startsWith(QString::fromStdString(running.part)));
             before = offBy(shown->view, done.view);
         }
         EXPECT_EQ(before, 0) << "the last one is the answer";
@@ -260,8 +260,8 @@ TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     EXPECT_LT(coarseDays, 300);
     question.sun = answer.sun;
     EXPECT_TRUE(surfacePicture(answer.view, ShadowMeasure::gross, 180).soFar);
-    EXPECT_TRUE(detailWords(answer.view, 350).contains(QStringLiteral("of 300 days")));
-    const SurfaceShadow truth = truthOf(answer);
+    EXPECT_TRUE(describeDetail(answer.view, 350).contains(QStringLiteral("of 300 days")));
+    const SurfaceShadow truth = computeTruth(answer);
     double error = 0;
     for (std::size_t i = 0; i < truth.grossMin.size(); ++i)
         error += std::abs(double(truth.grossMin[i] - answer.view.shadow.grossMin[i]));
@@ -336,11 +336,11 @@ TEST_F(ExplorationTest, ANewerViewOvertakesAnOlderOne) {
         QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
     }
     ASSERT_TRUE(waitFor([this] { return finest() && !exploration.working(); }));
-    EXPECT_EQ(exploration.answer()->view.camera.eye, eyeOf(pose));
+    EXPECT_EQ(exploration.answer()->view.camera.eye, computeEye(pose));
     const auto last = std::ranges::find_if(
-        seen, [&](const auto& answer) { return answer->view.camera.eye == eyeOf(pose); });
+        seen, [&](const auto& answer) { return answer->view.camera.eye == computeEye(pose); });
     EXPECT_TRUE(std::all_of(last, seen.end(), [&](const auto& answer) {
-        return answer->view.camera.eye == eyeOf(pose);
+        return answer->view.camera.eye == computeEye(pose);
     })) << "no older view comes after the newest";
 }
 
@@ -373,9 +373,9 @@ TEST_F(ExplorationTest, RestsWhenInactiveAndGoesOnWhereItWas) {
 TEST(ExploredView, KnowsNothingBehindACornerOrBesideThePicture) {
     const auto city = test::smallOpenCity();
     ExploredView view;
-    view.camera = cameraOf({{0, -40, 0}, 300, 0, 30}, lens, 1);
+    view.camera = makeExploredCamera({{0, -40, 0}, 300, 0, 30}, lens, 1);
     view.surface = std::make_shared<const VisibleSurface>(
-        visibleSurface(city->picker.scene().value(), true, view.camera).value());
+        findVisibleSurface(city->picker.scene().value(), true, view.camera).value());
     EXPECT_TRUE(view.pointAt({0, -60, 30})) << "the southern front";
     EXPECT_FALSE(view.pointAt({0, -20, 30})) << "the northern front is behind it";
     EXPECT_FALSE(view.pointAt({0, -600, 0})) << "behind the eye";

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <optional>
 
-#include "app/window/job_slot.h"
+#include "app/window/study/job_slot.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

@@ -1,4 +1,4 @@
-#include "app/window/legend_strip.h"
+#include "app/window/widgets/legend_strip.h"
 
 #include <gtest/gtest.h>
 

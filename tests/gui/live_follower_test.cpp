@@ -16,11 +16,12 @@ using namespace test;
 /// Somebody else who asks the horizons, until it is let go.
 class Asking final : public Progress {
 public:
-    explicit Asking(SharedHorizons& horizons)
+    explicit Asking(SharedHorizonCache& horizons)
         : thread_([this, &horizons] {
               const City city = smallCity();
               const auto receivers =
-                  receiversOnGround(city, regionFromLocalBox({{-50, -50}, {50, 50}}), {.cellM = 5}).value();
+                  placeReceiversOnGround(city, makeRegionFromLocalBox({{-50, -50}, {50, 50}}), {.cellM = 5})
+                      .value();
               (void)horizons.field(city, receivers, sunOf(spring(1, 30)), ShadowCounts::gross, *this, {});
           }) {
         begun_.wait();
@@ -38,7 +39,7 @@ private:
 };
 
 struct LiveFollowerTest : ::testing::Test {
-    std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>();
+    std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>();
     LiveFollower follower{horizons};
     City city = smallCityOnASlope();
     Period period = spring(20, 10);

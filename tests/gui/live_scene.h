@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "app/window/massing/live_shadow.h"
-#include "core/accumulate/kept_horizons.h"
+#include "core/engines/horizon/cache/horizon_cache.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/gui/small_city.h"
 
@@ -67,9 +67,9 @@ inline City with(City city, const LiveReceivers::Shape& shape) {
 /// By horizons that were never kept before.
 inline ShadowField freshHorizons(const City& city, const Receivers& receivers, const Period& period) {
     NoProgress progress;
-    auto kept = KeptHorizons::make(city, receivers, {SharedHorizons::binDeg}).value();
+    auto saved = HorizonCache::make(city, receivers, {SharedHorizonCache::binDeg}).value();
     const SunQuestion question = sunOf(period);
-    return kept.retime(sunSteps(question.period, question.observer).value(), progress, {}).value();
+    return saved.retime(computeSunSteps(question.period, question.observer).value(), progress, {}).value();
 }
 
 inline bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/accumulate/projected_shadows.h"
-#include "core/accumulate/ray_reference.h"
+#include "core/engines/projected/projected_shadows.h"
+#include "core/engines/ray/ray_reference.h"
 #include "tests/gui/live_scene.h"
 
 namespace noonmark {
@@ -13,7 +13,7 @@ using namespace test;
 
 struct LiveShadowTest : ::testing::Test {
     NoProgress progress;
-    std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>();
+    std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>();
 
     std::shared_ptr<LiveShadow> at(const City& city, const LiveQuestion& question) {
         return LiveShadow::at(placeIn(city), question, horizons, progress, {}).value();
@@ -51,14 +51,14 @@ TEST(LiveRule, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
 }
 
 TEST(LiveRule, WordsSayHowExactItIs) {
-    EXPECT_EQ(liveWords(LiveEngine::shadows, 360, 360, true), "With the proposal: exact at all 360 steps");
-    EXPECT_EQ(liveWords(LiveEngine::moments, 120, 175200, false),
+    EXPECT_EQ(describeLive(LiveEngine::shadows, 360, 360, true), "With the proposal: exact at all 360 steps");
+    EXPECT_EQ(describeLive(LiveEngine::moments, 120, 175200, false),
               "With the proposal: exact at 120 of 175,200 steps");
-    const QString gross = liveWords(LiveEngine::horizons, 175200, 175200, false);
+    const QString gross = describeLive(LiveEngine::horizons, 175200, 175200, false);
     EXPECT_TRUE(gross.contains("all 175,200 steps")) << gross.toStdString();
     EXPECT_TRUE(gross.contains("quarter of a degree")) << gross.toStdString();
     EXPECT_TRUE(gross.contains("runs follow")) << gross.toStdString();
-    EXPECT_FALSE(liveWords(LiveEngine::horizons, 1, 1, true).contains("runs"));
+    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("runs"));
 }
 
 TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
@@ -71,7 +71,7 @@ TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
     const SunQuestion sun = sunOf(period);
     const auto study = ProjectedShadows()
                            .accumulate(with(smallCity(), tower()), shown.receivers,
-                                       sunSteps(sun.period, sun.observer).value(), progress, {})
+                                       computeSunSteps(sun.period, sun.observer).value(), progress, {})
                            .value();
     EXPECT_TRUE(sameBits(shown.field.grossMin, study.grossMin));
     EXPECT_TRUE(sameBits(shown.field.continuousMin, study.continuousMin));
@@ -107,7 +107,7 @@ TEST_F(LiveShadowTest, OnTerrainItIsThatOfFreshHorizonsAndNearTheRays) {
     const SunQuestion sun = sunOf(period);
     const auto truth = RayReference()
                            .accumulate(with(city, tower(0, 15)), shown.receivers,
-                                       sunSteps(sun.period, sun.observer).value(), progress, {})
+                                       computeSunSteps(sun.period, sun.observer).value(), progress, {})
                            .value();
     double off = 0, shaded = 0;
     for (const std::uint32_t cell : shown.receivers.cells) {
@@ -138,7 +138,7 @@ TEST_F(LiveShadowTest, OnRoofsTheyFollowToo) {
     const City city = smallCity();
     const Period period = spring(1, 5);
     LiveQuestion question = asked(period, ReceiverPlaces::both);
-    question.region = regionFromLocalBox({{-120, -120}, {120, 120}});
+    question.region = makeRegionFromLocalBox({{-120, -120}, {120, 120}});
     question.onRegion = true;
     const auto live = at(city, question);
     for (const float east : {0.0F, 45.0F, -10.0F}) {
@@ -177,7 +177,7 @@ TEST_F(LiveShadowTest, IsOnTheRegionWhereTheShadowReachesItAndItIsNotTooLarge) {
     LiveQuestion question = asked(spring(1, 10));
     question.onRegion = true;
     const auto cells = [&](Box2 box) {
-        question.region = regionFromLocalBox(box);
+        question.region = makeRegionFromLocalBox(box);
         return at(smallCity(), question)->receivers().grid;
     };
     EXPECT_EQ(cells({{-150, -100}, {150, 100}}).columns, 300);
@@ -192,7 +192,8 @@ TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
     City city = smallCity();
     Building rack{.sourceId = "rack"};
     for (int i = 0; i <= 50'000; ++i)
-        rack.parts.push_back({.footprint = square({-90, -90}, 1), .bottomM = 5, .topM = 6, .hangs = true});
+        rack.parts.push_back(
+            {.footprint = square({-90, -90}, 1), .bottomM = 5, .topM = 6, .isOverhanging = true});
     city.buildings.push_back(std::make_shared<const Building>(rack));
     const Period period = spring(4, 0.8);
     const auto some = at(city, asked(period));

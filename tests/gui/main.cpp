@@ -3,7 +3,7 @@
 #include <QApplication>
 #include <QStandardPaths>
 
-#include "app/window/appearance.h"
+#include "app/window/frame/appearance.h"
 
 /// Widgets and the 3D view need a display; under ctest Xvfb gives one.
 int main(int argc, char** argv) {

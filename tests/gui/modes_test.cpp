@@ -8,10 +8,10 @@
 #include <QToolBar>
 #include <random>
 
-#include "app/report/palette.h"
-#include "app/window/accuracy_form.h"
-#include "app/window/main_window.h"
-#include "app/window/view_panel.h"
+#include "app/report/maps/palette.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/view/view_panel.h"
+#include "app/window/widgets/accuracy_form.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {

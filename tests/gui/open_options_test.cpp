@@ -1,4 +1,4 @@
-#include "app/window/open_options.h"
+#include "app/window/study/open_options.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <QTemporaryDir>
 #include <tuple>
 
-#include "app/window/main_window.h"
-#include "app/window/reading_form.h"
-#include "app/window/view_panel.h"
-#include "core/study/repeat_command.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/view/view_panel.h"
+#include "app/window/widgets/reading_form.h"
+#include "core/study/provenance/repeat_command.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -191,7 +191,7 @@ TEST_F(OpenOptionsTest, TheStudyRepeatsWhatWasStated) {
     window.openWith({cube()}, reading);
     ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
     StudySettings question = window.workbench().document().settings();
-    question.region = regionFromLocalBox({{-40, -40}, {40, 40}});
+    question.region = makeRegionFromLocalBox({{-40, -40}, {40, 40}});
     question.period.hours = 1;
     window.workbench().document().change(question, QStringLiteral("test"));
     window.workbench().run();

@@ -1,11 +1,11 @@
-#include "render/overlay_bodies.h"
+#include "render/scene/overlay_bodies.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 

@@ -1,12 +1,12 @@
-#include "app/window/polygon_tool.h"
+#include "app/window/view/polygon_tool.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "app/window/region_words.h"
-#include "app/window/visible_ground.h"
+#include "app/window/study/region_words.h"
+#include "app/window/view/visible_ground.h"
 
 namespace noonmark {
 namespace {
@@ -146,10 +146,10 @@ TEST(VisibleGround, LookingAwayThereIsNone) {
 }
 
 TEST(RegionWords, SayAreaAndCells) {
-    Region region = regionFromLocalBox({{0, 0}, {590, 580}});
+    Region region = makeRegionFromLocalBox({{0, 0}, {590, 580}});
     region.name = "park";
-    EXPECT_EQ(regionWords(region, 2), QStringLiteral("Park\n590 × 580 m, 34.2 ha, 85,550 cells"));
-    EXPECT_EQ(regionWords({}, 2), QStringLiteral("No region yet"));
+    EXPECT_EQ(describeRegion(region, 2), QStringLiteral("Park\n590 × 580 m, 34.2 ha, 85,550 cells"));
+    EXPECT_EQ(describeRegion({}, 2), QStringLiteral("No region yet"));
 }
 
 }  // namespace

@@ -63,18 +63,18 @@ TEST_F(ProjectTree, ScenariosHaveTheirEditsAndTheShownOneIsBold) {
 
 TEST_F(ProjectTree, LinesThatStayAreTheSameLines) {
     session.addEdits({newTower("New", 44)}, QStringLiteral("tower"));
-    const QPersistentModelIndex kept = scenario("Proposal A");
+    const QPersistentModelIndex saved = scenario("Proposal A");
     const QPersistentModelIndex lot = model.indexOf(ProjectPart::lot, "Yard");
     session.addEdits({ChangeHeight{"New", 60}}, QStringLiteral("height"));
     session.change(withScenario(session.project(), "Other", {}), QStringLiteral("new"));
-    EXPECT_TRUE(kept.isValid());
-    EXPECT_EQ(model.rowCount(kept), 2);
+    EXPECT_TRUE(saved.isValid());
+    EXPECT_EQ(model.rowCount(saved), 2);
     EXPECT_TRUE(lot.isValid());
     undo.undo();
     undo.undo();
-    EXPECT_EQ(model.rowCount(kept), 1);
+    EXPECT_EQ(model.rowCount(saved), 1);
     undo.undo();
-    EXPECT_FALSE(kept.isValid());
+    EXPECT_FALSE(saved.isValid());
 }
 
 TEST_F(ProjectTree, RenamesPartsInPlaceButNotTheExistingCity) {

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QUndoStack>
 
-#include "app/window/study_document.h"
+#include "app/window/study/study_document.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {
@@ -109,11 +109,11 @@ TEST_F(Session, RenamingAScenarioKeepsThoseThatStartFromIt) {
     demolish(0);
     session.change(withScenario(session.project(), "B", "Proposal A"), QStringLiteral("new"), "B");
     EXPECT_TRUE(
-        session.change(renamed(session.project(), ProjectPart::scenario, "Proposal A", "Slim").value(),
+        session.change(renameIn(session.project(), ProjectPart::scenario, "Proposal A", "Slim").value(),
                        QStringLiteral("rename")));
     EXPECT_EQ(session.project().scenarios[1].base, "Slim");
     EXPECT_EQ(session.city()->buildings.size(), 2U);
-    EXPECT_FALSE(renamed(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is taken";
+    EXPECT_FALSE(renameIn(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is taken";
     EXPECT_THAT(without(session.project(), ProjectPart::scenario, "Slim").error().text(),
                 HasSubstr("first: B"));
 }
@@ -132,10 +132,10 @@ TEST_F(Session, ADeletedScenarioIsLeftAndABaselineToo) {
 TEST_F(Session, ACopyStandsBesideTheOriginalUnderANameOfItsOwn) {
     demolish(0);
     std::string made;
-    const Project next = duplicated(session.project(), ProjectPart::scenario, "Proposal A", made);
+    const Project next = duplicate(session.project(), ProjectPart::scenario, "Proposal A", made);
     EXPECT_EQ(made, "Proposal B");
     EXPECT_EQ(next.scenarios[1].edits, next.scenarios[0].edits);
-    duplicated(session.project(), ProjectPart::lot, "Yard", made);
+    duplicate(session.project(), ProjectPart::lot, "Yard", made);
     EXPECT_EQ(made, "Yard (2)");
 }
 

@@ -10,13 +10,13 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 
-#include "app/window/main_window.h"
+#include "app/window/frame/main_window.h"
 #include "app/window/project/project_session.h"
-#include "app/window/project/unsaved_place.h"
-#include "app/window/view_panel.h"
-#include "app/window/warning_place.h"
-#include "app/window/warnings_dock.h"
-#include "scenarios/project/autosave.h"
+#include "app/window/project/recovery_store.h"
+#include "app/window/study/warning_place.h"
+#include "app/window/study/warnings_dock.h"
+#include "app/window/view/view_panel.h"
+#include "scenarios/project/recovery_file.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 
@@ -241,8 +241,8 @@ TEST_F(ProjectWindow, WorkDiscardedForAFileThatCannotBeOpenedIsStillRecoverable)
 TEST_F(ProjectWindow, WorkThatWasNotSavedIsOfferedAgain) {
     build();
     window->saving().keepUnsaved();
-    const std::filesystem::path kept = recoveryPath(file.toStdString());
-    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    const std::filesystem::path saved = recoveryPath(file.toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     kill();
     makeWindow();
     open(file);
@@ -265,9 +265,9 @@ TEST_F(ProjectWindow, WorkThatNeverHadAFileIsOfferedAgain) {
     const std::size_t lots = session().project().lots.size();
     window->saving().keepUnsaved();
     const QString unsaved = folder.filePath(QStringLiteral("unsaved"));
-    const std::filesystem::path kept =
+    const std::filesystem::path saved =
         recoveryPath((unsaved + QStringLiteral("/Untitled 1.noonmark.gpkg")).toStdString());
-    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     kill();
     makeWindow();
     open(QStringLiteral("sample:central-park-south"));
@@ -284,10 +284,10 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
     ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
     window->saving().keepUnsaved();
     const QDir unsaved(folder.filePath(QStringLiteral("unsaved")));
-    const auto kept = [&] {
+    const auto saved = [&] {
         return unsaved.entryList({QStringLiteral("*.gpkg")}, QDir::Files | QDir::Hidden);
     };
-    ASSERT_TRUE(waitFor([&] { return !kept().isEmpty() && !window->saving().writing().busy(); }));
+    ASSERT_TRUE(waitFor([&] { return !saved().isEmpty() && !window->saving().writing().busy(); }));
     kill();
     makeWindow();
     open(sample);
@@ -297,7 +297,7 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
     open(sample);  // the question is answered by Discard
     EXPECT_EQ(message(), QString());
     kill();
-    EXPECT_EQ(kept(), QStringList());
+    EXPECT_EQ(saved(), QStringList());
     makeWindow();
     open(sample);
     EXPECT_EQ(message(), QString());
@@ -306,8 +306,8 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
 TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain) {
     build();
     window->saving().keepUnsaved();
-    const std::filesystem::path kept = recoveryPath(file.toStdString());
-    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    const std::filesystem::path saved = recoveryPath(file.toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     for (const bool keptAgain : {false, true}) {
         kill();
         makeWindow();
@@ -317,15 +317,15 @@ TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain)
         const auto older = ProjectSaving::olderRecovery(file.toStdString());
         if (keptAgain) window->saving().keepUnsaved();
         if (keptAgain) {
-            ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+            ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
             EXPECT_TRUE(std::filesystem::exists(older));
         }
-        const auto copy = kept.string() + ".copy";
-        std::filesystem::copy_file(keptAgain ? older : kept, copy);
+        const auto copy = saved.string() + ".copy";
+        std::filesystem::copy_file(keptAgain ? older : saved, copy);
         window->close();
-        ASSERT_TRUE(waitFor([&] { return !std::filesystem::exists(kept); }));
+        ASSERT_TRUE(waitFor([&] { return !std::filesystem::exists(saved); }));
         EXPECT_FALSE(std::filesystem::exists(older));
-        std::filesystem::rename(copy, kept);  // for the next round
+        std::filesystem::rename(copy, saved);  // for the next round
     }
 }
 
@@ -369,7 +369,7 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     const ImpactAnswer& answer = *held;
     EXPECT_EQ(answer.from, existingCity);
     EXPECT_EQ(answer.to, "Proposal A");
-    EXPECT_GT(figuresOf(answer.study.total, 0).gross.touchedM2, 0);
+    EXPECT_GT(computeFigures(answer.study.total, 0).gross.touchedM2, 0);
     EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
     const auto legend = window->panel().legend().legend();
     ASSERT_TRUE(legend);
@@ -653,21 +653,21 @@ TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
 TEST(UnsavedPlaces, WhatManyRunsLeftDoesNotGrowForEver) {
     const QTemporaryDir folder;
     const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
-    const int runs = UnsavedPlace::mostLeft + 3;
+    const int runs = RecoveryStore::mostLeft + 3;
     for (int i = 0; i < runs; ++i) {
         QFile file(QString::fromStdString(recovery.string()));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(QByteArray::number(i));
         file.close();
-        const UnsavedPlace place(folder.path());
+        const RecoveryStore place(folder.path());
         EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
     }
-    for (int i = runs - 1; i >= runs - UnsavedPlace::mostLeft; --i) {
-        UnsavedPlace place(folder.path());
+    for (int i = runs - 1; i >= runs - RecoveryStore::mostLeft; --i) {
+        RecoveryStore place(folder.path());
         EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
         place.forgetLeft();
     }
-    EXPECT_FALSE(UnsavedPlace(folder.path()).left());
+    EXPECT_FALSE(RecoveryStore(folder.path()).left());
 }
 
 TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {
@@ -678,18 +678,18 @@ TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     };
-    const auto left = [](const UnsavedPlace& place) {
+    const auto left = [](const RecoveryStore& place) {
         return bytesOf(QString::fromStdString(place.left().value().string()));
     };
     leave("first");
-    EXPECT_EQ(left(UnsavedPlace(folder.path())), "first");
+    EXPECT_EQ(left(RecoveryStore(folder.path())), "first");
     leave("second");
     {
-        UnsavedPlace place(folder.path());
+        RecoveryStore place(folder.path());
         EXPECT_EQ(left(place), "second");
         place.forgetLeft();
     }
-    EXPECT_EQ(left(UnsavedPlace(folder.path())), "first");
+    EXPECT_EQ(left(RecoveryStore(folder.path())), "first");
 }
 
 }  // namespace

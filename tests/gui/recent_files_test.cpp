@@ -1,4 +1,4 @@
-#include "app/window/recent_files.h"
+#include "app/window/frame/recent_files.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/recent_menu.h"
-#include "core/io/read_settings_text.h"
+#include "app/window/widgets/recent_menu.h"
+#include "core/io/heights/read_settings_text.h"
 
 namespace noonmark {
 namespace {

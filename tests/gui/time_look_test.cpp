@@ -7,7 +7,7 @@
 
 #include "app/window/time/time_looking.h"
 #include "app/window/time/time_strip.h"
-#include "core/accumulate/projected_shadows.h"
+#include "core/engines/projected/projected_shadows.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -41,7 +41,7 @@ TEST(TimeLook, IsAPartOfTheStudysTime) {
     EXPECT_EQ(moment.hours, 0);
     EXPECT_EQ(moment.from, 14h);
     EXPECT_FALSE(moment.window);
-    EXPECT_EQ(wordsOf({TimeSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
+    EXPECT_EQ(describe({TimeSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
 }
 
 TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
@@ -77,7 +77,7 @@ TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
     look.at -= 7min;
     ASSERT_TRUE(waitFor([&] { return looking.answer() && looking.answer()->look == look; }));
     NoProgress progress;
-    const auto sun = sunSteps(periodOf(look, study->settings.period), observerOf(*study)).value();
+    const auto sun = computeSunSteps(periodOf(look, study->settings.period), observerOf(*study)).value();
     const ShadowField exact =
         ProjectedShadows().accumulate(study->city, study->receivers, sun, progress, {}).value();
     std::size_t shaded = 0, other = 0;

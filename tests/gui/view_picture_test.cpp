@@ -1,4 +1,4 @@
-#include "app/window/view_picture.h"
+#include "app/window/view/view_picture.h"
 
 #include <gtest/gtest.h>
 

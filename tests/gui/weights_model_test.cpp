@@ -91,7 +91,7 @@ TEST_F(Weights, WhatIsOutOfRangeIsRefusedInItsPlace) {
     EXPECT_TRUE(refusal.contains(QStringLiteral("'June' and 'July' hold the same time")))
         << refusal.toStdString();
     EXPECT_EQ(undo.count(), 0);
-    EXPECT_EQ(session.project().weights[0], monthlyWeights());
+    EXPECT_EQ(session.project().weights[0], makeMonthlyWeights());
 }
 
 TEST_F(Weights, RowsComeAndGo) {
@@ -105,7 +105,7 @@ TEST_F(Weights, RowsComeAndGo) {
     EXPECT_EQ(interval(12).first, January / 1);
     EXPECT_EQ(undo.count(), 3);
     while (undo.canUndo()) undo.undo();
-    EXPECT_EQ(session.project().weights[0], monthlyWeights());
+    EXPECT_EQ(session.project().weights[0], makeMonthlyWeights());
     for (int i = 0; i < 11; ++i) EXPECT_TRUE(model.removeRow(0));
     EXPECT_FALSE(model.removeRow(0));
     EXPECT_TRUE(refusal.contains(QStringLiteral("no intervals"))) << refusal.toStdString();
@@ -165,7 +165,7 @@ TEST_F(Weights, TheDockEditsScoresAndSaysWhatIsRefused) {
     EXPECT_TRUE(refused->isHidden());
     dock.findChild<QPushButton*>(QStringLiteral("newTable"))->click();
     EXPECT_EQ(dock.findChild<QComboBox*>()->currentText(), QStringLiteral("my weights"));
-    EXPECT_EQ(session.project().weights[1].intervals, monthlyWeights().intervals);
+    EXPECT_EQ(session.project().weights[1].intervals, makeMonthlyWeights().intervals);
     auto* view = dock.findChild<QTableView*>();
     view->setCurrentIndex(dock.model().index(3, 0));
     dock.findChild<QPushButton*>(QStringLiteral("addInterval"))->click();

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
-#include "app/report/palette.h"
-#include "app/window/hover_text.h"
-#include "app/window/main_window.h"
-#include "app/window/results_dock.h"
-#include "app/window/view_panel.h"
+#include "app/report/maps/palette.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/study/results_dock.h"
+#include "app/window/view/hover_text.h"
+#include "app/window/view/view_panel.h"
 #include "core/samples/sample_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -37,7 +37,7 @@ struct WindowTest : ::testing::Test {
     [[nodiscard]] Region parkAndStreets() {
         const Region park = centralParkRegion(window.workbench().city()->city());
         const auto south = std::ranges::min(park.polygons.front().outer, {}, [](glm::vec2 p) { return p.y; });
-        return regionFromLocalBox({south - glm::vec2(250), south + glm::vec2(250)});
+        return makeRegionFromLocalBox({south - glm::vec2(250), south + glm::vec2(250)});
     }
 
     void runStudy() {
@@ -105,8 +105,8 @@ struct Agreement {
 
 Agreement agreementOf(WindowTest& test, const QImage& image, ShadowMeasure measure) {
     const auto study = test.window.workbench().study();
-    const std::vector<float>& values = valuesOf(study->field, measure);
-    const double top = legendOf(study->field, measure).scale.top;
+    const std::vector<float>& values = getValues(study->field, measure);
+    const double top = makeLegend(study->field, measure).scale.top;
     std::vector<std::size_t> cells = calmCells(study->field.grid, values, float(top * 0.02));
     std::mt19937 random(7);
     std::ranges::shuffle(cells, random);

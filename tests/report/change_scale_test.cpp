@@ -1,8 +1,8 @@
-#include "app/report/change_scale.h"
+#include "app/report/maps/change_scale.h"
 
 #include <gtest/gtest.h>
 
-#include "app/report/impact_legend.h"
+#include "app/report/maps/impact_legend.h"
 
 namespace noonmark {
 namespace {
@@ -31,13 +31,13 @@ Impact impactOf(const std::vector<float>& minutes) {
 TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     const Impact small = impactOf({0, 10, 20}), large = impactOf({0, 10, 230});
     const auto legend = [](const Impact& impact, const ChangeScale& scale) {
-        return legendOf(impact, ShadowMeasure::gross, scale);
+        return makeLegend(impact, ShadowMeasure::gross, scale);
     };
     EXPECT_EQ(legend(small, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, most 230"));
-    EXPECT_EQ(colourOf(small, ShadowMeasure::gross, 1, 60), colourOf(large, ShadowMeasure::gross, 1, 60));
-    EXPECT_EQ(colourOf(small, ShadowMeasure::gross, 0, 60), std::nullopt);
+    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 1, 60), pickColour(large, ShadowMeasure::gross, 1, 60));
+    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 0, 60), std::nullopt);
     EXPECT_EQ(legend(small, {25}).scale.top, 25) << "exactly what was asked for";
     EXPECT_EQ(legend(small, {7}).scale.top, 7);
     const ChangeScale fitted{std::nullopt};

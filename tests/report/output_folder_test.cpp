@@ -1,4 +1,4 @@
-#include "app/report/output_folder.h"
+#include "app/report/files/output_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/report/study_files.h"
+#include "app/report/files/study_files.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/report/cells_csv.h"
-#include "app/report/study_report.h"
+#include "app/report/files/cells_csv.h"
+#include "app/report/sheets/study_report.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {

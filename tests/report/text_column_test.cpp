@@ -1,4 +1,4 @@
-#include "app/report/text_column.h"
+#include "app/report/sheets/text_column.h"
 
 #include <gtest/gtest.h>
 

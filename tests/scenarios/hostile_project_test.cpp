@@ -7,8 +7,8 @@
 #include <fstream>
 #include <random>
 
-#include "scenarios/project/kept_answer.h"
 #include "scenarios/project/project_file.h"
+#include "scenarios/project/results/saved_answer.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
 
@@ -225,7 +225,7 @@ void useAll(const fs::path& file) {
                 for (const Part& part : building->parts) {
                     ASSERT_GE(part.footprint.outer.size(), 3U);
                 }
-    for (const auto& result : project.results) (void)answerOf(*result);
+    for (const auto& result : project.results) (void)readSavedAnswer(*result);
     if (project.city->terrain) {
         ASSERT_EQ(project.city->terrain->elevationM.size(), project.city->terrain->grid.size());
         EXPECT_TRUE(std::isfinite(elevationAt(*project.city->terrain, {1, 1})));

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/io/heights/read_settings_text.h"
 #include "core/io/read_city.h"
-#include "core/io/read_settings_text.h"
-#include "core/study/study_hash.h"
-#include "scenarios/project/autosave.h"
-#include "scenarios/project/database.h"
+#include "core/study/provenance/study_hash.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/schema.h"
+#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/tables/database.h"
+#include "scenarios/project/tables/schema.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
 #include "tests/shared/shared_data.h"
@@ -78,7 +78,7 @@ void expectSame(const Project& a, const Project& b) {
         EXPECT_EQ(a.scenarios[i].base, b.scenarios[i].base);
         ASSERT_EQ(a.scenarios[i].edits.size(), b.scenarios[i].edits.size());
         for (std::size_t e = 0; e < a.scenarios[i].edits.size(); ++e)
-            EXPECT_EQ(jsonOf(a.scenarios[i].edits[e]), jsonOf(b.scenarios[i].edits[e]));
+            EXPECT_EQ(toJson(a.scenarios[i].edits[e]), toJson(b.scenarios[i].edits[e]));
     }
     ASSERT_EQ(a.results.size(), b.results.size());
     for (std::size_t i = 0; i < a.results.size(); ++i) {
@@ -231,7 +231,7 @@ TEST_F(ProjectFileTest, EveryKindOfChangeIsSaved) {
     project.scenarios.push_back({"C", "", {Demolish{"c"}}});
     project.weights.erase(project.weights.begin());
     project.periods.clear();
-    project.results = {keptResult("second", 20, 600)};
+    project.results = {makeSavedResult("second", 20, 600)};
     project.view["camera"] = "4 5 6";
     ASSERT_TRUE(disk.save(project));
     EXPECT_EQ(disk.saves(), 2);

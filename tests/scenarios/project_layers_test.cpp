@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "scenarios/project/project_file.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/window/appearance.h"
-#include "app/window/heap_settings.h"
+#include "app/window/frame/appearance.h"
+#include "app/window/frame/heap_settings.h"
 #include "tests/soak/window_user.h"
 
 /// Uses the window by chance for a while and writes what memory it holds, a line a minute, as CSV.

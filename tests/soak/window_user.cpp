@@ -5,7 +5,7 @@
 #include <array>
 
 #include "app/window/time/time_strip.h"
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark::soak {
@@ -183,7 +183,7 @@ bool WindowUser::busy() {
     Workbench& bench = window_->workbench();
     return bench.opening().busy() || bench.following().busy() || bench.running().busy() ||
            bench.reading().busy() || window_->exploration().working() ||
-           window_->tools().desk().preview.working().busy() || !bench.city();
+           window_->tools().workspace().preview.working().busy() || !bench.city();
 }
 
 void WindowUser::waitUntilIdle() {

@@ -49,7 +49,8 @@ Result<Scenario*> scenarioToChange(Project& project, const std::string& name) {
     if (project.scenarios.empty())
         return failure("The project has no scenario yet", "scenario '" + name + "'",
                        "Add it: noonmark-cli project add-scenario");
-    if (const auto known = scenarioNamed(project, name); !known) return tl::make_unexpected(known.error());
+    if (const auto known = findScenarioByName(project, name); !known)
+        return tl::make_unexpected(known.error());
     for (Scenario& scenario : project.scenarios)
         if (scenario.name == name) return &scenario;
     return nullptr;

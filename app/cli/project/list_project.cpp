@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "app/cli/table.h"
-#include "core/study/warnings_json.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {

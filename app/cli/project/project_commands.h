@@ -4,7 +4,7 @@
 
 namespace noonmark::cli {
 
-// The commands of `project`, in files of their names; what edits a scenario has the word of kindOf().
+// The commands of `project`, in files of their names; what edits a scenario has the word of getKind().
 void addProjectNew(CLI::App& project, Run& run);
 void addProjectInfo(CLI::App& project, Run& run);
 void addProjectScenarios(CLI::App& project, Run& run);  // add-scenario and its like

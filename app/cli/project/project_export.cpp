@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/overwrite_option.h"
+#include "app/cli/options/overwrite_option.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/save_city.h"

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <memory>
 
-#include "app/cli/number_range.h"
+#include "app/cli/options/number_range.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/massing_line.h"
 #include "app/cli/project/project_commands.h"
@@ -80,14 +80,14 @@ Site siteOn(const Footprint& lot, const City& city, bool clear) {
 
 // Of a building that stands in several pieces the largest.
 Footprint groundOf(const Building& building) {
-    std::vector<Footprint> pieces = outlineOf(building);
+    std::vector<Footprint> pieces = computeOutline(building);
     if (pieces.empty()) return building.parts.front().footprint;
     return *std::ranges::max_element(pieces, {}, [](const Footprint& piece) { return area(piece); });
 }
 
 Result<Site> siteOf(const ExtrudeOptions& options, const Project& project, const City& city) {
     if (options.on.empty()) {
-        const auto lot = lotNamed(project, options.lot);
+        const auto lot = findLot(project, options.lot);
         if (!lot) return tl::make_unexpected(lot.error());
         return siteOn(lot->outline, city, options.clear);
     }
@@ -105,7 +105,7 @@ Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
     auto site = siteOf(options, project, city->city);
     if (!site) return tl::make_unexpected(site.error());
     const auto massing = settingsFrom(options).and_then(
-        [&](const MassingSettings& settings) { return massingOn(site->lot, settings); });
+        [&](const MassingSettings& settings) { return makeMassing(site->lot, settings); });
     if (!massing) return tl::make_unexpected(massing.error());
     const auto building = buildingOf(*massing, options.id);
     if (!building) return tl::make_unexpected(building.error());

@@ -4,13 +4,13 @@
 #include <sstream>
 
 #include "app/cli/interrupt.h"
-#include "app/cli/lon_lat_option.h"
-#include "app/cli/number_range.h"
+#include "app/cli/options/lon_lat_option.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/read_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/read_options.h"
 #include "app/cli/table.h"
-#include "core/io/file_kind.h"
+#include "core/io/files/file_kind.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/read_shape.h"
 
@@ -39,7 +39,7 @@ struct Shape {
 };
 
 Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, const Frame& frame) {
-    const auto kind = fileKind(options.mesh);
+    const auto kind = detectFileKind(options.mesh);
     if (!kind) return tl::make_unexpected(kind.error());
     if (*kind != FileKind::mesh && *kind != FileKind::cityJson)
         return failure("It is the map of a city, not one building", options.mesh,
@@ -58,7 +58,7 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> usual) {
     Placement placement{.scale = options.scale, .clockwiseDeg = options.clockwiseDeg};
-    if (!options.originAt) placement.about = middleOf(*shape.import.shape);
+    if (!options.originAt) placement.about = findMiddle(*shape.import.shape);
     std::optional<glm::dvec2> target = usual;
     if (shape.hasPlace) target = placement.about;
     if (options.at) target = frame.localFromLonLat(*options.at);
@@ -71,7 +71,7 @@ Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, c
 }
 
 // The shape where it is put.
-Result<Building> standing(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
+Result<Building> standOnTerrain(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
     Building building = placed(*shape.import.shape, placement);
     if (topM(building) > 0) return building;
     return failure("The building would lie below the ground", options.mesh,
@@ -98,7 +98,7 @@ Result<std::string> import(const ShapeOptions& options, Project& project) {
     if (!shape) return tl::make_unexpected(shape.error());
     const auto placement = placementOf(options, *shape, frame, {});
     if (!placement) return tl::make_unexpected(placement.error());
-    const auto there = standing(options, *shape, *placement);
+    const auto there = standOnTerrain(options, *shape, *placement);
     if (!there) return tl::make_unexpected(there.error());
     shape->import.placement = *placement;
     return withShape(options, project, *shape, *there, shape->import);
@@ -113,9 +113,9 @@ Result<std::string> replace(const ShapeOptions& options, Project& project) {
     const Frame& frame = project.city->frame;
     const auto shape = shapeFrom(options, options.id.empty() ? old.sourceId : options.id, frame);
     if (!shape) return tl::make_unexpected(shape.error());
-    const auto placement = placementOf(options, *shape, frame, middleOf(old));
+    const auto placement = placementOf(options, *shape, frame, findMiddle(old));
     if (!placement) return tl::make_unexpected(placement.error());
-    auto there = standing(options, *shape, *placement);
+    auto there = standOnTerrain(options, *shape, *placement);
     if (!there) return tl::make_unexpected(there.error());
     if (options.id.empty()) there->name = old.name;
     const Replace edit{old.sourceId, std::make_shared<const Building>(*there)};

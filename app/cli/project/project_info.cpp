@@ -7,9 +7,9 @@
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
-#include "core/study/terrain_text.h"
-#include "core/study/warnings_json.h"
-#include "scenarios/project/autosave.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/project/recovery_file.h"
 
 namespace noonmark::cli {
 

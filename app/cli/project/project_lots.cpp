@@ -6,7 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
-#include "core/io/read_parcels.h"
+#include "core/io/footprints/read_parcels.h"
 #include "core/io/read_region.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/free_name.h"
@@ -43,7 +43,7 @@ Result<std::vector<Footprint>> outlinesOf(const AddOptions& options, const Proje
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     return findBuilding(city->city, options.building).map([&](std::size_t found) {
-        return outlineOf(*city->city.buildings[found]);
+        return computeOutline(*city->city.buildings[found]);
     });
 }
 
@@ -53,7 +53,7 @@ Result<std::string> addLots(Project& project, const std::string& name,
     std::string words;
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         const NamedLot lot{i == 0 ? name : fmt::format("{} ({})", name, i + 1), outlines[i]};
-        if (lotNamed(project, lot.name))
+        if (findLot(project, lot.name))
             return failure("The project has a lot of this name", lot.name,
                            "Choose another name, or remove that one: noonmark-cli project lot remove");
         project.lots.push_back(lot);
@@ -71,17 +71,16 @@ Result<std::string> add(const AddOptions& options, Project& project) {
 // A name that no lot has yet: those without one are counted, a second of a name gets a number.
 std::string freeName(const Project& project, const std::string& name) {
     const std::string own = name.empty() ? "lot" : name;
-    return firstFreeName(own,
-                         [&](const std::string& wanted) { return lotNamed(project, wanted).has_value(); });
+    return findFreeName(own, [&](const std::string& wanted) { return findLot(project, wanted).has_value(); });
 }
 
 Result<ParcelSettings> settingsFrom(const ImportOptions& options, const Project& project) {
     ParcelSettings settings = options.parcels;
     if (options.within.empty()) {
-        if (settings.names.empty()) settings.within = regionFromLocalBox(bounds(*project.city));
+        if (settings.names.empty()) settings.within = makeRegionFromLocalBox(bounds(*project.city));
         return settings;
     }
-    auto region = regionNamed(project, options.within);
+    auto region = findRegion(project, options.within);
     if (!region) region = readRegion(options.within, project.city->frame);
     if (!region) return tl::make_unexpected(region.error());
     settings.within = *std::move(region);
@@ -116,7 +115,7 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.lots, options.names, [](const NamedLot& lot) { return lot.name; },
-        [&](const std::string& name) { return lotNamed(project, name); });
+        [&](const std::string& name) { return findLot(project, name); });
 }
 
 void addAdd(CLI::App& group, Run& run) {

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/period_options.h"
+#include "app/cli/options/period_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 
@@ -31,7 +31,7 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.periods, options.names, [](const NamedPeriod& period) { return period.name; },
-        [&](const std::string& name) { return periodNamed(project, name); });
+        [&](const std::string& name) { return findPeriod(project, name); });
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/cli/period_options.h"
+#include "app/cli/options/period_options.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark::cli {

@@ -44,7 +44,7 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.regions, options.names, [](const Region& region) { return region.name; },
-        [&](const std::string& name) { return regionNamed(project, name); });
+        [&](const std::string& name) { return findRegion(project, name); });
 }
 
 }  // namespace

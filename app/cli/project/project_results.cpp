@@ -7,9 +7,9 @@ namespace noonmark::cli {
 
 namespace {
 
-using SharedResult = std::shared_ptr<const KeptResult>;
+using SharedResult = std::shared_ptr<const SavedResult>;
 
-std::string cityOf(const KeptResult& result) {
+std::string cityOf(const SavedResult& result) {
     return result.baseline.empty() ? result.scenario
                                    : fmt::format("{} -> {}", result.baseline, result.scenario);
 }
@@ -27,7 +27,7 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.results, options.names, [](const SharedResult& result) { return result->name; },
-        [&](const std::string& name) { return resultNamed(project, name); });
+        [&](const std::string& name) { return findResult(project, name); });
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <memory>
 
-#include "app/cli/number_range.h"
+#include "app/cli/options/number_range.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/massing_line.h"
 #include "app/cli/project/project_commands.h"
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
 
@@ -31,18 +31,18 @@ Result<Footprint> lotOf(const Project& project, const Building& building) {
     for (const NamedLot& lot : project.lots)
         if (lot.name == building.sourceId || lot.name == building.name) return lot.outline;
     for (const NamedLot& lot : project.lots)
-        if (contains(lot.outline, middleOf(building))) return lot.outline;
+        if (contains(lot.outline, findMiddle(building))) return lot.outline;
     return failure("The project has no lot that it stands on", building.sourceId,
                    "Add one: noonmark-cli project lot add");
 }
 
-Result<MadeEdit> variantOf(const VariantOptions& options, double factor, const Project& project,
-                           const FoundBuilding& found) {
+Result<MadeEdit> makeVariant(const VariantOptions& options, double factor, const Project& project,
+                             const FoundBuilding& found) {
     const Building& old = found.building();
     const auto lot = lotOf(project, old);
     if (!lot) return tl::make_unexpected(lot.error());
     const double oldM = double(heightM(old, found.city));
-    return noonmark::variantOf(found.city, found.index, *lot, factor, options.storeyHeightM)
+    return noonmark::makeVariant(found.city, found.index, *lot, factor, options.storeyHeightM)
         .map([&](const Variant& variant) {
             return MadeEdit{variant.edit, fmt::format("{}: {:.1f} m -> {}", old.sourceId, oldM,
                                                       lineOf(variant.massing.figures))};
@@ -53,7 +53,7 @@ Result<std::string> addVariants(const VariantOptions& options, Project& project)
     const auto factor = factorFrom(options.plate);
     if (!factor) return tl::make_unexpected(factor.error());
     return editBuildings(options, project, [&](const FoundBuilding& found) {
-        return variantOf(options, *factor, project, found);
+        return makeVariant(options, *factor, project, found);
     });
 }
 

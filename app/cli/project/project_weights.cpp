@@ -43,13 +43,13 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.weights, options.names, [](const TimeWeights& table) { return table.name; },
-        [&](const std::string& name) { return weightsNamed(project, name); });
+        [&](const std::string& name) { return findWeights(project, name); });
 }
 
 int show(const ShowOptions& options, const Console& console) {
     const auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
-    const auto weights = weightsNamed(disk->project(), options.name);
+    const auto weights = findWeights(disk->project(), options.name);
     if (!weights) return fail(console, weights.error(), exitUsage);
     console.out << (options.json ? weightsJson(*weights) + "\n" : weightsCsv(*weights));
     return exitOk;

@@ -6,7 +6,7 @@
 #include "app/window/massing/building_facts.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/selection_panel.h"
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 
 namespace noonmark {
@@ -25,12 +25,12 @@ std::optional<std::uint32_t> indexOf(const City& city, const std::string& id) {
     return std::uint32_t(found - city.buildings.begin());
 }
 
-QString wordsOf(const Edit& edit) { return QString::fromStdString(noonmark::textOf(edit)); }
+QString describe(const Edit& edit) { return QString::fromStdString(noonmark::textOf(edit)); }
 
 }  // namespace
 
-BuildingEditing::BuildingEditing(EditDesk& desk, SelectionPanel& panel, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(panel), move_(desk.panel) {
+BuildingEditing::BuildingEditing(EditSession& workspace, SelectionPanel& panel, QObject* parent)
+    : QObject(parent), desk_(workspace), panel_(panel), move_(workspace.panel) {
     connectPanel();
     connect(&move_, &MoveTool::dragged, this, [this](glm::dvec2 byM) {
         panel_.showMove(byM);
@@ -93,15 +93,15 @@ void BuildingEditing::show() {
     overlay.show(OverlayBodies::Tint::hovered, {});
     const City& city = desk_.city->city();
     overlay.show(OverlayBodies::Tint::selected, selected_ ? only(city.buildings[*selected_]) : City{});
-    panel_.show(selected_ ? std::optional(factsOf(building(), city)) : std::nullopt);
+    panel_.show(selected_ ? std::optional(collectFacts(building(), city)) : std::nullopt);
     showHandle();
 }
 
 void BuildingEditing::showHandle() {
     if (!selected_) return desk_.handle.hide();
     const City& city = desk_.city->city();
-    const double ground = double(groundUnder(building(), city));
-    const glm::dvec2 middle = middleOf(building());
+    const double ground = double(findGroundUnder(building(), city));
+    const glm::dvec2 middle = findMiddle(building());
     desk_.handle.stand({{middle.x, middle.y, ground}, double(heightM(building(), city)), usualStoreyM});
 }
 
@@ -120,8 +120,8 @@ void BuildingEditing::preview(const Edit& edit) {
     desk_.panel.view().overlay().show(OverlayBodies::Tint::selected, {});
     const auto& added = desk_.preview.changes().added;
     if (added.empty() || desk_.handle.dragging()) return;
-    const glm::dvec2 middle = middleOf(*added.front());
-    const double ground = double(groundUnder(*added.front(), desk_.city->city()));
+    const glm::dvec2 middle = findMiddle(*added.front());
+    const double ground = double(findGroundUnder(*added.front(), desk_.city->city()));
     desk_.handle.stand({{middle.x, middle.y, ground}, double(topM(*added.front())) - ground, usualStoreyM});
 }
 
@@ -131,7 +131,7 @@ void BuildingEditing::make(const Edit& edit) {
     if (const auto sound = applied(desk_.city->city(), std::vector{edit}); !sound)
         return panel_.showError(QString::fromStdString(sound.error().text()));
     preview(edit);
-    Q_EMIT editsMade({edit}, wordsOf(edit));
+    Q_EMIT editsMade({edit}, describe(edit));
 }
 
 void BuildingEditing::demolish() {
@@ -160,13 +160,13 @@ void BuildingEditing::previewHeight(double heightM) {
     const auto& added = desk_.preview.changes().added;
     if (added.empty() || !desk_.handle.dragging()) return;
     const City& city = desk_.city->city();
-    const BuildingFacts facts = factsOf(*added.front(), city);
-    const double ground = double(groundUnder(building(), city));
-    const glm::dvec2 middle = middleOf(building());
+    const BuildingFacts facts = collectFacts(*added.front(), city);
+    const double ground = double(findGroundUnder(building(), city));
+    const glm::dvec2 middle = findMiddle(building());
     desk_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
     desk_.handle.tell(
         tr("%1 m, %2\n%3 m² floor area")
-            .arg(grouped(facts.heightM, 1), storeyWords(facts.storeys), grouped(facts.grossFloorM2)));
+            .arg(grouped(facts.heightM, 1), describeStoreys(facts.storeys), grouped(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {
@@ -180,14 +180,14 @@ void BuildingEditing::takeHeight(double heightM) {
 void BuildingEditing::makeVariant(double plateFactor) {
     const auto lot = this->lot();
     if (!selected_ || !lot) return;
-    const auto variant = variantOf(desk_.city->city(), *selected_, lot->outline, plateFactor);
+    const auto variant = noonmark::makeVariant(desk_.city->city(), *selected_, lot->outline, plateFactor);
     if (variant) return make(variant->edit);
     panel_.showError(QString::fromStdString(variant.error().text()));
 }
 
 std::optional<NamedLot> BuildingEditing::lot() const {
     if (!selected_) return std::nullopt;
-    const glm::dvec2 middle = middleOf(building());
+    const glm::dvec2 middle = findMiddle(building());
     for (const NamedLot& lot : desk_.lots)
         if (contains(lot.outline, middle)) return lot;
     const auto footprint = lotUnder(building(), desk_.city->city());
@@ -197,7 +197,7 @@ std::optional<NamedLot> BuildingEditing::lot() const {
 }
 
 int BuildingEditing::storeys() const {
-    return selected_ ? factsOf(building(), desk_.city->city()).storeys : 0;
+    return selected_ ? collectFacts(building(), desk_.city->city()).storeys : 0;
 }
 
 }  // namespace noonmark

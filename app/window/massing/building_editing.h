@@ -15,7 +15,8 @@ class SelectionPanel;
 class BuildingEditing final : public QObject {
     Q_OBJECT
 public:
-    BuildingEditing(EditDesk& desk, SelectionPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    BuildingEditing(EditSession& workspace, SelectionPanel& panel,
+                    QObject* parent = nullptr);  ///< both outlive it
 
     void cityChanged();
     void select(std::optional<std::uint32_t> building);         ///< index in the city; none: nothing
@@ -51,7 +52,7 @@ private:
     void showHandle();
     [[nodiscard]] const Building& building() const;
 
-    EditDesk& desk_;
+    EditSession& desk_;
     SelectionPanel& panel_;
     MoveTool move_;
     std::optional<std::uint32_t> selected_;

@@ -22,7 +22,7 @@ struct BuildingFacts {
 };
 
 /// Some ms for a building of hundreds of points.
-BuildingFacts factsOf(const Building& building, const City& city);
+BuildingFacts collectFacts(const Building& building, const City& city);
 
 /// The largest piece of what touches the ground, as a lot; none where nothing does.
 std::optional<Footprint> lotUnder(const Building& building, const City& city);

@@ -2,15 +2,15 @@
 
 #include "app/window/massing/edit_preview.h"
 #include "app/window/massing/extrude_handle.h"
-#include "app/window/open_city.h"
-#include "app/window/view_panel.h"
+#include "app/window/study/open_city.h"
+#include "app/window/view/view_panel.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark {
 
 /// What the tools share: the view, the city in it, the preview over it, and the one handle.
-struct EditDesk {
-    EditDesk(ViewPanel& view, std::shared_ptr<SharedHorizons> horizons)
+struct EditSession {
+    EditSession(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons)
         : panel(view), preview(view, std::move(horizons)), handle(view) {}
 
     ViewPanel& panel;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/window/open_city.h"
-#include "app/window/view_panel.h"
+#include "app/window/study/open_city.h"
+#include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
@@ -24,7 +24,7 @@ City without(const City& city, const Buildings& removed) {
 
 }  // namespace
 
-EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent), panel_(panel), live_(std::move(horizons)) {
     connect(&live_, &LiveFollower::changed, this, &EditPreview::showLive);
     connect(&live_, &LiveFollower::aged, this, &EditPreview::tellAge);
@@ -80,16 +80,16 @@ void EditPreview::hide(const Buildings& removed) {
 }
 
 void EditPreview::begin() {
-    const ChangedVolume volume = volumeOf(changes_);
+    const ChangedVolume volume = computeVolume(changes_);
     if (volume.box.empty()) return live_.end();
     live_.begin({without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose())},
                 question_);
 }
 
-void EditPreview::showLive() { panel_.results().setLive(groundAnswerOf(live_.answer())); }
+void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.answer())); }
 
 void EditPreview::tellAge() {
-    const auto answer = groundAnswerOf(live_.answer());
+    const auto answer = makeGroundAnswer(live_.answer());
     panel_.results().noteLive(
         tr("%1. Of the shape %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
 }

@@ -18,7 +18,7 @@ class EditPreview final : public QObject {
     Q_OBJECT
 public:
     /// `panel` outlives it.
-    EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizons> horizons, QObject* parent = nullptr);
+    EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent = nullptr);
 
     void setCity(std::shared_ptr<const OpenCity> city);  ///< ends the preview
     void setQuestion(const LiveQuestion& question);

@@ -4,15 +4,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/window/file_dialogs.h"
-#include "app/window/ground_lines.h"
 #include "app/window/massing/massing_panel.h"
 #include "app/window/massing/placing_panel.h"
 #include "app/window/massing/selection_panel.h"
+#include "app/window/view/ground_lines.h"
+#include "app/window/widgets/file_dialogs.h"
 
 namespace noonmark {
 
-EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent),
       selection_(new SelectionPanel),
       placing_(new PlacingPanel),
@@ -144,7 +144,7 @@ void EditTools::showLots() {
     if (!desk_.city) return;
     Region all;
     for (const NamedLot& lot : desk_.lots) all.polygons.push_back(lot.outline);
-    desk_.panel.view().overlay().showLines(groundLinesOf(all, desk_.city->city()));
+    desk_.panel.view().overlay().showLines(makeGroundLines(all, desk_.city->city()));
 }
 
 void EditTools::enableActions() {

@@ -22,7 +22,7 @@ class EditTools final : public QObject {
 public:
     /// `view` outlives it; `horizons` of the live shadow may be shared with whoever else asks them.
     explicit EditTools(ViewPanel& view,
-                       std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>(),
+                       std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
                        QObject* parent = nullptr);
     ~EditTools() override;
 
@@ -37,7 +37,7 @@ public:
     [[nodiscard]] BuildingEditing& building() { return building_; }
     [[nodiscard]] TowerEditing& tower() { return tower_; }
     [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
-    [[nodiscard]] EditDesk& desk() { return desk_; }
+    [[nodiscard]] EditSession& workspace() { return desk_; }
 
     void drawLot();
     void lotFromFootprint();
@@ -73,7 +73,7 @@ private:
     PlacingPanel* placing_;
     QPointer<MassingPanel> massing_;
     QPointer<QWidget> dock_;
-    EditDesk desk_;
+    EditSession desk_;
     BuildingEditing building_;
     TowerEditing tower_;
     MeshPlacing mesh_;

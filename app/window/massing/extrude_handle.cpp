@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/window/massing/extrusion.h"
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
@@ -62,7 +62,7 @@ double ExtrudeHandle::metresUp(QPointF pixel) const {
 std::optional<double> ExtrudeHandle::heightAt(QPointF pixel) const {
     if (fromAbove_) return metresUp(pixel);
     const CityView& view = panel_.view();
-    return heightOnVertical(rayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot);
+    return heightOnVertical(makeRayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot);
 }
 
 bool ExtrudeHandle::grab(QPointF pixel) {

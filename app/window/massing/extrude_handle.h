@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "render/view_navigator.h"
+#include "render/view/view_navigator.h"
 
 namespace noonmark {
 

@@ -13,7 +13,7 @@ constexpr auto ageTime = 250ms;
 
 }  // namespace
 
-LiveFollower::LiveFollower(std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+LiveFollower::LiveFollower(std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent), horizons_(std::move(horizons)) {
     rest_.setSingleShot(true);
     rest_.setInterval(restTime);

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/window/job_slot.h"
 #include "app/window/massing/live_shadow.h"
+#include "app/window/study/job_slot.h"
 
 namespace noonmark {
 
@@ -17,7 +17,7 @@ namespace noonmark {
 class LiveFollower final : public QObject {
     Q_OBJECT
 public:
-    explicit LiveFollower(std::shared_ptr<SharedHorizons> horizons, QObject* parent = nullptr);
+    explicit LiveFollower(std::shared_ptr<SharedHorizonCache> horizons, QObject* parent = nullptr);
 
     void begin(LivePlace place, const LiveQuestion& question);  ///< what was before ends unheard
     void follow(const LiveReceivers::Shape& shape);             ///< does nothing before begin()
@@ -47,7 +47,7 @@ private:
     void take(Result<Followed> followed);
     void rested();
 
-    std::shared_ptr<SharedHorizons> horizons_;
+    std::shared_ptr<SharedHorizonCache> horizons_;
     std::shared_ptr<const Start> start_;  // null: nothing to follow
     std::shared_ptr<LiveShadow> live_;    // null before the first answer
     std::shared_ptr<const LiveAnswer> answer_;

@@ -87,7 +87,7 @@ void LiveReceivers::patch(Receivers& receivers, const Building& added, const Sha
     if (!patch) return;
     City city = within(near_, patch->grid);
     city.buildings.insert(city.buildings.end(), shape.begin(), shape.end());
-    const auto ground = receiversInPart(city, region_, patch->grid);
+    const auto ground = placeReceiversInPart(city, region_, patch->grid);
     if (ground) paste(placed(*ground, city, places_), *patch, receivers);  // fails only when stopped
 }
 

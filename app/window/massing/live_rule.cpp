@@ -22,7 +22,7 @@ std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std
     return {LiveEngine::horizons, LiveEngine::moments};
 }
 
-QString liveWords(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
+QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
     switch (engine) {
         case LiveEngine::shadows:
             return QObject::tr("With the proposal: exact at %1").arg(stepWords(steps));

@@ -10,10 +10,10 @@ namespace noonmark {
 
 /// How the shadow of what is being shaped is worked out.
 enum class LiveEngine {
-    shadows,   ///< each building's polygons at every step stay (kept_shadows.h): exact, level ground only
-    horizons,  ///< horizons stay (shared_horizons.h): every step of any period, wherever; off by up to half a
-               ///< bin of azimuth
-    moments,   ///< as shadows, of some moments spread over the period: exact at these only
+    shadows,   ///< each building's polygons at every step stay (shadow_cache.h): exact, level ground only
+    horizons,  ///< horizons stay (shared_horizon_cache.h): every step of any period, wherever; off by up to
+               ///< half a bin of azimuth
+    moments,  ///< as shadows, of some moments spread over the period: exact at these only
 };
 
 struct LiveRule {
@@ -33,6 +33,6 @@ std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std
 
 /// Beside the legend: what is shown and how exact it is. `counted` of `steps` steps; `runs`: the longest ones
 /// are there, too.
-QString liveWords(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
+QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
 
 }  // namespace noonmark

@@ -6,9 +6,9 @@
 
 #include "app/window/massing/live_receivers.h"
 #include "app/window/massing/live_rule.h"
-#include "app/window/shared_horizons.h"
-#include "core/accumulate/kept_shadows.h"
-#include "core/progress.h"
+#include "app/window/view/shared_horizon_cache.h"
+#include "core/base/progress.h"
+#include "core/engines/projected/shadow_cache.h"
 #include "scenarios/edits/apply_edits.h"
 
 namespace noonmark {
@@ -48,7 +48,7 @@ public:
     /// rises, what no engine can do, cancelled(). Polygons: for 43,000 buildings some 0.2 s; horizons of a
     /// year: up to some seconds.
     static Result<std::shared_ptr<LiveShadow>> at(LivePlace place, const LiveQuestion& question,
-                                                  std::shared_ptr<SharedHorizons> horizons,
+                                                  std::shared_ptr<SharedHorizonCache> horizons,
                                                   Progress& progress, const std::stop_token& stop);
 
     /// Shadow of the city and these buildings in place of those before. `counts`: of horizons; polygons
@@ -62,7 +62,7 @@ public:
 
 private:
     LiveShadow(City city, LiveReceivers receivers, const LiveQuestion& question,
-               std::shared_ptr<SharedHorizons> horizons)
+               std::shared_ptr<SharedHorizonCache> horizons)
         : city_(std::move(city)),
           receivers_(std::move(receivers)),
           sun_(question.sun),
@@ -80,8 +80,8 @@ private:
     LiveReceivers receivers_;
     SunQuestion sun_;
     ReceiverPlaces places_;
-    std::shared_ptr<SharedHorizons> horizons_;
-    std::optional<KeptShadows> shadows_;  // of engines that keep them
+    std::shared_ptr<SharedHorizonCache> horizons_;
+    std::optional<ShadowCache> shadows_;  // of engines that keep them
     LiveEngine engine_ = LiveEngine::shadows;
     std::size_t counted_ = 0;
     std::size_t steps_ = 0;

@@ -9,7 +9,7 @@
 #include "app/window/massing/plate_field.h"
 #include "app/window/massing/setback_table.h"
 #include "app/window/massing/tower_draft.h"
-#include "app/window/number_fields.h"
+#include "app/window/widgets/number_fields.h"
 #include "core/city/plausible_heights.h"
 
 namespace noonmark {

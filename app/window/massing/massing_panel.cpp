@@ -11,14 +11,14 @@
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_form.h"
-#include "app/window/push_button.h"
-#include "app/window/region_words.h"
+#include "app/window/study/region_words.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
 namespace {
 
-QString rowsOf(const MassingFigures& figures, std::size_t demolished) {
+QString makeRows(const MassingFigures& figures, std::size_t demolished) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
             .arg(name, value);
@@ -29,7 +29,7 @@ QString rowsOf(const MassingFigures& figures, std::size_t demolished) {
            row(QObject::tr("Coverage of the lot"), grouped(figures.coverage * 100) + QStringLiteral(" %")) +
            row(QObject::tr("Height"), grouped(figures.heightM, 1) + QStringLiteral(" m")) +
            row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
-           row(QObject::tr("Lot"), areaWords(figures.lotM2)) +
+           row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
            row(QObject::tr("Buildings it demolishes"), QString::number(demolished)) +
            QStringLiteral("</table>");
 }
@@ -127,7 +127,7 @@ void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); 
 void MassingPanel::showDraft(const TowerDraft& draft) {
     draft_ = draft;
     on_->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(draft.lot.name),
-                                              areaWords(area(draft.lot.outline))));
+                                              describeArea(area(draft.lot.outline))));
     const QString name = QString::fromStdString(draft.tower);
     if (name_->text() != name) name_->setText(name);
     lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(draft.lot.name))));
@@ -148,7 +148,7 @@ TowerDraft MassingPanel::draft() const {
 }
 
 void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished) {
-    figures_->setText(rowsOf(figures, demolished));
+    figures_->setText(makeRows(figures, demolished));
     error_->clear();
     error_->hide();
     apply_->setEnabled(true);

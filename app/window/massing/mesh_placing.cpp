@@ -13,15 +13,15 @@ namespace noonmark {
 namespace {
 
 std::string freeId(const City& city, const std::string& wanted) {
-    return firstFreeName(wanted, [&](const std::string& id) {
+    return findFreeName(wanted, [&](const std::string& id) {
         return std::ranges::any_of(city.buildings, [&](const auto& b) { return b->sourceId == id; });
     });
 }
 
 }  // namespace
 
-MeshPlacing::MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(panel) {
+MeshPlacing::MeshPlacing(EditSession& workspace, PlacingPanel& panel, QObject* parent)
+    : QObject(parent), desk_(workspace), panel_(panel) {
     connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
     connect(&panel_, &PlacingPanel::readingEdited, this, &MeshPlacing::read);
     connect(&panel_, &PlacingPanel::applied, this, &MeshPlacing::build);
@@ -68,7 +68,7 @@ void MeshPlacing::placeAt(glm::dvec2 ground) {
 
 void MeshPlacing::show() {
     if (!mesh_ || !place_) return;
-    const glm::dvec2 middle = middleOf(*mesh_->shape);
+    const glm::dvec2 middle = findMiddle(*mesh_->shape);
     mesh_->placement = {.about = middle,
                         .scale = panel_.scale(),
                         .clockwiseDeg = panel_.clockwiseDeg(),

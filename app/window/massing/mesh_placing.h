@@ -14,7 +14,7 @@ class PlacingPanel;
 class MeshPlacing final : public QObject {
     Q_OBJECT
 public:
-    MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    MeshPlacing(EditSession& workspace, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
 
     void begin(const QString& file);
     void show();  ///< again, in the city as it is now
@@ -37,7 +37,7 @@ private:
     void read();
     void take(Result<Read> read);
 
-    EditDesk& desk_;
+    EditSession& desk_;
     PlacingPanel& panel_;
     QString file_;
     std::optional<ImportMesh> mesh_;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/window/massing/figure_words.h"
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
@@ -56,10 +56,11 @@ void MoveTool::dragTo(QPointF pixel) {
 void MoveTool::follow() {
     if (!from_) return;
     const CityView& view = panel_.view();
-    const auto there = planeHit(rayThrough(view.pose(), view.lens(), {pixel_.x(), pixel_.y()}), from_->z);
+    const auto there =
+        findPlaneHit(makeRayThrough(view.pose(), view.lens(), {pixel_.x(), pixel_.y()}), from_->z);
     if (!there) return;
     byM_ = {rounded(there->x - from_->x), rounded(there->y - from_->y)};
-    panel_.cursorLabel().show(pixel_, moveWords(byM_));
+    panel_.cursorLabel().show(pixel_, describeMove(byM_));
     Q_EMIT dragged(byM_);
 }
 

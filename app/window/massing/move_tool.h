@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QTimer>
 
-#include "render/view_navigator.h"
+#include "render/view/view_navigator.h"
 
 namespace noonmark {
 

@@ -8,8 +8,8 @@
 #include <QPushButton>
 
 #include "app/window/massing/figure_words.h"
-#include "app/window/mesh_fields.h"
-#include "app/window/number_fields.h"
+#include "app/window/widgets/mesh_fields.h"
+#include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 

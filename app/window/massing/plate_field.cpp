@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
-#include "app/window/number_fields.h"
+#include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 

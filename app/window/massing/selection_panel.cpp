@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "app/window/massing/figure_words.h"
-#include "app/window/number_fields.h"
-#include "app/window/push_button.h"
-#include "app/window/region_words.h"
+#include "app/window/study/region_words.h"
+#include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/push_button.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
 
@@ -25,21 +25,21 @@ namespace {
 
 QString estimateWords(int storeys) {
     if (storeys == 0) return {};
-    return QObject::tr("; its mesh is open: %1 estimated").arg(storeyWords(storeys));
+    return QObject::tr("; its mesh is open: %1 estimated").arg(describeStoreys(storeys));
 }
 
-QString rowsOf(const BuildingFacts& facts) {
+QString makeRows(const BuildingFacts& facts) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
     };
     const QString storeys =
-        facts.storeys == 0 ? QString() : QStringLiteral(", ") + storeyWords(facts.storeys);
+        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeStoreys(facts.storeys);
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
                QStringLiteral("%1 m (%2)").arg(grouped(facts.heightM, 1), facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
-           row(QObject::tr("Plan"), areaWords(facts.planM2)) +
+           row(QObject::tr("Plan"), describeArea(facts.planM2)) +
            row(QObject::tr("Floor area"), grouped(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
                                               QObject::tr(" of %1 m").arg(usualStoreyM) +
                                               estimateWords(facts.estimatedStoreys)) +
@@ -184,7 +184,7 @@ void SelectionPanel::takeTurn() {
 
 void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
     showing_ = true;
-    facts_->setText(facts ? rowsOf(*facts) : tr("Click a building in the view to select it."));
+    facts_->setText(facts ? makeRows(*facts) : tr("Click a building in the view to select it."));
     tools_->setVisible(facts.has_value());
     heightM_ = facts ? facts->heightM : 0;
     height_->setValue(heightM_);

@@ -7,7 +7,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "app/window/number_fields.h"
+#include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 

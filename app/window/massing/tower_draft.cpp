@@ -27,8 +27,8 @@ std::vector<Edit> cleared(const City& city, const TowerDraft& draft) {
 
 }  // namespace
 
-Result<DraftedTower> drafted(const City& city, const TowerDraft& draft) {
-    auto massing = massingOn(draft.lot.outline, draft.settings);
+Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft) {
+    auto massing = makeMassing(draft.lot.outline, draft.settings);
     if (!massing) return tl::make_unexpected(massing.error());
     auto building = buildingOf(*massing, draft.tower);
     if (!building) return tl::make_unexpected(building.error());

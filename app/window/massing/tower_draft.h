@@ -25,7 +25,7 @@ struct DraftedTower {
     Massing massing;
     std::vector<Edit> edits;
 };
-Result<DraftedTower> drafted(const City& city, const TowerDraft& draft);
+Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft);
 
 /// The height it would have: stated, or storeys x storey height. Metres.
 double heightOf(const MassingSettings& settings);

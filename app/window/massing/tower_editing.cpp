@@ -11,16 +11,16 @@ namespace noonmark {
 namespace {
 
 // Where a tower's handle stands: over the middle of its highest plate.
-glm::dvec2 middleOf(const Tier& tier) {
+glm::dvec2 findMiddle(const Tier& tier) {
     Building building;
     for (const Footprint& piece : tier.plate) building.parts.push_back({.footprint = piece});
-    return noonmark::middleOf(building);
+    return noonmark::findMiddle(building);
 }
 
 }  // namespace
 
-TowerEditing::TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(panel) {
+TowerEditing::TowerEditing(EditSession& workspace, MassingPanel& panel, QObject* parent)
+    : QObject(parent), desk_(workspace), panel_(panel) {
     connect(&panel_, &MassingPanel::edited, this, &TowerEditing::take);
     connect(&panel_, &MassingPanel::applied, this, &TowerEditing::build);
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
@@ -55,17 +55,17 @@ void TowerEditing::take() {
 
 void TowerEditing::show() {
     if (!draft_) return;
-    const auto tower = drafted(desk_.city->city(), *draft_);
+    const auto tower = draftTower(desk_.city->city(), *draft_);
     edits_.clear();
     if (!tower) return panel_.showError(tower.error());
     if (const auto shown = desk_.preview.show(tower->edits); !shown) return panel_.showError(shown.error());
     edits_ = tower->edits;
     panel_.showFigures(tower->massing.figures, desk_.preview.changes().removed.size());
-    const glm::dvec2 foot = middleOf(tower->massing.tiers.back());
+    const glm::dvec2 foot = findMiddle(tower->massing.tiers.back());
     const double ground = double(groundAt(desk_.city->city(), foot));
     desk_.handle.stand(
         {{foot.x, foot.y, ground}, tower->massing.figures.heightM, draft_->settings.storeyHeightM});
-    desk_.handle.tell(figureWords(tower->massing.figures));
+    desk_.handle.tell(describeFigures(tower->massing.figures));
 }
 
 void TowerEditing::setHeight(double heightM) {

@@ -17,7 +17,8 @@ class MassingPanel;
 class TowerEditing final : public QObject {
     Q_OBJECT
 public:
-    TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    TowerEditing(EditSession& workspace, MassingPanel& panel,
+                 QObject* parent = nullptr);  ///< both outlive it
 
     /// `replaces`: id of a building whose place it takes; empty: none.
     void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
@@ -46,7 +47,7 @@ private:
 
     void take();
 
-    EditDesk& desk_;
+    EditSession& desk_;
     MassingPanel& panel_;
     std::optional<TowerDraft> draft_;
     std::vector<Edit> edits_;  ///< of the draft; empty while it cannot be

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/report/shadow_measure.h"
-#include "render/ground_picture.h"
+#include "app/report/maps/shadow_measure.h"
+#include "render/scene/ground_picture.h"
 #include "scenarios/impact/impact.h"
 
 namespace noonmark {
@@ -11,6 +11,6 @@ namespace noonmark {
 GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double top);
 
 /// "+12.0 min a day more shadow" or "no change", of the cell that holds a point; empty outside of the grid.
-QString changeText(const Impact& impact, glm::dvec2 point);
+QString formatChange(const Impact& impact, glm::dvec2 point);
 
 }  // namespace noonmark

@@ -11,8 +11,8 @@
 #include <QValueAxis>
 #include <algorithm>
 
-#include "app/report/palette.h"
-#include "app/report/style.h"
+#include "app/report/maps/palette.h"
+#include "app/report/sheets/style.h"
 #include "app/window/project/score_rows.h"
 
 namespace noonmark {
@@ -98,7 +98,7 @@ QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& fon
 }
 
 template <class Value>
-std::vector<double> valuesOf(const std::vector<MonthFigures>& months, Value value) {
+std::vector<double> getValues(const std::vector<MonthFigures>& months, Value value) {
     std::vector<double> values;
     for (const MonthFigures& month : months) values.push_back(month.*value);
     return values;
@@ -120,10 +120,10 @@ void MonthChart::show(const std::vector<MonthFigures>& months) {
     setVisible(!months.empty());
     if (months.empty()) return;
     QStringList names;
-    for (const MonthFigures& month : months) names << monthWords(month.month);
-    const Bars area{tr("Shadow area by month, m²"), valuesOf(months, &MonthFigures::shadowAreaM2),
+    for (const MonthFigures& month : months) names << describeMonth(month.month);
+    const Bars area{tr("Shadow area by month, m²"), getValues(months, &MonthFigures::shadowAreaM2),
                     shadowColour(0.6), shadowColour(0.6)};
-    const Bars score{tr("Score by month, m²"), valuesOf(months, &MonthFigures::scoreM2), impactColour(-0.8),
+    const Bars score{tr("Score by month, m²"), getValues(months, &MonthFigures::scoreM2), impactColour(-0.8),
                      impactColour(0.8)};
     for (const Bars& bars : {area, score}) layout()->addWidget(viewOf(bars, names, font()));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/open_city.h"
 #include "app/window/project/view_state.h"
+#include "app/window/study/open_city.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {

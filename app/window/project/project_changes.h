@@ -19,13 +19,13 @@ std::string freeName(const Project& project, ProjectPart part, const std::string
 /// Changes of a project, as new values. Whether the outcome is sound is for ProjectSession::change() to say.
 Project withScenario(Project project, const std::string& name, const std::string& base);
 /// Error: no scenario may have this name.
-Result<Project> renamed(Project project, ProjectPart part, const std::string& from, const std::string& to);
+Result<Project> renameIn(Project project, ProjectPart part, const std::string& from, const std::string& to);
 /// Error: the scenario is one that others start from.
 Result<Project> without(Project project, ProjectPart part, const std::string& name);
 /// A copy under a free name, after the original; `made` gets the name.
-Project duplicated(Project project, ProjectPart part, const std::string& name, std::string& made);
+Project duplicate(Project project, ProjectPart part, const std::string& name, std::string& made);
 /// A scenario with another base; empty or "Existing": the existing city.
-Project rebased(Project project, const std::string& scenario, const std::string& base);
+Project rebase(Project project, const std::string& scenario, const std::string& base);
 Project withoutEdit(Project project, const std::string& scenario, std::size_t position);
 
 }  // namespace noonmark

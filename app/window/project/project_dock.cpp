@@ -97,9 +97,9 @@ void ProjectDock::use(const QModelIndex& index) {
     if (node->part == ProjectPart::result) return Q_EMIT resultChosen(name);
     if (node->part == ProjectPart::weights) return Q_EMIT weightsChosen(name);
     if (node->part == ProjectPart::region)
-        if (const auto region = regionNamed(project, name)) return Q_EMIT regionChosen(*region);
+        if (const auto region = findRegion(project, name)) return Q_EMIT regionChosen(*region);
     if (node->part == ProjectPart::lot)
-        if (const auto lot = lotNamed(project, name)) return Q_EMIT lotChosen(*lot);
+        if (const auto lot = findLot(project, name)) return Q_EMIT lotChosen(*lot);
     if (node->part == ProjectPart::period)
         for (const NamedPeriod& period : project.periods)
             if (period.name == name) return Q_EMIT periodChosen(period.period);
@@ -125,7 +125,7 @@ void ProjectDock::duplicate(const QModelIndex& index) {
     if (node == nullptr || !canDuplicate(*node)) return;
     const ProjectPart part = *node->part;
     std::string made;
-    Project next = duplicated(session_.project(), part, node->name, made);
+    Project next = noonmark::duplicate(session_.project(), part, node->name, made);
     const QString what = tr("copy of %1").arg(QString::fromStdString(node->name));
     if (session_.change(std::move(next), what, part == ProjectPart::scenario ? made : std::string()))
         select(part, made);
@@ -173,7 +173,7 @@ void ProjectDock::addScenarioActions(QMenu& menu, const std::string& name) {
     QMenu& bases = *menu.addMenu(tr("&Starts from"));
     const auto offer = [&](const std::string& base) {
         bases.addAction(QString::fromStdString(base), this, [this, name, base] {
-            session_.change(rebased(session_.project(), name, base),
+            session_.change(rebase(session_.project(), name, base),
                             tr("base of %1").arg(QString::fromStdString(name)));
         });
     };

@@ -31,14 +31,14 @@ bool canRename(const ProjectNode& node) {
 ProjectModel::ProjectModel(ProjectSession& session, QObject* parent)
     : QAbstractItemModel(parent),
       session_(session),
-      root_(nodesOf(session.project(), session.scenario(), session.baseline())) {
+      root_(makeNodes(session.project(), session.scenario(), session.baseline())) {
     connect(&session_, &ProjectSession::changed, this, &ProjectModel::follow);
 }
 
 ProjectModel::~ProjectModel() = default;
 
 void ProjectModel::follow() {
-    const auto wanted = nodesOf(session_.project(), session_.scenario(), session_.baseline());
+    const auto wanted = makeNodes(session_.project(), session_.scenario(), session_.baseline());
     become(*root_, *wanted);
 }
 

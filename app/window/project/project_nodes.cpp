@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "app/report/study_words.h"
-#include "app/window/region_words.h"
+#include "app/report/sheets/study_words.h"
+#include "app/window/study/region_words.h"
 
 namespace noonmark {
 
@@ -40,12 +40,12 @@ void addCity(ProjectNode& root, const Project& project) {
     ProjectNode& group = added(root, {.kind = Kind::group,
                                       .text = QObject::tr("City"),
                                       .tip = tr("The city as it stands: what every scenario starts from")});
-    addFact(group, tr("%1 buildings").arg(countWords(city.buildings.size())));
+    addFact(group, tr("%1 buildings").arg(describeCount(city.buildings.size())));
     addFact(group,
             city.terrain
                 ? tr("Terrain of %1 × %2 points").arg(city.terrain->grid.columns).arg(city.terrain->grid.rows)
                 : tr("Flat ground"));
-    if (!project.attribution.empty()) addFact(group, dataWords(project.attribution));
+    if (!project.attribution.empty()) addFact(group, describeData(project.attribution));
     for (const InputFile& input : project.inputs)
         addFact(group, textOf(input.path.filename().string()),
                 QStringLiteral("%1\n%2").arg(textOf(input.path.string()), textOf(input.sha256)));
@@ -83,7 +83,7 @@ void addLots(ProjectNode& root, const Project& project) {
     ProjectNode& group =
         addGroup(root, ProjectPart::lot, tr("Lots"), project.lots.size(), tr("Ground to build on"));
     for (const NamedLot& lot : project.lots)
-        addPart(group, lot.name, areaWords(area(lot.outline)), tr("Enter or double click goes there"));
+        addPart(group, lot.name, describeArea(area(lot.outline)), tr("Enter or double click goes there"));
 }
 
 void addRegions(ProjectNode& root, const Project& project) {
@@ -92,7 +92,8 @@ void addRegions(ProjectNode& root, const Project& project) {
     for (const Region& region : project.regions) {
         double areaM2 = 0;
         for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
-        addPart(group, region.name, areaWords(areaM2), tr("Enter or double click: the study measures here"));
+        addPart(group, region.name, describeArea(areaM2),
+                tr("Enter or double click: the study measures here"));
     }
 }
 
@@ -131,8 +132,8 @@ void addResults(ProjectNode& root, const Project& project) {
 
 }  // namespace
 
-std::unique_ptr<ProjectNode> nodesOf(const Project& project, const std::string& shown,
-                                     const std::string& baseline) {
+std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string& shown,
+                                       const std::string& baseline) {
     auto root = std::make_unique<ProjectNode>();
     addCity(*root, project);
     addScenarios(*root, project, shown, baseline);

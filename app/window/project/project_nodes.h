@@ -7,7 +7,7 @@
 namespace noonmark {
 
 /// The tree of a project as it is now. The scenario that is shown is emphasized; the baseline is marked.
-std::unique_ptr<ProjectNode> nodesOf(const Project& project, const std::string& shown,
-                                     const std::string& baseline);
+std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string& shown,
+                                       const std::string& baseline);
 
 }  // namespace noonmark

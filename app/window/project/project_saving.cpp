@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 /// A recovery file that one thread writes and another takes away; after that nothing is written any more.
 /// Taking it away does not wait for a write: the file goes when that ends.
-class KeptWork {
+class RecoveredWork {
 public:
-    explicit KeptWork(const fs::path& file) : autosave_(file) {
+    explicit RecoveredWork(const fs::path& file) : autosave_(file) {
         std::error_code none;
         movedAside_ = fs::exists(recoveryPath(file), none);
         if (movedAside_) fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
@@ -25,9 +25,9 @@ public:
     [[nodiscard]] bool movedAside() const { return movedAside_; }
 
     Result<void> keep(const Project& project) {
-        Result<void> kept = keepUnlessGone(project);
+        Result<void> saved = keepUnlessGone(project);
         if (gone_) removeUnlessWritten();
-        return kept;
+        return saved;
     }
 
     void discard() {
@@ -105,7 +105,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
     if (const auto next = std::exchange(next_, nullptr)) next();
 }
 
-fs::path ProjectSaving::keptBeside() const {
+fs::path ProjectSaving::savedBeside() const {
     return session_.file() ? session_.file()->path() : unsavedFile_;
 }
 
@@ -115,23 +115,23 @@ fs::path ProjectSaving::olderRecovery(const fs::path& file) {
 }
 
 void ProjectSaving::keepUnsaved() {
-    if (!session_.hasUnsavedWork() || keptBeside().empty()) return;
+    if (!session_.hasUnsavedWork() || savedBeside().empty()) return;
     if (keeping_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
-    if (!kept_) kept_ = std::make_shared<KeptWork>(keptBeside());
+    if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
     keeping_.start<bool>(
         tr("Keeping unsaved work"),
-        [kept = kept_, project = session_.withView(view_())](Progress&, std::stop_token) {
-            return kept->keep(project).map([] { return true; });
+        [saved = saved_, project = session_.withView(view_())](Progress&, std::stop_token) {
+            return saved->keep(project).map([] { return true; });
         },
-        [this](const Result<bool>& kept) {
-            if (!kept) Q_EMIT notKept(kept.error());
+        [this](const Result<bool>& saved) {
+            if (!saved) Q_EMIT notSaved(saved.error());
         });
 }
 
 void ProjectSaving::forgetUnsaved() {
-    if (kept_) {
-        kept_->discard();
-        leaving_ = kept_;
+    if (saved_) {
+        saved_->discard();
+        leaving_ = saved_;
     }
     startOver();
 }
@@ -146,7 +146,7 @@ void ProjectSaving::discardUnsaved() {
 void ProjectSaving::forgetTakenUp() {
     const fs::path recovery = recoveryPath(session_.file()->path());
     const fs::path older = olderRecovery(session_.file()->path());
-    const bool moved = kept_ && kept_->movedAside();
+    const bool moved = saved_ && saved_->movedAside();
     std::error_code none;
     if (takenUp_ == recovery) fs::remove(moved ? older : recovery, none);
     if (takenUp_ == older && !moved) fs::remove(older, none);
@@ -163,7 +163,7 @@ void ProjectSaving::projectReplaced() {
 void ProjectSaving::startOver() {
     timer_.stop();
     keeping_.drop();
-    kept_.reset();
+    saved_.reset();
 }
 
 }  // namespace noonmark

@@ -7,12 +7,12 @@
 #include <map>
 #include <memory>
 
-#include "app/window/job_slot.h"
-#include "scenarios/project/autosave.h"
+#include "app/window/study/job_slot.h"
+#include "scenarios/project/recovery_file.h"
 
 namespace noonmark {
 
-class KeptWork;
+class RecoveredWork;
 class ProjectSession;
 
 /// Writes the session's project: into its file when asked to, and what is not saved yet into the recovery
@@ -54,21 +54,21 @@ public:
 Q_SIGNALS:
     void saved(QString file);
     void failed(noonmark::Error error);
-    void notKept(noonmark::Error error);  ///< the recovery file could not be written; the work goes on
+    void notSaved(noonmark::Error error);  ///< the recovery file could not be written; the work goes on
 
 private:
     using Write = std::function<Result<ProjectFile>()>;
     void write(const std::filesystem::path& file, Write work);
     void take(Result<ProjectFile> written, int version);
     void startOver();
-    [[nodiscard]] std::filesystem::path keptBeside() const;
+    [[nodiscard]] std::filesystem::path savedBeside() const;
 
     ProjectSession& session_;
     std::function<View()> view_;
     std::filesystem::path unsavedFile_;
-    std::shared_ptr<KeptWork> kept_;   // null: nothing was kept since the last save
-    std::weak_ptr<KeptWork> leaving_;  // still being written when it was discarded
-    std::function<void()> next_;       // a save that was asked for while another wrote
+    std::shared_ptr<RecoveredWork> saved_;  // null: nothing was kept since the last save
+    std::weak_ptr<RecoveredWork> leaving_;  // still being written when it was discarded
+    std::function<void()> next_;            // a save that was asked for while another wrote
     void forgetTakenUp();
 
     std::filesystem::path takenUp_;  // empty: nothing

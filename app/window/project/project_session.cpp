@@ -70,7 +70,7 @@ bool ProjectSession::push(State to, const QString& what, const Renaming& renamin
 }
 
 bool ProjectSession::rename(ProjectPart part, const std::string& from, const std::string& to) {
-    auto next = noonmark::renamed(now_.project, part, from, to);
+    auto next = noonmark::renameIn(now_.project, part, from, to);
     if (!next) {
         Q_EMIT refused(next.error());
         return false;

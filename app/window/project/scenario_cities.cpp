@@ -27,7 +27,7 @@ Result<std::shared_ptr<const City>> ScenarioCities::cityOf(const Project& projec
                                                            const std::string& scenario) {
     if (existing_ != project.city) made_.clear();
     existing_ = project.city;
-    const auto edits = editsOf(project.scenarios, scenario);
+    const auto edits = collectEdits(project.scenarios, scenario);
     if (!edits) return tl::make_unexpected(edits.error());
     const Made from = nearest(*edits);
     if (from.edits.size() == edits->size()) return from.city;

@@ -2,7 +2,7 @@
 
 #include <QFont>
 
-#include "app/report/study_words.h"
+#include "app/report/sheets/study_words.h"
 #include "app/window/project/project_session.h"
 #include "core/measures/has_runs.h"
 
@@ -25,9 +25,9 @@ constexpr Column columns[] = {
 
 QString figureAt(const Study& study, int column) {
     const ShadowStatistics& figures = study.statistics;
-    if (column == 2) return amountWords(figures.shadowAreaM2, 0);
+    if (column == 2) return describeAmount(figures.shadowAreaM2, 0);
     if (column == 4 && !hasRuns(figures)) return QObject::tr("not counted");
-    return amountWords(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
+    return describeAmount(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ int ScenarioTable::columnCount(const QModelIndex& parent) const {
 QString ScenarioTable::textAt(const std::string& scenario, int column) const {
     if (column == 0) return QString::fromStdString(scenario);
     if (column == 1) {
-        const auto edits = editsOf(session_.project().scenarios, scenario);
+        const auto edits = collectEdits(session_.project().scenarios, scenario);
         return edits ? QString::number(edits->size()) : QString();
     }
     const auto study = studies_.find(scenario);

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "render/ground_picture.h"
+#include "render/scene/ground_picture.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
@@ -11,6 +11,6 @@ namespace noonmark {
 GroundPicture scorePicture(const Score& score, double top);
 
 /// "score +0.520 m² a m²" of the cell that holds a point; empty outside of the grid.
-QString scoreText(const Score& score, glm::dvec2 point);
+QString formatScore(const Score& score, glm::dvec2 point);
 
 }  // namespace noonmark

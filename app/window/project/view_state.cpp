@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/receivers/roof_receivers.h"
-#include "scenarios/project/ring_json.h"
+#include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
 
@@ -28,7 +28,7 @@ Region regionFrom(const Json& json) {
     for (const Json& polygon : json.at("polygons")) {
         std::vector<RawRing> rings;
         for (const Json& points : polygon) {
-            const Ring ring = ringOf(points);
+            const Ring ring = parseRing(points);
             rings.emplace_back(ring.begin(), ring.end());
         }
         for (Footprint& piece : repairFootprint(rings).pieces) region.polygons.push_back(std::move(piece));
@@ -88,7 +88,7 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     study.region = regionFrom(json.at("region"));
     study.receivers.cellM = json.at("cell_m");
     if (json.contains("receivers_on"))
-        study.receivers.places = placesNamed(json.at("receivers_on").get<std::string>()).value();
+        study.receivers.places = parsePlaces(json.at("receivers_on").get<std::string>()).value();
     study.period = periodFrom(json.at("period"));
     study.engine = json.at("engine");
     for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
@@ -150,7 +150,7 @@ Texts textsOf(const ViewState& state) {
     return texts;
 }
 
-ViewState viewStateFrom(const Texts& texts) {
+ViewState parseViewState(const Texts& texts) {
     ViewState state;
     state.camera = cameraFrom(found(texts, "camera"));
     state.mode = modeFrom(found(texts, "mode"));

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "app/report/change_scale.h"
-#include "app/report/shadow_measure.h"
-#include "app/window/view_mode.h"
+#include "app/report/maps/change_scale.h"
+#include "app/report/maps/shadow_measure.h"
+#include "app/window/view/view_mode.h"
 #include "core/study/study.h"
-#include "render/camera_pose.h"
+#include "render/view/camera_pose.h"
 #include "scenarios/scenario.h"
 
 namespace noonmark {
@@ -31,6 +31,6 @@ struct ViewState {
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
 /// What can be read; the rest is as in ViewState{}. Any text is taken: the file may come from anywhere.
-ViewState viewStateFrom(const std::map<std::string, std::string>& texts);
+ViewState parseViewState(const std::map<std::string, std::string>& texts);
 
 }  // namespace noonmark

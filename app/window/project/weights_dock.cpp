@@ -13,7 +13,7 @@
 #include "app/window/project/project_session.h"
 #include "app/window/project/weight_bar.h"
 #include "app/window/project/weights_model.h"
-#include "app/window/push_button.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
@@ -131,7 +131,7 @@ void WeightsDock::follow() {
 
 void WeightsDock::addTable() {
     Project next = session_.project();
-    TimeWeights table = monthlyWeights();
+    TimeWeights table = makeMonthlyWeights();
     table.name = freeName(next, ProjectPart::weights, "my weights");
     const std::string name = table.name;
     next.weights.push_back(std::move(table));

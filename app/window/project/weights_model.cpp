@@ -56,7 +56,7 @@ void WeightsModel::setTable(const std::string& name) {
 }
 
 void WeightsModel::follow() {
-    become(weightsNamed(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
+    become(findWeights(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
 }
 
 // Rows that are alike at the beginning and at the end stay; those in between are replaced.
@@ -95,13 +95,13 @@ bool WeightsModel::change(const Result<TimeWeights>& next) {
 
 int WeightsModel::add(int afterRow) {
     if (table_.intervals.empty()) return -1;
-    const auto added = withInterval(table_, std::size_t(std::clamp(afterRow, 0, rowCount() - 1)));
+    const auto added = addInterval(table_, std::size_t(std::clamp(afterRow, 0, rowCount() - 1)));
     return change(added.map([](const AddedInterval& one) { return one.table; })) ? int(added->position) : -1;
 }
 
 bool WeightsModel::removeRows(int row, int count, const QModelIndex& parent) {
     if (parent.isValid() || count != 1 || row < 0 || row >= rowCount()) return false;
-    return change(withoutInterval(table_, std::size_t(row)));
+    return change(removeInterval(table_, std::size_t(row)));
 }
 
 int WeightsModel::rowCount(const QModelIndex& parent) const {

@@ -24,7 +24,7 @@ public:
     void setTable(const std::string& name);
     [[nodiscard]] const TimeWeights& table() const { return table_; }
 
-    /// An interval more, as withInterval() has it. Returns its row; -1 where it was refused.
+    /// An interval more, as addInterval() has it. Returns its row; -1 where it was refused.
     int add(int afterRow);
     bool removeRows(int row, int count, const QModelIndex& parent = {}) override;
 

@@ -28,6 +28,6 @@ Period periodOf(const TimeLook& look, const Period& study);
 TimeLook firstLook(const Period& study);
 
 /// "21 March 2026", "21 March 2026, 14:35"; empty for the whole period.
-QString wordsOf(const TimeLook& look);
+QString describe(const TimeLook& look);
 
 }  // namespace noonmark

@@ -3,9 +3,9 @@
 #include <QObject>
 #include <memory>
 
-#include "app/window/job_slot.h"
-#include "app/window/shared_horizons.h"
+#include "app/window/study/job_slot.h"
 #include "app/window/time/time_look.h"
+#include "app/window/view/shared_horizon_cache.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -23,8 +23,9 @@ struct TimeAnswer {
 class TimeLooking final : public QObject {
     Q_OBJECT
 public:
-    explicit TimeLooking(std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>(),
-                         QObject* parent = nullptr)
+    explicit TimeLooking(
+        std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
+        QObject* parent = nullptr)
         : QObject(parent), horizons_(std::move(horizons)) {}
 
     void setStudy(std::shared_ptr<const Study> study);  ///< null: none. The look stays and is answered anew
@@ -39,12 +40,12 @@ Q_SIGNALS:
     void failed(noonmark::TimeLook look, noonmark::Error error);
 
 private:
-    static Result<TimeAnswer> answered(TimeAnswer question, SharedHorizons& horizons, Progress& progress,
+    static Result<TimeAnswer> answered(TimeAnswer question, SharedHorizonCache& horizons, Progress& progress,
                                        const std::stop_token& stop);
     void ask();
     void take(Result<TimeAnswer> answer);
 
-    std::shared_ptr<SharedHorizons> horizons_;
+    std::shared_ptr<SharedHorizonCache> horizons_;
     std::shared_ptr<const Study> study_;
     TimeLook look_;
     TimeLook asked_;  // the last that was worked out, or is

@@ -7,8 +7,8 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
-#include "app/window/push_button.h"
-#include "app/window/qt_dates.h"
+#include "app/window/frame/qt_dates.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
@@ -86,7 +86,7 @@ void TimeStrip::setLook(const TimeLook& look) {
 }
 
 void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
-    words_->setText(QStringLiteral("%1: %2").arg(wordsOf(of), words));
+    words_->setText(QStringLiteral("%1: %2").arg(describe(of), words));
 }
 
 void TimeStrip::take() {

@@ -1,4 +1,4 @@
-#include "core/bench/allowance.h"
+#include "core/bench/contests/allowance.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ TEST(Allowance, theLongerItLastsTheLessIsLeft) {
 }
 
 TEST(Allowance, theCheapestPiecesThatFitTogetherAreTaken) {
-    EXPECT_EQ(affordable({5, 1, 3, 100}, 8), (std::vector{false, true, true, false}));
-    EXPECT_EQ(affordable({5, 1, 3, 100}, 9), (std::vector{true, true, true, false}));
-    EXPECT_EQ(affordable({0, 0, 1}, 0), (std::vector{true, true, false})) << "what costs nothing";
+    EXPECT_EQ(canAfford({5, 1, 3, 100}, 8), (std::vector{false, true, true, false}));
+    EXPECT_EQ(canAfford({5, 1, 3, 100}, 9), (std::vector{true, true, true, false}));
+    EXPECT_EQ(canAfford({0, 0, 1}, 0), (std::vector{true, true, false})) << "what costs nothing";
 }
 
 }  // namespace

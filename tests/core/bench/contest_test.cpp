@@ -1,4 +1,4 @@
-#include "core/bench/contest.h"
+#include "core/bench/contests/contest.h"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@
 #include <limits>
 #include <thread>
 
-#include "core/accumulate/ray_reference.h"
-#include "core/bench/forecast.h"
+#include "core/bench/contests/forecast.h"
+#include "core/engines/ray/ray_reference.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {
 namespace {
 
 /// The ray reference with minutes added, after a while; or a refusal.
-class Made final : public Accumulator {
+class Made final : public Engine {
 public:
     Made(double addedMin, double seconds, bool refuses = false)
         : addedMin_(addedMin), seconds_(seconds), refuses_(refuses) {}
@@ -42,13 +42,13 @@ protected:
     Placing placingOf(double addedMin, double seconds, bool refuses = false) {
         const std::vector<Contestant> contestants{
             {"made", "Made", "", std::make_shared<Made>(addedMin, seconds, refuses)}};
-        const Truth truth = truthOf(scene_, receivers_, work_).value();
-        return contest(scene_, contestants, truth, extent_, work_).value().front();
+        const Truth truth = computeTruth(scene_, receivers_, work_).value();
+        return runContest(scene_, contestants, truth, extent_, work_).value().front();
     }
 
     BenchSite site_ = tests::tinySite();
-    Receivers receivers_ = middleReceivers(site_, {}).value();
-    SunSteps sun_ = noonHour(site_).value();
+    Receivers receivers_ = pickMiddleReceivers(site_, {}).value();
+    SunSteps sun_ = makeNoonHour(site_).value();
     Scene scene_{site_.city, receivers_, sun_};
     NoProgress silent_;
     Work work_{silent_, {}};
@@ -92,27 +92,27 @@ TEST_F(ContestTest, whoNeverEndsIsStopped) {
 }
 
 TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
-    EXPECT_TRUE(hopeless(6, 0.1, 20));
-    EXPECT_FALSE(hopeless(4, 0.1, 20));   // too early to tell
-    EXPECT_FALSE(hopeless(6, 0.25, 20));  // it may end in time
-    EXPECT_FALSE(hopeless(6, 0, 20));     // it does not say how far it is
-    EXPECT_FALSE(hopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
+    EXPECT_TRUE(isHopeless(6, 0.1, 20));
+    EXPECT_FALSE(isHopeless(4, 0.1, 20));   // too early to tell
+    EXPECT_FALSE(isHopeless(6, 0.25, 20));  // it may end in time
+    EXPECT_FALSE(isHopeless(6, 0, 20));     // it does not say how far it is
+    EXPECT_FALSE(isHopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
 }
 
 TEST_F(ContestTest, whoIsNeededIsLetEnd) {
     extent_.neverAboveS = 0.01;
     const std::vector<Contestant> needed{
         {"made", "Made", "", std::make_shared<Made>(0, 0.05), /*needed=*/true}};
-    const Truth truth = truthOf(scene_, receivers_, work_).value();
-    EXPECT_TRUE(contest(scene_, needed, truth, extent_, work_).value().front().timed());
+    const Truth truth = computeTruth(scene_, receivers_, work_).value();
+    EXPECT_TRUE(runContest(scene_, needed, truth, extent_, work_).value().front().timed());
 }
 
 TEST_F(ContestTest, whoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
     const std::vector<Contestant> three{{"a", "A", "", std::make_shared<Made>(0, 0)},
                                         {"b", "B", "", std::make_shared<Made>(0, 0)},
                                         {"c", "C", "", std::make_shared<Made>(1.2, 0)}};
-    const Truth truth = truthOf(scene_, receivers_, work_).value();
-    const auto placings = contestWithin(3, {1, 10, 2}, scene_, three, truth, extent_, work_).value();
+    const Truth truth = computeTruth(scene_, receivers_, work_).value();
+    const auto placings = runContestWithin(3, {1, 10, 2}, scene_, three, truth, extent_, work_).value();
     ASSERT_EQ(placings.size(), 3U);
     EXPECT_TRUE(placings[0].timed());
     EXPECT_TRUE(placings[1].tooSlow);

@@ -1,4 +1,4 @@
-#include "core/bench/horizon_bench.h"
+#include "core/bench/horizon/horizon_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ protected:
             NoProgress silent;
             Extent extent = tests::leastExtent();
             extent.binsDeg = {0.5, 2};
-            return horizonBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
+            return runHorizonBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
         }();
         return made;
     }

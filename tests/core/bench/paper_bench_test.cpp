@@ -1,4 +1,4 @@
-#include "core/bench/paper_bench.h"
+#include "core/bench/paper/paper_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/bench/contestant.h"
+#include "core/bench/contests/contestant.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {
@@ -17,7 +17,7 @@ protected:
     static const BenchReport& report() {
         static const BenchReport made = [] {
             NoProgress silent;
-            return paperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {}).value();
+            return runPaperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {}).value();
         }();
         return made;
     }
@@ -100,14 +100,14 @@ TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
     Extent extent = tests::leastExtent();
     extent.budgetS = 0;
     extent.resolutions = {16, 24, 32};
-    const BenchReport report = paperBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
+    const BenchReport report = runPaperBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
     EXPECT_EQ(report.findings.size(), 9U);
     const auto json = nlohmann::ordered_json::parse(summaryJson(report));
     for (const char* key : {"iam_vs_ray", "iam_area_error_mean_pct", "graph_edges", "graph_mistagged_pct"})
         EXPECT_FALSE(json[key].is_null()) << key;
     std::map<std::string, std::size_t> rows;
     for (const Finding& finding : report.findings) rows[finding.key] = finding.table.rows.size();
-    const std::size_t engines = usualEngines(coreEngines()).contestants.size();
+    const std::size_t engines = listUsualEngines(coreEngines()).contestants.size();
     EXPECT_EQ(rows["time_by_resolution"], 3 * engines);
     EXPECT_EQ(rows["memory_by_resolution"], 2 * engines) << "two resolutions are measured in any case";
     EXPECT_EQ(leftOut("engine_times", report), engines) << "the second of two days";
@@ -123,14 +123,14 @@ TEST(PaperBench, stopsWhenAsked) {
     stop.request_stop();
     NoProgress silent;
     const auto report =
-        paperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, stop.get_token());
+        runPaperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, stop.get_token());
     ASSERT_FALSE(report);
     EXPECT_TRUE(isCancelled(report.error()));
 }
 
 TEST(PaperBench, aCityWithoutBuildingsIsRefused) {
     NoProgress silent;
-    const auto report = paperBench({}, tests::leastExtent(), coreEngines(), silent, {});
+    const auto report = runPaperBench({}, tests::leastExtent(), coreEngines(), silent, {});
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().what.find("no buildings"), std::string::npos);
 }

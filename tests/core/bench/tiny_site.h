@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/bench/contests/site.h"
 #include "core/bench/extent.h"
-#include "core/bench/site.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::bench::tests {
@@ -9,7 +9,7 @@ namespace noonmark::bench::tests {
 /// 100 buildings, squares of 60 m: seconds for all experiments together.
 inline BenchSite tinySite() {
     BenchSite site;
-    site.city = gridSample({.buildings = 100}).value();
+    site.city = makeGridSample({.buildings = 100}).value();
     site.name = "tiny grid";
     site.sideM = 60;
     return site;

@@ -35,7 +35,7 @@ TEST(City, meshNamesTheBuildingOfEveryTriangle) {
         }
     }
     EXPECT_EQ(tests::openEdgesOf(all.mesh), 0);
-    EXPECT_NEAR(tests::volumeOf(all.mesh), 2000 + 16 * 70 + 1500, 1e-6);
+    EXPECT_NEAR(tests::computeVolume(all.mesh), 2000 + 16 * 70 + 1500, 1e-6);
 }
 
 TEST(City, boundsAndTops) {
@@ -48,11 +48,11 @@ TEST(City, boundsAndTops) {
 TEST(City, everySourceOfAHeightHasItsOwnName) {
     for (std::size_t i = 0; i < heightSources.size(); ++i) {
         EXPECT_EQ(std::size_t(heightSources[i]), i);
-        EXPECT_EQ(heightSourceNamed(nameOf(heightSources[i])), heightSources[i]);
+        EXPECT_EQ(parseHeightSource(nameOf(heightSources[i])), heightSources[i]);
     }
     EXPECT_EQ(nameOf(HeightSource::designed), "designed");
     EXPECT_EQ(nameOf(HeightSource::madeUp), "made up");
-    EXPECT_EQ(heightSourceNamed("unknown"), std::nullopt);
+    EXPECT_EQ(parseHeightSource("unknown"), std::nullopt);
 }
 
 TEST(City, aPartWithItsOwnMeshKeepsIt) {

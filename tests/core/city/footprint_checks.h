@@ -110,7 +110,7 @@ inline int openEdgesOf(const TriangleMesh& mesh) {
 
 /// Volume inside, m3, positive when faces look outward. Relative to the first vertex, so that it does not
 /// cancel far away.
-inline double volumeOf(const TriangleMesh& mesh) {
+inline double computeVolume(const TriangleMesh& mesh) {
     double volume = 0;
     for (const glm::uvec3 t : mesh.triangles) {
         const glm::dvec3 origin(mesh.vertices[0]);
@@ -130,7 +130,7 @@ inline std::string troubleOfSolid(const Footprint& footprint) {
     const TriangleMesh mesh = meshOf(part);
     if (const int open = openEdgesOf(mesh)) return fmt::format("{} open edges", open);
     const double expected = area(footprint) * heightM;
-    const double volume = volumeOf(mesh);
+    const double volume = computeVolume(mesh);
     const bool equal = std::abs(volume - expected) <= 1e-9 * expected + 1e-6;
     return equal ? "" : fmt::format("volume {} instead of {}", volume, expected);
 }

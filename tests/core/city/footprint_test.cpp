@@ -1,9 +1,9 @@
-#include "core/city/footprint.h"
+#include "core/city/footprints/footprint.h"
 
 #include <gtest/gtest.h>
 
 #include "core/city/city.h"
-#include "core/city/triangulate.h"
+#include "core/city/footprints/triangulate.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
@@ -52,7 +52,7 @@ TEST(Rasterize, agreesWithContainsOnEveryCell) {
 
 TEST(Triangulate, coversTheFootprintOnce) {
     const Footprint court{square(0, 0, 10), {reversed(square(2, 2, 3))}};
-    const Triangulation triangulation = triangulated(court);
+    const Triangulation triangulation = triangulate(court);
     double sum = 0;
     for (const glm::uvec3 t : triangulation.triangles)
         sum += signedArea({triangulation.points[t.x], triangulation.points[t.y], triangulation.points[t.z]});

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark::tests {

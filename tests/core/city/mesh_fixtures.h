@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 
 namespace noonmark::tests {
 

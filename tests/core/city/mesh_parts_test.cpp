@@ -1,11 +1,11 @@
-#include "core/city/mesh_parts.h"
+#include "core/city/meshes/mesh_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "core/city/mesh_outline.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "tests/core/city/mesh_fixtures.h"
 
 namespace noonmark {
@@ -21,7 +21,7 @@ bool warns(const Warnings& warnings, const std::string& what) {
 }
 
 TEST(MeshOutline, ofABoxIsItsBaseWithFourCorners) {
-    const MeshOutline outline = outlineOf(box({1, 2, 3}, {11, 22, 33}), true);
+    const MeshOutline outline = computeOutline(box({1, 2, 3}, {11, 22, 33}), true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
     EXPECT_NEAR(signedArea(outline.pieces[0].outer), 200, 1e-6);
@@ -30,7 +30,7 @@ TEST(MeshOutline, ofABoxIsItsBaseWithFourCorners) {
 
 TEST(MeshOutline, farFromTheOriginStaysSimple) {
     const TriangleMesh mesh = box({29000, -31000, 0}, {29010.1F, -30990.3F, 33});
-    const MeshOutline outline = outlineOf(mesh, true);
+    const MeshOutline outline = computeOutline(mesh, true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
     EXPECT_NEAR(area(outline.pieces[0]), 10.1 * 9.7, 0.1);
@@ -49,7 +49,7 @@ TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
             roof.vertices.push_back(at + radius(random) * glm::vec3(std::cos(angle), std::sin(angle), 0));
             roof.triangles.emplace_back(0, 1 + i, 1 + (i + 1) % corners);
         }
-        const MeshOutline outline = outlineOf(roof, false);
+        const MeshOutline outline = computeOutline(roof, false);
         ASSERT_EQ(outline.pieces.size(), 1U) << trial;
         EXPECT_TRUE(outline.pieces[0].holes.empty());
     }
@@ -57,13 +57,14 @@ TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
 
 TEST(MeshOutline, aHairlineGapDoesNotPartABuilding) {
     const TriangleMesh halves = tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.004F, 0, 0}, {10, 10, 10}));
-    const MeshOutline outline = outlineOf(halves, true);
+    const MeshOutline outline = computeOutline(halves, true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_NEAR(area(outline.pieces[0]), 100, 0.01);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
-    EXPECT_EQ(outlineOf(tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.1F, 0, 0}, {10, 10, 10})), true)
-                  .pieces.size(),
-              2U);
+    EXPECT_EQ(
+        computeOutline(tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.1F, 0, 0}, {10, 10, 10})), true)
+            .pieces.size(),
+        2U);
 }
 
 // Without floor and roof.
@@ -74,7 +75,7 @@ TriangleMesh wallsOf(glm::vec3 low, glm::vec3 high) {
 }
 
 TEST(MeshOutline, ofWallsAloneIsWhatTheyEnclose) {
-    const MeshOutline outline = outlineOf(wallsOf({0, 0, 0}, {10, 10, 10}), false);
+    const MeshOutline outline = computeOutline(wallsOf({0, 0, 0}, {10, 10, 10}), false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_TRUE(outline.wallsOnly);
     EXPECT_NEAR(area(outline.pieces[0]), 100, 1e-6);
@@ -92,28 +93,30 @@ TEST(MeshOutline, wallsAreNoHull) {
         walls.triangles.insert(walls.triangles.end(),
                                {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
     }
-    const MeshOutline outline = outlineOf(walls, false);
+    const MeshOutline outline = computeOutline(walls, false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_NEAR(area(outline.pieces[0]), 20 * 20 - 12 * 12, 1e-4);
     const TriangleMesh block =
         tests::joined(wallsOf({0, 0, 0}, {30, 30, 12}), wallsOf({10, 10, 0}, {20, 20, 12}));
-    ASSERT_EQ(outlineOf(block, false).pieces.size(), 1U);
-    EXPECT_NEAR(area(outlineOf(block, false).pieces[0]), 800, 1e-4);
+    ASSERT_EQ(computeOutline(block, false).pieces.size(), 1U);
+    EXPECT_NEAR(area(computeOutline(block, false).pieces[0]), 800, 1e-4);
 }
 
 TEST(MeshOutline, aWallThatStandsOutOfARoofIsInItsBounds) {
     TriangleMesh house = box({0, 0, 0}, {10, 10, 10});
     append(house, {{{10, 5, 0}, {14, 5, 0}, {14, 5, 3}}, {{0, 1, 2}}});
-    const MeshOutline outline = outlineOf(house, false);
+    const MeshOutline outline = computeOutline(house, false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_NEAR(bounds(outline.pieces[0]).high.x, 14, 0.011);
     EXPECT_NEAR(area(outline.pieces[0]), 100, 0.1);
 }
 
 TEST(MeshOutline, aWallLineIsNoOverlap) {
-    const auto outline = [](glm::vec3 low, glm::vec3 high) { return outlineOf(box(low, high), true).pieces; };
-    const auto groups = overlapGroups({outline({0, 0, 0}, {10, 10, 10}), outline({10, 0, 0}, {20, 10, 10}),
-                                       outline({2, 2, 10}, {8, 8, 20}), outline({7, 7, 20}, {9, 9, 30})});
+    const auto outline = [](glm::vec3 low, glm::vec3 high) {
+        return computeOutline(box(low, high), true).pieces;
+    };
+    const auto groups = groupOverlapping({outline({0, 0, 0}, {10, 10, 10}), outline({10, 0, 0}, {20, 10, 10}),
+                                          outline({2, 2, 10}, {8, 8, 20}), outline({7, 7, 20}, {9, 9, 30})});
     EXPECT_EQ(groups, (std::vector<std::size_t>{0, 1, 0, 0}));
 }
 
@@ -126,8 +129,8 @@ TEST(MeshParts, aBoxIsOnePart) {
     EXPECT_EQ(part.heightSource, HeightSource::mesh);
     EXPECT_EQ(part.bottomM, 1);
     EXPECT_EQ(part.topM, 31);
-    EXPECT_FALSE(part.hangs);
-    EXPECT_EQ(openEdges(*part.mesh), 0U);
+    EXPECT_FALSE(part.isOverhanging);
+    EXPECT_EQ(findOpenEdges(*part.mesh), 0U);
     EXPECT_NEAR(signedVolume(*part.mesh), 3000, 1e-6);
 }
 
@@ -197,8 +200,8 @@ TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
                    {{0, 1, 2}, {0, 2, 3}}});
     append(house, {{{0.1F, 7.9F, 0}, {9.9F, 7.9F, 0}, {9.9F, 7.9F, 4.4F}, {0.1F, 7.9F, 4.4F}},
                    {{0, 1, 2}, {0, 2, 3}}});
-    EXPECT_TRUE(partsOf(shelter, "", "").parts.at(0).hangs);
-    EXPECT_FALSE(partsOf(house, "", "").parts.at(0).hangs);
+    EXPECT_TRUE(partsOf(shelter, "", "").parts.at(0).isOverhanging);
+    EXPECT_FALSE(partsOf(house, "", "").parts.at(0).isOverhanging);
     EXPECT_NEAR(area(partsOf(house, "", "").parts.at(0).footprint), 80, 1e-3);
 }
 
@@ -208,7 +211,7 @@ TEST(MeshParts, openMeshIsUsedAndSaid) {
     const MeshParts made = partsOf(open, "", "");
     ASSERT_EQ(made.parts.size(), 1U);
     EXPECT_TRUE(warns(made.warnings, "not closed"));
-    EXPECT_FALSE(made.parts[0].hangs);
+    EXPECT_FALSE(made.parts[0].isOverhanging);
     EXPECT_NEAR(area(made.parts[0].footprint), 100, 1e-6);
 }
 
@@ -219,12 +222,12 @@ Part slab(float x, float side, float bottom, float top) {
 TEST(MarkHanging, onlyWhatNothingCarries) {
     std::vector<Part> parts{slab(0, 10, 0, 20), slab(0, 8, 20, 40), slab(6, 10, 20, 30), slab(30, 5, 50, 60),
                             slab(50, 5, 1.5F, 9)};
-    markHanging(parts, flatGround);
-    EXPECT_FALSE(parts[0].hangs);
-    EXPECT_FALSE(parts[1].hangs);
-    EXPECT_TRUE(parts[2].hangs);
-    EXPECT_TRUE(parts[3].hangs);
-    EXPECT_FALSE(parts[4].hangs);
+    markOverhangs(parts, flatGround);
+    EXPECT_FALSE(parts[0].isOverhanging);
+    EXPECT_FALSE(parts[1].isOverhanging);
+    EXPECT_TRUE(parts[2].isOverhanging);
+    EXPECT_TRUE(parts[3].isOverhanging);
+    EXPECT_FALSE(parts[4].isOverhanging);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/city/post_grid.h"
+#include "core/city/terrain/post_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/city/terrain.h"
+#include "core/city/terrain/terrain.h"
 
 namespace noonmark {
 namespace {

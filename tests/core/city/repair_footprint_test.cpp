@@ -1,4 +1,4 @@
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 
 #include <gtest/gtest.h>
 

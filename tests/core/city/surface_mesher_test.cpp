@@ -1,4 +1,4 @@
-#include "core/city/surface_mesher.h"
+#include "core/city/meshes/surface_mesher.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ glm::dvec3 areaVector(const TriangleMesh& mesh) {
     return sum;
 }
 
-Surface ringOf(std::size_t count) {
+Surface parseRing(std::size_t count) {
     Surface surface(1);
     for (std::size_t i = 0; i < count; ++i) surface[0].push_back(std::uint32_t(i));
     return surface;
@@ -47,7 +47,7 @@ TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
         for (std::size_t i = 0; i < points.size(); ++i)
             expected += glm::cross(points[i] - at, points[(i + 1) % points.size()] - at) / 2.0;
         SurfaceMesher mesher(points);
-        ASSERT_EQ(mesher.add(ringOf(points.size())), Outcome::added);
+        ASSERT_EQ(mesher.add(parseRing(points.size())), Outcome::added);
         EXPECT_EQ(mesher.mesh().triangles.size(), points.size() - 2);
         EXPECT_NEAR(glm::distance(areaVector(mesher.mesh()), expected), 0, 0.01) << trial;
     }
@@ -64,7 +64,7 @@ TEST(SurfaceMesher, aWallWithAWindow) {
 TEST(SurfaceMesher, bentPolygonsUseTheirOwnPoints) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {10, 0, 0.2}, {12, 5, 0}, {10, 10, 0.3}, {0, 10, 0}};
     SurfaceMesher mesher(points);
-    EXPECT_EQ(mesher.add(ringOf(5)), Outcome::added);
+    EXPECT_EQ(mesher.add(parseRing(5)), Outcome::added);
     EXPECT_EQ(mesher.mesh().vertices.size(), 5U);
     for (const glm::vec3 vertex : mesher.mesh().vertices)
         EXPECT_NE(
@@ -75,7 +75,7 @@ TEST(SurfaceMesher, bentPolygonsUseTheirOwnPoints) {
 TEST(SurfaceMesher, crossingPolygonsAreMended) {
     const std::vector<glm::dvec3> points{{0, 0, 5}, {10, 10, 5}, {10, 0, 5}, {0, 11, 5}};
     SurfaceMesher mesher(points);
-    EXPECT_EQ(mesher.add(ringOf(4)), Outcome::mended);
+    EXPECT_EQ(mesher.add(parseRing(4)), Outcome::mended);
     for (const glm::vec3 vertex : mesher.mesh().vertices) EXPECT_NEAR(vertex.z, 5, 1e-5);
 }
 

@@ -1,4 +1,4 @@
-#include "core/city/tangled_rings.h"
+#include "core/city/footprints/tangled_rings.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 
 #include "core/city/city.h"
-#include "core/city/surface_mesher.h"
-#include "core/city/triangle_count.h"
-#include "core/city/triangulate.h"
+#include "core/city/footprints/triangulate.h"
+#include "core/city/meshes/surface_mesher.h"
+#include "core/city/meshes/triangle_count.h"
 
 namespace noonmark {
 namespace {
@@ -85,7 +85,7 @@ TEST(TangledRings, areDroppedWithTheLimitStated) {
 
 // Twice the area of the triangles is the footprint's, all run the same way, and there are v + 2 h - 2.
 void expectTriangulated(const Footprint& footprint) {
-    const Triangulation made = triangulated(footprint);
+    const Triangulation made = triangulate(footprint);
     std::size_t points = footprint.outer.size();
     for (const Ring& hole : footprint.holes) points += hole.size();
     EXPECT_EQ(made.triangles.size(), points + 2 * footprint.holes.size() - 2);
@@ -112,7 +112,7 @@ TEST(Triangulated, largeRingsAndManyHoles) {
 }
 
 TEST(Triangulated, whatCrossesItselfTooOftenIsRefused) {
-    const Triangulation made = triangulated({inFloat(randomRing(3000)), {}});
+    const Triangulation made = triangulate({inFloat(randomRing(3000)), {}});
     EXPECT_TRUE(made.tangled);
     EXPECT_TRUE(made.triangles.empty());
     std::vector<glm::dvec3> points;
@@ -128,18 +128,18 @@ TEST(Triangulated, whatCrossesItselfTooOftenIsRefused) {
 
 TEST(TriangleCount, isThatOfTheMesh) {
     Part part{.footprint = {starRing(60), {}}, .bottomM = 0, .topM = 10};
-    EXPECT_EQ(triangleCount(part), 2U * 58 + 120);
-    EXPECT_EQ(triangleCount(part), meshOf(part).triangles.size());
+    EXPECT_EQ(countTriangles(part), 2U * 58 + 120);
+    EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());
     // A hole in the middle; then one whose corner touches the middle of a side, and one that touches a
     // corner.
     const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     for (const Ring& hole :
          {Ring{{4, 4}, {4, 6}, {6, 6}, {6, 4}}, Ring{{5, 0}, {4, 3}, {6, 3}}, Ring{{0, 0}, {3, 4}, {4, 3}}}) {
         part.footprint = {square, {hole}};
-        EXPECT_EQ(triangleCount(part), meshOf(part).triangles.size());
+        EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());
     }
     part.mesh = std::make_shared<const TriangleMesh>(TriangleMesh{{{}, {}, {}}, {{0, 1, 2}}});
-    EXPECT_EQ(triangleCount(part), 1U);
+    EXPECT_EQ(countTriangles(part), 1U);
 }
 
 }  // namespace

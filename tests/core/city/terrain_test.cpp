@@ -1,4 +1,4 @@
-#include "core/city/terrain.h"
+#include "core/city/terrain/terrain.h"
 
 #include <gtest/gtest.h>
 

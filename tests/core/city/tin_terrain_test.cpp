@@ -1,11 +1,11 @@
-#include "core/city/tin_terrain.h"
+#include "core/city/terrain/tin_terrain.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "core/city/fill_gaps.h"
+#include "core/city/terrain/fill_gaps.h"
 
 namespace noonmark {
 namespace {
@@ -35,7 +35,7 @@ TEST(TinTerrain, aPlaneComesBackExactly) {
     for (const glm::vec2 at : {glm::vec2(-50, -20), {50, -20}, {50, 80}, {-50, 80}, {3, 31}})
         tin.vertices.emplace_back(at, 10 + 0.1F * at.x - 0.05F * at.y);
     tin.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-    const auto made = rasterizedTin(tin);
+    const auto made = rasterizeTin(tin);
     ASSERT_TRUE(made);
     const Terrain& terrain = made->terrain;
     EXPECT_EQ(made->filled, 0U);
@@ -49,15 +49,15 @@ TEST(TinTerrain, holesAreFilledAndCounted) {
     TriangleMesh tin;
     tin.vertices = {{0, 0, 5}, {10, 0, 5}, {0, 10, 5}, {40, 40, 8}, {40, 30, 8}, {30, 40, 8}};
     tin.triangles = {{0, 1, 2}, {3, 5, 4}};
-    const auto made = rasterizedTin(tin);
+    const auto made = rasterizeTin(tin);
     ASSERT_TRUE(made);
     EXPECT_GT(made->filled, 0U);
     for (const float z : made->terrain.elevationM) EXPECT_TRUE(z == 5 || z == 8);
 }
 
 TEST(TinTerrain, withoutAreaThereIsNone) {
-    EXPECT_FALSE(rasterizedTin({}));
-    EXPECT_FALSE(rasterizedTin({{{0, 0, 0}, {1, 0, 0}, {2, 0, 9}}, {{0, 1, 2}}}));
+    EXPECT_FALSE(rasterizeTin({}));
+    EXPECT_FALSE(rasterizeTin({{{0, 0, 0}, {1, 0, 0}, {2, 0, 9}}, {{0, 1, 2}}}));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 
 namespace noonmark::tests {
 

@@ -1,4 +1,4 @@
-#include "core/io/check_output.h"
+#include "core/io/files/check_output.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST_F(CheckOutput, WhatIsNotThereMayBeWritten) {
 
 TEST_F(CheckOutput, WhatIsThereOfTheKindNeedsTheWord) {
     const fs::path city = folder.path("city.gpkg");
-    ASSERT_TRUE(writeCityGeoPackage(city, centralParkSouthSample()));
+    ASSERT_TRUE(writeCityGeoPackage(city, makeCentralParkSouthSample()));
     EXPECT_EQ(
         why(city, OutputKind::geoPackage),
         city.string() +
@@ -122,7 +122,7 @@ TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
     for (const OutputKind kind :
          {OutputKind::geoPackage, OutputKind::geoJson, OutputKind::geoTiff, OutputKind::picture,
           OutputKind::pdf, OutputKind::json, OutputKind::project})
-        EXPECT_THAT(whyNever(words, kind), HasSubstr("it is not " + std::string(wordsOf(kind))));
+        EXPECT_THAT(whyNever(words, kind), HasSubstr("it is not " + std::string(describe(kind))));
     EXPECT_THAT(whyNever(folder.file("one column", "Dear board\n"), OutputKind::table), HasSubstr("CSV"));
     EXPECT_THAT(whyNever(folder.file("markup", "<svg a=\"1,2\">\n"), OutputKind::table), HasSubstr("CSV"));
     EXPECT_THAT(whyNever(folder.file("bytes", "a,b\n\0\0"sv), OutputKind::table), HasSubstr("CSV"));
@@ -173,7 +173,7 @@ TEST_F(CheckOutput, OfSeveralTheWorstIsHeardFirst) {
     EXPECT_THAT(whyNot({}),
                 HasSubstr("study.json: There is a file of this name already, and it is not JSON"));
     EXPECT_EQ(whyNot({{}, true}), whyNot({}));
-    EXPECT_EQ(existingOutputs(folder.path(""), {"shadow.png", "cells.csv"}),
+    EXPECT_EQ(findExistingOutputs(folder.path(""), {"shadow.png", "cells.csv"}),
               std::vector<std::string>{"shadow.png"});
 }
 

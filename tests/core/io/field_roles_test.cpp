@@ -1,9 +1,9 @@
-#include "core/io/field_roles.h"
+#include "core/io/footprints/field_roles.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/other_tags.h"
+#include "core/io/osm/other_tags.h"
 
 namespace noonmark {
 namespace {
@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::Pair;
 
 std::optional<FieldRole> roleOf(std::string_view name, bool cutShort = false) {
-    const auto meaning = meaningOf(name, cutShort);
+    const auto meaning = findMeaning(name, cutShort);
     return meaning ? std::optional(meaning->role) : std::nullopt;
 }
 
@@ -36,10 +36,10 @@ TEST(FieldRoles, doesNotTakeOtherNamesForHeights) {
 }
 
 TEST(FieldRoles, readsTheUnitInAName) {
-    EXPECT_EQ(meaningOf("height_ft")->unit, LengthUnit::feet);
-    EXPECT_EQ(meaningOf("Height (feet)")->unit, LengthUnit::feet);
-    EXPECT_EQ(meaningOf("bldg_height_m")->unit, LengthUnit::metres);
-    EXPECT_EQ(meaningOf("height")->unit, std::nullopt);
+    EXPECT_EQ(findMeaning("height_ft")->unit, LengthUnit::feet);
+    EXPECT_EQ(findMeaning("Height (feet)")->unit, LengthUnit::feet);
+    EXPECT_EQ(findMeaning("bldg_height_m")->unit, LengthUnit::metres);
+    EXPECT_EQ(findMeaning("height")->unit, std::nullopt);
 }
 
 TEST(FieldRoles, knowsNamesCutShortUnlessTheyAreAmbiguous) {
@@ -117,7 +117,7 @@ TEST(FieldRoles, knowsThePublishedDatasets) {
         {"kerrosluku", FieldRole::levels, {}},           // Finland
     };
     for (const Published& field : fields) {
-        const auto meaning = meaningOf(field.name);
+        const auto meaning = findMeaning(field.name);
         ASSERT_TRUE(meaning) << field.name;
         EXPECT_EQ(meaning->role, field.role) << field.name;
         EXPECT_EQ(meaning->unit, field.unit) << field.name;
@@ -133,13 +133,14 @@ TEST(FieldRoles, falseFriendsAreNotTaken) {
     EXPECT_EQ(roleOf("numberOfFl", true), std::nullopt);
     EXPECT_EQ(roleOf("hgt_median", true), std::nullopt);
     EXPECT_EQ(roleOf("BLDG_HGT_2", true), FieldRole::height);
-    EXPECT_EQ(meaningOf("BLDG_HGT_2", true)->unit, LengthUnit::feet);
+    EXPECT_EQ(findMeaning("BLDG_HGT_2", true)->unit, LengthUnit::feet);
 }
 
 TEST(FieldRoles, ofTagsOnlyTheirOwnAreHeights) {
-    EXPECT_TRUE(meaningOfTag("building:levels"));
-    EXPECT_TRUE(meaningOfTag("min_height"));
-    for (const char* key : {"maxheight", "floor", "hoogte", "altura"}) EXPECT_FALSE(meaningOfTag(key)) << key;
+    EXPECT_TRUE(findTagMeaning("building:levels"));
+    EXPECT_TRUE(findTagMeaning("min_height"));
+    for (const char* key : {"maxheight", "floor", "hoogte", "altura"})
+        EXPECT_FALSE(findTagMeaning(key)) << key;
 }
 
 std::vector<std::string> namesOf(const std::vector<KnownField>& fields, FieldRole role) {
@@ -228,12 +229,12 @@ TEST_F(Units, ofPortlandsFieldsAreFeetOnAMapInFeet) {
 }
 
 TEST(OtherTags, areReadAsFarAsTheyGo) {
-    EXPECT_THAT(tagsFromText(R"("height"=>"12","name"=>"a \"b\", c")"),
+    EXPECT_THAT(parseTags(R"("height"=>"12","name"=>"a \"b\", c")"),
                 ElementsAre(Pair("height", "12"), Pair("name", "a \"b\", c")));
-    EXPECT_THAT(tagsFromText(R"("height"=>"12",broken)"), ElementsAre(Pair("height", "12")));
-    EXPECT_TRUE(tagsFromText("").empty());
-    EXPECT_TRUE(tagsFromText("\"").empty());
-    EXPECT_TRUE(tagsFromText(R"("a"=>"\)").empty());
+    EXPECT_THAT(parseTags(R"("height"=>"12",broken)"), ElementsAre(Pair("height", "12")));
+    EXPECT_TRUE(parseTags("").empty());
+    EXPECT_TRUE(parseTags("\"").empty());
+    EXPECT_TRUE(parseTags(R"("a"=>"\)").empty());
 }
 
 }  // namespace

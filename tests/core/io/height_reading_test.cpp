@@ -1,4 +1,4 @@
-#include "core/io/height_reading.h"
+#include "core/io/heights/height_reading.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

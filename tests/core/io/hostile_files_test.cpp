@@ -12,9 +12,9 @@
 #include <map>
 #include <sstream>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/footprints/read_parcels.h"
 #include "core/io/read_city.h"
-#include "core/io/read_parcels.h"
 #include "core/io/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/local_listener.h"

@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-#include "core/io/mesh_reader_process.h"
+#include "core/io/meshes/mesh_reader_process.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"
@@ -286,13 +286,13 @@ const MeshScene twoObjects{
 
 TEST(MeshScene, comesBackAsItWasWritten) {
     bool complete = false;
-    const auto scene = sceneFromBytes(sceneBytes(twoObjects), complete);
+    const auto scene = parseScene(sceneBytes(twoObjects), complete);
     ASSERT_TRUE(scene && complete);
     EXPECT_EQ(*scene, twoObjects);
     std::string bytes;
     appendSceneHead(bytes);
     appendError(bytes, {"what", "where", "advice"});
-    const auto error = sceneFromBytes(bytes, complete);
+    const auto error = parseScene(bytes, complete);
     ASSERT_FALSE(error);
     EXPECT_TRUE(complete);
     EXPECT_EQ(error.error().text(), "where: what. advice");
@@ -302,10 +302,10 @@ TEST(MeshScene, cutShortOrTooLongIsNotComplete) {
     const std::string bytes = sceneBytes(twoObjects);
     bool complete = true;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-        EXPECT_FALSE(sceneFromBytes(bytes.substr(0, length), complete));
+        EXPECT_FALSE(parseScene(bytes.substr(0, length), complete));
         EXPECT_FALSE(complete) << length;
     }
-    EXPECT_FALSE(sceneFromBytes(bytes + "z", complete));
+    EXPECT_FALSE(parseScene(bytes + "z", complete));
     EXPECT_FALSE(complete);
 }
 
@@ -316,7 +316,7 @@ TEST(MeshScene, spoiledBytesNeverCrash) {
         std::string spoiled = bytes;
         for (int j = 0; j < 2; ++j) spoiled[random() % spoiled.size()] = char(random() % 256);
         bool complete = false;
-        const auto scene = sceneFromBytes(spoiled, complete);
+        const auto scene = parseScene(spoiled, complete);
         if (!scene) continue;
         for (const MeshObject& object : *scene)
             for (const MeshPiece& piece : object.pieces) {

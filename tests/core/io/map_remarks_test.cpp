@@ -1,4 +1,4 @@
-#include "core/io/map_remarks.h"
+#include "core/io/footprints/map_remarks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,15 +12,15 @@ namespace noonmark {
 namespace {
 
 TEST(MapRemarks, areInAPlannersWords) {
-    EXPECT_THAT(mapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
+    EXPECT_THAT(makeMapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
                 testing::HasSubstr("did not close"));
-    EXPECT_THAT(mapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
+    EXPECT_THAT(makeMapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
                 testing::HasSubstr("could not be told apart"));
     EXPECT_EQ(
-        mapRemark("organizePolygons() received a polygon with more than 100 parts. The processing may be "
-                  "really slow."),
+        makeMapRemark("organizePolygons() received a polygon with more than 100 parts. The processing may be "
+                      "really slow."),
         "");
-    EXPECT_THAT(mapRemark("Something new"), testing::HasSubstr("Something new"));
+    EXPECT_THAT(makeMapRemark("Something new"), testing::HasSubstr("Something new"));
 }
 
 constexpr std::string_view oneClosedOneOpen =

@@ -1,4 +1,4 @@
-#include "core/io/osm_semantics.h"
+#include "core/io/osm/osm_semantics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,14 +50,14 @@ std::vector<std::string> idsOf(const Building& building) {
     return ids;
 }
 
-const Part& partOf(const Building& building, const std::string& id) {
+const Part& cutInterval(const Building& building, const std::string& id) {
     static const Part none;
     const auto found = std::ranges::find(building.parts, id, &Part::sourceId);
     EXPECT_NE(found, building.parts.end()) << id;
     return found == building.parts.end() ? none : *found;
 }
 
-double areaOf(const Building& building, const std::string& id) {
+double computeArea(const Building& building, const std::string& id) {
     double sum = 0;
     for (const Part& part : building.parts)
         if (part.sourceId == id) sum += area(part.footprint);
@@ -74,7 +74,7 @@ TEST_F(OsmSemantics, aBuildingIsItsOutline) {
     EXPECT_NEAR(building.parts[0].topM, 9.144, 1e-4);
     EXPECT_NEAR(area(building.parts[0].footprint), 200, 0.1);
     EXPECT_EQ(building.parts[0].heightSource, HeightSource::measured);
-    EXPECT_FALSE(building.parts[0].hangs);
+    EXPECT_FALSE(building.parts[0].isOverhanging);
     EXPECT_TRUE(piece.warnings.empty());
     EXPECT_THAT(piece.attribution, HasSubstr("OpenStreetMap contributors"));
     EXPECT_EQ(piece.format, "OpenStreetMap XML");
@@ -95,8 +95,8 @@ TEST_F(OsmSemantics, partsReplaceTheirOutline) {
     const Building building = only();
     EXPECT_EQ(building.sourceId, outline);
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(low, high));
-    EXPECT_FLOAT_EQ(partOf(building, low).topM, 20);
-    EXPECT_FLOAT_EQ(partOf(building, high).topM, 90);
+    EXPECT_FLOAT_EQ(cutInterval(building, low).topM, 20);
+    EXPECT_FLOAT_EQ(cutInterval(building, high).topM, 90);
 }
 
 TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
@@ -104,9 +104,9 @@ TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "200"}});
     osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "25"}});
     const Building building = only();
-    EXPECT_NEAR(areaOf(building, outline), 400, 0.5);
-    EXPECT_FLOAT_EQ(partOf(building, outline).topM, 25);
-    EXPECT_EQ(partOf(building, outline).heightSource, HeightSource::assumed);
+    EXPECT_NEAR(computeArea(building, outline), 400, 0.5);
+    EXPECT_FLOAT_EQ(cutInterval(building, outline).topM, 25);
+    EXPECT_EQ(cutInterval(building, outline).heightSource, HeightSource::assumed);
     EXPECT_THAT(placesOf("leave some of its outline uncovered"), ElementsAre(outline));
 }
 
@@ -114,9 +114,9 @@ TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
     const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "20"}});
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "120"}});
     const Building building = only();
-    EXPECT_NEAR(areaOf(building, outline), 800, 0.5);
-    EXPECT_FLOAT_EQ(partOf(building, outline).topM, 20);
-    EXPECT_EQ(partOf(building, outline).heightSource, HeightSource::measured);
+    EXPECT_NEAR(computeArea(building, outline), 800, 0.5);
+    EXPECT_FLOAT_EQ(cutInterval(building, outline).topM, 20);
+    EXPECT_EQ(cutInterval(building, outline).heightSource, HeightSource::measured);
     EXPECT_TRUE(placesOf("uncovered").empty());
 }
 
@@ -125,9 +125,9 @@ TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
     const auto tower = osm.way(sizedRectangle(10, 10, 20, 20),
                                {{"building:part", "yes"}, {"height", "100"}, {"min_height", "20"}});
     const Building building = only();
-    EXPECT_NEAR(areaOf(building, podium), 1600, 0.5);
-    EXPECT_FALSE(partOf(building, tower).hangs);
-    EXPECT_FLOAT_EQ(partOf(building, tower).bottomM, 20);
+    EXPECT_NEAR(computeArea(building, podium), 1600, 0.5);
+    EXPECT_FALSE(cutInterval(building, tower).isOverhanging);
+    EXPECT_FLOAT_EQ(cutInterval(building, tower).bottomM, 20);
 }
 
 TEST_F(OsmSemantics, sliversOfOutlineAreNoBuilding) {
@@ -142,7 +142,7 @@ TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
     const auto tower = osm.way(sizedRectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
     const Building building = only();
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(both, tower));
-    EXPECT_NEAR(areaOf(building, both), 1600, 0.5);
+    EXPECT_NEAR(computeArea(building, both), 1600, 0.5);
 }
 
 TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
@@ -158,7 +158,7 @@ TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
     EXPECT_EQ(piece.buildings[0]->sourceId, base);
     EXPECT_THAT(idsOf(*piece.buildings[0]), ElementsAre(base, middle, mast));
     EXPECT_FLOAT_EQ(topM(*piece.buildings[0]), 443.2F);
-    for (const Part& part : piece.buildings[0]->parts) EXPECT_FALSE(part.hangs);
+    for (const Part& part : piece.buildings[0]->parts) EXPECT_FALSE(part.isOverhanging);
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(elsewhere));
 }
 
@@ -193,9 +193,9 @@ TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
     const auto bridge = osm.way(sizedRectangle(10, 0, 20, 10),
                                 {{"building:part", "yes"}, {"height", "30"}, {"building:min_level", "4"}});
     const Building building = only();
-    EXPECT_FALSE(partOf(building, leg).hangs);
-    EXPECT_TRUE(partOf(building, bridge).hangs);
-    EXPECT_FLOAT_EQ(partOf(building, bridge).bottomM, 12.8F);
+    EXPECT_FALSE(cutInterval(building, leg).isOverhanging);
+    EXPECT_TRUE(cutInterval(building, bridge).isOverhanging);
+    EXPECT_FLOAT_EQ(cutInterval(building, bridge).bottomM, 12.8F);
 }
 
 TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
@@ -204,8 +204,8 @@ TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
     const auto top = osm.way(sizedRectangle(5, 0, 20, 10),
                              {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
     const Building building = only();
-    EXPECT_TRUE(partOf(building, slab).hangs);
-    EXPECT_TRUE(partOf(building, top).hangs);
+    EXPECT_TRUE(cutInterval(building, slab).isOverhanging);
+    EXPECT_TRUE(cutInterval(building, top).isOverhanging);
 }
 
 TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
@@ -213,8 +213,8 @@ TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
     const auto upper = osm.way(sizedRectangle(5, 5, 20, 20),
                                {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
     const Building building = only();
-    EXPECT_FLOAT_EQ(partOf(building, upper).bottomM, 17);
-    EXPECT_FALSE(partOf(building, upper).hangs);
+    EXPECT_FLOAT_EQ(cutInterval(building, upper).bottomM, 17);
+    EXPECT_FALSE(cutInterval(building, upper).isOverhanging);
     EXPECT_THAT(placesOf("low gap"), ElementsAre(upper));
 }
 
@@ -269,7 +269,7 @@ TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
         osm.way(sizedRectangle(40, 0, 10, 10), {{"building", "roof"}, {"height", "4"}, {"min_height", "3"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 3U);
-    for (const auto& building : piece.buildings) EXPECT_TRUE(building->parts[0].hangs);
+    for (const auto& building : piece.buildings) EXPECT_TRUE(building->parts[0].isOverhanging);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].bottomM, 4.5F);
     EXPECT_FLOAT_EQ(piece.buildings[1]->parts[0].topM, 3.2F);
     EXPECT_FLOAT_EQ(piece.buildings[2]->parts[0].bottomM, 3);

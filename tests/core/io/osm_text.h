@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/city/footprint.h"
+#include "core/city/footprints/footprint.h"
 #include "core/geo/frame.h"
 
 namespace noonmark::tests {

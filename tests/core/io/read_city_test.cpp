@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/city/building_ground.h"
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/io/write_city.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/osm_text.h"
@@ -142,7 +142,7 @@ TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
             EXPECT_NEAR(after.parts[p].bottomM, before.parts[p].bottomM, 1e-4);
             EXPECT_NEAR(after.parts[p].topM, before.parts[p].topM, 1e-4);
             EXPECT_EQ(after.parts[p].heightSource, before.parts[p].heightSource);
-            EXPECT_EQ(after.parts[p].hangs, before.parts[p].hangs);
+            EXPECT_EQ(after.parts[p].isOverhanging, before.parts[p].isOverhanging);
             EXPECT_NEAR(area(after.parts[p].footprint), area(before.parts[p].footprint), 0.05);
             EXPECT_EQ(after.parts[p].footprint.holes.size(), before.parts[p].footprint.holes.size());
         }
@@ -162,7 +162,7 @@ TEST_F(ReadCity, midtownSurvivesItsGeoPackage) {
             << city.buildings[i]->sourceId;
         EXPECT_NEAR(topM(*back.buildings[i]), topM(*city.buildings[i]), 1e-3) << city.buildings[i]->sourceId;
         for (std::size_t p = 0; p < city.buildings[i]->parts.size(); ++p)
-            EXPECT_EQ(back.buildings[i]->parts[p].hangs, city.buildings[i]->parts[p].hangs);
+            EXPECT_EQ(back.buildings[i]->parts[p].isOverhanging, city.buildings[i]->parts[p].isOverhanging);
     }
 }
 

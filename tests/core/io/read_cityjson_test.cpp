@@ -43,7 +43,7 @@ TEST(ReadCityJson, aCubeInEveryVersion) {
             EXPECT_NEAR(area(part.footprint), 200, 0.1);
             EXPECT_EQ(part.footprint.outer.size(), 4U);
             EXPECT_EQ(part.heightSource, HeightSource::mesh);
-            EXPECT_FALSE(part.hangs);
+            EXPECT_FALSE(part.isOverhanging);
             // By the approximation of Schreutelkamp and Strang van Hees, good to a metre.
             EXPECT_NEAR(piece->frame->origin().lonDeg, 4.888046, 2e-5);
             EXPECT_NEAR(piece->frame->origin().latDeg, 52.369918, 2e-5);
@@ -136,7 +136,7 @@ TEST(ReadCityJson, aCavityIsHollowButDoesNotHang) {
                               {CityJsonMaker::boxShell(outer), CityJsonMaker::boxShell(inner, inward)})));
         const Part part = onlyPart(read(maker.document()));
         expectClosedSolid(part, 3000 - 36 * 20);
-        EXPECT_FALSE(part.hangs);
+        EXPECT_FALSE(part.isOverhanging);
         EXPECT_TRUE(part.footprint.holes.empty());
     }
 }
@@ -158,7 +158,8 @@ TEST(ReadCityJson, partsOfABuildingAreOneBuilding) {
     EXPECT_EQ(building.name, "Town hall");
     EXPECT_EQ(building.status, "built");
     ASSERT_EQ(building.parts.size(), 3U);
-    for (const Part& part : building.parts) EXPECT_EQ(part.hangs, part.sourceId == "bridge") << part.sourceId;
+    for (const Part& part : building.parts)
+        EXPECT_EQ(part.isOverhanging, part.sourceId == "bridge") << part.sourceId;
 }
 
 TEST(ReadCityJson, multiSolidsAndSurfaces) {
@@ -280,7 +281,7 @@ TEST(ReadCityJson, aTinBecomesTheTerrain) {
         (glm::dvec2(bounds(*piece->buildings[0]).low) + glm::dvec2(bounds(*piece->buildings[0]).high)) / 2.0;
     EXPECT_NEAR(elevationAt(*piece->terrain, middle), 0.5, 0.1);
     EXPECT_NEAR(elevationAt(*piece->terrain, middle + glm::dvec2(20, 0)), 2.5, 0.1);
-    EXPECT_FALSE(piece->buildings[0]->parts[0].hangs);
+    EXPECT_FALSE(piece->buildings[0]->parts[0].isOverhanging);
 }
 
 TEST(ReadCityJson, sequence) {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
@@ -332,7 +332,7 @@ TEST_F(ReadFootprints, featuresOfOneBuildingIdAreOneBuilding) {
     EXPECT_EQ(piece.buildings[0]->sourceId, "b1");
     ASSERT_EQ(piece.buildings[0]->parts.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->parts[1].sourceId, "high");
-    EXPECT_TRUE(piece.buildings[0]->parts[1].hangs);
+    EXPECT_TRUE(piece.buildings[0]->parts[1].isOverhanging);
 }
 
 TEST_F(ReadFootprints, aPlaceholderIsNoBuildingId) {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "core/io/read_part.h"
 #include "tests/core/city/mesh_fixtures.h"
 #include "tests/core/io/piece_checks.h"
@@ -164,7 +164,7 @@ TEST(ReadMesh, glbWithANodeTransform) {
     const Part& part = piece->buildings[0]->parts.at(0);
     EXPECT_NEAR(part.bottomM, 5, 1e-5);
     EXPECT_NEAR(part.topM, 35, 1e-5);
-    EXPECT_TRUE(part.hangs);  // 5 m above the ground, and nothing carries it
+    EXPECT_TRUE(part.isOverhanging);  // 5 m above the ground, and nothing carries it
     tests::expectClosedSolid(part, 6000);
 }
 

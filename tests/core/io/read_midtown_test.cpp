@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/io/read_part.h"
 #include "tests/shared/shared_data.h"
 
@@ -126,7 +126,7 @@ TEST_F(ReadMidtown, canopiesHang) {
     for (const std::string& id : placesOf("a roof without walls")) {
         const Building* building = buildingWith(id);
         ASSERT_NE(building, nullptr) << id;
-        EXPECT_TRUE(std::ranges::find(building->parts, id, &Part::sourceId)->hangs) << id;
+        EXPECT_TRUE(std::ranges::find(building->parts, id, &Part::sourceId)->isOverhanging) << id;
     }
 }
 

@@ -1,4 +1,4 @@
-#include "core/io/read_parcels.h"
+#include "core/io/footprints/read_parcels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 
 #include "tests/core/io/temporary_folder.h"
 
@@ -45,7 +45,7 @@ protected:
 };
 
 TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
-    const Region here = regionFromLocalBox({{-1000, -1000}, {1000, 1000}});
+    const Region here = makeRegionFromLocalBox({{-1000, -1000}, {1000, 1000}});
     const auto usual = read({.within = here}).value();
     ASSERT_EQ(usual.size(), 2U);  // the third lies in another city
     EXPECT_EQ(usual[0].name, "7");
@@ -55,7 +55,7 @@ TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
 
 TEST_F(ReadParcels, thoseAskedForAlone) {
     EXPECT_EQ(read({.names = {"8"}}).value().size(), 1U);
-    const auto east = read({.within = regionFromLocalBox({{90, 0}, {200, 200}})}).value();
+    const auto east = read({.within = makeRegionFromLocalBox({{90, 0}, {200, 200}})}).value();
     ASSERT_EQ(east.size(), 1U);
     EXPECT_EQ(east[0].name, "8");
 }

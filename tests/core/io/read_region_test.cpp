@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/city/footprint.h"
-#include "core/study/region_text.h"
+#include "core/city/footprints/footprint.h"
+#include "core/study/text/region_text.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 const Frame frame({-73.98, 40.75});
 
-double areaOf(const Region& region) {
+double computeArea(const Region& region) {
     double sum = 0;
     for (const Footprint& polygon : region.polygons) sum += area(polygon);
     return sum;
@@ -37,7 +37,7 @@ constexpr const char* block =
 TEST(ReadRegion, boxInDegrees) {
     const auto region = readRegion("-73.985,40.748,-73.975,40.752", frame);
     ASSERT_TRUE(region) << errorOf(region);
-    EXPECT_NEAR(areaOf(*region), 844.6 * 444.2, 0.002 * 844.6 * 444.2);
+    EXPECT_NEAR(computeArea(*region), 844.6 * 444.2, 0.002 * 844.6 * 444.2);
     EXPECT_TRUE(readRegion(" -73.985, 40.748, -73.975, 40.752", frame));
 }
 
@@ -45,21 +45,21 @@ TEST(ReadRegion, acrossTheAntimeridian) {
     const Frame taveuni({180, -16.85});
     const auto box = readRegion("179.99,-16.86,-179.99,-16.84", taveuni);
     ASSERT_TRUE(box) << errorOf(box);
-    EXPECT_NEAR(areaOf(*box), 2130.4 * 2213.1, 0.002 * 2130.4 * 2213.1);
+    EXPECT_NEAR(computeArea(*box), 2130.4 * 2213.1, 0.002 * 2130.4 * 2213.1);
     // As people write it, and as regionGeoJson does.
     for (const char* east : {"-179.99", "180.01"}) {
         const std::string ring = std::string("((179.99 -16.86, ") + east + " -16.86, " + east +
                                  " -16.84, 179.99 -16.84, 179.99 -16.86))";
         const auto polygon = readRegion("POLYGON " + ring, taveuni);
         ASSERT_TRUE(polygon) << errorOf(polygon);
-        EXPECT_NEAR(areaOf(*polygon), areaOf(*box), 1);
+        EXPECT_NEAR(computeArea(*polygon), computeArea(*box), 1);
     }
     tests::TemporaryFolder folder;
     const Region drawn{"drawn", {Footprint{{{-300, 0}, {400, 20}, {0, 500}}, {}}}};
     const auto again =
         readRegion(folder.file("region.geojson", regionGeoJson(drawn, taveuni)).string(), taveuni);
     ASSERT_TRUE(again) << errorOf(again);
-    EXPECT_NEAR(areaOf(*again), areaOf(drawn), 0.5);  // its sides are straight in degrees
+    EXPECT_NEAR(computeArea(*again), computeArea(drawn), 0.5);  // its sides are straight in degrees
 }
 
 TEST(ReadRegion, boxThatIsNotOne) {
@@ -82,7 +82,7 @@ TEST(ReadRegion, wellKnownTextIsTheSamePlaceAsTheBox) {
     const auto polygon = readRegion(
         "Polygon ((-73.985 40.748, -73.975 40.748, -73.975 40.752, -73.985 40.752, -73.985 40.748))", frame);
     ASSERT_TRUE(polygon) << errorOf(polygon);
-    EXPECT_NEAR(areaOf(*polygon), areaOf(*box), 1);
+    EXPECT_NEAR(computeArea(*polygon), computeArea(*box), 1);
     const auto two = readRegion(
         " MULTIPOLYGON (((-73.985 40.748, -73.98 40.748, -73.98 40.752, -73.985 40.748)),"
         " ((-73.98 40.748, -73.975 40.748, -73.975 40.752, -73.98 40.748)))",
@@ -106,7 +106,7 @@ TEST(ReadRegion, polygonFileIsTheSamePlaceAsTheBox) {
     ASSERT_TRUE(region) << errorOf(region);
     EXPECT_EQ(region->name, "block");
     const auto box = readRegion("-73.985,40.748,-73.975,40.752", frame);
-    EXPECT_NEAR(areaOf(*region), areaOf(*box), 1);
+    EXPECT_NEAR(computeArea(*region), computeArea(*box), 1);
     EXPECT_NEAR(bounds(*region).low.x, bounds(*box).low.x, 0.01);
     EXPECT_NEAR(bounds(*region).high.y, bounds(*box).high.y, 0.01);
 }
@@ -136,7 +136,7 @@ TEST(ReadRegion, projectedFeetAreReprojected) {
     const auto region = readRegion(file.string(), frame);
     ASSERT_TRUE(region) << errorOf(region);
     const double squareFootM2 = 0.3048006 * 0.3048006;
-    EXPECT_NEAR(areaOf(*region), 1000 * 500 * squareFootM2, 0.001 * 1000 * 500 * squareFootM2);
+    EXPECT_NEAR(computeArea(*region), 1000 * 500 * squareFootM2, 0.001 * 1000 * 500 * squareFootM2);
 }
 
 TEST(ReadRegion, bowTieIsRepaired) {

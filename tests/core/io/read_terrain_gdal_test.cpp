@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/gdal_calls.h"
 #include "core/geo/earth_drop.h"
-#include "core/io/gdal_calls.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"

@@ -5,12 +5,12 @@
 #include <memory>
 #include <random>
 
-#include "core/city/fill_gaps.h"
+#include "core/city/terrain/fill_gaps.h"
 #include "core/geo/earth_drop.h"
 #include "core/io/read_part.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
-#include "tests/core/accumulate/sweep_scenes.h"
+#include "tests/core/engines/sweep_scenes.h"
 #include "tests/core/io/source_surface.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
@@ -31,7 +31,7 @@ SunSteps equinoxAt(const Frame& frame) {
     period.from = std::chrono::hours(4);
     period.hours = 16;
     period.stepMinutes = 3;
-    return sunSteps(period, {frame.origin(), 0, 1010, 10}, {}).value();
+    return computeSunSteps(period, {frame.origin(), 0, 1010, 10}, {}).value();
 }
 
 Compared comparedWith(const SourceSurface& surface, const City& city, glm::dvec2 halfM, std::size_t cells) {
@@ -190,8 +190,8 @@ TEST(SourceTerrain, goteborgsRoofsKeepTheirShadows) {
     const Compared compared = comparedFile(*file, {100, 95}, 120);
     // Walls of one pixel's width are steeper than a float's grain of place forgives: a millimetre on a wall.
     EXPECT_LE(compared.heightMaxM, 0.05);
-    // The sweep is off by nothing; the rays, which start 1 mm above the ground in float32, by 75 min in one cell of 120, on the
-    // face of such a wall.
+    // The sweep is off by nothing; the rays, which start 1 mm above the ground in float32, by 75 min in one
+    // cell of 120, on the face of such a wall.
     EXPECT_LE(compared.sweepMean, 0.05);
     EXPECT_LE(compared.rayMean, 1);
 }

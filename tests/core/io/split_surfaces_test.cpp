@@ -7,14 +7,14 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "core/accumulate/engine_list.h"
-#include "core/city/mesh_topology.h"
-#include "core/io/mesh_buildings.h"
+#include "core/city/meshes/mesh_topology.h"
+#include "core/engines/api/engine_registry.h"
+#include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/surface_names.h"
 #include "core/io/read_city.h"
-#include "core/io/surface_names.h"
 #include "core/receivers/roof_receivers.h"
-#include "tests/core/accumulate/scenes.h"
 #include "tests/core/city/mesh_fixtures.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/shared/shared_data.h"
 
@@ -44,7 +44,7 @@ struct SplitMesh {
 
 SplitMesh split(const TriangleMesh& mesh) {
     SplitMesh parts{{mesh.vertices, {}}, {mesh.vertices, {}}, {mesh.vertices, {}}};
-    const float lowM = boxOf(mesh).low.z;
+    const float lowM = computeBox(mesh).low.z;
     for (const glm::uvec3 t : mesh.triangles) {
         const Surface surface = surfaceOf(mesh, t, lowM);
         TriangleMesh& to =
@@ -82,7 +82,7 @@ TriangleMesh house(float west, float east) {
                        {4, 9, 8},
                        {6, 7, 8},
                        {6, 8, 9}}};
-    EXPECT_EQ(openEdges(mesh), 0U);
+    EXPECT_EQ(findOpenEdges(mesh), 0U);
     return mesh;
 }
 
@@ -91,7 +91,7 @@ void expectHouse(const Building& building, float west, float east) {
     const Part& part = building.parts[0];
     EXPECT_EQ(part.bottomM, 0);
     EXPECT_EQ(part.topM, 9);
-    EXPECT_FALSE(part.hangs);
+    EXPECT_FALSE(part.isOverhanging);
     EXPECT_NEAR(area(part.footprint), 8 * double(east - west), 1e-3);
     EXPECT_NEAR(bounds(part.footprint).low.x, west, 0.011);
     EXPECT_NEAR(bounds(part.footprint).high.x, east, 0.011);
@@ -182,7 +182,7 @@ TEST(SplitSurfaces, whatStepsUpFromARoofBelongsToIt) {
         const FilePiece piece = pieceOf(penthouse(halved));
         ASSERT_EQ(piece.buildings.size(), 1U) << halved;
         ASSERT_EQ(piece.buildings[0]->parts.size(), 1U) << halved;
-        EXPECT_FALSE(piece.buildings[0]->parts[0].hangs) << halved;
+        EXPECT_FALSE(piece.buildings[0]->parts[0].isOverhanging) << halved;
         EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 400, 0.1) << halved;
         EXPECT_EQ(topM(*piece.buildings[0]), 12);
     }
@@ -208,7 +208,7 @@ TEST(SplitSurfaces, aFlatRoofLiesOnItsWalls) {
     const FilePiece piece = pieceOf({{"flat", parts.roof}, {"ring", parts.walls}});
     ASSERT_EQ(piece.buildings.size(), 1U);
     const Part& part = piece.buildings[0]->parts.at(0);
-    EXPECT_FALSE(part.hangs);
+    EXPECT_FALSE(part.isOverhanging);
     EXPECT_EQ(part.bottomM, 0);
     EXPECT_EQ(part.topM, 7);
     EXPECT_NEAR(area(part.footprint), 108, 1e-3);
@@ -218,7 +218,7 @@ TEST(SplitSurfaces, aCanopyAloneIsABuildingInTheAir) {
     const SplitMesh parts = split(tests::box({0, 0, 4}, {12, 9, 5}));
     const FilePiece piece = pieceOf({{"canopy", parts.roof}});
     ASSERT_EQ(piece.buildings.size(), 1U);
-    EXPECT_TRUE(piece.buildings[0]->parts.at(0).hangs);
+    EXPECT_TRUE(piece.buildings[0]->parts.at(0).isOverhanging);
     EXPECT_EQ(topM(*piece.buildings[0]), 5);
     EXPECT_FALSE(tests::warns(piece, "casts no shadow"));
 }
@@ -227,7 +227,7 @@ TEST(SplitSurfaces, aDeckIsSolidAndPavementIsGround) {
     const auto level = [](float z) { return split(tests::box({0, 0, z - 1}, {12, 9, z})).roof; };
     const FilePiece deck = pieceOf({{"deck", level(1.2F)}});
     ASSERT_EQ(deck.buildings.size(), 1U);
-    EXPECT_FALSE(deck.buildings[0]->parts.at(0).hangs);
+    EXPECT_FALSE(deck.buildings[0]->parts.at(0).isOverhanging);
     EXPECT_EQ(deck.buildings[0]->parts.at(0).bottomM, 0);
     const FilePiece pavement = pieceOf({{"street", level(0.05F)}, {"house", house(20, 30)}});
     EXPECT_EQ(pavement.buildings.size(), 1U);
@@ -274,7 +274,7 @@ protected:
     }
 
     static Receivers over(const City& city, ReceiverPlaces places) {
-        return receiversIn(city, regionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
+        return receiversIn(city, makeRegionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
     }
 
     // Cells of another kind, per cent; and roofs that lie elsewhere by more than 1 cm.
@@ -301,7 +301,7 @@ protected:
     void expectSameField(const City& city, const char* engine, double mostMeanMin) const {
         const SunSteps sun = tests::oneDay(tests::arc(270, 41), 2);
         NoProgress progress;
-        const auto made = makeAccumulator(engine).value();
+        const auto made = makeEngine(engine).value();
         const Receivers receivers = over(joined, ReceiverPlaces::ground);
         const ShadowField a = made->accumulate(joined, receivers, sun, progress, {}).value();
         const ShadowField b = made->accumulate(city, receivers, sun, progress, {}).value();

@@ -1,4 +1,4 @@
-#include "core/io/terrain_from_bases.h"
+#include "core/io/terrain/terrain_from_bases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "core/geo/earth_drop.h"
 #include "core/io/read_city.h"
 #include "core/sun/sun_steps.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/cityjson_fixtures.h"
 
 namespace noonmark::tests {
@@ -104,13 +104,13 @@ TEST(TerrainFromBases, reliefIsThatOfNeighbours) {
         for (int row = 0; row < 2; ++row)
             add(float(column) * 60, float(row) * 60 + float(column % 2) * 0.01F, column == 4 ? 3 : 0);
     add(2000, 0, 50);
-    const BaseRelief relief = reliefOf(based);
+    const BaseRelief relief = measureRelief(based);
     EXPECT_EQ(relief.pairs, 5U + 2U * 4U + 4U);  // upright, along the rows, and one diagonal a square
     EXPECT_EQ(relief.uneven, 3U);
     EXPECT_DOUBLE_EQ(relief.mostM, 3);
     EXPECT_TRUE(relief.matters());
-    EXPECT_FALSE(reliefOf({}).matters());
-    EXPECT_FALSE(terrainFromBases({}));
+    EXPECT_FALSE(measureRelief({}).matters());
+    EXPECT_FALSE(interpolateBases({}));
 }
 
 // Against the hillside itself: the flat town's streets have other shadows.
@@ -132,7 +132,7 @@ TEST(TerrainFromBases, theTownsShadowsAreThoseOfTheHillside) {
     period.from = std::chrono::hours(6);
     period.hours = 12;
     period.stepMinutes = 5;
-    const SunSteps sun = sunSteps(period, {truth.frame.origin(), 0, 1010, 10}, {}).value();
+    const SunSteps sun = computeSunSteps(period, {truth.frame.origin(), 0, 1010, 10}, {}).value();
     const Receivers onTruth = receiversOver(truth, -100, -100, 100, 100, 3),
                     onMade = receiversOver(made.city, -100, -100, 100, 100, 3),
                     onFlat = receiversOver(flat.city, -100, -100, 100, 100, 3);

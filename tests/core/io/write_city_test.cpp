@@ -1,5 +1,5 @@
 #include "core/io/write_city.h"
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ std::shared_ptr<const Building> towerOnPodium() {
                               .bottomM = 8,
                               .topM = 9,
                               .heightSource = HeightSource::levels,
-                              .hangs = true});
+                              .isOverhanging = true});
     return std::make_shared<const Building>(std::move(building));
 }
 

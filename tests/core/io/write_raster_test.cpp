@@ -1,5 +1,5 @@
 #include "core/io/write_raster.h"
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>

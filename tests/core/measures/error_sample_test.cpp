@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/accumulate/partial_field.h"
-#include "tests/core/accumulate/scenes.h"
+#include "core/engines/api/partial_field.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
@@ -57,7 +57,7 @@ TEST(ErrorSample, theReferenceHasNoErrorAgainstItself) {
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
     NoProgress progress;
-    const auto error = sampledError(city, receivers, sun, traced(city, receivers, sun), {}, progress, {});
+    const auto error = sampleError(city, receivers, sun, traced(city, receivers, sun), {}, progress, {});
     ASSERT_TRUE(error);
     EXPECT_EQ(error->receivers, 300U);
     EXPECT_EQ(error->gross.maxMin, 0);
@@ -73,7 +73,7 @@ TEST(ErrorSample, findsAKnownError) {
     for (float& minutes : field.grossMin) minutes += 3;
     for (float& minutes : field.continuousMin) minutes -= 6;
     NoProgress progress;
-    const auto error = sampledError(city, receivers, sun, field, {}, progress, {});
+    const auto error = sampleError(city, receivers, sun, field, {}, progress, {});
     ASSERT_TRUE(error);
     EXPECT_NEAR(error->areaPct, 5, 1e-5);
     EXPECT_NEAR(error->areaStandardErrorPct, 0, 1e-5);
@@ -89,7 +89,7 @@ TEST(ErrorSample, stopsWhenAsked) {
     stop.request_stop();
     NoProgress progress;
     const auto error =
-        sampledError(city, receivers, sun, traced(city, receivers, sun), {}, progress, stop.get_token());
+        sampleError(city, receivers, sun, traced(city, receivers, sun), {}, progress, stop.get_token());
     ASSERT_FALSE(error);
     EXPECT_TRUE(isCancelled(error.error()));
 }
@@ -108,7 +108,7 @@ TEST(ErrorSample, isNoRunningResult) {
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
     Onlooker onlooker;
-    ASSERT_TRUE(sampledError(city, receivers, sun, traced(city, receivers, sun), {}, onlooker, {}));
+    ASSERT_TRUE(sampleError(city, receivers, sun, traced(city, receivers, sun), {}, onlooker, {}));
     EXPECT_EQ(onlooker.taken, 0);
 }
 

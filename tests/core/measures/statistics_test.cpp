@@ -22,7 +22,7 @@ ShadowField threeReceivers() {
 
 TEST(Statistics, ofAFieldByHand) {
     EXPECT_TRUE(hasRuns(threeReceivers()));
-    const ShadowStatistics figures = statisticsOf(threeReceivers());
+    const ShadowStatistics figures = computeStatistics(threeReceivers());
     EXPECT_EQ(figures.receivers, 3U);
     EXPECT_EQ(figures.shadowAreaM2, 4);
     EXPECT_EQ(figures.meanGrossMin, 30);
@@ -35,7 +35,7 @@ TEST(Statistics, withoutRunsTheirFiguresAreNoNumbers) {
     ShadowField field = threeReceivers();
     field.continuousMin.assign(4, nan);
     EXPECT_FALSE(hasRuns(field));
-    const ShadowStatistics figures = statisticsOf(field);
+    const ShadowStatistics figures = computeStatistics(field);
     EXPECT_FALSE(hasRuns(figures));
     EXPECT_TRUE(std::isnan(figures.maxContinuousMin)) << "0 would say that there is no shadow";
     EXPECT_EQ(figures.meanGrossMin, 30);
@@ -44,11 +44,11 @@ TEST(Statistics, withoutRunsTheirFiguresAreNoNumbers) {
 
 TEST(Statistics, onePieceWithoutRunsLeavesThemUnknownInAll) {
     ShadowField field = threeReceivers();
-    ShadowSums sums = sumsOf(field);
+    ShadowSums sums = computeSums(field);
     field.continuousMin.assign(4, nan);
-    sums.add(sumsOf(field));
+    sums.add(computeSums(field));
     sums.add({});  // a piece without receivers
-    const ShadowStatistics figures = statisticsOf(sums, 90, 4);
+    const ShadowStatistics figures = computeStatistics(sums, 90, 4);
     EXPECT_EQ(figures.receivers, 6U);
     EXPECT_EQ(figures.maxGrossMin, 60);
     EXPECT_FALSE(hasRuns(figures));

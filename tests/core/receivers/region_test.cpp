@@ -5,14 +5,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/study/region_text.h"
+#include "core/study/text/region_text.h"
 
 namespace noonmark {
 namespace {
 
 TEST(Region, lonLatBoxFollowsTheParallels) {
     const Frame frame({-73.98, 40.75});
-    const auto region = regionFromLonLatBox(frame, -74.0, 40.74, -73.96, 40.76);
+    const auto region = makeRegionFromLonLatBox(frame, -74.0, 40.74, -73.96, 40.76);
     ASSERT_TRUE(region.has_value());
     ASSERT_EQ(region->polygons.size(), 1U);
     const Footprint& polygon = region->polygons[0];
@@ -31,26 +31,26 @@ TEST(Region, lonLatBoxFollowsTheParallels) {
 // Taveuni, Fiji: the meridian of 180 degrees runs through its middle.
 TEST(Region, aBoxMayLieAcrossTheAntimeridian) {
     const Frame taveuni({180, -16.85});
-    const Region across = regionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();
+    const Region across = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();
     const Frame samePlace({10, -16.85});
-    const Region elsewhere = regionFromLonLatBox(samePlace, 9.98, -16.86, 10.03, -16.84).value();
+    const Region elsewhere = makeRegionFromLonLatBox(samePlace, 9.98, -16.86, 10.03, -16.84).value();
     ASSERT_EQ(across.polygons[0].outer.size(), elsewhere.polygons[0].outer.size());
     for (std::size_t i = 0; i < across.polygons[0].outer.size(); ++i)
         EXPECT_NEAR(glm::distance(across.polygons[0].outer[i], elsewhere.polygons[0].outer[i]), 0, 1e-3);
     EXPECT_EQ(boxTextOf(across, taveuni), "179.98,-16.86,-179.97,-16.84");
     EXPECT_EQ(boxTextOf(elsewhere, samePlace), "9.98,-16.86,10.03,-16.84");
-    const Region toIt = regionFromLonLatBox(taveuni, 179.98, -16.86, 180, -16.84).value();
+    const Region toIt = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, 180, -16.84).value();
     EXPECT_EQ(boxTextOf(toIt, taveuni), "179.98,-16.86,180,-16.84");
 }
 
 TEST(Region, boxesThatAreNoneAreRefused) {
     const Frame frame({-73.98, 40.75});
-    EXPECT_FALSE(regionFromLonLatBox(frame, -73.96, 40.74, -74.0, 40.76).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.76, -73.96, 40.74).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.74, -74.0, 40.76).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.74, -73.96, 90.1).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -181, 40.74, -73.96, 40.76).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, std::nan(""), 40.74, -73.96, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -73.96, 40.74, -74.0, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.76, -73.96, 40.74).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.74, -74.0, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.74, -73.96, 90.1).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -181, 40.74, -73.96, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, std::nan(""), 40.74, -73.96, 40.76).has_value());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/measures/error_sample.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
@@ -42,12 +42,12 @@ TEST(TilePlan, theFirstTileIsTheNorthWesternOneAndWhole) {
 TEST(TilePlan, receiversOfTilesAreThoseOfTheWhole) {
     const City city = cityOf(randomBoxes(3, 8));
     const Region region{"cut", {{{{-10, -10}, {150, 0}, {140, 170}, {20, 120}}, {}}}};
-    const Receivers whole = receiversOnGround(city, region, {}).value();
+    const Receivers whole = placeReceiversOnGround(city, region, {}).value();
     const TilePlan plan{*gridOver(region, {}), 64};
     EXPECT_EQ(plan.whole, whole.grid);
     std::size_t receivers = 0;
     for (std::size_t number = 0; number < plan.count(); ++number) {
-        const Receivers part = receiversInPart(city, region, plan.tile(number)).value();
+        const Receivers part = placeReceiversInPart(city, region, plan.tile(number)).value();
         receivers += part.cells.size();
         for (int row = 0; row < part.grid.rows; ++row)
             for (int column = 0; column < part.grid.columns; ++column)
@@ -64,7 +64,8 @@ TEST(TilePlan, errorSamplesOfTilesAreSpreadOverTheWhole) {
     std::size_t count = 0;
     for (std::size_t number = 0; number < plan.count(); ++number) {
         const Receivers part =
-            receiversInPart(city, regionFromLocalBox({{-20, -20}, {180, 180}}), plan.tile(number)).value();
+            placeReceiversInPart(city, makeRegionFromLocalBox({{-20, -20}, {180, 180}}), plan.tile(number))
+                .value();
         const auto cells = spreadReceivers(part, plan.whole, 600, 1);
         for (const std::uint32_t cell : cells) EXPECT_EQ(part.kind[cell], CellKind::ground);
         count += cells.size();

@@ -13,7 +13,7 @@ namespace {
 
 using namespace tests;
 
-City grid(const GridSampleSettings& settings) { return gridSample(settings).value(); }
+City grid(const GridSampleSettings& settings) { return makeGridSample(settings).value(); }
 
 std::size_t trianglesOf(const City& city) { return meshOf(city).mesh.triangles.size(); }
 
@@ -40,7 +40,7 @@ TEST(GridSample, everyBuildingIsAValidSolid) {
 }
 
 TEST(GridSample, noHeightOfItIsMeasured) {
-    for (const City& city : {grid({.buildings = 300}), centralParkSouthSample()})
+    for (const City& city : {grid({.buildings = 300}), makeCentralParkSouthSample()})
         for (const auto& building : city.buildings)
             for (const Part& part : building->parts) ASSERT_EQ(nameOf(part.heightSource), "made up");
 }
@@ -99,7 +99,7 @@ TEST(GridSample, trianglesGrowWithRoundness) {
 
 TEST(GridSample, settingsOutOfRangeAreRefusedInWords) {
     const auto textOf = [](const GridSampleSettings& settings) {
-        return gridSample(settings).error().text();
+        return makeGridSample(settings).error().text();
     };
     EXPECT_THAT(textOf({.buildings = 99}), testing::HasSubstr("100 to 50,000"));
     EXPECT_THAT(textOf({.buildings = 50001}), testing::HasSubstr("100 to 50,000"));

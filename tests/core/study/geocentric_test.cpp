@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/base/progress.h"
 #include "core/geo/earth_drop.h"
-#include "core/progress.h"
 #include "core/study/study.h"
 #include "tests/core/study/geocentric_reference_erfa.h"
 
@@ -102,7 +102,7 @@ Study studyOf(const Place& place, const City& city, const std::string& engine) {
     const Geodetic middle = districtOf(place);
     const glm::vec2 centre(city.frame.localFromLonLat({middle.lonDeg, middle.latDeg}));
     StudySettings settings;
-    settings.region = regionFromLocalBox({centre - float(sideM / 2), centre + float(sideM / 2)});
+    settings.region = makeRegionFromLocalBox({centre - float(sideM / 2), centre + float(sideM / 2)});
     settings.receivers.cellM = cellM;
     settings.period.start = place.date;
     settings.period.from = hours(place.fromHour);
@@ -155,8 +155,8 @@ std::string textOf(const Differences& d) {
         d.cells, d.shaded, d.grossMean, d.grossMost, d.grossOff, d.longestMean, d.longestMost, d.longestOff);
 }
 
-std::vector<GeoMinutes> truthOf(const Place& place, const Receivers& receivers,
-                                const std::vector<GeoBox>& blocks) {
+std::vector<GeoMinutes> computeTruth(const Place& place, const Receivers& receivers,
+                                     const std::vector<GeoBox>& blocks) {
     const std::vector<glm::dvec3> suns = sunsOf(place);
     std::vector<GeoMinutes> truth;
     for (const std::uint32_t cell : receivers.cells) {
@@ -179,7 +179,7 @@ TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
     for (const char* engine : {"ray", "horizon", "projected"}) {
         if (place.terrain && engine == std::string("projected")) continue;  // level ground only
         const Study study = studyOf(place, city, engine);
-        if (truth.empty()) truth = truthOf(place, study.receivers, levelInFrame(place, blocks));
+        if (truth.empty()) truth = computeTruth(place, study.receivers, levelInFrame(place, blocks));
         const Differences found = differencesOf(study, truth);
         std::cout << place.name << ", " << engine << ": " << textOf(found) << '\n';
         EXPECT_GT(found.shaded, 30);

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/study/height_words.h"
 #include "core/study/study.h"
+#include "core/study/text/height_words.h"
 
 namespace noonmark {
 namespace {
@@ -27,7 +27,7 @@ CityRead twoBuildings() {
                            .bottomM = 35,
                            .topM = 40,
                            .heightSource = HeightSource::measured,
-                           .hangs = true});
+                           .isOverhanging = true});
     CityRead read;
     read.city.frame = Frame({-73.98, 40.75});
     read.city.buildings = {std::make_shared<const Building>(house), std::make_shared<const Building>(tower)};

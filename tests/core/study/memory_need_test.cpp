@@ -13,7 +13,7 @@ using testing::HasSubstr;
 StudySettings over(float sideM, double cellM) {
     StudySettings settings;
     settings.engine = "ray";
-    settings.region = regionFromLocalBox({{0, 0}, {sideM, sideM}});
+    settings.region = makeRegionFromLocalBox({{0, 0}, {sideM, sideM}});
     settings.receivers.cellM = cellM;
     return settings;
 }

@@ -1,4 +1,4 @@
-#include "core/study/repeat_command.h"
+#include "core/study/provenance/repeat_command.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/read_region.h"
-#include "core/study/region_text.h"
+#include "core/study/text/region_text.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 Study aStudy() {
     Study study;
     study.city.frame = Frame(LonLat{-73.984, 40.754});
-    study.settings.region = regionFromLocalBox({{0, 0}, {120, 80}});
+    study.settings.region = makeRegionFromLocalBox({{0, 0}, {120, 80}});
     study.settings.period.zone = "America/New_York";
     study.settings.engine = "ray";
     study.provenance.inputs = {{"city.gpkg", 10, "ab"}};
@@ -26,7 +26,7 @@ Study aStudy() {
 
 TEST(RegionText, ABoxComesBackAsItsFourNumbers) {
     const Frame frame(LonLat{-73.99, 40.74});
-    const auto region = regionFromLonLatBox(frame, -73.9873, 40.7510, -73.9790, 40.7570);
+    const auto region = makeRegionFromLonLatBox(frame, -73.9873, 40.7510, -73.9790, 40.7570);
     ASSERT_TRUE(region);
     EXPECT_EQ(boxTextOf(*region, frame), "-73.9873,40.751,-73.979,40.757");
 }
@@ -49,11 +49,11 @@ TEST(RegionText, WhatIsNoBoxIsNotCalledOne) {
 TEST(RegionText, ABoxIsStatedWithAsManyDigitsAsItTakes) {
     const Frame frame(LonLat{-73.99, 40.74});
     for (const double west : {-73.9873, -73.98731234, -74.00000001}) {
-        const auto region = regionFromLonLatBox(frame, west, 40.75, -73.979, 40.757);
+        const auto region = makeRegionFromLonLatBox(frame, west, 40.75, -73.979, 40.757);
         const auto back = readRegion(boxTextOf(*region, frame).value(), frame);
         EXPECT_EQ(back->polygons, region->polygons) << west;
     }
-    EXPECT_EQ(boxTextOf(*regionFromLonLatBox(frame, -73.99, 40.7, -73.9, 40.757), frame),
+    EXPECT_EQ(boxTextOf(*makeRegionFromLonLatBox(frame, -73.99, 40.7, -73.9, 40.757), frame),
               "-73.99,40.7,-73.9,40.757");
 }
 
@@ -92,7 +92,7 @@ TEST(RegionText, GeoJsonClosesItsRings) {
 TEST(RepeatCommand, SaysWhatWasAsked) {
     Study study = aStudy();
     study.provenance.inputs = {{"/data/my city.osm.pbf", 10, "ab"}};
-    study.settings.region = *regionFromLonLatBox(study.city.frame, -73.985, 40.753, -73.983, 40.755);
+    study.settings.region = *makeRegionFromLonLatBox(study.city.frame, -73.985, 40.753, -73.983, 40.755);
     EXPECT_EQ(
         repeatCommand(study, 1000).value(),
         "noonmark-cli study 'my city.osm.pbf' --start 2026-03-21 --days 1 --from 09:00 --hours 6 --step 1 "

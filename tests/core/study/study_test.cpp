@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/study/error_words.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark {
 namespace {
@@ -29,7 +29,7 @@ City towers() {
 
 StudySettings aroundTheTower() {
     StudySettings settings;
-    settings.region = regionFromLocalBox({{-50, -50}, {60, 60}});
+    settings.region = makeRegionFromLocalBox({{-50, -50}, {60, 60}});
     settings.receivers.cellM = 2;
     settings.engine = "ray";
     settings.period.zone = "America/New_York";
@@ -74,7 +74,7 @@ TEST(RunStudy, picksAnEngineByItself) {
 
 TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
     StudySettings settings = aroundTheTower();
-    settings.region = regionFromLocalBox({{20000, 0}, {20100, 100}});
+    settings.region = makeRegionFromLocalBox({{20000, 0}, {20100, 100}});
     const Observer observer = observerOf({.city = towers(), .settings = settings});
     const glm::dvec2 local = Frame({-73.98, 40.75}).localFromLonLat(observer.place);
     EXPECT_NEAR(local.x, 20050, 0.1);
@@ -87,7 +87,7 @@ TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
     farOff.parts.push_back({.footprint = {square(20000, 10, 20), {}}, .topM = 40});
     city.buildings = {std::make_shared<const Building>(farOff)};
     StudySettings settings = aroundTheTower();
-    settings.region = regionFromLocalBox({{19970, 0}, {20050, 60}});
+    settings.region = makeRegionFromLocalBox({{19970, 0}, {20050, 60}});
     NoProgress progress;
     const auto study = runStudy(city, settings, progress, {});
     ASSERT_TRUE(study) << study.error().text();
@@ -118,7 +118,7 @@ TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
 
 TEST(RunStudy, refusesWhatHasNoAnswer) {
     StudySettings settings = aroundTheTower();
-    settings.region = regionFromLocalBox({{2, 2}, {8, 8}});
+    settings.region = makeRegionFromLocalBox({{2, 2}, {8, 8}});
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("open ground"));
     settings = aroundTheTower();
     settings.period.from = std::chrono::hours(0);

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/study.h"
-#include "core/study/terrain_text.h"
-#include "core/study/tiled_study.h"
-#include "tests/core/accumulate/scenes.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/tiles/tiled_study.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::tests {
@@ -29,7 +29,7 @@ City halfCovered() {
 
 StudySettings over(float east) {
     StudySettings settings;
-    settings.region = regionFromLocalBox({{-50, -50}, {east, 50}});
+    settings.region = makeRegionFromLocalBox({{-50, -50}, {east, 50}});
     settings.region.name = "park";
     settings.receivers.cellM = 1;
     settings.engine = "ray";

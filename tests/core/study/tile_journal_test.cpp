@@ -1,4 +1,4 @@
-#include "core/study/tile_journal.h"
+#include "core/study/tiles/tile_journal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

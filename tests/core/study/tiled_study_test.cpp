@@ -1,4 +1,4 @@
-#include "core/study/tiled_study.h"
+#include "core/study/tiles/tiled_study.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,9 +11,9 @@
 #include "core/io/write_raster.h"
 #include "core/measures/has_runs.h"
 #include "core/study/memory_need.h"
+#include "core/study/provenance/study_hash.h"
 #include "core/study/remaining_time.h"
-#include "core/study/study_hash.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -228,7 +228,7 @@ TEST_F(TiledStudyTest, refusesWhatRunStudyRefuses) {
 
 TEST_F(TiledStudyTest, memoryIsThatOfATileNotOfTheRegion) {
     StudySettings settings = question("ray");
-    settings.region = regionFromLocalBox({{-30, -30}, {220, 230}});
+    settings.region = makeRegionFromLocalBox({{-30, -30}, {220, 230}});
     settings.memoryLimit = memoryNeed(city, settings) - 500'000;
     NoProgress progress;
     EXPECT_FALSE(runStudy(city, settings, progress, {}));

@@ -16,30 +16,32 @@ using namespace tests;
 TEST(SolarPosition, summerSolsticeNoonIsNinetyLessLatitudePlusObliquity) {
     // The sun's declination at the solstice of 2026 is 23.436 deg.
     const Instant transit = utc(2026, 6, 21, 16, 57, 50);
-    const SolarPosition sun = solarPosition(observerAt(40.75, -73.98), transit);
+    const SolarPosition sun = computeSolarPosition(observerAt(40.75, -73.98), transit);
     EXPECT_NEAR(sun.altitude.value, 90 - 40.75 + 23.436, 0.005);
     EXPECT_NEAR(sun.azimuth.value, 180, 0.2);
 }
 
 TEST(SolarPosition, equinoxSunRisesInTheEast) {
     // The equinox of 2026 is on March 20 at 14:46 UTC; the sun then rises on the equator at 129.7 W.
-    const SolarPosition sun = solarPosition(observerAt(0, -129.7), utc(2026, 3, 20, 14, 46));
+    const SolarPosition sun = computeSolarPosition(observerAt(0, -129.7), utc(2026, 3, 20, 14, 46));
     EXPECT_NEAR(sun.azimuth.value, 90, 0.005);
     EXPECT_NEAR(sun.altitude.value, 0, 0.1);
 }
 
 TEST(SolarPosition, standsInTheZenithOfQuitoAtTheEquinox) {
-    const SolarPosition sun = solarPosition(observerAt(-0.18, -78.47), utc(2026, 3, 20, 17, 21, 20));
+    const SolarPosition sun = computeSolarPosition(observerAt(-0.18, -78.47), utc(2026, 3, 20, 17, 21, 20));
     EXPECT_GT(sun.altitude.value, 89.6);
     EXPECT_NEAR(sun.altitudeApparent.value, sun.altitude.value, 1e-3);
     EXPECT_LE(sun.altitudeApparent.value, 90);
 }
 
 TEST(SolarPosition, standsInTheNorthAtNoonSouthOfIt) {
-    EXPECT_LT(
-        azimuthDifference(solarPosition(observerAt(-33.87, 151.21), utc(2026, 3, 21, 2, 2)).azimuth, {0}), 1);
-    EXPECT_LT(
-        azimuthDifference(solarPosition(observerAt(4.6, -74.08), utc(2026, 6, 21, 16, 58)).azimuth, {0}), 1);
+    EXPECT_LT(azimuthDifference(
+                  computeSolarPosition(observerAt(-33.87, 151.21), utc(2026, 3, 21, 2, 2)).azimuth, {0}),
+              1);
+    EXPECT_LT(azimuthDifference(
+                  computeSolarPosition(observerAt(4.6, -74.08), utc(2026, 6, 21, 16, 58)).azimuth, {0}),
+              1);
 }
 
 TEST(SolarPosition, azimuthPassesNorthWithoutA360) {
@@ -49,7 +51,8 @@ TEST(SolarPosition, azimuthPassesNorthWithoutA360) {
     bool west = false;
     for (int second = 0; second < 3600; second += 7) {
         const double azimuth =
-            solarPosition(sydney, utc(2026, 3, 21, 1, 30) + std::chrono::seconds{second}).azimuth.value;
+            computeSolarPosition(sydney, utc(2026, 3, 21, 1, 30) + std::chrono::seconds{second})
+                .azimuth.value;
         ASSERT_GE(azimuth, 0);
         ASSERT_LT(azimuth, 360);
         east |= azimuth < 10;
@@ -60,8 +63,8 @@ TEST(SolarPosition, azimuthPassesNorthWithoutA360) {
 
 TEST(SolarPosition, earthTurnsFifteenDegreesAnHour) {
     const Observer pole = observerAt(89.9999, 0);
-    const Degrees before = solarPosition(pole, utc(2026, 6, 21, 3)).azimuth;
-    const Degrees after = solarPosition(pole, utc(2026, 6, 21, 4)).azimuth;
+    const Degrees before = computeSolarPosition(pole, utc(2026, 6, 21, 3)).azimuth;
+    const Degrees after = computeSolarPosition(pole, utc(2026, 6, 21, 4)).azimuth;
     EXPECT_NEAR(azimuthDifference(before, after), 15, 0.01);
 }
 
@@ -71,7 +74,9 @@ TEST(SolarPosition, parallaxLowersTheSunAtTheHorizonOnly) {
     Observer high = low;
     high.elevationM = 9000;
     const Instant at = utc(2026, 3, 20, 12);
-    EXPECT_LT(std::abs(solarPosition(low, at).altitude.value - solarPosition(high, at).altitude.value), 4e-6);
+    EXPECT_LT(std::abs(computeSolarPosition(low, at).altitude.value -
+                       computeSolarPosition(high, at).altitude.value),
+              4e-6);
 }
 
 TEST(Refraction, followsTheFormulaAtKnownAltitudes) {
@@ -107,10 +112,10 @@ TEST(Refraction, neverLowersAndFallsWithAltitude) {
 }
 
 TEST(Direction, isEastNorthUp) {
-    EXPECT_LT(glm::length(directionFromAzimuthAltitude({0}, {0}) - glm::dvec3(0, 1, 0)), 1e-15);
-    EXPECT_LT(glm::length(directionFromAzimuthAltitude({90}, {0}) - glm::dvec3(1, 0, 0)), 1e-15);
-    EXPECT_LT(glm::length(directionFromAzimuthAltitude({123}, {90}) - glm::dvec3(0, 0, 1)), 1e-15);
-    EXPECT_NEAR(directionFromAzimuthAltitude({200}, {30}).z, 0.5, 1e-15);
+    EXPECT_LT(glm::length(toDirection({0}, {0}) - glm::dvec3(0, 1, 0)), 1e-15);
+    EXPECT_LT(glm::length(toDirection({90}, {0}) - glm::dvec3(1, 0, 0)), 1e-15);
+    EXPECT_LT(glm::length(toDirection({123}, {90}) - glm::dvec3(0, 0, 1)), 1e-15);
+    EXPECT_NEAR(toDirection({200}, {30}).z, 0.5, 1e-15);
 }
 
 TEST(Observer, isCheckedFieldByField) {
@@ -138,7 +143,7 @@ TEST(Ephemeris, agreesWithSolarPositionFromPoleToPole) {
         std::uniform_int_distribution<std::int64_t> within(0, (to - from).count());
         for (int k = 0; k < 10; ++k) {
             const Instant at = from + std::chrono::milliseconds{within(random)};
-            const SolarPosition exact = solarPosition(observer, at);
+            const SolarPosition exact = computeSolarPosition(observer, at);
             const SolarPosition quick = ephemeris->at(at);
             EXPECT_LT(separation(exact.azimuth, exact.altitude, quick.azimuth, quick.altitude), 0.00002);
             EXPECT_LT(std::abs(exact.altitude.value - quick.altitude.value), 0.00002);
@@ -154,7 +159,7 @@ TEST(Ephemeris, holdsOverLeapSeconds) {
         ASSERT_TRUE(ephemeris);
         for (int minute = -4000; minute < 4000; minute += 13) {
             const Instant at = leap + std::chrono::minutes{minute};
-            const SolarPosition exact = solarPosition(observer, at);
+            const SolarPosition exact = computeSolarPosition(observer, at);
             const SolarPosition quick = ephemeris->at(at);
             EXPECT_LT(separation(exact.azimuth, exact.altitude, quick.azimuth, quick.altitude), 0.00002);
         }

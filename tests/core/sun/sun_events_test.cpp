@@ -17,16 +17,18 @@ const Observer longyearbyen = observerAt(78.22, 15.65);
 const Observer tromso = observerAt(69.65, 18.96);
 
 SunEvents eventsAt(const Observer& observer, Instant localMidnight) {
-    return sunEvents(observer, localMidnight, SunriseRule::upperLimb);
+    return computeSunEvents(observer, localMidnight, SunriseRule::upperLimb);
 }
 
-double altitudeAt(const Observer& observer, Instant at) { return solarPosition(observer, at).altitude.value; }
+double altitudeAt(const Observer& observer, Instant at) {
+    return computeSolarPosition(observer, at).altitude.value;
+}
 
 TEST(SunEvents, crossTheThresholdOfTheirRule) {
     const Observer newYork = observerAt(40.75, -73.98);
     for (const auto& [rule, altitude] :
          {std::pair{SunriseRule::upperLimb, -0.8357}, std::pair{SunriseRule::centre, 0.0}}) {
-        const SunEvents events = sunEvents(newYork, utc(2026, 3, 21, 4), rule);
+        const SunEvents events = computeSunEvents(newYork, utc(2026, 3, 21, 4), rule);
         ASSERT_TRUE(events.sunrise && events.sunset);
         EXPECT_NEAR(altitudeAt(newYork, *events.sunrise), altitude, 1e-4);
         EXPECT_NEAR(altitudeAt(newYork, *events.sunset), altitude, 1e-4);
@@ -37,8 +39,8 @@ TEST(SunEvents, crossTheThresholdOfTheirRule) {
 
 TEST(SunEvents, upperLimbRisesBeforeTheCentre) {
     const Observer quito = observerAt(-0.18, -78.47);
-    const auto limb = sunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::upperLimb);
-    const auto centre = sunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::centre);
+    const auto limb = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::upperLimb);
+    const auto centre = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::centre);
     EXPECT_NEAR(secondsBetween(*limb.sunrise, *centre.sunrise), 0.8357 / 15 * 3600, 1);
 }
 
@@ -65,7 +67,7 @@ TEST(SunEvents, transitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
         const Instant midnight = utc(2026, 1, 1) + std::chrono::minutes{minute(random)};
         const SunEvents events = eventsAt(observer, midnight);
         EXPECT_LE(secondsBetween(events.transit, midnight + 12h), 43200 + 1100);
-        const double azimuth = solarPosition(observer, events.transit).azimuth.value;
+        const double azimuth = computeSolarPosition(observer, events.transit).azimuth.value;
         EXPECT_LT(std::abs(std::remainder(azimuth, 180.0)), 0.02);
         EXPECT_LE(secondsBetween(events.sunrise.value_or(events.transit), events.transit), 43200);
         EXPECT_LE(secondsBetween(events.sunset.value_or(events.transit), events.transit), 43200);
@@ -112,7 +114,8 @@ TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
         const auto ephemeris = Ephemeris::over(observerAt(latitude, 0), utc(2026, 3, 30), utc(2026, 6, 30));
         ASSERT_TRUE(ephemeris);
         for (int day = 90; day < 175; ++day) {
-            const auto events = sunEvents(*ephemeris, utc(2026, 1, 1) + days{day}, SunriseRule::upperLimb);
+            const auto events =
+                computeSunEvents(*ephemeris, utc(2026, 1, 1) + days{day}, SunriseRule::upperLimb);
             if (events.sunrise.has_value() == events.sunset.has_value()) continue;
             EXPECT_EQ(events.kind, DayKind::ordinary);
             EXPECT_FALSE(events.sunset) << "in spring the sun rises before it stays up";
@@ -139,7 +142,7 @@ TEST(SunEvents, fromAnEphemerisAreTheSame) {
     const auto ephemeris = Ephemeris::over(newYork, first - days{1}, first + days{366});
     ASSERT_TRUE(ephemeris);
     for (int day = 0; day < 365; day += 9) {
-        const SunEvents fromYear = sunEvents(*ephemeris, first + days{day}, SunriseRule::upperLimb);
+        const SunEvents fromYear = computeSunEvents(*ephemeris, first + days{day}, SunriseRule::upperLimb);
         const SunEvents alone = eventsAt(newYork, first + days{day});
         EXPECT_LE(secondsBetween(*fromYear.sunrise, *alone.sunrise), 0.01);
         EXPECT_LE(secondsBetween(fromYear.transit, alone.transit), 0.01);

@@ -29,8 +29,8 @@ inline double azimuthDifference(Degrees a, Degrees b) {
 
 /// Angle on the sky between two directions, degrees.
 inline double separation(Degrees azimuthA, Degrees altitudeA, Degrees azimuthB, Degrees altitudeB) {
-    const glm::dvec3 a = directionFromAzimuthAltitude(azimuthA, altitudeA);
-    const glm::dvec3 b = directionFromAzimuthAltitude(azimuthB, altitudeB);
+    const glm::dvec3 a = toDirection(azimuthA, altitudeA);
+    const glm::dvec3 b = toDirection(azimuthB, altitudeB);
     return Radians{2 * std::asin(std::min(1.0, glm::length(a - b) / 2))}.degrees().value;
 }
 

@@ -9,8 +9,8 @@
 
 #include "core/sun/solar_position.h"
 #include "core/sun/sun_events.h"
-#include "tests/shared/shared_data.h"
 #include "tests/core/sun/sun_near.h"
+#include "tests/shared/shared_data.h"
 
 // Against tables of others: NREL SPA, JPL Horizons, USNO.
 namespace noonmark {
@@ -21,7 +21,7 @@ using namespace tests;
 constexpr double tolerance = 0.0003;
 
 /// Rows of a comma separated file with a header line; no quotes, no commas within fields.
-std::vector<std::map<std::string, std::string>> rowsOf(const std::filesystem::path& path) {
+std::vector<std::map<std::string, std::string>> makeRows(const std::filesystem::path& path) {
     const auto split = [](const std::string& line) {
         std::vector<std::string> fields;
         std::istringstream stream(line);
@@ -69,13 +69,13 @@ TEST(SunReference, nrelSpaPositions) {
     const auto path = sharedData("reference/sun_position/nrel_spa_expected.csv");
     if (!path) GTEST_SKIP() << "no table of NREL SPA in the shared data";
     int compared = 0;
-    for (auto& row : rowsOf(*path)) {
+    for (auto& row : makeRows(*path)) {
         const bool spa = row["case"].starts_with("SPA");
         Observer observer = observerAt(number(row["lat"]), number(row["lon"]));
         observer.elevationM = number(row["elev_m"]);
         observer.pressureHPa = number(row["pressure_mbar"], observer.pressureHPa);
         observer.temperatureC = number(row["temp_C"], observer.temperatureC);
-        const SolarPosition sun = solarPosition(observer, instantOf(row["time_utc"]));
+        const SolarPosition sun = computeSolarPosition(observer, instantOf(row["time_utc"]));
         // The row that isn't SPA's comes from NOAA's short formulas, good to some 0.003 deg; its refraction
         // is another one.
         const double allowed = spa ? tolerance : 0.003;
@@ -92,9 +92,10 @@ TEST(SunReference, nrelSpaPositions) {
 /// SPA's calculator gives the sunset of the day in UTC, in local time: in the summer of Colorado that is the
 /// evening before.
 Instant sunsetOfUtcDay(const Observer& observer, Instant localMidnight, Instant utcMidnight) {
-    const Instant sunset = sunEvents(observer, localMidnight, SunriseRule::upperLimb).sunset.value();
+    const Instant sunset = computeSunEvents(observer, localMidnight, SunriseRule::upperLimb).sunset.value();
     if (sunset < utcMidnight + std::chrono::days{1}) return sunset;
-    return sunEvents(observer, localMidnight - std::chrono::days{1}, SunriseRule::upperLimb).sunset.value();
+    return computeSunEvents(observer, localMidnight - std::chrono::days{1}, SunriseRule::upperLimb)
+        .sunset.value();
 }
 
 /// Distance of an event from that time of day, on whichever day.
@@ -106,11 +107,11 @@ TEST(SunReference, nrelSpaRiseTransitSet) {
     const auto path = sharedData("reference/sun_position/nrel_spa_rise_set.csv");
     if (!path) GTEST_SKIP() << "no table of NREL SPA's sunrises in the shared data";
     int compared = 0;
-    for (auto& row : rowsOf(*path)) {
+    for (auto& row : makeRows(*path)) {
         const auto offset = std::chrono::hours{row["tz"] == "UTC" ? 0 : std::stoi(row["tz"].substr(3))};
         const Instant midnight = instantOf(row["date_local"]) - offset;
         const Observer observer = observerAt(number(row["lat"]), number(row["lon"]));
-        const auto events = sunEvents(observer, midnight, SunriseRule::upperLimb);
+        const auto events = computeSunEvents(observer, midnight, SunriseRule::upperLimb);
         ASSERT_TRUE(events.sunrise && events.sunset);
         EXPECT_LE(secondsBetween(*events.sunrise, midnight + timeOfDay(row["sunrise"])), 1)
             << row["date_local"];
@@ -148,7 +149,7 @@ TEST_F(JplUsno, everyPositionAboveTwoDegrees) {
             const Degrees azimuth{row["azimuth"]};
             const Degrees altitude{row["altitude"]};
             if (altitude.value <= 2) continue;
-            const SolarPosition sun = solarPosition(places[name], instantOf(time));
+            const SolarPosition sun = computeSolarPosition(places[name], instantOf(time));
             EXPECT_LT(separation(sun.azimuth, sun.altitudeApparent, azimuth, altitude), tolerance)
                 << name << ' ' << time;
             EXPECT_NEAR(sun.altitudeApparent.value, altitude.value, tolerance) << name << ' ' << time;
@@ -183,8 +184,8 @@ TEST_F(JplUsno, riseTransitAndSetWithinAMinute) {
                 if (!expected) continue;
                 double nearest = 1e9;
                 for (int shift : {-1, 0, 1}) {
-                    const auto events =
-                        sunEvents(places[name], midnight + std::chrono::days{shift}, SunriseRule::upperLimb);
+                    const auto events = computeSunEvents(places[name], midnight + std::chrono::days{shift},
+                                                         SunriseRule::upperLimb);
                     const auto event = pick == 0   ? events.sunrise
                                        : pick == 1 ? std::optional(events.transit)
                                                    : events.sunset;
@@ -207,7 +208,7 @@ TEST_F(JplUsno, polarDaysAndNights) {
                 if (phenomenon != "Object continuously below the Horizon" &&
                     phenomenon != "Object continuously above the Horizon")
                     continue;
-                const auto events = sunEvents(places[name], instantOf(date), SunriseRule::upperLimb);
+                const auto events = computeSunEvents(places[name], instantOf(date), SunriseRule::upperLimb);
                 EXPECT_EQ(events.kind, phenomenon.find("above") != std::string::npos ? DayKind::polarDay
                                                                                      : DayKind::polarNight)
                     << name << ' ' << date;

@@ -44,13 +44,13 @@ void expectSound(const SunSteps& sun) {
         EXPECT_LT(step.azimuthDeg, 360);
         EXPECT_GE(step.slot, 0);
         EXPECT_NEAR(glm::length(step.direction), 1, 1e-6);
-        const auto expected = directionFromAzimuthAltitude({step.azimuthDeg}, {step.altitudeDeg});
+        const auto expected = toDirection({step.azimuthDeg}, {step.altitudeDeg});
         EXPECT_LT(glm::length(glm::dvec3(step.direction) - expected), 1e-6);
     }
 }
 
 SunSteps stepsOf(const Period& period, const Observer& observer) {
-    auto sun = sunSteps(period, observer);
+    auto sun = computeSunSteps(period, observer);
     EXPECT_TRUE(sun) << sun.error().text();
     expectSound(*sun);
     return std::move(*sun);
@@ -69,7 +69,8 @@ TEST(SunSteps, standForHalfOpenIntervals) {
 TEST(SunSteps, canBeStopped) {
     std::stop_source stop;
     stop.request_stop();
-    const auto sun = sunSteps(periodIn("America/New_York", 2026y / March / 21), newYork, stop.get_token());
+    const auto sun =
+        computeSunSteps(periodIn("America/New_York", 2026y / March / 21), newYork, stop.get_token());
     ASSERT_FALSE(sun);
     EXPECT_TRUE(isCancelled(sun.error()));
 }
@@ -80,7 +81,7 @@ TEST(SunSteps, areWhereTheSunIs) {
     for (const bool refraction : {true, false}) {
         period.refraction = refraction;
         for (const SunStep& step : stepsOf(period, newYork).steps) {
-            const SolarPosition exact = solarPosition(newYork, step.at);
+            const SolarPosition exact = computeSolarPosition(newYork, step.at);
             const Degrees altitude = refraction ? exact.altitudeApparent : exact.altitude;
             EXPECT_NEAR(step.altitudeDeg, altitude.value, 3e-5);
             EXPECT_NEAR(step.azimuthDeg, exact.azimuth.value, 5e-5);
@@ -115,7 +116,7 @@ TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
 TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
     const CivilDate date = 2026y / December / 21;
     const Instant midnight = Zone::named("America/New_York")->instantAt(date, 0min);
-    const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+    const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
     const double minutes = duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     ASSERT_NEAR(minutes, 375.2, 2);  // 9 h 15 min of daylight
     Period period = periodIn("America/New_York", date);
@@ -140,7 +141,7 @@ TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
     for (int i = 0; i < 365; ++i) {
         const CivilDate date{sys_days{period.start} + days{i}};
         const Instant midnight = Zone::named(period.zone)->instantAt(date, 0min);
-        const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+        const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
         minutes += duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     }
     for (const double step : {1.0, 10.0, 60.0}) {
@@ -248,7 +249,7 @@ TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
     const SunSteps sun = stepsOf(period, newYork);
     for (const SunDay& day : sun.days) {
         const Instant midnight = Zone::named(period.zone)->instantAt(day.date, 0min);
-        const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+        const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
         EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
         const double length =
             duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
@@ -294,7 +295,8 @@ TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
     const Zone oslo = Zone::named(period.zone).value();
     int half = 0;
     for (const SunDay& day : sun.days) {
-        const SunEvents events = sunEvents(tromso, oslo.instantAt(day.date, 0min), SunriseRule::upperLimb);
+        const SunEvents events =
+            computeSunEvents(tromso, oslo.instantAt(day.date, 0min), SunriseRule::upperLimb);
         if (!events.sunrise || events.sunset) continue;
         ++half;
         EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
@@ -345,19 +347,19 @@ TEST(SunSteps, workAtBothEndsOfTheirYears) {
             }
         }
     }
-    EXPECT_FALSE(sunSteps(periodIn("UTC", 1899y / December / 31), newYork));
-    EXPECT_FALSE(sunSteps(periodIn("UTC", 2101y / January / 1), newYork));
+    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 1899y / December / 31), newYork));
+    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 2101y / January / 1), newYork));
 }
 
 TEST(SunSteps, refuseWhatIsOutOfRange) {
     Period period = periodIn("UTC", 2026y / January / 1);
-    EXPECT_EQ(sunSteps(period, observerAt(91, 0)).error().where, "latitude");
+    EXPECT_EQ(computeSunSteps(period, observerAt(91, 0)).error().where, "latitude");
     period.days = 3660;
     period.hours = 24;
     period.stepMinutes = 1.0 / 60;
-    EXPECT_EQ(sunSteps(period, newYork).error().where, "step");  // 316 million steps
+    EXPECT_EQ(computeSunSteps(period, newYork).error().where, "step");  // 316 million steps
     period.days = 0;
-    EXPECT_EQ(sunSteps(period, newYork).error().where, "days");
+    EXPECT_EQ(computeSunSteps(period, newYork).error().where, "days");
 }
 
 }  // namespace

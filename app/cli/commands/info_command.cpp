@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/load_city.h"
+#include "app/cli/table.h"
+#include "app/input/load_project.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct InfoOptions {
+    ReadOptions read;
+    bool json = false;
+};
+
+std::string sourceWords(const nlohmann::ordered_json& sources) {
+    std::string text;
+    for (const auto& [name, count] : sources.items()) {
+        if (count == 0) continue;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", withCommas(count.get<std::size_t>()), name);
+    }
+    return text.empty() ? "none" : text;
+}
+
+// What rests on a guess, and what to do about it.
+void printHeights(std::ostream& out, const CityRead& read) {
+    if (const auto headline = assumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
+    if (read.heights.unknown.empty()) return;
+    out << "fields that could hold heights or storeys; name one:\n";
+    for (const UnknownField& field : read.heights.unknown)
+        out << "  " << (field.whole ? "--levels-field " : "--height-field ") << describe(field) << '\n';
+}
+
+// For people; the figures are those of the JSON.
+void print(const CityRead& read, std::ostream& out) {
+    const auto info = nlohmann::ordered_json::parse(infoJson(read));
+    const auto number = [&](const char* key) { return withCommas(info[key].get<std::size_t>()); };
+    Table table;
+    table.add("format", read.format);
+    table.add("features", number("features"));
+    table.add("buildings", number("buildings"));
+    table.add("parts", fmt::format("{} ({} hang free)", number("parts"), number("parts_hanging")));
+    table.add("triangles", number("triangles"));
+    table.add("heights of parts", sourceWords(info["height_sources"]));
+    for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
+    table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
+                                     info["tallest"].get<std::string>()));
+    table.add("terrain", read.city.terrain ? textOf(*read.city.terrain) : "none: flat ground");
+    if (const auto& box = info["extent_lonlat"]; !box.is_null())
+        table.add("extent",
+                  fmt::format("{:.5f},{:.5f},{:.5f},{:.5f} (west,south,east,north)", box[0].get<double>(),
+                              box[1].get<double>(), box[2].get<double>(), box[3].get<double>()));
+    if (!read.attribution.empty()) table.add("data", read.attribution);
+    table.print(out);
+    printHeights(out, read);
+    printWarnings(out, read.warnings);
+}
+
+void printProjectAdvice(const std::string& file, std::ostream& out) {
+    if (isProjectFile(file))
+        out << "\nWhat else the project holds: noonmark-cli project info " << file << '\n';
+}
+
+int runInfo(const InfoOptions& options, const Console& console) {
+    const auto loaded = loadCity(options.read, console);
+    if (!loaded) return fail(console, loaded.error(), exitUsage);
+    if (options.json)
+        console.out << infoJson(loaded->read) << '\n';
+    else {
+        print(loaded->read, console.out);
+        printProjectAdvice(options.read.files.front(), console.out);
+    }
+    return exitOk;
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command =
+        app.add_subcommand("info", "Say what is in city files, and what had to be mended or left out");
+    addReadOptions(*command, options->read);
+    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,11 @@
+#include "app/cli/options/overwrite_option.h"
+
+namespace noonmark::cli {
+
+void addOverwriteOption(CLI::App& command, bool& overwrite) {
+    command.add_flag(
+        "--overwrite", overwrite,
+        "Replace outputs that are there already; never an input, a project or a file of another kind");
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/window/study/job.h"
+
+namespace noonmark {
+
+/// Room for one job at a time. Starting another cancels the one before, which ends by itself while the new
+/// one already works; nobody waits. Destroying the slot waits for all.
+class JobSlot final : public QObject {
+    Q_OBJECT
+public:
+    explicit JobSlot(QObject* parent = nullptr) : QObject(parent) {}
+
+    [[nodiscard]] bool busy() const { return job_ != nullptr; }
+
+    /// `done` is called in this thread when the work ends, unless another job was started or the slot
+    /// destroyed.
+    template <class T>
+    void start(const QString& what, std::function<Result<T>(Progress&, std::stop_token)> work,
+               std::function<void(Result<T>)> done) {
+        leave();
+        job_ = runJob<T>(std::move(work), [this, done = std::move(done)](Result<T> result) {
+            end();
+            done(std::move(result));
+        });
+        Q_EMIT started(*job_, what);
+    }
+
+    void cancel() {
+        if (job_) job_->cancel();
+    }
+
+    /// The job, if any, ends unheard.
+    void drop() {
+        if (!job_) return;
+        leave();
+        Q_EMIT ended();
+    }
+
+Q_SIGNALS:
+    void started(const noonmark::Job& job, QString what);
+    void ended();
+
+private:
+    void leave() {
+        if (job_) Job::leave(std::move(job_), *this);
+    }
+
+    // The job is calling us: it goes when it has returned.
+    void end() {
+        job_.release()->deleteLater();
+        Q_EMIT ended();
+    }
+
+    std::unique_ptr<Job> job_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/engines/api/engine.h"
+
+namespace noonmark {
+
+/// A number that a user may set on an engine.
+struct EngineOption {
+    std::string_view key;   ///< of --option, study.json and the project file: "levels"
+    std::string_view name;  ///< in the window: "Source levels"
+    std::string_view unit;  ///< "deg", "min", "m"; empty for a count
+    double lowest = 0;
+    double highest = 1;
+    double usual = 0;        ///< where the user says nothing
+    bool whole = false;      ///< takes whole numbers only
+    std::string_view about;  ///< one line for a tooltip
+};
+
+/// Values by option key; what is left out is as usual.
+using EngineSettings = std::map<std::string, double, std::less<>>;
+
+/// What a user chooses from.
+struct EngineInfo {
+    std::string_view key;    ///< of --engine and the project file: "ray"
+    std::string_view name;   ///< in the window: "Ray reference"
+    std::string_view about;  ///< one line for a tooltip
+    /// Memory of the engine's own at its peak, bytes a cell of the region's box, beyond the field and the ray
+    /// scene.
+    double bytesPerCell = 0;
+    std::vector<EngineOption> options;
+};
+
+struct EngineEntry {
+    EngineInfo info;
+    /// Settings hold every option of `info`, each in its range.
+    std::function<Result<std::unique_ptr<Engine>>(const EngineSettings&)> make;
+};
+
+/// In the order to show them; keys differ.
+using EngineList = std::vector<EngineEntry>;
+
+/// Key of the truth that other engines are measured against.
+inline constexpr std::string_view referenceEngine = "ray";
+
+/// Every engine of core. To add one: core_engines.cpp and nothing else.
+const EngineList& coreEngines();
+
+/// Null for an unknown key.
+const EngineEntry* findEngine(const EngineList& engines, std::string_view key);
+
+/// The engine with this key, set up. Error, with what there is to choose from: an unknown key, an option that
+/// the engine does not have, a value out of its range.
+Result<std::unique_ptr<Engine>> makeEngine(std::string_view key, const EngineSettings& settings = {},
+                                           const EngineList& engines = coreEngines());
+
+}  // namespace noonmark

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/engines/graph/steps_around.h"
+#include "core/receivers/surface_points.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// Shadow on surface points for one period: what ShadowField is for a grid.
+struct SurfaceShadow {
+    std::vector<float> grossMin;       ///< minutes in shadow a day, mean over the period's days; one a point
+    std::vector<float> continuousMin;  ///< longest unbroken run on any day, minutes; one a point
+    double sunlitMinutesPerDay = 0;    ///< mean minutes a day with the sun above the horizon
+
+    std::string engine;  ///< name and settings in words
+    Cost cost;
+};
+
+/// An engine for receivers that lie on any surface. A surface that is turned away from the sun, or edge on to
+/// it, is in its own shadow. Const and stateless across calls; uses all cores; reports progress, and stops
+/// within 0.2 s of a stop request with cancelled(). Error: positions and normals differ in number.
+class SurfaceEngine {
+public:
+    virtual ~SurfaceEngine() = default;
+    [[nodiscard]] virtual Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
+                                                           const SunSteps& sun, Progress& progress,
+                                                           std::stop_token stop) const = 0;
+
+    /// The same result. Engines that take a day as the accrual maps do remember its steps, and show running
+    /// results on the ground of a coarser view's (steps_around.h).
+    [[nodiscard]] virtual Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
+                                                           const SunSteps& sun, Progress& progress,
+                                                           std::stop_token stop,
+                                                           const StepMemory& /*memory*/) const {
+        return accumulate(city, points, sun, progress, std::move(stop));
+    }
+};
+
+/// No minutes yet, and the period's figures; what every such engine starts from. Error: positions and normals
+/// differ in number.
+Result<SurfaceShadow> makeBlankSurfaceShadow(const SurfacePoints& points, const SunSteps& sun);
+
+}  // namespace noonmark

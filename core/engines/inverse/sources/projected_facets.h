@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/engines/inverse/sources/nearest_levels.h"
+#include "core/engines/inverse/sources/source_finder.h"
+#include "core/engines/inverse/sources/surface_facets.h"
+
+namespace noonmark {
+
+/// What the facets of a city throw on flat ground at one instant: a polygon each, over which the height of
+/// the occluding point is linear. Filled block by block of lanes, a major position at a time.
+class ProjectedFacets final : public SourceInstant {
+public:
+    /// `facets` and `lanes` outlive this; `facets` are in cells of the lanes' grid.
+    ProjectedFacets(const SurfaceFacets& facets, const Lanes& lanes, glm::dvec3 towardsSun,
+                    float nearestHitM);
+
+    void fill(int block, LaneSources& sources, int into) const override;
+
+private:
+    /// One facet's polygon: the positions that it may cover, and the height above them.
+    struct Throw {
+        int firstMajor = 0, endMajor = 0;  // empty: nothing
+        int firstMinor = 0, endMinor = 0;
+        // Height of the occluding point: atOrigin + major x perMajor + minor x perMinor.
+        double atOriginM = 0, perMajorM = 0, perMinorM = 0;
+        int firstBlock = 0, endBlock = 0;
+    };
+    struct Range {
+        int first = 0;
+        int end = 0;
+    };
+    /// An edge of the polygon, from its lower major position to the higher.
+    struct Edge {
+        glm::dvec2 low, high;  // major and minor position
+        double slope = 0;      // minor over major; anything where it runs across
+    };
+    /// The whole major positions that an edge passes, and where.
+    struct EdgeLine {
+        Range majors;
+        double minor = 0;  // at the first of them
+        double slope = 0;
+    };
+    /// Memory that is used again, facet after facet.
+    struct Scratch {
+        std::vector<EdgeLine> lines;
+        std::vector<double> low, high;    // by major position, of the two crossings there
+        std::vector<int> firstLane, end;  // by major position: lanes of the block between them
+        std::vector<double> crossings;
+        std::vector<NearestLevels::Span> spans;
+    };
+
+    void sortIntoBlocks();
+    void throwEdges(const SurfaceFacet& facet);
+    [[nodiscard]] Throw thrownBy(const SurfaceFacet& facet) const;
+    [[nodiscard]] glm::dvec2 thrown(glm::dvec3 point) const;
+    [[nodiscard]] std::span<const Edge> edgesOf(const SurfaceFacet& facet) const {
+        return std::span(edges_).subspan(facet.firstEdge, facet.edgeCount);
+    }
+    [[nodiscard]] Range majorsInBlock(std::uint32_t facet, int block) const;
+    void findSpans(std::uint32_t facet, int block, Scratch& scratch) const;
+    void findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const;
+    void spansOfConvex(const Throw& cast, Range majors, int block, Scratch& scratch) const;
+    void spansOfAny(const Throw& cast, Range majors, int block, Scratch& scratch) const;
+    void addSpan(const Throw& cast, int major, Range lanes, int block,
+                 std::vector<NearestLevels::Span>& spans) const;
+
+    const SurfaceFacets& facets_;
+    const Lanes& lanes_;
+    glm::dvec2 throwCells_;  // x and y of the grid
+    float nearestM_;         // lowest height that counts
+    std::vector<Throw> throws_;
+    std::vector<Edge> edges_;  // as SurfaceFacets::edges; of facets that throw something
+    std::vector<std::vector<std::uint32_t>> ofBlock_;  // facets, ascending
+};
+
+}  // namespace noonmark

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/engines/api/shadow_field.h"
+#include "core/engines/projected/counting/run_starts.h"
+
+namespace noonmark {
+
+/// Shadow of one cell so far, in steps.
+struct CellRuns {
+    std::uint32_t gross = 0;    ///< but for the open run
+    std::uint32_t longest = 0;  ///< likewise
+    std::uint32_t start = 0;    ///< step at which the open run began
+};
+
+/// Minutes a day, and of the longest run, as a field has them.
+inline float grossMinutes(const CellRuns& cell, const ShadowField& field) {
+    return float(cell.gross * field.stepMinutes / field.days);
+}
+inline float longestMinutes(const CellRuns& cell, const ShadowField& field) {
+    return float(cell.longest * field.stepMinutes);
+}
+
+/// The 64 cells of a word, of which `before` were in shadow, are `now` from `step` on. Costs something only
+/// for those that go into or out of shadow.
+inline void changeRuns(CellRuns* cells, std::uint64_t before, std::uint64_t now, std::uint32_t step) {
+    for (std::uint64_t ended = before & ~now; ended != 0; ended &= ended - 1) {
+        CellRuns& cell = cells[std::countr_zero(ended)];
+        const std::uint32_t length = step - cell.start;
+        cell.gross += length;
+        cell.longest = std::max(cell.longest, length);
+    }
+    for (std::uint64_t begun = now & ~before; begun != 0; begun &= begun - 1)
+        cells[std::countr_zero(begun)].start = step;
+}
+
+/// The word through eight steps from `first` on, `shaded` before and after them. A run that begins anew ends
+/// where only `never` is shaded.
+inline void passEight(CellRuns* cells, std::uint64_t& shaded, const std::uint64_t* steps,
+                      const RunStarts& startsRun, std::uint64_t never, std::uint32_t first) {
+    const auto become = [&](std::uint64_t now, std::uint32_t step) {
+        if (now != shaded) changeRuns(cells, shaded, now, step);
+        shaded = now;
+    };
+    for (std::uint32_t k = 0; k < stepsTogether; ++k) {
+        if (startsRun[k]) become(never, first + k);
+        become(steps[k], first + k);
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,107 @@
+#include "core/io/footprints/feature_facts.h"
+
+#include <charconv>
+#include <string_view>
+
+namespace noonmark {
+
+namespace {
+
+std::string_view textOf(const FeatureValues& values, FieldRole role) {
+    const FeatureValue* value = firstOf(values, role);
+    return value != nullptr ? std::string_view(value->text) : std::string_view();
+}
+
+bool isNo(std::string_view text) { return text == "no" || text == "false" || text == "0"; }
+bool isYes(std::string_view text) { return text == "yes" || text == "true" || text == "1"; }
+bool isTagged(std::string_view text) { return !text.empty() && !isNo(text); }
+
+double numberOf(std::string_view text) {
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+enum class Place { surface, underground, contradictory };
+
+// OpenStreetMap's layer is the order in which things lie above each other, in places from the level of a
+// plaza or a deck, and level a floor's number: either alone below 0 tells of something below, unless a
+// height, storeys, an entrance or a location tell of something above.
+Place placeOf(const FeatureValues& values, bool tagged) {
+    if (isYes(textOf(values, FieldRole::underground))) return Place::underground;
+    if (!tagged) return Place::surface;  // elsewhere fields of these names mean other things
+    const std::string_view location = textOf(values, FieldRole::location);
+    if (location == "underground") return Place::underground;
+    const bool below = numberOf(textOf(values, FieldRole::layer)) < 0 ||
+                       numberOf(textOf(values, FieldRole::level)) < 0 ||
+                       textOf(values, FieldRole::tunnel) == "yes";
+    if (!below) return Place::surface;
+    const auto isAbove0 = [&](FieldRole role) { return numberOf(textOf(values, role)) > 0; };
+    const bool above = isAbove0(FieldRole::height) || isAbove0(FieldRole::levels) ||
+                       isAbove0(FieldRole::minHeight) || isAbove0(FieldRole::minLevel) ||
+                       isTagged(textOf(values, FieldRole::entrance)) || !location.empty();
+    return above ? Place::contradictory : Place::underground;
+}
+
+bool hasShapedRoof(const FeatureValues& values) {
+    const std::string_view shape = textOf(values, FieldRole::roofShape);
+    return !shape.empty() && shape != "flat" && shape != "no";
+}
+
+// Placeholders for "no id" would make one building of many.
+std::string buildingIdOf(const FeatureValues& values) {
+    const std::string_view id = textOf(values, FieldRole::buildingId);
+    return id == "0" || id == "-1" ? "" : std::string(id);
+}
+
+std::string statusOf(const FeatureValues& values) {
+    if (textOf(values, FieldRole::building) == "construction") return "under construction";
+    return std::string(textOf(values, FieldRole::status));
+}
+
+// What the feature is; false where it is left out.
+bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules& rules, Warnings& warnings) {
+    const std::string_view building = textOf(values, FieldRole::building);
+    const std::string_view part = textOf(values, FieldRole::buildingPart);
+    facts.part = isTagged(part);
+    facts.outline = rules.tagged ? isTagged(building) : !facts.part;
+    if (!facts.outline && !facts.part) {
+        if (rules.sayNoBuilding || isNo(building) || isNo(part))
+            warnings.push_back({WarningKind::leftOut, "says that it is no building", facts.id});
+        return false;
+    }
+    const Place place = placeOf(values, rules.tagged);
+    if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
+    if (place == Place::contradictory)
+        warnings.push_back({WarningKind::assumed,
+                            "its layer lies below the ground, but its height, storeys, entrance or location "
+                            "do not; it stands on the ground",
+                            facts.id});
+    return place != Place::underground;
+}
+
+}  // namespace
+
+std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const LayerRules& rules, std::string id,
+                                         Warnings& warnings) {
+    FeatureFacts facts;
+    facts.id = std::move(id);
+    if (!classify(facts, values, rules, warnings)) return std::nullopt;
+    facts.name = textOf(values, FieldRole::name);
+    facts.status = statusOf(values);
+    facts.buildingId = buildingIdOf(values);
+    const bool canopy = rules.tagged && (textOf(values, FieldRole::building) == "roof" ||
+                                         textOf(values, FieldRole::buildingPart) == "roof");
+    facts.heights = readHeights(values, rules.heights, canopy, facts.id, warnings);
+    if (const auto source = parseHeightSource(textOf(values, FieldRole::heightSource)))
+        facts.heights.source = *source;
+    if (const std::string_view isOverhanging = textOf(values, FieldRole::isOverhanging);
+        !isOverhanging.empty())
+        facts.isOverhanging = isYes(isOverhanging);
+    if (hasShapedRoof(values))
+        warnings.push_back(
+            {WarningKind::assumed, "its roof is not flat; it is drawn flat at its full height", facts.id});
+    return facts;
+}
+
+}  // namespace noonmark

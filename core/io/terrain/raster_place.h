@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/city/terrain/post_grid.h"
+#include "core/geo/crs_to_lon_lat.h"
+#include "core/geo/frame.h"
+
+namespace noonmark {
+
+/// Where a raster lies in its own coordinate reference system. Pixels count from the corner of the first, row
+/// 0 the raster's own first; centres lie half a pixel on.
+struct RasterPlace {
+    int columns = 0;
+    int rows = 0;
+    std::array<double, 6> geoTransform{};  ///< as GDAL has it
+    [[nodiscard]] glm::dvec2 at(glm::dvec2 pixel) const;
+};
+
+/// Takes places in a raster to local metres. Holds references: the three outlive it.
+class PixelPlaces {
+public:
+    PixelPlaces(const RasterPlace& raster, const CrsToLonLat& crs, const Frame& frame)
+        : raster_(raster), crs_(crs), frame_(frame) {}
+    /// NaN for a place that has none, or lies more than 1,000 km from the origin. Some 2 us a place.
+    [[nodiscard]] std::vector<glm::dvec2> local(const std::vector<glm::dvec2>& pixels) const;
+
+private:
+    const RasterPlace& raster_;
+    const CrsToLonLat& crs_;
+    const Frame& frame_;
+};
+
+/// Some pixels of a raster.
+struct PixelWindow {
+    int column = 0, row = 0;  ///< the first
+    int columns = 0, rows = 0;
+    [[nodiscard]] std::size_t size() const { return std::size_t(columns) * std::size_t(rows); }
+    bool operator==(const PixelWindow&) const = default;
+};
+
+/// The pixels that lie within `farAwayM` of the origin to each side, and few others. Nothing: there are none.
+std::optional<PixelWindow> windowNear(const RasterPlace& raster, const PixelPlaces& places, double farAwayM);
+
+/// The centres of a window's pixels as posts.
+struct PlacedPosts {
+    PostGrid posts;
+    bool flipped = false;   ///< the posts' row 0 is the window's last
+    double misplacedM = 0;  ///< the largest distance of a post from its true place, on 2,600 of them
+};
+
+/// By steps alone where they place the posts to within 1 mm, else with a bend of the third degree. Windows of
+/// two columns and two rows or more.
+PlacedPosts placePosts(const PixelPlaces& places, const PixelWindow& window);
+
+}  // namespace noonmark

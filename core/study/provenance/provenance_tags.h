@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/io/files/file_tags.h"
+#include "core/study/provenance/provenance.h"
+
+namespace noonmark {
+
+/// What a result was made from, for files that hold no JSON: version, project, scenario, baseline, edits,
+/// input files with their SHA-256, and attribution. What is not known is left out.
+FileTags provenanceTags(const Provenance& provenance);
+
+}  // namespace noonmark
