@@ -49,10 +49,10 @@ EngineLoad measureEngineLoad(std::span<const City* const> cities, const Receiver
     return load;
 }
 
-// Fitted to processor times, shared by two cores, of a day, a week, a month and a year on 300 and 800 m of
-// the grid sample and of Midtown, with 708 to 3,604 triangles in parts that hang: the sweep's fit within a
-// half, but with the longest runs below such parts within a factor of two only. Rays, terrain and heights of
-// their own: times of single runs.
+// Fitted to processor times, on two cores, of a day, a week, a month and a year on 300 and 800 m of the grid
+// sample and of Midtown, with 708 to 3,604 overhang triangles. The fit for the sweep is within 50 %, but for
+// the longest runs below overhangs only within a factor of two. The figures for rays, terrain and receivers
+// at varying heights are times of single runs.
 EstimatedSeconds estimateSeconds(const EngineLoad& load) {
     const auto receivers = double(load.receivers), steps = double(load.steps), bins = double(load.bins),
                buildings = double(load.buildings);
@@ -80,7 +80,7 @@ EngineChoice fallBackToRays(const EngineChoice& refused, const Error& error) {
             fmt::format("rays, since {} refused: {}", refused.why, error.what)};
 }
 
-// The exact engine where it takes no longer than the sweep, or not long; else the sweep.
+// Chooses the exact engine if it takes no longer than the sweep or is fast anyway; otherwise the sweep.
 EngineChoice AutoEngine::choose(std::span<const City* const> cities, const Receivers& receivers,
                                 const SunSteps& sun) const {
     const EngineLoad load = measureEngineLoad(cities, receivers, sun, sweep_);

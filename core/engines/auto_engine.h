@@ -1,5 +1,9 @@
 #pragma once
 
+// What sits above the single engines. core_engines.cpp lists all engines with their options
+// (api/engine_registry.h), engine_ground.h states which of them need level ground, and auto_engine.h chooses
+// one by its expected run time.
+
 #include <memory>
 #include <span>
 #include <string>
@@ -10,27 +14,27 @@
 
 namespace noonmark {
 
-/// What engines have to do in a study.
+/// The size of a study, as far as it determines the engines' run time.
 struct EngineLoad {
     std::size_t receivers = 0;
-    std::size_t rows = 0;  ///< of the grid
+    std::size_t rows = 0;  ///< grid rows
     double cellAreaM2 = 1;
-    std::size_t steps = 0;              ///< of the sun
-    std::size_t bins = 0;               ///< of azimuth, by the sweep's settings
-    std::size_t buildings = 0;          ///< in reach
-    std::size_t overhangTriangles = 0;  ///< of parts of these that hang
+    std::size_t steps = 0;              ///< steps of the sun
+    std::size_t bins = 0;               ///< azimuth bins under the sweep's settings
+    std::size_t buildings = 0;          ///< buildings in reach
+    std::size_t overhangTriangles = 0;  ///< triangles of the overhangs of these buildings
     std::size_t terrainCells = 0;
-    bool level = true;  ///< no terrain, and receivers on the ground
+    bool level = true;  ///< no terrain, and all receivers on the ground
     bool runs = true;   ///< the sweep counts the longest runs too
 };
 
-/// Of some cities the most of each. Looks at every step and building: some ms.
+/// For several cities, each figure is the largest among them. Visits every step and building: some ms.
 EngineLoad measureEngineLoad(std::span<const City* const> cities, const Receivers& receivers,
                              const SunSteps& sun, const HorizonSweepSettings& sweep);
 
-/// Seconds that engines are expected to take on two cores: to compare them with each other, no more; other
-/// machines differ alike. The constants (auto_engine.cpp) are fitted to times of a day, a month and a year on
-/// the grid sample and on Midtown.
+/// Expected run times in seconds on two cores. Only meant for comparing engines with each other; other
+/// machines scale all of them alike. The constants (auto_engine.cpp) are fitted to run times for a day, a
+/// month and a year on the grid sample and on Midtown.
 struct EstimatedSeconds {
     double ray = 0;
     double projected = 0;
@@ -38,25 +42,26 @@ struct EstimatedSeconds {
 };
 EstimatedSeconds estimateSeconds(const EngineLoad& load);
 
-/// An engine that was chosen, and why.
+/// A chosen engine and the reason for the choice.
 struct EngineChoice {
-    std::string_view key;  ///< of coreEngines()
+    std::string_view key;  ///< in coreEngines()
     std::unique_ptr<Engine> engine;
     std::string why;  ///< "rays, since there is terrain"
 
-    /// The engine's field, which says that it was chosen and why.
+    /// Runs the engine; the field's `engine` text states that it was chosen automatically and why.
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const;
 };
 
-/// The ray reference, where the chosen engine refused: it takes every case.
+/// The ray reference, which accepts every case, for use after the chosen engine refused.
 EngineChoice fallBackToRays(const EngineChoice& refused, const Error& error);
 
-/// Chooses the engine and says in the field's `engine` which one and why. On flat ground projected shadows,
-/// which are exact, where they are expected to take no longer than the horizon sweep or no more than 2 s; on
-/// terrain and roofs the ray reference on the same terms; else the horizon sweep, whose cells are off by 0.04
-/// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it.
+/// Chooses an engine and states in the field's `engine` which one and why. On flat ground it chooses
+/// projected shadows, which are exact, if they are expected to take no longer than the horizon sweep or at
+/// most 2 s; on terrain and roofs it chooses the ray reference under the same condition. Otherwise it chooses
+/// the horizon sweep, whose cells are off by 0.04 % of a long period on average. If the chosen engine refuses
+/// the case, the ray reference takes over.
 class AutoEngine final : public Engine {
 public:
     explicit AutoEngine(HorizonSweepSettings sweep = {}) : sweep_(sweep) {}
@@ -64,8 +69,8 @@ public:
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop) const override;
 
-    /// One engine for fields that are to be compared with each other, by the city that costs most: fields of
-    /// two engines would differ where the cities do not.
+    /// Chooses one engine for fields that will be compared with each other, based on the city that costs
+    /// most. Fields of two different engines would differ even where the cities do not.
     [[nodiscard]] EngineChoice choose(std::span<const City* const> cities, const Receivers& receivers,
                                       const SunSteps& sun) const;
 

@@ -119,7 +119,7 @@ EngineEntry inverseAccrualMap() {
         {"iam", "Inverse accrual map",
          "What throws the shadows at the ends of each hour, moved along straight lines between; hours that "
          "look alike computed once",
-         // Sources of two instants, masks, and some 30 maps of runs alive in a year.
+         // Shadow sources of two instants, masks, and some 30 maps of runs alive during a year.
          200, inverseAccrualOptions()},
         inverseAccrual};
 }
@@ -127,7 +127,7 @@ EngineEntry inverseAccrualMap() {
 EngineEntry rayGraph() {
     return {{"ray-graph", "Ray reference through the direction graph",
              "Rays, with hours that look alike traced once: what the graph alone does to the error",
-             // Masks, and some 30 maps of runs alive in a year.
+             // Masks, and some 30 maps of runs alive during a year.
              130, graphOptions()},
             [](const EngineSettings& settings) -> Made {
                 return std::make_unique<GraphEngine>(std::make_shared<RayIntervals>(),

@@ -4,8 +4,8 @@
 
 namespace noonmark {
 
-/// Whether an engine of core (engine_registry.h) takes level ground only: it refuses terrain and receivers on
-/// roofs. To be said before anybody asks it.
+/// Whether an engine of core (engine_registry.h) supports level ground only, that is, refuses terrain and
+/// receivers on roofs. Lets the interface report this before a run.
 bool onLevelGroundOnly(std::string_view engineKey);
 
 }  // namespace noonmark

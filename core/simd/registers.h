@@ -7,8 +7,8 @@
 
 namespace noonmark {
 
-/// Registers of so many bytes, as vectors that the compiler need not take apart there. `HalfInts`: as many as
-/// there are doubles.
+/// Vector types for registers of `bytes` bytes, which the compiler need not split on a machine with such
+/// registers. `HalfInts` has as many elements as `Doubles`.
 template <int bytes>
 struct Registers;
 
@@ -55,11 +55,11 @@ using HalfIntsOf = typename Register::HalfInts;
 
 template <class Register>
 inline constexpr std::size_t bytesIn = sizeof(FloatsOf<Register>);
-/// Floats, or such whole numbers, in a register.
+/// Number of floats, or of 32-bit integers, in a register.
 template <class Register>
 inline constexpr int lanesIn = int(bytesIn<Register> / sizeof(float));
 
-/// 0, 1, ... in the lanes.
+/// Sets the lanes to 0, 1, 2, ...
 template <class Register>
 [[gnu::always_inline]] inline void count(IntsOf<Register>& numbers) {
     for (int lane = 0; lane < lanesIn<Register>; ++lane) numbers[lane] = lane;
@@ -76,9 +76,10 @@ template <class Kernel>
 }
 #endif
 
-/// Calls kernel(Registers<bytes>{}) for the widest that this machine has, and no wider than asked, compiled
-/// for it: for what neither vectors of 64 bytes nor loops make fast everywhere (simd_lanes.h). The kernel,
-/// and all that it calls, is always_inline; it copies what it captured before its loops.
+/// Calls kernel(Registers<bytes>{}), compiled for the widest registers that this machine has, up to
+/// `mostBytes`. For kernels that neither 64-byte vectors nor loops make fast on every machine (simd_lanes.h).
+/// The kernel and everything it calls must be always_inline; it should copy its captures to locals before its
+/// loops.
 template <int mostBytes = 64, class Kernel>
 void runWithWidestRegisters(const Kernel& kernel) {
 #ifdef NOONMARK_PICKS_ISA

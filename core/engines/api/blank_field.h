@@ -6,15 +6,17 @@
 
 namespace noonmark {
 
-/// Keys of Cost.skipped that every result has.
+/// Keys of Cost::skipped that every result has.
 inline constexpr const char* cellsUnderBuildings = "cells under buildings";
 inline constexpr const char* cellsOutside = "cells outside the region";
 
-/// What every engine starts from: the receivers' grid, 0 minutes at receivers and NaN elsewhere, the period's
-/// figures, and in Cost.skipped the cells and steps that no engine has to touch.
+/// The field that every engine starts from: the receivers' grid, 0 minutes at receivers and NaN elsewhere,
+/// the period's day count, sunlit minutes and step length, and in Cost::skipped the cells and steps that no
+/// engine has to process.
 ShadowField blankField(const Receivers& receivers, const SunSteps& sun);
 
-/// All of that but the minutes, for a field of these receivers that is to hold another period.
+/// Sets everything blankField() sets except the minutes. For reusing a field of the same receivers for
+/// another period.
 void setPeriod(ShadowField& field, const Receivers& receivers, const SunSteps& sun);
 
 }  // namespace noonmark

@@ -6,26 +6,27 @@
 
 namespace noonmark {
 
-/// What an accumulation knows while it runs: no estimate, but the true result for the part that is done.
+/// A running result of an accumulation: not an estimate, but the exact result for the part that is finished.
 struct PartialField {
-    /// NaN in cells of which nothing is known yet. Where only part of the period is done, grossMin and
-    /// sunlitMinutesPerDay count the minutes of that part over all days of the period, so that their ratio is
-    /// the share of the time done that lies in shadow; continuousMin is the longest run of the days done.
+    /// Cells without a result yet hold NaN. If only part of the period is finished, grossMin and
+    /// sunlitMinutesPerDay count the minutes of that part, averaged over all days of the period, so their
+    /// ratio is the share of the finished time that lies in shadow; continuousMin is the longest run within
+    /// the finished days.
     ShadowField field;
-    double share = 0;          ///< of the whole, 0 to 1
-    std::string part;          ///< in words: "112 of 299 sun intervals", "40 of 96 tiles"
-    bool wholePeriod = false;  ///< the rest of the period is as it was known around each cell
+    double share = 0;          ///< finished share of the whole, 0 to 1
+    std::string part;          ///< the finished part in words: "112 of 299 sun intervals", "40 of 96 tiles"
+    bool wholePeriod = false;  ///< the unfinished part is filled from results known around each cell
 };
 
-/// Who wants to see running results. An engine finds it at Progress::partials().
+/// Receives running results. Engines find it at Progress::partials().
 class PartialSink {
 public:
     virtual ~PartialSink() = default;
 
-    /// Whether another one would be shown by now. Cheap; asked often, from any thread.
+    /// Whether a running result would be displayed now. Cheap; called often, from any thread.
     [[nodiscard]] virtual bool wants() const = 0;
 
-    /// From any thread, one at a time.
+    /// Called from any thread, by one thread at a time.
     virtual void take(PartialField partial) = 0;
 };
 

@@ -2,16 +2,18 @@
 
 namespace noonmark {
 
-/// When the next running result is due. One that comes late, since the work looks up only now and then, does
-/// not put off those after it: work that looks up at least so often shows one every `usualS` at the mean.
+/// Decides when the next running result is due. Engines check only now and then, so a result may be late; a
+/// late one does not delay those after it. An engine that checks at least every `usualS` delivers one result
+/// per `usualS` on average.
 class PartialPace {
 public:
-    static constexpr double usualS = 0.18;  ///< five a second, and a little room
+    static constexpr double usualS = 0.18;  ///< five per second with a small margin
 
-    /// `nowS` by any clock that never goes back, seconds.
+    /// `nowS`: seconds on any monotonic clock.
     [[nodiscard]] bool due(double nowS) const { return nowS >= nextS_; }
 
-    /// One was taken at that time. After a longer pause, or one that came unasked, the pace begins anew.
+    /// A result was taken at that time. After a pause longer than `usualS`, or a result that was not due, the
+    /// schedule restarts at `nowS`.
     void taken(double nowS) {
         const double lateS = nowS - nextS_;
         nextS_ = (lateS >= 0 && lateS < usualS ? nextS_ : nowS) + usualS;

@@ -2,7 +2,8 @@
 
 namespace noonmark {
 
-/// What is counted of a period: the longest runs cost about as much as all the rest.
+/// Which quantities are computed for a period. The longest runs cost about as much as everything else
+/// together.
 enum class ShadowCounts {
     gross,  ///< continuousMin is NaN everywhere
     grossAndRuns,

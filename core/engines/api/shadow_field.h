@@ -10,25 +10,26 @@
 
 namespace noonmark {
 
-/// What a computation cost and what it did not need to do. Part of every result.
+/// The cost of a computation and the work it could skip. Part of every result.
 struct Cost {
     std::map<std::string, double> seconds;         ///< by stage ("build", "trace"); stages do not overlap
-    std::uint64_t rays = 0;                        ///< occlusion tests made, where the engine makes any
+    std::uint64_t rays = 0;                        ///< occlusion tests, for engines that trace rays
     std::uint32_t buildingsUsed = 0;               ///< buildings whose shadow can reach a receiver
-    std::map<std::string, std::uint64_t> skipped;  ///< what was left undone, by reason in words
+    std::map<std::string, std::uint64_t> skipped;  ///< skipped work by reason, in words
 };
 
-/// Shadow over a grid for one period. Cells that are no receivers hold NaN.
+/// Shadow on a grid for one period. Cells that are not receivers hold NaN.
 struct ShadowField {
     Grid grid;
-    std::vector<float> grossMin;       ///< minutes in shadow a day, mean over the period's days; grid order
+    std::vector<float> grossMin;       ///< minutes in shadow per day, mean over the period's days; grid order
     std::vector<float> continuousMin;  ///< longest unbroken run on any day, minutes; grid order
-    double sunlitMinutesPerDay = 0;  ///< mean minutes a day with the sun above the horizon: 100 % of the time
+    double sunlitMinutesPerDay = 0;    ///< mean minutes per day with the sun up; 100 % of the time
     double stepMinutes = 1;
     int days = 1;
 
     std::string engine;     ///< name and settings in words, for the report
-    std::string engineKey;  ///< of the engine that made it ("ray"); engines that only choose another set it
+    std::string engineKey;  ///< key of the engine that computed the field ("ray"); set by engines that
+                            ///< delegate to another one
     Warnings warnings;
     Cost cost;
 };

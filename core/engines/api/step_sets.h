@@ -8,16 +8,16 @@
 
 namespace noonmark {
 
-/// The steps of a period, each in one of several sets: months, hours of the day, intervals of one weight. Any
-/// weighted sum of steps with one weight a set follows from the sums of the sets.
+/// The steps of a period, each assigned to one of several sets: months, hours of the day, intervals of equal
+/// weight. Any sum of steps weighted per set follows from the sums of the sets.
 struct StepSets {
     std::vector<std::string> names;
-    std::vector<std::uint16_t> ofStep;  ///< one a step, in time order: index of its set
+    std::vector<std::uint16_t> ofStep;  ///< index of each step's set, in time order
 
-    /// Minutes of sunlit time in each set.
+    /// Sunlit minutes of each set.
     [[nodiscard]] std::vector<double> sunlitMinutes(const SunSteps& sun) const;
 
-    /// The steps of one set as a period of its own, of those days that have some.
+    /// The steps of one set as a period of its own, with only those days that contain some of them.
     [[nodiscard]] SunSteps stepsOf(std::size_t set, const SunSteps& sun) const;
 };
 

@@ -14,19 +14,19 @@
 
 namespace noonmark {
 
-/// Shadow on surface points for one period: what ShadowField is for a grid.
+/// Shadow on surface points for one period; the counterpart of ShadowField for points.
 struct SurfaceShadow {
-    std::vector<float> grossMin;       ///< minutes in shadow a day, mean over the period's days; one a point
-    std::vector<float> continuousMin;  ///< longest unbroken run on any day, minutes; one a point
-    double sunlitMinutesPerDay = 0;    ///< mean minutes a day with the sun above the horizon
+    std::vector<float> grossMin;  ///< minutes in shadow per day, mean over the period's days; one per point
+    std::vector<float> continuousMin;  ///< longest unbroken run on any day, minutes; one per point
+    double sunlitMinutesPerDay = 0;    ///< mean minutes per day with the sun above the horizon
 
     std::string engine;  ///< name and settings in words
     Cost cost;
 };
 
-/// An engine for receivers that lie on any surface. A surface that is turned away from the sun, or edge on to
-/// it, is in its own shadow. Const and stateless across calls; uses all cores; reports progress, and stops
-/// within 0.2 s of a stop request with cancelled(). Error: positions and normals differ in number.
+/// An engine for receivers on arbitrary surfaces. A surface that faces away from the sun, or is edge-on to
+/// it, is in its own shadow. Const and stateless across calls; uses all cores; reports progress, and returns
+/// cancelled() within 0.2 s of a stop request. Error: positions and normals differ in number.
 class SurfaceEngine {
 public:
     virtual ~SurfaceEngine() = default;
@@ -34,8 +34,8 @@ public:
                                                            const SunSteps& sun, Progress& progress,
                                                            std::stop_token stop) const = 0;
 
-    /// The same result. Engines that take a day as the accrual maps do remember its steps, and show running
-    /// results on the ground of a coarser view's (steps_around.h).
+    /// The same result. Engines that process a day in intervals, like the accrual maps, store its steps in
+    /// `memory` and base running results on the steps of a coarser view (steps_around.h).
     [[nodiscard]] virtual Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
                                                            const SunSteps& sun, Progress& progress,
                                                            std::stop_token stop,
@@ -44,8 +44,8 @@ public:
     }
 };
 
-/// No minutes yet, and the period's figures; what every such engine starts from. Error: positions and normals
-/// differ in number.
+/// A result with 0 minutes and the period's figures, from which every surface engine starts. Error: positions
+/// and normals differ in number.
 Result<SurfaceShadow> makeBlankSurfaceShadow(const SurfacePoints& points, const SunSteps& sun);
 
 }  // namespace noonmark

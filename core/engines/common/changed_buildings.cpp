@@ -17,7 +17,7 @@ Buildings lacking(const Buildings& from, const Buildings& to) {
     return missing;
 }
 
-// Walks both: what one city left out or put in between is passed over.
+// Walks both lists in parallel and skips buildings that only one of them contains.
 ChangedBuildings outOfStep(const Buildings& before, const Buildings& after) {
     ChangedBuildings changed;
     const auto [first, firstAfter] = std::ranges::mismatch(before, after);
@@ -43,7 +43,8 @@ ChangedBuildings findChangedBuildings(const Buildings& before, const Buildings& 
     return {lacking(changed.gone, changed.come), lacking(changed.come, changed.gone), changed.first};
 }
 
-// Counting who owns a building takes longer than all else that is done for it.
+// Copying a shared_ptr (atomic reference counting) costs more than the rest of this loop, so equal entries
+// are left alone.
 void updateBuildings(Buildings& buildings, const Buildings& now, std::size_t first) {
     buildings.resize(now.size());
     for (std::size_t i = first; i < now.size(); ++i)

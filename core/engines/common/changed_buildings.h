@@ -9,19 +9,19 @@ namespace noonmark {
 
 using Buildings = std::vector<std::shared_ptr<const Building>>;
 
-/// What became of a city's buildings. They are told apart by their address: a city shares with the one it was
-/// made from what did not change.
+/// The difference between the buildings of two cities. Buildings are compared by address: an edited city
+/// shares the unchanged buildings with the city it was made from.
 struct ChangedBuildings {
-    Buildings gone, come;   ///< each as often as the other city lacks it, in the order of its own city
-    std::size_t first = 0;  ///< before this one all are the same
+    Buildings gone, come;  ///< removed and added buildings, with multiplicity, in the order of their own city
+    std::size_t first = 0;  ///< all buildings before this index are the same
 };
 
-/// One comparison each where buildings stay in place or move up or down by one at a time; else O(buildings)
-/// in a table.
+/// One comparison per building if buildings keep their order and only single ones are inserted or removed;
+/// otherwise O(buildings) with a hash table.
 ChangedBuildings findChangedBuildings(const Buildings& before, const Buildings& after);
 
-/// From now on those of another city, which are the same up to `first`. Costs something only for those that
-/// are not in place.
+/// Makes `buildings` equal to `now`; both are the same up to `first`. Only entries that differ cost more than
+/// a comparison.
 void updateBuildings(Buildings& buildings, const Buildings& now, std::size_t first);
 
 }  // namespace noonmark

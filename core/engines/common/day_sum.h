@@ -9,30 +9,30 @@
 
 namespace noonmark {
 
-/// Puts the field of a long period together from fields of some of its days. Counts steps: the result is the
-/// same bit for bit however the days are parted.
+/// Combines fields of subsets of a long period's days into the field of the period. Counts steps, so the
+/// result is the same bit for bit however the days are divided.
 class DaySum {
 public:
-    /// Both outlive this.
+    /// Both must outlive this object.
     DaySum(const Receivers& receivers, const SunSteps& sun);
 
-    /// `part` is the field of `days`, some of the period's, each added once; its minutes count whole steps,
-    /// fewer than 2^24 a cell.
+    /// `part` is the field of `days`, a subset of the period's days; each day is added once. Its minutes are
+    /// whole steps, fewer than 2^24 per cell.
     void add(const ShadowField& part, const SunSteps& days);
 
-    /// grossMin and continuousMin of the days so far.
+    /// Writes grossMin and continuousMin of the days added so far.
     void writeTo(ShadowField& field) const;
 
-    /// What is known so far.
+    /// The running result of the days added so far.
     [[nodiscard]] PartialField partial() const;
 
 private:
     const Receivers& receivers_;
     const SunSteps& sun_;
-    std::vector<std::uint32_t> steps_;  // in shadow, of each receiver
+    std::vector<std::uint32_t> steps_;  // steps in shadow, per receiver
     std::vector<float> longestMin_;
     std::size_t days_ = 0;
-    std::size_t sunlit_ = 0;  // steps
+    std::size_t sunlit_ = 0;  // sunlit steps
 };
 
 }  // namespace noonmark

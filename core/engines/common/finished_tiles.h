@@ -10,18 +10,19 @@
 
 namespace noonmark {
 
-/// Hands out what is done of a field that many threads fill tile by tile: tiles that are finished hold their
+/// Delivers running results of a field that several threads fill tile by tile. Finished tiles hold their
 /// final values for the whole period, the others NaN. Without a sink it costs nothing.
 class FinishedTiles {
 public:
-    /// `field` is blank yet; all three outlive this. `sink` may be null.
+    /// `field` must still be blank; all three must outlive this object. `sink` may be null.
     FinishedTiles(const ReceiverTiles& tiles, const ShadowField& field, PartialSink* sink);
 
-    /// The tile to work on as number `turn` of all: where somebody looks, neighbours in turn lie far from
-    /// each other, so that the whole region fills evenly; else they lie side by side, which caches like.
+    /// The tile to process at position `turn` of the order. With a sink, consecutive tiles lie far apart, so
+    /// that the region fills evenly; without one they are adjacent, which is better for the cache.
     [[nodiscard]] std::size_t tileAt(std::size_t turn) const { return turn * stride_ % tiles_.count(); }
 
-    /// The cells of a tile are written. From any thread, once a tile; the last one hands out the whole field.
+    /// Reports that a tile's cells are written. Call once per tile, from any thread; the last call delivers
+    /// the complete field.
     void finish(std::size_t tile);
 
 private:
@@ -31,7 +32,7 @@ private:
     const ShadowField& field_;
     PartialSink* sink_;
     std::size_t stride_ = 1;
-    ShadowField shown_;  // with the tiles that were handed out so far, the rest unknown
+    ShadowField shown_;  // holds the tiles delivered so far; the rest is NaN
     std::vector<bool> isShown_;
     std::vector<std::atomic<bool>> done_;
     std::atomic<std::size_t> count_{0};

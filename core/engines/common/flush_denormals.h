@@ -7,8 +7,9 @@
 
 namespace noonmark {
 
-/// While it lives, this thread takes floats too small to be normal as 0, as Embree advises: they cost
-/// hundreds of cycles each. The thread's own mode comes back at the end, so other work on it is not touched.
+/// While it lives, the calling thread treats denormal floats as 0, as Embree recommends, because each
+/// operation on one costs hundreds of cycles. The destructor restores the thread's previous mode, so other
+/// work on the thread is unaffected.
 class FlushDenormals {
 public:
     FlushDenormals(const FlushDenormals&) = delete;

@@ -8,8 +8,9 @@
 
 namespace noonmark {
 
-/// Error, for engines that know no other, where the ground is not flat or receivers do not all lie on it; it
-/// names those that do. `engineFalls`: "Projected shadows fall".
+/// For engines that support level ground only: error if the ground is not flat or receivers do not all lie on
+/// it. The error names engines that support these cases. `engineFalls`: subject and verb of the message,
+/// "Projected shadows fall".
 Result<void> checkLevelGround(const City& city, const Receivers& receivers, std::string_view engineFalls);
 
 }  // namespace noonmark

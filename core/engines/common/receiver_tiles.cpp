@@ -10,7 +10,7 @@ ReceiverTiles::ReceiverTiles(const Receivers& receivers, int side)
       columns_((receivers.grid.columns + side - 1) / side),
       rows_((receivers.grid.rows + side - 1) / side) {}
 
-// The cells are ascending: a tile's part of a row is found by bisection.
+// The cells are in ascending order, so a tile's part of a row is found by binary search.
 void ReceiverTiles::cellsOf(std::size_t tile, std::vector<std::uint32_t>& cells) const {
     const Grid& grid = receivers_.grid;
     const int firstColumn = int(tile % std::size_t(columns_)) * side_;

@@ -6,11 +6,12 @@
 
 namespace noonmark {
 
-/// Gross and continuous shadow of one receiver, in steps. Fed with bits in time order: bit k of `shadow` says
-/// that step k is in shadow, bit k of `starts` that step k begins a new run (a new day, or a gap before it).
+/// Counts the gross and continuous shadow of one receiver, in steps. Takes bits in time order: bit k of
+/// `shadow` means that step k is in shadow, bit k of `starts` that step k begins a new run (a new day, or a
+/// gap before it).
 class RunCounter {
 public:
-    /// `count` steps, 1 to 32; bits from `count` on must be 0.
+    /// Adds `count` steps, 1 to 32; bits from `count` on must be 0.
     void add(std::uint32_t shadow, std::uint32_t starts, int count) {
         total_ += std::uint32_t(std::popcount(shadow));
         if (shadow == 0)

@@ -5,8 +5,9 @@
 
 namespace noonmark {
 
-/// k x stride modulo `count`, k = 0, 1, 2, ..., is every number below `count` once, each far from the one
-/// before: near the golden section of all, and without a common divisor. 1 for counts up to 2.
+/// A stride such that k x stride modulo `count`, for k = 0, 1, 2, ..., visits every number below `count`
+/// once, with consecutive numbers far apart: near the golden section of `count` and coprime to it. 1 for
+/// counts up to 2.
 constexpr std::size_t chooseScatteringStride(std::size_t count) {
     std::size_t stride = count * 618 / 1000;
     if (stride == 0) stride = 1;

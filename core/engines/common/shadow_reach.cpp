@@ -16,7 +16,7 @@ namespace {
 
 constexpr int binCount = 360;
 constexpr double binWidth = 2 * std::numbers::pi / binCount;
-constexpr double marginM = 1;  // wide of any rounding of coordinates
+constexpr double marginM = 1;  // exceeds any rounding of coordinates
 
 int binOf(glm::vec3 towardsSun) {
     const double azimuth = std::atan2(double(towardsSun.x), double(towardsSun.y));
@@ -28,7 +28,7 @@ glm::dvec2 awayFromSun(int bin) {
     return {-std::sin(azimuth), -std::cos(azimuth)};
 }
 
-// Narrows [from, to], a stretch of the line origin + t direction, to where one coordinate is in [low, high].
+// Narrows [from, to], a section of the line t x direction, to where this coordinate lies in [low, high].
 void clip(double direction, double low, double high, double& from, double& to) {
     if (direction == 0) {
         if (low > 0 || high < 0) to = from - 1;
@@ -44,7 +44,7 @@ struct LowestGround {
     float groundM = 0;
 };
 
-// Whole numbers first: a large region has tens of millions of cells.
+// Works on integer cell indices first, because a large region has tens of millions of cells.
 LowestGround lowestGround(const Receivers& receivers) {
     if (receivers.cells.empty()) return {};
     const Grid& grid = receivers.grid;
@@ -76,15 +76,15 @@ ShadowReach::ShadowReach(const SunSteps& sun) {
     for (const Bin& bin : bins_) longest_ = std::max(longest_, bin.lengthPerMetre);
 }
 
-// The shadow of the box touches the receivers' box where the path of the box's displacement, a segment from
-// 0, meets the box of all differences between points of the two.
+// The shadow of the box is the box moved along a displacement segment that starts at 0. It touches the
+// receivers' box where that segment meets the box of all differences between points of the two boxes.
 bool ShadowReach::touches(const Box2& box, double heightM, const Box2& receivers) const {
     if (heightM <= 0 || box.empty() || receivers.empty()) return false;
     const glm::dvec2 low = glm::dvec2(receivers.low) - glm::dvec2(box.high);
     const glm::dvec2 high = glm::dvec2(receivers.high) - glm::dvec2(box.low);
     const glm::dvec2 nearest = glm::max(glm::dvec2(0), glm::max(low, -high));
     const double farthest = marginM + heightM * longest_ * (1 + binWidth);
-    if (glm::dot(nearest, nearest) > farthest * farthest) return false;  // most of a large city
+    if (glm::dot(nearest, nearest) > farthest * farthest) return false;  // excludes most of a large city
     return std::any_of(bins_.begin(), bins_.end(), [&](const Bin& bin) {
         const double length = heightM * bin.lengthPerMetre;
         const double aside = marginM + length * binWidth / 2;

@@ -27,11 +27,11 @@ std::vector<DirectionPacket> packetsOf(const SunInterval& interval) {
     return packets;
 }
 
-/// The receivers tile by tile, each with where its rays begin.
+/// The receivers grouped by tile, each with the origin of its rays.
 struct TiledReceivers {
     std::vector<glm::vec3> origins;
-    std::vector<std::uint32_t> numbers;  ///< in Receivers::cells
-    std::vector<std::size_t> first{0};   ///< of each tile, and the end
+    std::vector<std::uint32_t> numbers;  ///< index in Receivers::cells
+    std::vector<std::size_t> first{0};   ///< first receiver of each tile, and the end
 
     explicit TiledReceivers(const Receivers& receivers) {
         const ReceiverTiles tiles(receivers);
@@ -49,7 +49,7 @@ struct TiledReceivers {
     }
 
 private:
-    // The cells are ascending.
+    // Receivers::cells is in ascending order.
     void add(const Receivers& receivers, std::uint32_t cell) {
         origins.push_back(placeRayOrigin(receivers.position(cell)));
         const auto at = std::ranges::lower_bound(receivers.cells, cell);
@@ -88,7 +88,8 @@ public:
     [[nodiscard]] Cost cost() const override { return cost_; }
 
 private:
-    // The same sixteen suns for one receiver after the other: they cross the same boxes.
+    // Traces the same sixteen directions for one receiver after the other, since these rays traverse the same
+    // boxes.
     void trace(const DirectionPacket& packet, int firstStep, std::span<ShadowMask> masks,
                const std::stop_token& stop) const {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers_.tiles()), [&](const auto& range) {

@@ -4,9 +4,9 @@
 
 namespace noonmark {
 
-/// Rays at every step of an interval's own straight sun: with the direction graph around it, what the graph
-/// and the straight sun alone do to the ray reference (paper, figure 7). Any ground. Cost: that of the ray
-/// reference for each edge.
+/// Traces rays at every step of an interval's straight sun path. Combined with the direction graph it shows
+/// what the graph and the straight path alone do to the ray reference (paper, figure 7). Supports any ground.
+/// Costs as much as the ray reference for each edge.
 class RayIntervals final : public IntervalEngine {
 public:
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,

@@ -12,15 +12,15 @@
 
 namespace noonmark {
 
-/// Minutes in shadow at one place.
+/// Minutes in shadow at one point.
 struct PointMinutes {
-    double gross = 0;       ///< a day, mean over the period's days
+    double gross = 0;       ///< per day, mean over the period's days
     double continuous = 0;  ///< longest unbroken run on any day
 };
 
-/// What RayReference finds at single places on the ground (local metres), by the same rays, with a scene that
-/// is at hand: buildings out of reach may be in it or not. Some 10^7 rays a second and core; all cores.
-/// cancelled() within 0.2 s.
+/// Minutes in shadow at single points on the ground (local metres), from the same rays as RayReference
+/// traces, in an existing scene; the scene may contain buildings out of reach. Some 10^7 rays per second and
+/// core; uses all cores. Returns cancelled() within 0.2 s of a stop request.
 Result<std::vector<PointMinutes>> traceMinutesAt(const RayScene& scene, std::span<const glm::vec3> places,
                                                  const SunSteps& sun, Progress& progress,
                                                  const std::stop_token& stop);

@@ -25,11 +25,11 @@ namespace noonmark {
 
 namespace {
 
-/// The receivers of one tile and what they have seen so far.
+/// The receivers of one tile and their counts so far.
 struct Watchers {
     std::vector<std::uint32_t> cells;
     std::vector<glm::vec3> origins;
-    std::vector<std::uint32_t> blocked;  ///< by the packet at work
+    std::vector<std::uint32_t> blocked;  ///< result of the current packet
     std::vector<RunCounter> runs;
 };
 
@@ -59,7 +59,8 @@ public:
 private:
     static constexpr std::size_t packetsBetweenChecks = 16;  // x 64 receivers x 16 rays: under a millisecond
 
-    // A tile of a long period takes a fifth of a second: who looks on gets smaller ones.
+    // With a watcher, long periods use smaller tiles: a full-sized tile takes a fifth of a second, too long
+    // between running results.
     static int sideFor(std::size_t packets, bool watched) {
         constexpr std::size_t manyPackets = 2000;
         return watched && packets > manyPackets ? ReceiverTiles::usualSide / 2 : ReceiverTiles::usualSide;
@@ -79,7 +80,8 @@ private:
         report(watchers.cells.size());
     }
 
-    // The same sixteen suns for one receiver after the other: they cross the same boxes.
+    // Traces the same sixteen directions for one receiver after the other, since these rays traverse the same
+    // boxes.
     void trace(Watchers& watchers) const {
         for (std::size_t i = 0; i < packets_.size(); ++i) {
             const SunPacket& packet = packets_[i];
@@ -150,7 +152,8 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
 }  // namespace
 
 glm::vec3 placeRayOrigin(glm::vec3 receiver) {
-    // A float's grain passes half a millimetre 8 km from the origin, and the lift grows with it from there.
+    // The spacing of float32 values exceeds half a millimetre 8 km from the origin; the lift grows with it
+    // from there.
     const float farthest = std::max(std::abs(receiver.x), std::abs(receiver.y));
     const float lift = RayReferenceSettings::liftM * std::max(1.0F, farthest / 8192.0F);
     return {receiver.x, receiver.y, receiver.z + lift};

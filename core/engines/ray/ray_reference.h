@@ -5,23 +5,25 @@
 namespace noonmark {
 
 struct RayReferenceSettings {
-    /// How far above the ground a ray starts, metres: keeps a receiver out of the terrain's own triangles.
+    /// Height above the ground where a ray starts, metres: prevents the terrain's own triangles from blocking
+    /// it.
     static constexpr float liftM = 0.001F;
-    int threads = 0;  ///< 0, or more than there are: all cores
+    int threads = 0;  ///< 0, or more than the machine has: all cores
 };
 
-/// The truth of every error figure: one occlusion ray per receiver and step, Embree, robust, packets of 16
-/// consecutive steps. Any surface, any mesh. Cost: receivers x steps / (some 10^7 a second and core).
+/// The reference of every error figure: one occlusion ray per receiver and step, traced by Embree in robust
+/// mode, in packets of 16 consecutive steps. Supports any surface and any mesh. Cost: receivers x steps /
+/// (some 10^7 per second and core).
 ///
-/// Ground: a ray starts `liftM` above it (more than 8 km from the origin in proportion: a float's grain
-/// grows), so flat ground and the terrain's own triangles do not shade their own receiver.
+/// Ground: a ray starts `liftM` above it, so that flat ground and the terrain's own triangles do not shade
+/// their own receiver. More than 8 km from the origin the lift grows in proportion, as float32 resolution
+/// gets coarser.
 ///
 /// Edges are half-open, as in `contains`: a receiver exactly on a line counts as just east and north of it
-/// (RayScene::asideM).
-/// So on a wall it is lit by a sun before the wall and dark with the sun behind the building; in line with
-/// an eastern or northern wall and the sun it is lit, with a western or southern one dark; between two
-/// buildings that share a wall no light passes. The answer does not depend on the number of threads, nor on
-/// buildings out of reach.
+/// (RayScene::asideM). A receiver on a wall is therefore lit if the sun is in front of the wall and dark if
+/// the sun is behind the building. If the sun is in line with the wall, the receiver is lit on an eastern or
+/// northern wall and dark on a western or southern one. Between two buildings that share a wall no light
+/// passes. The result does not depend on the number of threads, nor on buildings out of reach.
 class RayReference final : public Engine {
 public:
     explicit RayReference(RayReferenceSettings settings = {});
@@ -33,7 +35,8 @@ private:
     RayReferenceSettings settings_;
 };
 
-/// Where the rays of a receiver begin: its place on the ground, lifted. The scene moves it aside.
+/// The origin of a receiver's rays: its position on the ground, lifted. The scene adds the horizontal offset
+/// RayScene::asideM.
 glm::vec3 placeRayOrigin(glm::vec3 receiver);
 
 }  // namespace noonmark

@@ -19,8 +19,8 @@ namespace {
 
 constexpr unsigned terrainId = 0;
 constexpr unsigned buildingsId = 1;
-// A user's own Embree settings file must not change a reference. Tests name an instruction set, to run what
-// other machines do: "sse4.2", "avx2".
+// Ignores a user's Embree settings file, which must not change a reference. Tests set an instruction set
+// ("sse4.2", "avx2") to run the code paths of other machines.
 std::string deviceConfig() {
     const char* wanted = std::getenv("NOONMARK_RAY_ISA");
     return std::string("ignore_config_files=1") + (wanted != nullptr ? std::string(",isa=") + wanted : "");
@@ -46,11 +46,11 @@ void attach(RTCDevice device, RTCScene scene, unsigned id, const TriangleMesh& m
     rtcReleaseGeometry(geometry);
 }
 
-// From where coordinates are counted, since Embree works in float32 and would know what lies 60 km from the
-// city's origin to 8 mm: the middle of buildings that are far off, in whole metres, so that coordinates near
-// it lose nothing; else the origin itself.
+// The point that stored coordinates are relative to. Embree works in float32, which resolves 60 km from the
+// city's origin only to 8 mm. For distant buildings it is their centre, rounded to whole metres so that
+// coordinates near it lose no precision; otherwise the city's origin.
 glm::vec3 countedFrom(const TriangleMesh& mesh) {
-    constexpr float nearM = 4096;  // known to 0.5 mm
+    constexpr float nearM = 4096;  // resolved to 0.5 mm
     if (mesh.vertices.empty()) return glm::vec3(0);
     glm::vec3 low = mesh.vertices.front(), high = low;
     for (const glm::vec3 vertex : mesh.vertices) low = glm::min(low, vertex), high = glm::max(high, vertex);
@@ -104,7 +104,7 @@ RTCRay16 raysAlong(const DirectionPacket& directions) {
     return rays;
 }
 
-// A query changes nothing of a ray but its far end.
+// A query changes only the far end of a ray, so the rays can be reused.
 void startFrom(RTCRay16& rays, glm::vec3 origin) {
     std::ranges::fill(rays.org_x, origin.x);
     std::ranges::fill(rays.org_y, origin.y);
@@ -112,8 +112,8 @@ void startFrom(RTCRay16& rays, glm::vec3 origin) {
     std::ranges::fill(rays.tfar, std::numeric_limits<float>::infinity());
 }
 
-// Embree sets the far end of a blocked ray to minus infinity; where registers hold fewer than 16 lanes, that
-// of lanes that nobody asked for too.
+// Embree sets the far end of a blocked ray to minus infinity. Where registers hold fewer than 16 lanes, it
+// does so for invalid lanes too, so only the first `count` lanes are read.
 std::uint32_t blockedOf(const RTCRay16& rays, unsigned count) {
     std::uint32_t blocked = 0;
     for (unsigned lane = 0; lane < count; ++lane)
@@ -125,12 +125,12 @@ struct ValidLanes {
     alignas(64) std::array<int, DirectionPacket::capacity> valid{};
 };
 
-/// Collects the buildings that a packet of rays meets. Embree finds hits in no order; the filter keeps the
-/// nearest of each building.
+/// Collects the buildings that a packet of rays hits. Embree reports hits in no particular order; the filter
+/// keeps the nearest hit of each building.
 struct OccluderContext : RTCIntersectContext {
     const std::uint32_t* buildingOfTriangle = nullptr;
     int levels = 0;
-    Occluder* occluders = nullptr;  // lane x levels, sorted by distance, 0 = free
+    Occluder* occluders = nullptr;  // lane x levels, sorted by distance; 0: free
 
     explicit OccluderContext(const std::vector<std::uint32_t>& buildings, int levelCount,
                              std::span<Occluder> out)
@@ -140,7 +140,7 @@ struct OccluderContext : RTCIntersectContext {
         filter = nullptr;
     }
 
-    /// True when nothing beyond `distance` can matter any more to this lane.
+    /// Returns true if nothing beyond `distance` can matter to this lane.
     bool keep(unsigned lane, float distance, std::uint32_t building) const {
         Occluder* list = occluders + std::size_t(lane) * std::size_t(levels);
         int at = 0;
@@ -153,7 +153,7 @@ struct OccluderContext : RTCIntersectContext {
     }
 };
 
-// Only queries that collect occluders have more than a plain context; they mark their rays with this flag.
+// Only queries that collect occluders have more than a plain context; they set this flag on their rays.
 constexpr unsigned collects = 1;
 
 void collectOccluders(const RTCFilterFunctionNArguments* arguments) {
@@ -165,7 +165,7 @@ void collectOccluders(const RTCFilterFunctionNArguments* arguments) {
         const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, lane);
         const float distance = RTCRayN_tfar(arguments->ray, arguments->N, lane);
         const unsigned id = RTCRayN_id(arguments->ray, arguments->N, lane);
-        // A rejected hit leaves the ray going on; an accepted one ends it there.
+        // A rejected hit lets the ray continue; an accepted one ends it.
         if (!context.keep(id, distance, context.buildingOfTriangle[triangle])) arguments->valid[lane] = 0;
     }
 }
@@ -184,7 +184,7 @@ struct RayScene::Tree {
     RTCScene scene = device != nullptr ? rtcNewScene(device) : nullptr;
     std::vector<std::uint32_t> buildingOfTriangle;
     std::size_t triangles = 0;
-    glm::vec3 from{0};  // what Embree counts coordinates from
+    glm::vec3 from{0};  // point that Embree's coordinates are relative to
 
     [[nodiscard]] glm::vec3 startOf(glm::vec3 origin) const {
         const glm::vec3 place = origin - from;
@@ -199,10 +199,11 @@ struct RayScene::Tree {
         if (device != nullptr) rtcReleaseDevice(device);
     }
 
-    /// False when Embree could not.
+    /// Returns false if Embree fails.
     bool build(const CityMesh& buildings, const TriangleMesh& terrain, const std::stop_token& stop) {
         if (device == nullptr || scene == nullptr) return false;
-        // Robust: rays between triangles that share an edge find no gap, in boxes as in triangles.
+        // Robust: rays do not slip between triangles that share an edge, nor through gaps between bounding
+        // boxes.
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
         rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
         from = countedFrom(buildings.mesh);
@@ -251,7 +252,7 @@ void RayScene::blockedLanes(std::span<const glm::vec3> origins, const DirectionP
                             std::span<std::uint32_t> blocked) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    // Coherent traversal is 1.5 times as fast on directions that lie side by side.
+    // Coherent traversal is 1.5 times as fast for similar directions.
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     const int* valid = validLanes[std::size_t(directions.count)].valid.data();
     RTCRay16 rays = raysAlong(directions);

@@ -19,7 +19,7 @@ namespace noonmark {
 
 namespace {
 
-// Bit k: the surface faces the sun of lane k.
+// Bit k: the surface faces the sun in lane k.
 std::uint32_t facing(glm::vec3 normal, const DirectionPacket& sun) {
     std::uint32_t lanes = 0;
     for (int lane = 0; lane < sun.count; ++lane) {

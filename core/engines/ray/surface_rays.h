@@ -7,17 +7,17 @@
 
 namespace noonmark {
 
-/// The ray reference on surface points: one occlusion ray per point and step through every building and the
-/// terrain, packets of 16 consecutive steps. The truth that other surface engines are measured against.
-/// Points that face away from the sun need no ray.
+/// The ray reference for surface points: one occlusion ray per point and step against all buildings and the
+/// terrain, in packets of 16 consecutive steps. Other surface engines are measured against it. Points that
+/// face away from the sun need no ray.
 class SurfaceRays final : public SurfaceEngine {
 public:
-    /// How far from its surface a ray starts, along the normal, metres: wider than the rounding of a place
-    /// that a ray of the view found some kilometres away.
+    /// Distance along the normal at which a ray starts from its surface, metres: larger than the rounding of
+    /// a position found by a view ray some kilometres long.
     static constexpr float liftM = 0.01F;
 
-    /// `scene`: all of the city that `accumulate` will be given, where it is at hand already; else each call
-    /// builds its own.
+    /// `scene`: the complete city that will be passed to `accumulate`, if the caller already has it;
+    /// otherwise each call builds its own.
     explicit SurfaceRays(std::optional<RayScene> scene = {});
     [[nodiscard]] Result<SurfaceShadow> accumulate(const City& city, const SurfacePoints& points,
                                                    const SunSteps& sun, Progress& progress,

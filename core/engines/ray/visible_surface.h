@@ -11,34 +11,33 @@
 
 namespace noonmark {
 
-/// A perspective camera and its picture. Local metres; forward, right and up are unit vectors at right
-/// angles.
+/// A perspective camera and its image size. Local metres; forward, right and up are orthogonal unit vectors.
 struct PixelCamera {
     glm::dvec3 eye{0};
     glm::dvec3 forward{0, 1, 0};
     glm::dvec3 right{1, 0, 0};
     glm::dvec3 up{0, 0, 1};
-    double verticalDeg = 40;  ///< angle of view from the bottom to the top edge, above 0, below 180
+    double verticalDeg = 40;  ///< vertical angle of view, above 0, below 180
     int widthPx = 1;          ///< 1 to 16384
     int heightPx = 1;         ///< 1 to 16384
 };
 
-/// Looking from `eye` to `target`, upright; straight down, up is north.
+/// A camera at `eye` that looks at `target`, upright; if it looks straight down, north is up.
 PixelCamera makeCamera(glm::dvec3 eye, glm::dvec3 target, double verticalDeg, int widthPx, int heightPx);
 
-/// Towards the centre of a pixel; column 0 is the left, row 0 the TOP. Not of unit length: its share along
-/// `forward` is 1.
+/// Direction to the centre of a pixel; column 0 is the left, row 0 the TOP. Not normalised: its component
+/// along `forward` is 1.
 glm::dvec3 directionThrough(const PixelCamera& camera, int column, int row);
 
-/// What the pixels of a picture show.
+/// The surface points that the pixels of an image show.
 struct VisibleSurface {
-    SurfacePoints points;              ///< pixels without the sky, in the picture's order
+    SurfacePoints points;              ///< in pixel order, without sky pixels
     std::vector<std::uint32_t> pixel;  ///< of each point: row x widthPx + column, row 0 the TOP; ascending
 };
 
-/// The surface point at the centre of each pixel: what the ray meets first of `scene`, or, where `flatGround`
-/// (a city without terrain), the plane z = 0. Normals face the eye. Points farther than farthestVisibleM from
-/// the eye count as sky. Error: a camera out of range; cancelled(). All cores, some 0.2 us a pixel and core.
+/// The surface point at the centre of each pixel: the first hit in `scene`, or, if `flatGround` (a city
+/// without terrain), the plane z = 0. Normals face the eye. Points farther than farthestVisibleM from the eye
+/// count as sky. Error: a camera out of range; cancelled(). Uses all cores, some 0.2 us per pixel and core.
 Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround, const PixelCamera& camera,
                                           const std::stop_token& stop = {});
 inline constexpr double farthestVisibleM = 30000;
