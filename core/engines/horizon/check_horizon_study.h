@@ -6,13 +6,13 @@
 
 namespace noonmark {
 
-/// Error for a bin width out of range.
+/// Error if the bin width is out of range.
 Result<void> checkBinWidth(double binDeg);
 
-/// Error for a setting out of range.
+/// Error if a setting is out of range.
 Result<void> checkSweepSettings(const HorizonSweepSettings& settings);
 
-/// Error for days of more steps than can be counted.
+/// Error if a day has more steps than can be counted.
 Result<void> checkHorizonDays(const SunSteps& sun);
 
 }  // namespace noonmark

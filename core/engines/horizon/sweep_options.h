@@ -7,10 +7,10 @@
 
 namespace noonmark {
 
-/// What a user may set on engines that sweep horizons: "error", "bin", "runs" and "check".
+/// Options of engines that sweep horizons: "error", "bin", "runs" and "check".
 std::vector<EngineOption> sweepOptions();
 
-/// What is left out is as usual; options of other engines are passed over.
+/// Missing options take their defaults; options of other engines are ignored.
 HorizonSweepSettings readSweepSettings(const EngineSettings& settings);
 
 }  // namespace noonmark

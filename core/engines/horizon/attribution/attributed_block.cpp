@@ -7,7 +7,7 @@ namespace noonmark {
 
 namespace {
 
-// The same sums as raiseBlock() of UnevenHorizons: codes are the same.
+// The same operations as raiseBlock() of UnevenHorizons, so the codes are the same.
 [[gnu::always_inline]] inline void raiseLine(const WallOnBlock& wall, float shift, float along,
                                              const float* ground, float* best, std::int32_t* building,
                                              float* other) {

@@ -4,22 +4,23 @@
 
 namespace noonmark {
 
-/// The horizons of a block's cells with who makes them.
+/// The horizons of a block's cells together with the buildings that make them.
 struct AttributedHorizons {
     Floats16 lines[ReceiverBlocks::side];    ///< as in BlockHorizons
-    Ints16 buildings[ReceiverBlocks::side];  ///< whose it is; -1: nobody's
-    Floats16 others[ReceiverBlocks::side];   ///< of the highest wall of any other building
+    Ints16 buildings[ReceiverBlocks::side];  ///< building that makes the horizon; -1: none
+    Floats16 others[ReceiverBlocks::side];   ///< horizon without that building
     Floats16 grounds[ReceiverBlocks::side];  ///< as in UnevenHorizons
 };
 
-/// Their codes, 16 a line.
+/// The codes of these horizons, 16 per row.
 struct AttributedCodes {
     alignas(64) HorizonCode codes[ReceiverBlocks::cells];
     alignas(64) HorizonCode others[ReceiverBlocks::cells];
     std::int32_t buildings[ReceiverBlocks::cells];
 };
 
-/// As for BlockHorizons. Where two buildings are equally steep the one that came first has the cell.
+/// As for BlockHorizons. If two buildings give equally steep horizons, the cell is attributed to the first
+/// one processed.
 void clearBlock(const ReceiverBlocks::Masks& masks, AttributedHorizons& horizons);
 void raiseBlock(const WallOnBlock& wall, const BlockRows& lines, AttributedHorizons& horizons);
 void toCodes(const AttributedHorizons& horizons, HorizonCode lowest, AttributedCodes& codes);

@@ -8,19 +8,19 @@
 
 namespace noonmark {
 
-/// The horizons of a tile at one azimuth with who makes them, one a number.
+/// The horizons of a tile at one azimuth with the buildings that make them, one per number.
 struct AttributedTile {
     std::vector<HorizonCode> codes, others;  ///< as in AttributedCodes
-    std::vector<std::uint32_t> buildings;    ///< of codes that are not noHorizon
+    std::vector<std::uint32_t> buildings;    ///< valid where the code is not noHorizon
 
-    /// No horizon anywhere.
+    /// Resets all horizons to noHorizon.
     void clear(std::size_t numbers) {
         codes.assign(numbers, noHorizon);
         others.assign(numbers, noHorizon);
         buildings.resize(numbers);
     }
 
-    /// Those of a block, as BlockSweep gives them.
+    /// Writes the horizons of a block, as computed by BlockSweep.
     void write(const AttributedCodes& swept, const ReceiverBlocks& blocks, const ReceiverBlocks::Block& block,
                bool swapped) {
         const std::uint8_t* places = blocks.places(block, swapped);

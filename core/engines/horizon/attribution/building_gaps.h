@@ -10,17 +10,17 @@
 
 namespace noonmark {
 
-/// What the hanging parts of one building hide from a receiver.
+/// An interval that the overhangs of one building hide from a receiver.
 struct BuildingGap {
     std::uint32_t number, building;
     HorizonCode low, high;
 };
 
-/// Intervals of each building for itself. One for each thread.
+/// Finds the intervals of each building separately. One per thread.
 class BuildingGapFinder {
 public:
-    /// As OverhangSweep::intervals; of one receiver from below, those of one building disjoint, of several
-    /// perhaps not. `shapes`: what is in the view.
+    /// As OverhangSweep::intervals(). The intervals of a receiver ascend; those of one building are disjoint,
+    /// those of different buildings may overlap. `shapes`: the overhangs of the view.
     std::span<const BuildingGap> intervals(std::span<const OverhangShapes> shapes, OverhangView view,
                                            std::span<const HorizonCode> horizons,
                                            const std::stop_token& stop);
@@ -31,26 +31,27 @@ private:
     NumberSort<BuildingGap> sort_;
 };
 
-/// One receiver at one azimuth: who stands before it, and what hangs.
+/// The occluders of one receiver at one azimuth.
 struct AttributedView {
-    std::uint32_t building;   ///< whose the horizon is, where there is one
-    HorizonCode code, other;  ///< the horizon, and what it would be without that building
+    std::uint32_t building;   ///< building that makes the horizon, if there is one
+    HorizonCode code, other;  ///< the horizon, and the horizon without that building
     std::span<const BuildingGap> gaps;
 
     [[nodiscard]] bool stands(std::uint32_t who) const { return code != noHorizon && who == building; }
 };
 
-/// Calls visit(building, from, to) for the suns [from, to) that what hangs hides above the horizon: where
-/// several buildings hide the same, the one that begins lowest has it. All together are hidden.
+/// Calls visit(building, from, to) for the suns [from, to) that overhangs hide above the horizon. Suns hidden
+/// by several buildings are attributed to the interval that begins lowest. Together the calls cover all suns
+/// hidden by overhangs.
 template <class Visit>
 void forEachAttributed(const AttributedView& view, const Visit& visit) {
     forEachAdded(view.code, view.gaps,
                  [&](const BuildingGap& gap, HorizonCode from) { visit(gap.building, from, gap.high); });
 }
 
-/// Calls more(from, to) for all that what hangs hides above the horizon and less(from, to) for what it still
-/// would without a building. The difference and, where the horizon is the building's, what that is above the
-/// others' is what the building alone hides.
+/// Calls more(from, to) for everything that overhangs hide above the horizon, and less(from, to) for what
+/// they would hide without `building`. The building's sole contribution is the difference, plus the height of
+/// its horizon above the others' if it makes the horizon.
 template <class More, class Less>
 void forEachSole(const AttributedView& view, std::uint32_t building, const More& more, const Less& less) {
     forEachAdded(view.code, view.gaps,
@@ -61,7 +62,8 @@ void forEachSole(const AttributedView& view, std::uint32_t building, const More&
         [&](const BuildingGap& gap, HorizonCode from) { less(from, gap.high); }, foreign);
 }
 
-/// Calls visit(building) once for whoever makes the horizon and all whose parts hang there.
+/// Calls visit(building) once for the building that makes the horizon and once for each other building with
+/// overhangs there.
 template <class Visit>
 void forEachBuilding(const AttributedView& view, const Visit& visit) {
     if (view.code != noHorizon) visit(view.building);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int tileSide = 512;
 
-/// The receivers of a tile, as walls and as hanging parts look at them.
+/// The receivers of a tile, in the forms that walls and overhangs need.
 struct Tile {
     Tile(const Receivers& receivers, const TileBox& box, double datumM)
         : blocks(receivers, box), grounds(receivers, blocks, datumM), overhangs(receivers, blocks, datumM) {}
@@ -30,7 +30,7 @@ struct Tile {
 
 class Breakdown {
 public:
-    /// All must outlive it.
+    /// All arguments must outlive it.
     Breakdown(const WallList& walls, std::span<const OverhangShapes> overhangs, const Receivers& receivers,
               const BinnedSun& binned, const StepSets& sets, bool byBuilding, Progress& progress,
               std::stop_token stop)
@@ -63,11 +63,11 @@ public:
     }
 
 private:
-    /// Of one thread.
+    /// Per-thread memory.
     struct Work {
         StepSums sums;
         TileSweep sweep;
-        std::vector<std::vector<HorizonCode>> codes;  // of each bin of a batch
+        std::vector<std::vector<HorizonCode>> codes;  // for each bin of a batch
         OverhangSweep overhangs;
         AttributedTile ranks;
         BuildingGapFinder owned;
@@ -107,7 +107,7 @@ private:
                           work.overhangs.intervals(viewOf(tile, bins_[bin]), codes, stop_));
     }
 
-    // What hangs below the horizon counts too where its building may have that horizon.
+    // Intervals below the horizon count too if their building may make that horizon.
     void rank(const Tile& tile, std::size_t bin, Work& work) {
         work.ranks.clear(tile.blocks.numbers());
         const auto take = [&](std::size_t i, const AttributedCodes* swept, bool swapped) {
@@ -162,7 +162,7 @@ private:
     const WallList& walls_;
     std::span<const OverhangShapes> overhangs_;
     OverhangList overhangList_;
-    std::size_t casters_;  // buildings and the terrain; 0: nobody asks
+    std::size_t casters_;  // buildings and the terrain; 0: no attribution
     const Receivers& receivers_;
     std::vector<SweptBin> bins_;
     std::vector<BatchRange> batches_;

@@ -7,12 +7,12 @@
 
 namespace noonmark {
 
-/// Sorts by the receiver's number, and what is of one receiver by `less`. By counting where that is less
-/// work: O(items + numbers). Keeps its memory.
+/// Sorts by the receiver's number, and the items of one receiver by `less`. Uses a counting sort where that
+/// is less work: O(items + numbers). Reuses its memory.
 template <class T>
 class NumberSort {
 public:
-    /// `numbers`: all are below. `numberOf(item)`.
+    /// `numbers`: upper limit of all numbers. `numberOf(item)`: its number.
     template <class NumberOf, class Less>
     void run(std::vector<T>& items, std::size_t numbers, const NumberOf& numberOf, const Less& less) {
         if (items.size() < numbers / 8) {
@@ -38,14 +38,14 @@ private:
         std::swap(items, sorted_);
     }
 
-    // Of one receiver there are a handful.
+    // A receiver has only a handful of items.
     static void sortFew(auto first, auto end, const auto& less) {
         if (end - first > 32) return std::sort(first, end, less);
         for (auto item = first; item != end; ++item)
             std::rotate(std::upper_bound(first, item, *item, less), item, item + 1);
     }
 
-    std::vector<std::uint32_t> ends_;  // of each number's items
+    std::vector<std::uint32_t> ends_;  // end of each number's items
     std::vector<T> sorted_;
 };
 

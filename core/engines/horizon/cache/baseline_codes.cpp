@@ -12,7 +12,7 @@ HorizonCode* BaselineCodes::add(std::size_t block, std::size_t blocks) {
     return page(block);
 }
 
-// The last page takes its place.
+// The last page moves into the free place.
 void BaselineCodes::remove(std::size_t block) {
     const std::int32_t free = pageOf_[block];
     const std::uint32_t last = blocks_.back();

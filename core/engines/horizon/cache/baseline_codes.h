@@ -10,26 +10,27 @@
 
 namespace noonmark {
 
-/// Horizons of one azimuth in some blocks as they were without the buildings that came last: when these go or
-/// move, nothing is to be found again there. A page is a block's codes, one a cell, row by row.
+/// Horizons of one azimuth in some blocks as they were without the buildings added by the last change. If
+/// these buildings are removed or moved, no horizon in the blocks has to be recomputed. Each block has a page
+/// with one code per cell, row by row.
 class BaselineCodes {
 public:
-    static constexpr HorizonCode unknown = noHorizon;  ///< of lowest(): nothing is lower
+    static constexpr HorizonCode unknown = noHorizon;  ///< value of lowest(); no code is lower
 
-    /// The page of a block; null: there is none.
+    /// The page of a block; null if it has none.
     [[nodiscard]] HorizonCode* page(std::size_t block) {
         return block < pageOf_.size() && pageOf_[block] >= 0 ? codes_.data() + start(pageOf_[block])
                                                              : nullptr;
     }
-    /// Blocks with pages.
+    /// Blocks that have pages.
     [[nodiscard]] std::span<const std::uint32_t> blocks() const { return blocks_; }
 
-    /// Makes the page of a block that has none. `blocks`: of the tile.
+    /// Creates the page of a block that has none. `blocks`: number of blocks of the tile.
     HorizonCode* add(std::size_t block, std::size_t blocks);
     void remove(std::size_t block);
     void clear();
 
-    /// No known cell of the block has a lower code without those buildings.
+    /// Lower bound of the codes of the block's known cells without those buildings.
     [[nodiscard]] HorizonCode lowest(std::size_t block) const {
         return block < lowest_.size() ? lowest_[block] : unknown;
     }
@@ -43,10 +44,10 @@ public:
 private:
     static std::size_t start(std::int32_t page) { return std::size_t(page) * ReceiverBlocks::cells; }
 
-    std::vector<std::int32_t> pageOf_;   // one a block; -1: none
-    std::vector<std::uint32_t> blocks_;  // of each page
+    std::vector<std::int32_t> pageOf_;   // one per block; -1: none
+    std::vector<std::uint32_t> blocks_;  // block of each page
     std::vector<HorizonCode> codes_;
-    std::vector<HorizonCode> lowest_;  // one a block
+    std::vector<HorizonCode> lowest_;  // one per block
 };
 
 }  // namespace noonmark

@@ -66,7 +66,7 @@ void BinEdit::look(const TileEdit& edit, std::size_t block) {
         raise(edit, block, nullptr);
 }
 
-// Where what was removed gives the code that is there.
+// Adds the cells where the removed occluders give the current code.
 void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
     if (removed_.empty()) return;
     const ReceiverBlocks::Block& block = edit.blocks.blocks()[lost.block];
@@ -88,7 +88,8 @@ void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
     for (std::size_t line = 0; line < equal.size(); ++line) lost.masks[line] |= equal[line];
 }
 
-// Without pages nobody asks what lies behind what comes.
+// Leaves out cells whose horizons the added occluders reach anyway: without pages, horizons without the added
+// occluders are not needed.
 void BinEdit::leaveOutRaised(const TileEdit& edit, std::size_t i, const HorizonCode* now,
                              ReceiverBlocks::Masks& masks) {
     if (added_.empty() || !any(masks)) return;
@@ -130,7 +131,8 @@ void BinEdit::recompute(const TileEdit& edit, const Lost& lost) {
     raise(edit, lost.block, &base);
 }
 
-// From the horizons without what came last: those found just now, of the page, or those that are there.
+// Starts from the horizons without the buildings of the last change: those just recomputed, or those of the
+// page, or else the current ones.
 void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* found) {
     const std::uint32_t first = edit.blocks.blocks()[block].first;
     HorizonCode* page = bin_->base.page(block);
@@ -151,7 +153,7 @@ void BinEdit::raise(const TileEdit& edit, std::size_t block, const BlockCodes* f
     write(edit, block, codes);
 }
 
-// Row by row; null where they raise nothing.
+// Row by row; null if the added occluders raise nothing.
 const HorizonCode* BinEdit::comingCodes(const TileEdit& edit, std::size_t i, const HorizonCode* base) {
     if (added_.empty()) return nullptr;
     const ReceiverBlocks::Block& block = edit.blocks.blocks()[i];
@@ -165,7 +167,7 @@ const HorizonCode* BinEdit::comingCodes(const TileEdit& edit, std::size_t i, con
     return turned_.values;
 }
 
-// What will be wanted once the walls are looked through.
+// Prefetches data that is needed after the walls have been searched.
 void BinEdit::prefetch(const TileEdit& edit, std::size_t block) const {
     const std::uint32_t first = edit.blocks.blocks()[block].first;
     for (std::uint32_t cell = 0; cell < ReceiverBlocks::cells; cell += 32) {
@@ -183,7 +185,7 @@ HorizonCode BinEdit::lowestIn(const TileEdit& edit, std::size_t block, const Hor
     return lowest;
 }
 
-// New receivers count from no horizon.
+// New receivers start from noHorizon, so that all their hidden suns are counted.
 void BinEdit::write(const TileEdit& edit, std::size_t block, const BlockCodes& codes) {
     HorizonCode* now = bin_->codes.data() + edit.blocks.blocks()[block].first;
     forEachPlace(edit.cells.newRows[block],
@@ -195,7 +197,8 @@ void BinEdit::write(const TileEdit& edit, std::size_t block, const BlockCodes& c
         if (differ[row] != 0) std::copy_n(codes.values + row * side, side, now + row * side);
 }
 
-// Receivers only. Where no sun is hidden or seen that was not before, runs stay as they are.
+// Counts receivers only. A part of 64 numbers is marked as changed only if some sum changed; otherwise its
+// runs stay valid.
 void BinEdit::count(const TileEdit& edit, std::size_t block, const BlockCodes& codes,
                     const ReceiverBlocks::Masks& differ) {
     const std::uint32_t first = edit.blocks.blocks()[block].first;

@@ -14,46 +14,46 @@
 
 namespace noonmark {
 
-/// What changed in a tile, in the blocks' order.
+/// The changes in a tile, in the order of its blocks.
 struct TileEdit {
-    const WallCache& walls;  ///< of the city as it is now
+    const WallCache& walls;  ///< of the city after the change
     const WallChange& change;
-    const ReceiverBlocks& blocks;  ///< as they are now, all cells numbered
+    const ReceiverBlocks& blocks;  ///< after the change; all cells numbered
     const CachedCells& known;
     const BlockGrounds& grounds;
-    const OverhangTile& overhangs;  ///< nothing where nothing hangs nor hung
-    const ChangedReceivers& cells;  ///< codes of unknown ones say nothing
-    bool undoesLast;                ///< the pages of the bins are without what was removed
-    bool level;                     ///< all receivers lie on one level: bins may have pages
-    bool isOverhanging;             ///< something does or did: changes are asked for
-    int columns;                    ///< of the grid
+    const OverhangTile& overhangs;  ///< empty if there are no overhangs, before or after the change
+    const ChangedReceivers& cells;  ///< codes of unknown cells are undefined
+    bool undoesLast;                ///< the bins' pages are without the removed buildings
+    bool level;                     ///< all receivers are at one level, so bins may have pages
+    bool isOverhanging;  ///< there are overhangs, before or after the change, so code changes are needed
+    int columns;         ///< of the grid
     double cellM;
     const std::stop_token& stop;
 };
 
-/// A horizon that is another now.
+/// A horizon that changed.
 struct CodeChange {
     std::uint32_t number;
     HorizonCode before, after;
 };
 
-/// Brings the horizons of one azimuth up to date. In each block horizons are brought back to what they are
-/// without what came last: they are kept (BaselineCodes), or else what is gone made a horizon just where it
-/// alone gives the same code, and there, and where nothing is known, it is found again from all that stands.
-/// Then what is new raises them. The codes are those of a sweep of the whole, bit for bit. One for each
-/// thread.
+/// Updates the horizons of one azimuth after a change of the city. First the horizons of each affected block
+/// are restored to those without the buildings of the last change. If the block has a page (BaselineCodes),
+/// they are taken from it. Otherwise a removed building determined a horizon only where it alone gives the
+/// same code; those horizons, and unknown ones, are recomputed from all remaining occluders. Then the added
+/// buildings raise the horizons. The codes equal those of a complete sweep, bit for bit. One per thread.
 class BinEdit {
 public:
-    /// Adds to `steps` how many of the suns more the horizons of receivers hide; of new ones all. Returns,
-    /// where something hangs, what changed of receivers, of each number once; valid until the next call. Less
-    /// once stopped.
+    /// Adds to `steps` how many more of the suns the horizons of receivers hide; for new receivers, all
+    /// hidden suns. If there are overhangs, returns the code changes of receivers, each number once; valid
+    /// until the next call. Incomplete if stopped.
     std::span<const CodeChange> run(const TileEdit& edit, glm::dvec2 away, CachedBin& bin,
                                     std::span<const SunChange> suns, TileSteps& steps);
 
 private:
     struct Lost {
         std::size_t block;
-        ReceiverBlocks::Masks masks;  // of its lines
+        ReceiverBlocks::Masks masks;  // of its rows (columns if swapped)
     };
     void begin(const TileEdit& edit, ShadedBlocks& shaded, BlockSweep& sweep, const WallSet& set);
     void findBlocks(const TileEdit& edit);
@@ -79,7 +79,7 @@ private:
     BlockSweep removedSweep_, addedSweep_, allSweep_;
     ShadedBlocks removed_, added_;
     BlockMarks marks_;
-    std::vector<std::size_t> blocks_;  // to be looked at
+    std::vector<std::size_t> blocks_;  // blocks to be examined
     std::vector<Lost> lost_;
     std::vector<StandingPrism> prisms_;
     std::vector<CodeChange> changes_;

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int side = ReceiverBlocks::side;
 
-/// A line of a block.
+/// A row of a block.
 using Shorts16 = std::int16_t __attribute__((vector_size(32), may_alias));
 
-// Vectors are handed over by reference: what is compiled for several instruction sets has no other way.
+// Vectors are passed by reference: functions compiled for several instruction sets cannot pass them by value.
 #define NOONMARK_INTO_EVERY [[gnu::always_inline]] inline
 
 NOONMARK_INTO_EVERY void load(const HorizonCode* codes, Shorts16& line) {
@@ -28,7 +28,7 @@ NOONMARK_INTO_EVERY void store(const Shorts16& line, HorizonCode* codes) {
 constexpr Shorts16 bits{1,   2,   4,    8,    16,   32,   64,    128,
                         256, 512, 1024, 2048, 4096, 8192, 16384, std::int16_t(-32768)};
 
-// Of lanes that are 0 or -1. Each is its own bit, and the quarters are joined.
+// Lanes are 0 or -1. Each lane is reduced to a bit of its own, and the quarters are combined.
 NOONMARK_INTO_EVERY std::uint16_t maskOf(const Shorts16& lanes) {
     const Shorts16 set = lanes & bits;
     std::uint64_t words[4];
@@ -51,7 +51,7 @@ NOONMARK_INTO_EVERY void findLanes(const HorizonCode* a, const HorizonCode* b,
     }
 }
 
-// Rows 2i and 2i + 1 woven of rows i and i + 8; four times over that is the transposition.
+// Interleaves rows i and i + 8 into rows 2i and 2i + 1; applied four times this transposes the block.
 NOONMARK_INTO_EVERY void weave(const Shorts16* from, Shorts16* to) {
     for (int i = 0; i < side / 2; ++i) {
         const Shorts16 &a = from[i], &b = from[i + side / 2];

@@ -7,28 +7,28 @@
 
 namespace noonmark {
 
-/// One code a cell of a block, line by line.
+/// One code per cell of a block, row by row.
 struct alignas(64) BlockCodes {
     HorizonCode values[ReceiverBlocks::cells];
 };
 
-/// Of the cells in `masks`; the highest code where there is none.
+/// Lowest code of the cells in `masks`; the highest possible code if there are none.
 HorizonCode findLowest(const HorizonCode* codes, const ReceiverBlocks::Masks& masks);
 
 /// Sets the codes of cells that are not in `masks`.
 void setOthers(const ReceiverBlocks::Masks& masks, HorizonCode code, BlockCodes& codes);
 
-/// Rows as columns.
+/// Swaps rows and columns.
 void transpose(const HorizonCode* from, BlockCodes& to);
 
-/// Raises codes to others.
+/// Raises each code to the other one if that is higher.
 void raise(const HorizonCode* others, BlockCodes& codes);
 
-/// For each line the cells in `masks` where two blocks differ, as bits.
+/// For each row the cells in `masks` where two blocks differ, as bits.
 void findDifferences(const HorizonCode* a, const HorizonCode* b, const ReceiverBlocks::Masks& masks,
                      ReceiverBlocks::Masks& differ);
 
-/// For each line the cells in `masks` where the codes are the same and not noHorizon.
+/// For each row the cells in `masks` where the codes are equal and not noHorizon.
 void findEqual(const HorizonCode* a, const HorizonCode* b, const ReceiverBlocks::Masks& masks,
                ReceiverBlocks::Masks& equal);
 

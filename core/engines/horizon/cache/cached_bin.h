@@ -9,13 +9,13 @@
 
 namespace noonmark {
 
-/// Horizons of a tile at one azimuth, exact for suns above `lowest`: what ends at a sun's own level is kept,
-/// since a gap that begins one level above is joined to it.
+/// The cached horizons of a tile at one azimuth, exact for suns above `lowest`. Gaps that end exactly at a
+/// sun's level are included, because a gap that begins one level higher adjoins them.
 struct CachedBin {
     HorizonCode lowest = 0;
-    std::vector<HorizonCode> codes;  ///< of what stands, one a number; none: not there
-    std::vector<Gap> gaps;  ///< of receivers, by number: all that hangs and reaches above the horizon
-    BaselineCodes base;     ///< where buildings came last
+    std::vector<HorizonCode> codes;  ///< of what stands on the ground, one per number; empty: not cached
+    std::vector<Gap> gaps;  ///< gaps of receivers, by number: all overhangs that reach above the horizon
+    BaselineCodes base;     ///< where the last change added buildings
 
     static HorizonCode below(const AzimuthBin& bin) {
         return HorizonCode(std::max(int(noHorizon), int(bin.lowest()) - 1));

@@ -7,11 +7,11 @@
 
 namespace noonmark {
 
-/// The cells of a tile whose horizons are kept: its receivers, and cells that were receivers before the
-/// buildings that came last stood there.
+/// The cells of a tile whose horizons are cached: its receivers, and cells that were receivers until the
+/// buildings added by the last change covered them.
 class CachedCells {
 public:
-    /// Those of the receivers only, whose cells all have numbers.
+    /// Initially the receivers of `blocks`, all of whose cells have numbers.
     explicit CachedCells(const ReceiverBlocks& blocks) {
         for (std::size_t i = 0; i < blocks.blocks().size(); ++i) {
             rows_.push_back(blocks.masks(i, false));

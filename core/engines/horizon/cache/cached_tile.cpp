@@ -11,7 +11,7 @@ namespace noonmark {
 
 namespace {
 
-// What hangs is looked at from receivers only.
+// Overhangs are examined from receivers only.
 std::span<const HorizonCode> ofReceivers(const ReceiverBlocks& blocks, std::span<const HorizonCode> codes,
                                          std::vector<HorizonCode>& memory) {
     memory.assign(codes.begin(), codes.end());
@@ -50,7 +50,7 @@ std::size_t CachedTile::retime(const Receivers& receivers, const WallCache& wall
     return swept;
 }
 
-// `hung`: whether something that went did.
+// `wasOverhanging`: whether a removed building had overhangs.
 void CachedTile::lookAtGround(const Receivers& receivers, const WallCache& walls, bool wasOverhanging) {
     const double datumM = walls.list().datumM;
     grounds_ = BlockGrounds(receivers, blocks_, datumM);
@@ -92,7 +92,7 @@ std::size_t CachedTile::sweep(const Receivers& receivers, const WallCache& walls
     return missing.size();
 }
 
-// `missing`: bins of a batch.
+// `missing`: the bins of one batch.
 void CachedTile::sweep(std::span<const AzimuthBin> missing, Sweeping& sweeping) {
     std::vector<SweptBin> swept = makeSweptBins(missing);
     for (std::size_t i = 0; i < swept.size(); ++i) {
@@ -124,7 +124,7 @@ void CachedTile::findGaps(CachedBin& cached, glm::dvec2 away, Sweeping& sweeping
     if (sweeping.stop.stop_requested()) cached = {};
 }
 
-/// Of each thread.
+/// One per thread.
 struct CachedTile::EditMemory {
     struct Own {
         BinEdit codes;
@@ -138,7 +138,7 @@ struct CachedTile::EditMemory {
 struct CachedTile::Editing {
     TileEdit edit;
     const SunsByNumber& suns;
-    const HiddenByNumber& hidden;  ///< empty where nothing hangs
+    const HiddenByNumber& hidden;  ///< empty if there are no overhangs
     double binDeg;
     EditMemory& memory;
 };
@@ -147,7 +147,7 @@ CachedTile::CachedTile(CachedTile&&) noexcept = default;
 CachedTile& CachedTile::operator=(CachedTile&&) noexcept = default;
 CachedTile::~CachedTile() = default;
 
-// Where pages say nothing of these buildings what lies below them is not known.
+// If the pages do not match the removed buildings, the horizons below them are unknown.
 ChangedReceivers CachedTile::update(const Receivers& receivers, std::span<const std::uint32_t> cells,
                                     bool undoesLast) {
     if (!undoesLast) known_ = CachedCells(blocks_);
@@ -181,7 +181,7 @@ void CachedTile::change(const Receivers& receivers, std::span<const std::uint32_
     if (stop.stop_requested()) drop();
 }
 
-// Of a bin that the period does not visit the sums know nothing.
+// The sums do not include bins that the period does not visit.
 void CachedTile::change(std::uint32_t number, Editing& editing) {
     CachedBin& bin = bins_[number];
     EditMemory::Own& memory = editing.memory.own.local();

@@ -15,7 +15,7 @@
 
 namespace noonmark {
 
-/// The horizons of a tile, kept while dates, hours and buildings change.
+/// The horizons of a tile, cached while dates, hours and buildings change.
 class CachedTile {
 public:
     CachedTile(const Receivers& receivers, const TileBox& box, std::size_t bins);
@@ -27,29 +27,31 @@ public:
     [[nodiscard]] std::size_t bytes() const;
     void drop();
 
-    /// Sweeps the bins that are not there or do not reach low enough, and counts; of bins whose suns are
-    /// those of the period before nothing. Returns how many it swept. `progress` hears of each bin.
+    /// Sweeps the bins that are not cached or do not reach low enough, and counts the period; bins whose suns
+    /// are those of the previous period are not counted again. Returns the number of bins swept. `progress`
+    /// is updated after each bin.
     std::size_t retime(const Receivers& receivers, const WallCache& walls, const BinnedSun& binned,
                        Progress& progress, const std::stop_token& stop);
 
-    /// After the city changed: buildings that went and came, `cells` that have become receivers or none, or
-    /// lie at another height. Only horizons that may change are looked at. After a stop the tile is empty.
+    /// Updates the tile after a change of the city: buildings were removed and added, and `cells` became
+    /// receivers, ceased to be receivers or lie at another height. Only horizons that may change are
+    /// examined. If stopped, the tile is empty afterwards.
     void change(const Receivers& receivers, std::span<const std::uint32_t> cells, const WallCache& walls,
                 const WallChange& change, CountedPeriod& period, double binDeg, const std::stop_token& stop);
 
-    /// Forgets what horizons are without the buildings that came last: these take longer to go, then.
+    /// Drops the horizons without the buildings of the last change, so removing these buildings takes longer.
     void dropPages();
 
-    /// Writes the gross minutes that are out of date.
+    /// Updates gross minutes that are out of date.
     void writeGross(ShadowField& field, const std::stop_token& stop);
 
-    /// Writes the longest runs that are out of date.
+    /// Updates longest runs that are out of date.
     void writeRuns(const BinnedSun& binned, const RunCount& count, ShadowField& field,
                    const std::stop_token& stop);
 
 private:
-    struct Sweeping;  // what the threads share while bins are swept
-    struct Editing;   // or changed
+    struct Sweeping;  // shared by the threads while bins are swept
+    struct Editing;   // shared by the threads while bins are changed
     struct EditMemory;
     std::size_t sweep(const Receivers& receivers, const WallCache& walls, const BinnedSun& binned,
                       Progress& progress, const std::stop_token& stop);
@@ -63,12 +65,12 @@ private:
     TileBox box_;
     ReceiverBlocks blocks_;
     CachedCells known_;
-    bool paged_ = false;  // the bins' pages are without the buildings that came last
+    bool paged_ = false;  // the bins' pages are without the buildings added by the last change
     BlockGrounds grounds_;
-    OverhangTile overhangs_;       // empty before anything hangs
-    std::vector<CachedBin> bins_;  // by number
+    OverhangTile overhangs_;       // empty until there are overhangs
+    std::vector<CachedBin> bins_;  // by bin number
     TileCount count_;
-    std::unique_ptr<EditMemory> memory_;  // kept from one change to the next
+    std::unique_ptr<EditMemory> memory_;  // reused from one change to the next
 };
 
 }  // namespace noonmark

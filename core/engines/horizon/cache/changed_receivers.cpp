@@ -18,7 +18,7 @@ struct Comparison {
         return is && heights && now.groundM[cell] != before.groundM[cell];
     }
 
-    // Whether a stretch of cells has the same bits.
+    // Whether a range of cells is identical bit for bit.
     [[nodiscard]] bool same(std::size_t first, std::size_t count) const {
         const auto equal = [&](const auto& a, const auto& b) {
             return std::memcmp(&a[first], &b[first], count * sizeof(a[first])) == 0;
@@ -31,7 +31,7 @@ void add(ReceiverBlocks::Masks& masks, int line, int place) {
     masks[std::size_t(line)] |= std::uint16_t(1U << unsigned(place));
 }
 
-/// Changes one cell after the other.
+/// Applies the change of one cell at a time.
 struct CellChange {
     ReceiverBlocks& blocks;
     CachedCells& known;

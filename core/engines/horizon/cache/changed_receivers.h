@@ -9,22 +9,22 @@
 
 namespace noonmark {
 
-/// Cells of the grid, ascending, that have become receivers, are none any more, or lie at another height; of
-/// level ground and uneven one heights are not compared.
+/// Cells of the grid, ascending, that became receivers, ceased to be receivers or lie at another height.
+/// Heights are not compared if the ground is level in only one of the two.
 std::vector<std::uint32_t> findChangedReceivers(const Receivers& before, const Receivers& now);
 
-/// What a change of the city makes of the receivers of a tile whose cells all have numbers.
+/// The effect of a change of the city on the receivers of a tile whose cells all have numbers.
 struct ChangedReceivers {
-    /// Of each block, those that have become receivers or lie at another height.
+    /// For each block, cells that became receivers or lie at another height.
     std::vector<ReceiverBlocks::Masks> newRows;
-    /// Those of them whose horizons are not known.
+    /// The subset whose horizons are not known.
     std::vector<ReceiverBlocks::Masks> unknownRows, unknownColumns;
-    std::vector<std::size_t> newBlocks;                  ///< with new cells
-    std::vector<std::uint32_t> newNumbers, goneNumbers;  ///< of such, and of receivers that are none any more
+    std::vector<std::size_t> newBlocks;                  ///< blocks with new cells
+    std::vector<std::uint32_t> newNumbers, goneNumbers;  ///< of new and of former receivers
 };
 
-/// Makes blocks those of the receivers now; the new ones become known. `cells`: findChangedReceivers(),
-/// perhaps of other tiles, too.
+/// Updates `blocks` to the current receivers; new receivers become known. `cells`: from
+/// findChangedReceivers(), may include cells of other tiles.
 ChangedReceivers update(ReceiverBlocks& blocks, CachedCells& known, const Receivers& now,
                         std::span<const std::uint32_t> cells);
 

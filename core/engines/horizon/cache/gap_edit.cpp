@@ -43,8 +43,8 @@ void GapEdit::mark(std::uint32_t number, State state) {
     states_[number] |= state;
 }
 
-// Where parts reach above the horizon as it is now. Where it was lower it has risen over them; where it was
-// higher it is marked already.
+// Marks receivers for which removed or added overhangs reach above the current horizon. If the horizon was
+// lower before, it has risen above the rest; if it was higher, the receiver is already marked.
 void GapEdit::markHit(const TileEdit& edit, const Bin& bin, std::span<const OverhangShapes> shapes) {
     if (shapes.empty()) return;
     for (const Gap& gap : sweep_.intervals(viewOf(edit, bin, listOf(shapes)), bin.codes, edit.stop)) {
@@ -59,7 +59,7 @@ OverhangView GapEdit::viewOf(const TileEdit& edit, const Bin& bin,
     return {shapes, edit.overhangs, bin.away, bin.lowest, edit.cellM};
 }
 
-// What the gaps hid before, or hide now, of those that are marked. Most are not.
+// Adds the suns that the gaps of marked receivers hid before, or hide now. Most receivers are not marked.
 void GapEdit::add(const Bin& bin, std::span<const Gap> gaps, bool before) {
     if (bin.hidden == nullptr) return;
     const auto isOf = [](std::uint32_t number) {
@@ -101,7 +101,7 @@ void GapEdit::recompute(const TileEdit& edit, const Bin& bin) {
     found_.assign(found.begin(), found.end());
 }
 
-// Of numbers that are marked.
+// Blocks with marked numbers.
 void GapEdit::findBlocks() {
     blocks_.clear();
     for (const std::uint32_t number : numbers_)
@@ -111,7 +111,7 @@ void GapEdit::findBlocks() {
     blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
 }
 
-// `found`: the first of the block's or of a later one's; moves on.
+// `found`: the first new gap of this block or a later one; is advanced.
 void GapEdit::rewrite(const Bin& bin, std::span<const Gap> gaps, std::uint32_t block, FoundGap& found) {
     const std::size_t before = rewritten_.empty() ? 0 : rewritten_.back().end;
     const auto from = std::ranges::lower_bound(gaps.subspan(before), block * blockNumbers, {}, &Gap::number),
@@ -123,7 +123,7 @@ void GapEdit::rewrite(const Bin& bin, std::span<const Gap> gaps, std::uint32_t b
     rewritten_.push_back({std::size_t(from - gaps.begin()), std::size_t(to - gaps.begin()), merged_.size()});
 }
 
-// What stays and what was found of numbers below `end`, by number.
+// Merges remaining and recomputed gaps of numbers below `end`, by number.
 void GapEdit::merge(std::span<const Gap> gaps, std::uint32_t end, FoundGap& found) {
     const auto stays = [&](const Gap& gap) { return (states_[gap.number] & (undoesLast | gone)) == 0; };
     for (const Gap& gap : gaps) {
@@ -134,7 +134,8 @@ void GapEdit::merge(std::span<const Gap> gaps, std::uint32_t end, FoundGap& foun
     for (; found != found_.end() && found->number < end; ++found) merged_.push_back(*found);
 }
 
-// In their places as long as blocks have as many as before; from there on all anew.
+// Overwrites gaps in place while blocks keep their number of gaps, and rewrites the list from the first block
+// that does not.
 void GapEdit::replace(std::vector<Gap>& gaps) {
     std::size_t merged = 0;
     auto block = rewritten_.begin();

@@ -8,37 +8,37 @@
 
 namespace noonmark {
 
-/// A receiver whose gaps may be others now, or hide others.
+/// A receiver whose gaps may have changed or may hide other suns.
 struct GapChange {
     std::uint32_t number;
-    std::uint32_t added;  ///< suns that they hide more above the horizon, modulo 2^32
+    std::uint32_t added;  ///< how many more suns they hide above the horizon, modulo 2^32
 };
 
-/// Brings the gaps of one azimuth up to date after the horizons there. They are found again where receivers
-/// are new, where the horizon fell (gaps below it are not kept) and where parts went or came; elsewhere they
-/// stay, but a horizon that rose hides more of them. One for each thread.
+/// Updates the gaps of one azimuth after its horizons have been updated. Gaps are recomputed for new
+/// receivers, where the horizon fell (gaps below it are not cached) and where overhangs were removed or
+/// added. Elsewhere they stay, but a horizon that rose covers more of them. One per thread.
 class GapEdit {
 public:
-    /// One azimuth as it is kept.
+    /// The cached data of one azimuth.
     struct Bin {
         glm::dvec2 away;
         HorizonCode lowest;
-        std::span<const HorizonCode> codes;   ///< as they are now
-        std::span<const CodeChange> changes;  ///< how they became so
+        std::span<const HorizonCode> codes;   ///< after the change
+        std::span<const CodeChange> changes;  ///< how the codes changed
         const HiddenSuns* hidden;             ///< of the period; null: it does not visit the bin
     };
 
-    /// Returns what may have changed, a number perhaps twice; of new receivers all that is there now. Valid
-    /// until the next call. Nothing where the period does not visit the bin.
+    /// Returns the receivers whose gaps may have changed, possibly with two entries for one number; for new
+    /// receivers all hidden suns. Valid until the next call. Empty if the period does not visit the bin.
     std::span<const GapChange> run(const TileEdit& edit, const Bin& bin, std::vector<Gap>& gaps);
 
 private:
     enum State : std::uint8_t {
         untouched = 0,
-        touched = 1,     ///< the horizon is another
-        undoesLast = 2,  ///< to be found again
+        touched = 1,     ///< the horizon changed
+        undoesLast = 2,  ///< gaps to be recomputed
         fresh = 4,       ///< a new receiver
-        gone = 8         ///< no receiver any more
+        gone = 8         ///< no longer a receiver
     };
 
     void begin(const TileEdit& edit, const Bin& bin);
@@ -56,14 +56,14 @@ private:
     void clear();
 
     OverhangSweep sweep_;
-    std::vector<std::uint8_t> states_;    // one a number
-    std::vector<HorizonCode> before_;     // codes, of those touched
-    std::vector<HorizonCode> horizons_;   // blind but for those found again
-    std::vector<std::uint32_t> numbers_;  // not untouched
+    std::vector<std::uint8_t> states_;    // one per number
+    std::vector<HorizonCode> before_;     // previous codes, for touched numbers
+    std::vector<HorizonCode> horizons_;   // blind except where gaps are recomputed
+    std::vector<std::uint32_t> numbers_;  // numbers that are not untouched
     OverhangList list_;
     std::vector<Gap> found_, merged_, rest_;
-    std::vector<std::uint32_t> blocks_;  // with numbers that are not untouched; ascending
-    /// Gaps [first, end) of a block, and where what replaces them ends in merged_.
+    std::vector<std::uint32_t> blocks_;  // blocks with numbers that are not untouched; ascending
+    /// The gaps [first, end) of a block, and the end of their replacement in merged_.
     struct Rewritten {
         std::size_t first, end, mergedEnd;
     };

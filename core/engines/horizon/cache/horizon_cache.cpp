@@ -19,7 +19,7 @@ namespace noonmark {
 
 namespace {
 
-// Large tiles sweep faster; small ones waste less of what may stay.
+// Large tiles are swept faster; small ones make better use of limited memory.
 int tileSide(const Grid& grid, std::uint64_t memoryBytes, std::size_t bins) {
     int side = 1024;
     const auto bytes = [&] {
@@ -36,7 +36,8 @@ Result<void> checkSame(const Receivers& before, const Receivers& now) {
                    "Make new ones for this region");
 }
 
-// Whether each cell keeps its number; of roofs alone those that come and go are outside of the region.
+// Whether each cell keeps its number. If only roofs are receivers, cells without a roof count as outside the
+// region, so numbers change with the roofs.
 bool sameCells(const Receivers& before, const Receivers& now, std::span<const std::uint32_t> changed) {
     const auto outside = [](CellKind kind) { return kind == CellKind::outside; };
     return before.flat() == now.flat() && std::ranges::all_of(changed, [&](std::uint32_t cell) {
@@ -56,7 +57,7 @@ struct HorizonCache::State {
     Receivers receivers;
     WallCache walls;
     std::vector<CachedTile> tiles;
-    std::optional<CountedPeriod> period;  // none before the first one
+    std::optional<CountedPeriod> period;  // empty before the first period
     ShadowField field;
 
     State(const HorizonCacheSettings& chosen, Receivers where, WallCache standing)
@@ -64,7 +65,7 @@ struct HorizonCache::State {
         makeTiles();
     }
 
-    // Numbers that bins may have.
+    // Number of possible bin numbers.
     [[nodiscard]] std::size_t bins() const { return std::size_t(std::ceil(360 / settings.binDeg)) + 1; }
 
     void makeTiles() {
@@ -101,7 +102,7 @@ struct HorizonCache::State {
         field.cost.seconds[stage] += watch.seconds();
     }
 
-    // What is half done holds nothing that can be trusted.
+    // Partial results are invalid, so everything is dropped.
     Error outOfMemory() {
         for (CachedTile& tile : tiles) tile.drop();
         period.reset();
@@ -125,7 +126,8 @@ struct HorizonCache::State {
         return lowest / (1 - lowest);
     }
 
-    /// Takes what is new and returns what changed of it; nothing where no tile stays: they know it already.
+    /// Updates the occluders and returns the change; nothing if the tiles had to be rebuilt, since new tiles
+    /// include it.
     Result<std::optional<WallChange>> update(const City& city, const Receivers& now,
                                              std::span<const std::uint32_t> changed) {
         if (walls.sameGround(city, now) && sameCells(receivers, now, changed))
@@ -158,7 +160,7 @@ struct HorizonCache::State {
             timed("runs", [&] { tile.writeRuns(period->binned(), period->runs(), field, stop); });
     }
 
-    // Sweeps again what did not stay.
+    // Sweeps tiles again that are not cached.
     void writeRuns(CachedTile& tile, Progress& progress, const std::stop_token& stop) {
         if (tile.bytes() == 0)
             sweep(tile, ShadowCounts::grossAndRuns, progress, stop);
@@ -167,7 +169,7 @@ struct HorizonCache::State {
         keepWithinMemory(tile);
     }
 
-    // Cells that are no receivers any more hold NaN.
+    // Cells that are no longer receivers hold NaN.
     void mask(std::span<const std::uint32_t> changed) {
         for (const std::uint32_t cell : changed)
             if (!isReceiver(receivers.kind[cell]))

@@ -1,5 +1,12 @@
 #pragma once
 
+// The cache of the horizon sweep, for dragging buildings and trying other hours. HorizonCache is the
+// interface. It holds CachedTile objects, each with a CachedBin per azimuth and a TileCount of the current
+// period (counted_period.h). WallCache and OverhangCache hold the occluders and compute what an edit removes
+// and adds. bin_edit.h and gap_edit.h update the horizons and overhang intervals of one azimuth, only in the
+// blocks that shaded_blocks.h finds and for the receivers that changed_receivers.h lists. BaselineCodes keeps
+// the horizons without the buildings added last, so that moving these is cheap.
+
 #include <cstdint>
 #include <memory>
 
@@ -10,55 +17,55 @@ namespace noonmark {
 
 struct HorizonCacheSettings {
     double binDeg = 0.5;  ///< width of an azimuth bin, degrees, 0.1 to 2
-    /// For horizons that stay: 2 bytes for each cell of the region's box and bin, 8 for each interval that a
-    /// part which hangs hides there, and another 2 where the buildings that came last raise horizons. Of a
-    /// larger region some tiles are swept anew each time.
+    /// Memory limit for cached horizons: 2 bytes per cell of the region's bounding box and bin, 8 per
+    /// interval that an overhang hides there, and another 2 per cell where the buildings added by the last
+    /// change raise horizons. In regions that exceed the limit, some tiles are swept again each time.
     std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     bool operator==(const HorizonCacheSettings&) const = default;
 };
 
-/// A study by horizons that stay: other dates, hours, steps and weights are a walk through tables, and a city
-/// that changed by a few buildings is looked at only where these stand, stood or throw their shadow. A city
-/// and receivers as the horizon sweep takes them (horizon_sweep.h: terrain, roofs and parts that hang, too),
-/// with the same error; but each bin's suns are taken in its middle whatever the period, so that short
-/// periods are less exact there, and no rays decide longest runs.
+/// A study with cached horizons. For other dates, hours, steps and weights the cached horizons are only
+/// looked up in tables. After an edit of a few buildings, only places at these buildings and in their shadows
+/// are examined. Supports the same cities and receivers as the horizon sweep (horizon_sweep.h), including
+/// terrain, roofs and overhangs, with the same error; but the suns of a bin are placed at its middle whatever
+/// the period, which is less accurate for short periods, and rays do not decide longest runs.
 ///
-/// Rounding: a horizon is kept as its level of 65,535, rounded down (horizon_code.h), which is what a
-/// fresh sweep counts with too. So after any changes the field is that of new HorizonCache of the same city,
-/// bit for bit.
+/// Rounding: a cached horizon is one of 65,535 levels, rounded down (horizon_code.h), exactly as a new sweep
+/// counts it. So after any changes the field equals that of a new HorizonCache of the same city, bit for bit.
 ///
-/// Not for several threads at a time; uses all cores. Stops within 0.2 s with cancelled(): what was kept may
-/// then be lost, and the next call sweeps it again.
+/// Not thread-safe; uses all cores. Returns cancelled() within 0.2 s of a stop request; cached horizons may
+/// then be lost and are swept again by the next call.
 class HorizonCache {
 public:
-    /// Sweeps nothing yet. Error: a width out of range.
+    /// Creates an empty cache; nothing is swept yet. Error if the width is out of range.
     static Result<HorizonCache> make(const City& city, const Receivers& receivers,
                                      HorizonCacheSettings settings = {});
     HorizonCache(HorizonCache&&) noexcept;
     HorizonCache& operator=(HorizonCache&&) noexcept;
     ~HorizonCache();
 
-    /// The field of a period; without runs withRuns() gives them later. Sweeps the bins that are not there
-    /// yet, or not for suns as low. Cost: a sweep of those; then some 0.3 ns a receiver and bin whose suns
-    /// are not those of the period before, and the walk of the longest runs if these are wanted. Error: what
-    /// the horizon sweep refuses; of what hangs only that counts which the period's suns may throw into
-    /// the region.
+    /// The field of a period; without runs, withRuns() can add them later. Sweeps the bins that are not
+    /// cached or not for suns as low as needed. Cost: the sweep of these bins, then some 0.3 ns per receiver
+    /// and bin whose suns differ from the previous period, and the search for longest runs if wanted. Error:
+    /// whatever the horizon sweep refuses; the limit on overhangs applies to those from which the period's
+    /// suns may cast shadow into the region.
     Result<ShadowField> retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
                                ShadowCounts counts = ShadowCounts::grossAndRuns);
 
-    /// The field of the present period in another city. `receivers`: the same grid and region. Buildings that
-    /// the cities share by address did not change. Cost: of the shadows that came and went; where what goes
-    /// is what came with the change before, as while a building is dragged, nothing is found again. Other
-    /// terrain, receivers on roofs where there were none and a lowest receiver in another 64 m of height make
-    /// all anew. Error, and nothing changed: no period yet, another grid, or what the horizon sweep refuses.
+    /// The field of the current period in another city. `receivers`: on the same grid and region. Buildings
+    /// that the cities share by address are unchanged. Cost: proportional to the removed and added shadows.
+    /// If the removed buildings are those that the previous change added, as while a building is dragged, no
+    /// horizon is recomputed. Different terrain, receivers on roofs where there were none before, or a lowest
+    /// receiver in another 64 m step of height rebuild the whole cache. Error, with no change made: no period
+    /// yet, another grid, or whatever the horizon sweep refuses.
     Result<ShadowField> change(const City& city, const Receivers& receivers, Progress& progress,
                                std::stop_token stop, ShadowCounts counts = ShadowCounts::grossAndRuns);
 
-    /// The present field with its longest runs: only those are counted that are out of date. Error: no period
+    /// The current field with longest runs; only those that are out of date are counted. Error: no period
     /// yet.
     Result<ShadowField> withRuns(Progress& progress, std::stop_token stop);
 
-    [[nodiscard]] std::uint64_t bytes() const;  ///< of the horizons that are there
+    [[nodiscard]] std::uint64_t bytes() const;  ///< memory used by cached horizons
 
 private:
     struct State;

@@ -8,7 +8,8 @@
 
 namespace noonmark {
 
-/// Moves out of `items` those of some owners. `ownerOf`, one an item, and `owners` ascend.
+/// Removes the items of these owners from `items` and returns them. `ownerOf`, one per item, and `owners`
+/// ascend.
 template <class T>
 std::vector<T> removeAt(std::vector<T>& items, std::vector<std::uint64_t>& ownerOf,
                         std::span<const std::uint64_t> owners) {

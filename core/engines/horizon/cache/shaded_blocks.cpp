@@ -36,7 +36,7 @@ void ShadedBlocks::find(const ReceiverBlocks& blocks, const ShadowAxes& axes, Bl
     for (const Shadow& shadow : shadows_) find(shadow, blocks, axes, marks, found);
 }
 
-// Line by line of squares, those that meet the shadow's band of q.
+// Finds, row by row of blocks, those that overlap the shadow's range of q.
 void ShadedBlocks::find(const Shadow& shadow, const ReceiverBlocks& blocks, const ShadowAxes& axes,
                         BlockMarks& marks, std::vector<std::size_t>& found) const {
     const TileBox& box = blocks.box();

@@ -21,7 +21,7 @@ bool hasReceivers(const ReceiverBlocks& blocks, std::size_t first, std::size_t e
     return false;
 }
 
-// Lines of numbers with receivers, side by side as one.
+// Ranges of numbers with receivers; adjacent ranges are joined.
 std::vector<NumberRange> linesOfReceivers(const ReceiverBlocks& blocks, std::size_t task) {
     std::vector<NumberRange> lines;
     const auto end = std::uint32_t(std::min((task + 1) * numbersATask, blocks.numbers()));
@@ -55,8 +55,8 @@ void TileCount::beginNew(const ReceiverBlocks& blocks, std::span<const std::uint
     }
 }
 
-// What is to be added to the sums: of each bin the suns that came, less those that went; or, where that is
-// less work, all anew. A bin that was swept anew says the same as before of the suns that it knew.
+// The changes to be added to the sums: for each bin, added minus removed suns; or, if that is less work, all
+// suns after a reset. A bin that was swept again gives the same results for the suns it already covered.
 std::vector<TileCount::BinChange> TileCount::changesFor(const ReceiverBlocks& blocks,
                                                         std::span<const CachedBin> bins,
                                                         const BinnedSun& binned) {
@@ -101,7 +101,7 @@ void TileCount::addHidden(const ReceiverBlocks& blocks, std::span<const CachedBi
     });
 }
 
-// Of numbers [first, end).
+// For numbers [first, end).
 void TileCount::addGaps(const CachedBin& bin, const HiddenSuns& hidden, std::size_t first, std::size_t end) {
     const auto from = std::ranges::lower_bound(bin.gaps, first, {}, &Gap::number),
                to = std::ranges::lower_bound(bin.gaps, end, {}, &Gap::number);

@@ -13,24 +13,24 @@
 
 namespace noonmark {
 
-/// The steps hidden in a tile in the period at hand, and what of the field is out of date.
+/// The steps hidden in a tile during the current period, and which parts of the field are out of date.
 class TileCount {
 public:
-    /// Counts a period; of bins whose suns are those of the period before nothing, of the others the suns
-    /// that came and went. `bins`: by number, those of the period are there. After a stop all is to be
-    /// counted.
+    /// Counts a period. Bins whose suns are those of the previous period are skipped; for others, only added
+    /// and removed suns are counted. `bins`: by number; those of the period must be cached. After a stop, the
+    /// next call counts everything.
     void retime(const ReceiverBlocks& blocks, std::span<const CachedBin> bins, const BinnedSun& binned,
                 const std::stop_token& stop);
 
-    /// These count from nothing.
+    /// Resets the sums of these numbers to zero.
     void beginNew(const ReceiverBlocks& blocks, std::span<const std::uint32_t> numbers);
-    /// Adds steps to the sums, and clears them.
+    /// Adds `steps` to the sums and clears `steps`.
     void take(TileSteps& steps);
 
-    /// Writes the gross minutes that are out of date.
+    /// Updates gross minutes that are out of date.
     void writeGross(const ReceiverBlocks& blocks, ShadowField& field, const std::stop_token& stop);
 
-    /// Writes the longest runs that are out of date.
+    /// Updates longest runs that are out of date.
     void writeRuns(const ReceiverBlocks& blocks, std::span<const CachedBin> bins, const BinnedSun& binned,
                    const RunCount& count, ShadowField& field, const std::stop_token& stop);
 
@@ -39,7 +39,7 @@ private:
     struct BinChange {
         std::uint32_t number;
         std::vector<SunChange> changes;
-        std::vector<HiddenSuns> hidden;  ///< the same for gaps, where the bin has any
+        std::vector<HiddenSuns> hidden;  ///< the same for gaps, if the bin has any
     };
     std::vector<BinChange> changesFor(const ReceiverBlocks& blocks, std::span<const CachedBin> bins,
                                       const BinnedSun& binned);
@@ -48,9 +48,9 @@ private:
     void addGaps(const CachedBin& bin, const HiddenSuns& hidden, std::size_t first, std::size_t end);
     void allOld(const ReceiverBlocks& blocks);
 
-    std::vector<std::uint32_t> hidden_;                  // one a number
-    std::vector<Suns> suns_;                             // that were counted; by bin number
-    std::vector<std::uint8_t> grossIsOld_, runsAreOld_;  // one for each 64 numbers
+    std::vector<std::uint32_t> hidden_;                  // one per number
+    std::vector<Suns> suns_;                             // suns included in the sums; by bin number
+    std::vector<std::uint8_t> grossIsOld_, runsAreOld_;  // one per 64 numbers
 };
 
 }  // namespace noonmark

@@ -11,7 +11,7 @@ namespace noonmark {
 
 namespace {
 
-/// Squares over some prisms' middles: 128 cells a side, or more where that makes too many.
+/// A grid of squares over the centres of prisms: 128 cells per side, or more if that gives too many squares.
 struct SquareGrid {
     explicit SquareGrid(std::span<const StandingPrism> prisms) {
         glm::dvec2 low(1e30), high(-1e30);
@@ -36,7 +36,8 @@ struct SquareGrid {
     std::size_t columns = 0, rows = 0;
 };
 
-// Below all receivers, and seldom another when receivers come and go: what counts from it is rounded.
+// Below all receivers. Rounded down to 64 m steps, so that it rarely changes when receivers are added or
+// removed; heights relative to it are rounded, so another datum would change them.
 double datumOf(const Receivers& receivers) {
     constexpr double levelM = 64;
     return std::floor(lowestGroundM(receivers) / levelM) * levelM;
@@ -96,7 +97,7 @@ WallChange WallCache::replace(const ChangedBuildings& changed, Coming more, cons
     return change;
 }
 
-// What is there now was there before all that comes.
+// Called before additions: all current occluders count as present before the change.
 void WallCache::noteBefore(bool undoesLast) {
     solidsBefore_ = list_.solids.size();
     if (!undoesLast) noteCircles();
@@ -113,7 +114,7 @@ WallCache::Owners WallCache::ownersOf(const Buildings& buildings) const {
     return owners;
 }
 
-// These are all of them, and no others.
+// Whether these are exactly the buildings added last.
 bool WallCache::cameLast(const Owners& owners) const {
     if (owners.size() != next_ - firstOfLast_) return false;
     return owners.empty() || owners.front() == firstOfLast_;
@@ -125,7 +126,7 @@ void WallCache::forget(const Building* building, const Owners& owners) {
         own = std::ranges::binary_search(owners, own->second) ? numbers_.erase(own) : std::next(own);
 }
 
-// Buildings in `more` and `open` count from the next one.
+// Building numbers in `more` and `overhangs` are relative to next_.
 WallSet WallCache::add(WallList more, std::vector<OverhangShapes> overhangs) {
     for (StandingPrism& prism : more.prisms) {
         prism.firstWall += std::uint32_t(list_.walls.size());
@@ -147,7 +148,7 @@ WallSet WallCache::remove(const Owners& owners) {
     return removed;
 }
 
-// Walls of what was removed stay until they are half of all.
+// Walls of removed prisms stay until they are half of all walls.
 void WallCache::dropLostWalls() {
     if (list_.walls.size() <= 2 * wallsUsed_ + 1000) return;
     std::vector<StandingWall> walls;
@@ -164,12 +165,12 @@ void WallCache::noteCircles() {
     for (const StandingPrism& prism : list_.prisms) {
         const glm::dvec2 middle = (prism.low + prism.high) / 2.0;
         circles_.push_back({float(middle.x), float(middle.y),
-                            float(glm::length(prism.high - middle)) + 1});  // wide of rounding
+                            float(glm::length(prism.high - middle)) + 1});  // exceeds rounding
     }
     noteSquares();
 }
 
-// By counting.
+// A counting sort.
 void WallCache::noteSquares() {
     squares_.clear();
     order_.resize(circles_.size());
@@ -191,7 +192,7 @@ void WallCache::noteSquares() {
     std::erase_if(squares_, [](const Square& square) { return square.around.radius == 0; });
 }
 
-// A circle reaches sqrt(1 + k^2) times its radius far in q.
+// In q a circle extends sqrt(1 + k^2) < 1.5 times its radius.
 bool WallCache::Circle::reaches(float tilt, bool swapped, float middle, float half) const {
     const float across = swapped ? y : x, along = swapped ? x : y;
     return std::abs(across - tilt * along - middle) <= half + 1.5F * radius;

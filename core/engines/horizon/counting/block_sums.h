@@ -11,21 +11,21 @@
 
 namespace noonmark {
 
-/// Steps hidden in the block of a tile, counted from codes line by line as a sweep gives them: no horizon
-/// need be kept. 1 kB a block, twice where shadows run along both sides of the grid. For one thread.
+/// Counts hidden steps per block of a tile directly from the codes of a sweep, so that horizons need not be
+/// stored. 1 kB per block, twice that if shadows run along both grid axes. For one thread.
 class BlockSums {
 public:
-    /// No steps.
+    /// Resets all counts to zero.
     void begin(std::size_t blockCount);
     [[nodiscard]] bool begun() const { return blockCount_ > 0; }
 
-    /// Counts what the codes of a block hide of some suns; null: nothing. Fastest block by block.
+    /// Counts the suns that the codes of a block hide; null: none. Fastest if called block by block.
     void add(std::size_t blockIndex, bool swapped, const HorizonCode* codes, std::span<const SunChange> suns);
 
     /// Adds steps to one cell of a block: 16 x row + column.
     void add(std::size_t blockIndex, std::size_t cell, std::uint32_t steps);
 
-    /// Adds all to the steps of a tile, one a number.
+    /// Adds all counts to the steps of a tile, one per number.
     void addTo(const ReceiverBlocks& blocks, std::span<std::uint32_t> steps);
 
 private:
@@ -33,8 +33,8 @@ private:
 
     std::size_t blockCount_ = 0, at_ = 0;
     bool atSwapped_ = false;
-    std::vector<std::uint32_t> rows_, columns_;  // of codes row by row, and of swapped ones; empty: none
-    std::optional<ShortSums<ReceiverBlocks::cells>> short_;  // of the blockIndex at hand
+    std::vector<std::uint32_t> rows_, columns_;  // counts from unswapped and from swapped codes; empty: none
+    std::optional<ShortSums<ReceiverBlocks::cells>> short_;  // of the current block
 };
 
 }  // namespace noonmark

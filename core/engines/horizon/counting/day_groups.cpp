@@ -21,7 +21,7 @@ Visits visitsOf(std::span<const TimedStep> day) {
     return visits;
 }
 
-/// Makes `shared` hold the visits of one more day, in that day's order.
+/// Extends `shared` by the visits of one more day, in that day's order.
 class Merge {
 public:
     explicit Merge(Visits& shared) : shared_(shared) {}
@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    // A day's first visit is looked for everywhere, others close by: days differ by a few bins.
+    // A day's first visit is searched everywhere, later ones only nearby, since days differ by a few bins.
     static constexpr std::ptrdiff_t closeBy = 8;
 
     void add(const SharedVisit& visit) {
@@ -42,14 +42,15 @@ private:
         begun_ = true;
     }
 
-    // Days on both sides may pass over it.
+    // Earlier days may skip this visit, so light there does not end a run unless it is the first or last
+    // visit.
     void insert(SharedVisit visit) {
         visit.endsRun = next_ == 0 || next_ == std::ptrdiff_t(shared_.size());
         shared_.insert(shared_.begin() + next_, visit);
         ++next_;
     }
 
-    // This day passes over what lies between.
+    // This day skips the visits in between.
     void meet(const SharedVisit& visit, std::ptrdiff_t at) {
         if (begun_)
             for (std::ptrdiff_t i = next_; i < at; ++i) shared_[std::size_t(i)].endsRun = false;
@@ -64,11 +65,12 @@ private:
     bool begun_ = false;
 };
 
-// A bound for the steps of a group must fit 16 bits.
+// The bound for the steps of a group must fit into 16 bits.
 constexpr std::size_t mostStepsShared = std::numeric_limits<std::int16_t>::max();
 
-// The sun goes around the pole, the same way each day: three steps tell the pole, whatever the latitude. No
-// matter how rough where they are too few or too close: only what is alike goes by it.
+// The sun moves around the celestial pole, in the same sense every day, so three steps determine the pole at
+// any latitude. The result may be inaccurate if there are too few steps or they are too close together; it
+// only decides which days are grouped.
 float declinationOf(std::span<const SunStep> day) {
     const glm::dvec3 first(day.front().direction), middle(day[day.size() / 2].direction),
         last(day.back().direction);

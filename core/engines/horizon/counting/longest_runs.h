@@ -12,53 +12,54 @@
 
 namespace noonmark {
 
-/// Receivers that are counted together.
+/// Number of receivers that are counted together.
 inline constexpr std::size_t lanesPerPart = 64;
 
-/// Horizon codes of one bin, or numbers of steps, one a receiver.
+/// Horizon codes of one bin, or counts of steps, one per receiver.
 struct alignas(64) RunLanes {
     std::int16_t values[lanesPerPart] = {};
 };
 
-/// The longest unbroken runs in shadow over a period. Groups of days whose bound cannot beat what was found
-/// are passed over; the others are walked step by step.
+/// Finds the longest unbroken runs in shadow over a period. Groups of days whose bound cannot exceed the
+/// longest run found so far are skipped; the others are walked step by step.
 class LongestRuns {
 public:
-    /// `days`: as of sortDaysByDeclination(), in whatever order; none may have more than 32,767 steps.
+    /// `days`: from sortDaysByDeclination(), in any order; none may have more than 32,767 steps.
     LongestRuns(std::vector<TimedStep> steps, std::span<const DaySteps> days);
 
-    /// Longest runs, and of each the day that it was found on: an index for run().
+    /// The longest run of each receiver and the day on which it was found, as an index for run().
     struct Found {
         RunLanes longest;
         std::array<std::uint32_t, lanesPerPart> day{};
     };
-    /// Of each receiver, in steps. `horizons`: one a bin. O(days x bins), and more where days look alike.
+    /// Longest runs, in steps. `horizons`: one entry per bin. O(days x bins), more if days are similar.
     [[nodiscard]] Found of(std::span<const RunLanes> horizons) const;
 
     /// Steps [first, end) of the period.
     struct Run {
         std::uint32_t first = 0, end = 0;
     };
-    /// The run of `length` steps of a lane on a day, as of() found it.
+    /// The run of `length` steps of a lane on a day, as found by of().
     [[nodiscard]] Run run(std::span<const RunLanes> horizons, std::size_t lane, std::uint32_t day,
                           int length) const;
 
-    /// Bit k: lane k has a run of at least wanted[k] steps. Stops looking for a lane as soon as there is one.
+    /// Bit k: lane k has a run of at least wanted[k] steps. The search for a lane stops at the first such
+    /// run.
     [[nodiscard]] std::uint64_t reached(std::span<const RunLanes> horizons, const RunLanes& wanted) const;
 
-    /// The most that the longest run of each lane may be in each group of days, and the groups, the longest
-    /// first.
+    /// Upper bounds for the longest run of each lane in each group of days, and the groups in descending
+    /// order of their bounds.
     struct Bounds {
         std::vector<RunLanes> ofGroup;
         std::vector<std::uint32_t> order;
     };
     [[nodiscard]] Bounds boundsOf(std::span<const RunLanes> horizons) const;
 
-    /// The longest run of one lane, in steps, as `search` finds it, which was begun with its horizons.
-    /// `bounds`: of the highest horizons. Days that cannot hold the longest run are passed over.
+    /// The longest run of one lane, in steps, as found by `search`, which must have been begun with its
+    /// horizons. `bounds`: from the highest horizons. Days that cannot contain the longest run are skipped.
     [[nodiscard]] int searched(std::size_t lane, const Bounds& bounds, RunSearch& search) const;
 
-    /// Of one receiver, step by step: those in shadow are told by `hidden(place)`.
+    /// The longest run of one receiver, step by step; `hidden(place)` states whether a step is in shadow.
     template <class Hidden>
     [[nodiscard]] int ofOne(const Hidden& hidden) const {
         int run = 0, longest = 0;
@@ -75,8 +76,8 @@ public:
 private:
     struct Groups {
         DayGroup all;
-        std::vector<DayGroup> roughly, each;  // its days, one by one
-        std::uint32_t number = 0;             // of its first day in days_
+        std::vector<DayGroup> roughly, each;  // the group's days, individually
+        std::uint32_t number = 0;             // index of its first day in days_
     };
     void walk(std::span<const RunLanes> horizons, std::span<const RunLanes> highest, const Groups& groups,
               Found& found) const;

@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-// Beyond the last number noHorizon.
+// Lanes beyond the last number get noHorizon.
 void copyLanes(const BinCodes& codes, std::size_t first, std::vector<RunLanes>& lanes) {
     lanes.resize(codes.size());
     for (std::size_t bin = 0; bin < codes.size(); ++bin) {
@@ -19,7 +19,7 @@ void copyLanes(const BinCodes& codes, std::size_t first, std::vector<RunLanes>& 
     }
 }
 
-// Gaps that begin at the horizon raise it; the others are listed, bin by bin.
+// Gaps that begin at the horizon raise it; the others are listed by bin.
 void addGaps(const BinGaps& gaps, std::size_t first, RunMemory& memory) {
     memory.overhangs.clear();
     for (std::size_t bin = 0; bin < gaps.size(); ++bin) {
@@ -39,7 +39,7 @@ void addGaps(const BinGaps& gaps, std::size_t first, RunMemory& memory) {
     }
 }
 
-// `open`: by lane.
+// `overhangs`: sorted by lane.
 void forEachLane(std::span<const OverhangGap> overhangs, const auto& visit) {
     for (std::size_t first = 0, end = 0; first < overhangs.size(); first = end) {
         while (end < overhangs.size() && overhangs[end].gap.number == overhangs[first].gap.number) ++end;
@@ -47,7 +47,7 @@ void forEachLane(std::span<const OverhangGap> overhangs, const auto& visit) {
     }
 }
 
-// `own`: by bin.
+// `own`: sorted by bin.
 void setBins(std::span<const OverhangGap> own, std::vector<std::span<const OverhangGap>>& ofBin) {
     std::ranges::fill(ofBin, std::span<const OverhangGap>());
     for (std::size_t first = 0, end = 0; first < own.size(); first = end) {
@@ -105,7 +105,7 @@ void RunCount::read(const BinCodes& codes, const BinGaps& gaps, std::size_t part
     addGaps(gaps, part * lanesPerPart, memory);
 }
 
-// Were all below the gaps hidden too, runs would be no shorter: where that changes nothing, gaps do not.
+// Filling the space below the gaps can only lengthen runs. Where it changes nothing, the gaps have no effect.
 void RunCount::walkWithOverhangs(RunMemory& memory, RunLanes& longest) const {
     std::vector<RunLanes> filled = memory.lanes;
     for (const auto& [bin, gap] : memory.overhangs)

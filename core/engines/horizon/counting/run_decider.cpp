@@ -26,8 +26,8 @@ void RunDecider::decide(const LongestRuns& runs, std::span<const RunLanes> horiz
     }
 }
 
-// Whether what was found is hidden but for as many steps as a run may be off. Where runs are not checked they
-// hold.
+// Whether the run found is hidden except for the number of steps that a run may be off. Always true if runs
+// are not checked.
 bool RunDecider::holds(const LongestRuns& runs, std::span<const RunLanes> horizons, std::size_t lane,
                        const LongestRuns::Found& found, const RunSearch::Rays& rays) const {
     if (!rays.findLit) return true;

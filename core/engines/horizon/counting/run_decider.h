@@ -12,22 +12,22 @@
 
 namespace noonmark {
 
-/// Lets rays decide the longest runs that horizons leave in doubt (run_doubts.h), and, where runs are
-/// checked, those that turn out to be lit somewhere after all. For the receivers of one tile.
+/// Uses rays to decide the longest runs that horizons leave in doubt (run_doubts.h) and, if runs are checked,
+/// to correct those that turn out to be lit somewhere. For the receivers of one tile.
 class RunDecider {
 public:
-    /// All must outlive it.
+    /// All arguments must outlive it.
     RunDecider(const RunDoubts& doubts, RunRays& rays, const ReceiverBlocks& blocks)
         : doubts_(doubts), rays_(rays), blocks_(blocks) {}
 
-    /// Working memory, one for each thread.
+    /// Working memory, one per thread.
     struct Memory {
         RunDoubts::Horizons widened;
         RunSearch search;
     };
-    /// Puts right what `runs` found for the numbers [64 part, 64 part + 64) from their horizons. Bit k of
-    /// `lanes`: lane k is to be looked at. Off by at most doubts.allowed() steps afterwards, but for gaps
-    /// that no bin sees. Cost: once more what finding the runs takes, and some rays for each run in doubt.
+    /// Corrects the result of `runs` for the numbers [64 part, 64 part + 64). Bit k of `lanes`: lane k is to
+    /// be examined. Afterwards runs are off by at most doubts.allowed() steps, except for gaps that no bin
+    /// sees. Costs as much as finding the runs, plus some rays for each run in doubt.
     void decide(const LongestRuns& runs, std::span<const RunLanes> horizons, std::size_t part,
                 std::uint64_t lanes, LongestRuns::Found& found, Memory& memory) const;
 

@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-// Two bins are neighbours where their means are no farther apart than this: the widest bin has 2 deg.
+// Two bins are neighbours if their means are no farther apart than this; the widest bin has 2 deg.
 constexpr double neighboursDeg = 4;
 
 bool areNeighbours(const AzimuthBin& a, const AzimuthBin& b) {

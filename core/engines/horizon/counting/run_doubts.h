@@ -8,17 +8,17 @@
 
 namespace noonmark {
 
-/// Which longest runs may be wrong because all suns of a bin are taken at the bin's mean azimuth. What stands
-/// between a sun and that mean is missed; but it is seen, as a rule, at the mean of the bin on its other
-/// side. So a sun counts as surely hidden where the horizons of its bin and of both neighbours hide it, as
-/// surely lit where none does, and as in doubt else. A run is in doubt where suns in doubt could make it
-/// longer or shorter than allowed. What is narrower than a bin and stands between two means is not found.
-/// Immutable.
+/// Determines which longest runs may be wrong because all suns of a bin are placed at the bin's mean azimuth.
+/// An occluder between a sun and that mean is missed, but it is usually seen at the mean of the neighbouring
+/// bin on its other side. Therefore a sun is certainly hidden if the horizons of its bin and of both
+/// neighbours hide it, certainly lit if none of them does, and in doubt otherwise. A run is in doubt if suns
+/// in doubt could make it longer or shorter than allowed. Occluders narrower than a bin that lie between two
+/// means are not detected. Immutable.
 class RunDoubts {
 public:
     RunDoubts(const SunSteps& sun, const BinnedSun& binned);
 
-    /// Of each bin the highest and the lowest horizon of itself and its neighbours.
+    /// For each bin, the highest and the lowest horizon of the bin and its neighbours.
     struct Horizons {
         std::vector<RunLanes> highest, lowest;
         void of(std::size_t lane, RunSearch::Horizons& horizons) const;
@@ -29,18 +29,19 @@ public:
     struct Lanes {
         std::uint64_t mayBeLonger, mayBeShorter;
     };
-    /// `widened`: as made by widen(). About as much work as finding the longest runs.
+    /// `widened`: from widen(). About as much work as finding the longest runs.
     [[nodiscard]] Lanes lanesInDoubt(const LongestRuns& runs, const Horizons& widened,
                                      const RunLanes& longest) const;
 
-    /// Steps that a longest run may be off unseen: 2 % of the longest day, at least one.
+    /// Number of steps by which a longest run may be off without being reported as in doubt: 2 % of the
+    /// longest day, at least one.
     [[nodiscard]] int allowed() const { return allowed_; }
 
 private:
     struct Neighbours {
-        std::uint16_t before, after;  // itself where the sun visits none beside it
+        std::uint16_t before, after;  // the bin itself if the sun visits no bin beside it
     };
-    std::vector<Neighbours> neighbours_;  // of each bin
+    std::vector<Neighbours> neighbours_;  // one per bin
     int allowed_ = 1;                     // steps
 };
 

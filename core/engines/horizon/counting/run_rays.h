@@ -18,25 +18,25 @@
 
 namespace noonmark {
 
-/// The rays of RayReference for longest runs that horizons leave in doubt (run_doubts.h).
+/// Traces the rays of RayReference for longest runs that horizons leave in doubt (run_doubts.h).
 class RunRays {
 public:
-    /// `city`, `receivers` and `sun` must outlive it. `used`: indices of the buildings in reach. Error:
-    /// memory runs out, or cancelled().
+    /// `city`, `receivers` and `sun` must outlive it. `used`: indices of the buildings in reach. Error if
+    /// memory runs out; cancelled().
     static Result<RunRays> over(const City& city, std::span<const std::uint32_t> used,
                                 const Receivers& receivers, const SunSteps& sun, bool checksRuns,
                                 const std::stop_token& stop);
 
-    /// Of one receiver. With `checksRuns` findLit is there too: a gap narrower than a bin that holds several
-    /// steps of a day is met on every day, and no bin may see it; steps that are farther apart pass it on the
-    /// best day.
+    /// The rays of one receiver. With `checksRuns` they include findLit. A gap narrower than a bin may be
+    /// seen by no bin; if it contains several steps of a day, it is met on every day, whereas steps that are
+    /// farther apart skip it on some day.
     [[nodiscard]] RunSearch::Rays of(std::uint32_t cell);
 
-    /// Whether of() has findLit.
+    /// Whether of() provides findLit.
     [[nodiscard]] bool checkRuns() const { return !packets_.empty(); }
 
     void countReceiver() { ++decided_->receivers; }
-    [[nodiscard]] std::uint64_t receivers() const { return decided_->receivers; }  ///< that rays decided
+    [[nodiscard]] std::uint64_t receivers() const { return decided_->receivers; }  ///< decided by rays
     [[nodiscard]] std::uint64_t rays() const { return decided_->rays; }
 
 private:
@@ -51,7 +51,7 @@ private:
     RayScene scene_;
     const Receivers& receivers_;
     const SunSteps& sun_;
-    std::vector<SunPacket> packets_;  // none: runs are not checked
+    std::vector<SunPacket> packets_;  // empty if runs are not checked
     std::unique_ptr<Decided> decided_ = std::make_unique<Decided>();
 };
 

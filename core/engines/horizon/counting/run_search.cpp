@@ -22,14 +22,14 @@ void RunSearch::walk(const DaySteps& day) {
     }
 }
 
-// Of a step that may be hidden.
+// For a step that may be hidden.
 RunSearch::State RunSearch::firstState(std::uint32_t step) const {
     const auto [bin, sun] = place(step);
     if (horizons_.lowest[bin] <= sun) return State::doubt;
     return rays_.findLit && isKnownLit(bin) ? State::doubt : State::hidden;
 }
 
-// [first, end): no step is known to be lit.
+// No step of [first, end) is known to be lit.
 void RunSearch::search(std::uint32_t first, std::uint32_t end) {
     while (int(end - first) > longest_) {
         const auto lit = litIn(first, end);
@@ -51,7 +51,7 @@ std::optional<std::uint32_t> RunSearch::litIn(std::uint32_t first, std::uint32_t
     return rays_.findLit ? rays_.findLit(first, end) : std::nullopt;
 }
 
-// The one to decide next, if any.
+// The step to decide next, if any.
 std::optional<std::uint32_t> RunSearch::nextDoubt(std::uint32_t first, std::uint32_t end) {
     const std::uint32_t middle = first + (end - first) / 2;
     std::optional<std::uint32_t> best;

@@ -11,27 +11,29 @@
 
 namespace noonmark {
 
-/// Looks for the longest run of one receiver where horizons leave some steps in doubt. Rays decide the fewest
-/// that can: of a run that would be the longest were all its doubts hidden, first the doubts in bins where
-/// another day was found lit, then those nearest to its middle, since light there leaves two runs too short
-/// to matter. Keeps its memory; one for each thread.
+/// Searches the longest run of one receiver if horizons leave some steps in doubt. Traces as few rays as
+/// possible. In a run that would be the longest if all its doubtful steps were hidden, it first tests the
+/// steps in bins where another day was found lit, then those closest to the middle, since light there leaves
+/// two runs too short to matter. Reuses its memory; one per thread.
 class RunSearch {
 public:
-    /// What rays say of the receiver; steps are numbers in the period.
+    /// Ray queries for the receiver; steps are indices in the period.
     struct Rays {
         std::function<bool(std::uint32_t step)> hidden;
-        /// A lit step among [first, end), if any; null: what horizons surely hide is not looked at.
+        /// A lit step in [first, end), if any; null: steps that are certainly hidden according to the
+        /// horizons are not tested.
         std::function<std::optional<std::uint32_t>(std::uint32_t first, std::uint32_t end)> findLit;
     };
-    /// What horizons say of it: a step is surely lit that the highest of its bin does not hide, and surely
-    /// hidden where the lowest does. One code a bin.
+    /// The horizons of the receiver, one code per bin: a step is certainly lit if the highest code of its bin
+    /// does not hide it, and certainly hidden if the lowest does.
     struct Horizons {
         std::vector<HorizonCode> highest, lowest;
     };
 
     /// To be filled before begin().
     [[nodiscard]] Horizons& horizons() { return horizons_; }
-    /// A receiver whose longest run is known to have `atLeast` steps. `steps`: of the period.
+    /// Selects a receiver whose longest run is known to have at least `atLeast` steps. `steps`: of the
+    /// period.
     void begin(Rays rays, std::span<const TimedStep> steps, int atLeast);
     void walk(const DaySteps& day);
     [[nodiscard]] int longest() const { return longest_; }
@@ -53,9 +55,9 @@ private:
     Horizons horizons_;
     Rays rays_;
     std::span<const TimedStep> steps_;
-    std::uint32_t first_ = 0;         // of the run that is searched
-    std::vector<State> states_;       // of its steps
-    std::vector<std::uint16_t> lit_;  // bins in which a step turned out to be lit, ascending
+    std::uint32_t first_ = 0;         // first step of the run that is searched
+    std::vector<State> states_;       // states of its steps
+    std::vector<std::uint16_t> lit_;  // bins in which a step was found lit, ascending
     int longest_ = 0;
 };
 

@@ -11,9 +11,9 @@
 
 namespace noonmark {
 
-/// Sums of some numbers in 16 bits, for as long as they cannot overflow. Through all bins they stay in the
-/// first-level cache. `lines`: of numbers from `first` on, up to `mostNumbers` of them; flush() before they
-/// are read. `lines` and `all` must outlive it.
+/// Accumulates sums in 16 bits for as long as they cannot overflow, so that they stay in the first-level
+/// cache through all bins. `lines`: ranges of numbers from `first` on, up to `mostNumbers` in total; call
+/// flush() before reading `all`. `lines` and `all` must outlive it.
 template <std::size_t mostNumbers>
 class ShortSums {
 public:
@@ -43,7 +43,7 @@ private:
     std::array<std::int16_t, mostNumbers> sums_{};
 };
 
-/// For numbers of a tile: half of a first-level cache.
+/// For the numbers of a tile: half of a first-level cache.
 inline constexpr std::size_t mostShortNumbers = 16'384;
 using TileShortSums = ShortSums<mostShortNumbers>;
 

@@ -19,21 +19,21 @@ struct SetTable {
 };
 using SetTables = std::vector<SetTable>;
 
-/// Of each bin, for the sets that have steps there.
+/// For each bin, the tables of the sets that have steps in it.
 std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets);
 
-/// Steps in shadow by set: one a number of a tile, and one a building.
+/// Steps in shadow by set: one sum per number of a tile, and one per building.
 class StepSums {
 public:
-    /// Another tile; what is summed for buildings stays. `buildings`: 0 where nobody asks.
+    /// Begins another tile; the sums of buildings are kept. `buildings`: 0 if they are not needed.
     void begin(std::size_t sets, std::size_t numbers, std::size_t buildings);
 
-    /// Adds what the horizons of one bin hide. `codes`: one a number.
+    /// Adds the steps that the horizons of one bin hide. `codes`: one per number.
     void add(const SetTables& tables, std::span<const HorizonCode> codes);
-    /// Adds what gaps hide above them; by number, from below.
+    /// Adds the steps that gaps hide above the horizons; `gaps`: sorted by number and altitude.
     void add(const SetTables& tables, std::span<const HorizonCode> codes, std::span<const Gap> gaps);
 
-    /// The same with the buildings' shares.
+    /// The same with attribution to buildings.
     void add(const SetTables& tables, const AttributedTile& ranks);
     void add(const SetTables& tables, const AttributedTile& ranks, std::span<const BuildingGap> gaps);
 
@@ -51,7 +51,7 @@ private:
     void add(const SetTables& tables, std::uint32_t number, const AttributedView& view);
 
     std::vector<std::vector<std::uint32_t>> cells_;
-    std::vector<std::uint64_t> attributed_, sole_;  // building x sets + set
+    std::vector<std::uint64_t> attributed_, sole_;  // index: building x sets + set
 };
 
 }  // namespace noonmark

@@ -14,7 +14,7 @@ namespace noonmark {
 
 namespace {
 
-/// Places count from the lowest code up, so that they are unsigned.
+/// Indices count from the lowest code up, so that they are unsigned.
 struct Table {
     const std::int16_t* counts;
     int lowest, last;
@@ -29,9 +29,9 @@ void addOneByOne(const HorizonCode* horizons, std::size_t count, const Table& ta
 }
 
 #ifdef NOONMARK_PICKS_ISA
-constexpr std::size_t ahead = 512;  // horizons are asked of memory so much earlier
+constexpr std::size_t ahead = 512;  // prefetch distance, in horizons
 
-// 16-bit lanes want an extension that target_clones does not know. Returns how many it did.
+// Operations on 16-bit lanes need an extension that target_clones does not support. Processes 32 horizons.
 [[gnu::target("avx512f,avx512bw")]] inline void lookUp512(const HorizonCode* horizons, const Table& table,
                                                           std::int16_t* sums) {
     const __m256i unsign = _mm256_set1_epi16(noHorizon),
@@ -108,7 +108,7 @@ std::size_t addMany(const HorizonCode* horizons, std::size_t count, const Table&
 
 constexpr int side = ReceiverBlocks::side;
 
-// Returns whether a sum is another now.
+// Returns whether a sum has changed.
 bool addRow(const Table& table, const HorizonCode* before, const HorizonCode* after, unsigned mask,
             std::uint32_t* sums) {
     bool any = false;
@@ -129,7 +129,7 @@ bool addRow(const Table& table, const HorizonCode* before, const HorizonCode* af
     const __m512i place = _mm512_maskz_min_epi32(
         0xFFFF, _mm512_maskz_max_epi32(0xFFFF, level, _mm512_setzero_si512()), _mm512_set1_epi32(table.last));
     const __m512i twice = _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, place, table.counts, 2);
-    // With the count of the next place in the upper half.
+    // The upper half holds the count of the next index.
     counts = _mm512_maskz_srai_epi32(0xFFFF, _mm512_maskz_slli_epi32(0xFFFF, twice, 16), 16);
 }
 
@@ -190,7 +190,7 @@ SunChange::SunChange(std::span<const HorizonCode> come, std::span<const HorizonC
     fill(come, gone);
 }
 
-// Stretch by stretch between one sun and the next.
+// Fills the counts range by range, between one sun and the next.
 void SunChange::fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone) {
     std::int16_t count = 0;
     auto from = counts_.begin();

@@ -7,9 +7,9 @@
 
 namespace noonmark {
 
-/// Steps to be added to the sums of a tile, modulo 2^32; and which parts of 64 numbers they touch.
+/// Steps to be added to the sums of a tile, modulo 2^32, and the parts of 64 numbers that are affected.
 struct TileSteps {
-    std::vector<std::uint32_t> more;  ///< one a number
+    std::vector<std::uint32_t> more;  ///< one per number
     std::vector<std::uint8_t> parts;
 
     explicit TileSteps(std::size_t numbers)

@@ -8,14 +8,15 @@ namespace noonmark {
 
 namespace {
 
-// Of k. In wider batches walls are looked for less often, but more of them matter to no azimuth of a block.
+// Largest difference of k. In wider batches walls are searched less often, but more of the walls found matter
+// to no azimuth of a block.
 constexpr double widest = 0.06;
 
 bool alike(const ShadowAxes& a, const ShadowAxes& b) {
     return a.swapped == b.swapped && a.sign == b.sign && std::abs(a.k - b.k) <= widest;
 }
 
-// The axes of the azimuth halfway between.
+// The axes of the middle azimuth.
 ShadowAxes between(const ShadowAxes& a, const ShadowAxes& b) {
     if (a.k == b.k) return a;
     const double k = (a.k + b.k) / 2;

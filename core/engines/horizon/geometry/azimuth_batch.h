@@ -11,13 +11,13 @@
 
 namespace noonmark {
 
-/// A bin as a sweep sees it.
+/// The part of a bin that a sweep needs.
 struct SweptBin {
-    glm::dvec2 away;     ///< unit vector that shadows run along
-    HorizonCode lowest;  ///< of its suns, or a lower one: horizons that hide no such sun don't count
+    glm::dvec2 away;     ///< unit vector in which shadows fall
+    HorizonCode lowest;  ///< of the lowest sun, or lower: horizons below it hide no sun
 };
 
-/// Neighbouring bins [first, end) whose azimuths lie so near to each other that they see much the same walls.
+/// Neighbouring bins [first, end) whose azimuths are so close that nearly the same walls matter to all.
 struct BatchRange {
     std::size_t first, end;
     [[nodiscard]] std::size_t size() const { return end - first; }
@@ -25,25 +25,25 @@ struct BatchRange {
 
 std::vector<SweptBin> makeSweptBins(std::span<const AzimuthBin> bins);
 
-/// Cuts bins, in order of azimuth, into batches of at most BatchLanes::most, along one side of the grid and
-/// of one direction along it.
+/// Splits bins, in order of azimuth, into batches of at most BatchLanes::most bins whose shadows run along
+/// the same grid axis and in the same direction on it.
 std::vector<BatchRange> groupIntoBatches(std::span<const SweptBin> bins);
 
-/// The azimuths of a batch side by side: arrays of a number each, beyond the last one's again. What is said
-/// of one azimuth does not depend on the others, to the last bit.
+/// The azimuths of a batch as a structure of arrays, one lane per azimuth; lanes after the last repeat it.
+/// The result of one azimuth does not depend on the others, to the last bit.
 struct BatchLanes {
     static constexpr int most = 8;
     explicit BatchLanes(std::span<const SweptBin> bins, double cellM);
 
     int count;
-    AzimuthBatch batch;                      ///< around the middle one
+    AzimuthBatch batch;                      ///< centred on the middle azimuth
     alignas(64) double k[most];              ///< as in ShadowAxes
-    alignas(64) double alongPerMetre[most];  ///< `rise` of a wall for each metre of its height (WallPiece)
-    alignas(64) float riseOfMiddle[most];    ///< the same for that in the middle
-    alignas(64) float leastOff[most];        ///< q of a block's cells less that of its first: no cell's is
-    alignas(64) float mostOff[most];         ///< less or more
-    alignas(64) float cotOfLowest[most];     ///< of its suns; beyond the last bin minus infinity
-    float lowestTan = 0;                     ///< as BinWalls::find() wants it
+    alignas(64) double alongPerMetre[most];  ///< `rise` of a wall per metre of its height (WallPiece)
+    alignas(64) float riseOfMiddle[most];    ///< the same for the middle azimuth
+    alignas(64) float leastOff[most];  ///< lower bound of the q of a block's cells relative to its first cell
+    alignas(64) float mostOff[most];   ///< upper bound of the same
+    alignas(64) float cotOfLowest[most];  ///< of the lowest sun; minus infinity after the last bin
+    float lowestTan = 0;                  ///< parameter of BinWalls::find()
 };
 
 }  // namespace noonmark

@@ -20,7 +20,7 @@ struct Place {
     HorizonCode sun;
 };
 
-// Of directions of length 1: nothing overflows.
+// Directions have length 1, so nothing overflows.
 double acrossOf(glm::vec3 direction) {
     const double x = double(direction.x), y = double(direction.y);
     return std::sqrt(x * x + y * y);
@@ -42,13 +42,13 @@ std::vector<Place> placesOf(const SunSteps& sun, const NumberOf& numberOf) {
     return places;
 }
 
-/// Places bin by bin, in each in time order.
+/// Places sorted by bin, and by time within a bin.
 struct BinPlaces {
     std::vector<Place> places;
-    std::vector<std::size_t> ends;  ///< of each number, and one more
+    std::vector<std::size_t> ends;  ///< for each bin number, and one more
 };
 
-// By counting.
+// A counting sort.
 template <class NumberOf>
 BinPlaces sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
     const std::vector<Place> inTime = placesOf(sun, numberOf);
@@ -62,7 +62,7 @@ BinPlaces sortedPlaces(const SunSteps& sun, const NumberOf& numberOf) {
     return sorted;
 }
 
-// Mean of the steps' horizontal directions, each of length 1.
+// Mean of the steps' horizontal directions, each normalised.
 glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
     glm::dvec2 sum(0);
     for (const Place& place : places) {
@@ -74,7 +74,6 @@ glm::dvec2 meanAway(const SunSteps& sun, std::span<const Place> places) {
     return length > 0 ? sum / length : glm::dvec2(0, 1);  // a sun in the zenith has no azimuth
 }
 
-/// The places of one bin.
 using PlacesOfBin = std::span<const Place>;
 
 std::vector<PlacesOfBin> binsOf(const BinPlaces& sorted) {

@@ -15,26 +15,27 @@ namespace {
 constexpr double slotDeg = 360.0 / BinCuts::slots;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr double widestBinDeg = 2;
-// A gap of light that is missed between two bins joins two runs: the longest runs want narrow bins even where
-// gross shadow does not. In a year on the grid sample the worst run was 3.75 % of a day off with bins of 0.5
-// deg, 20.6 % with bins of up to 2 deg.
+// A lit gap that is missed between two bins joins two runs, so the longest runs need narrow bins even where
+// gross shadow does not. In a year on the grid sample the worst run was off by 3.75 % of a day with bins of
+// 0.5 deg, and by 20.6 % with bins of up to 2 deg.
 constexpr double widthOfAPercentDeg = 10;
 constexpr int bandDeg = 10, bands = 9;
 
-// Measured against rays on 800 x 800 m of Midtown, periods of a week to a year, bins of 0.25 to 2 deg: the
-// mean error, in percent of the steps, was 8.4 to 11 times the square root of the sum below, in degrees; on
-// single days, whose edges are those of one season, 2 to 12 times. On the grid sample 7 and 3 to 10 times.
+// Measured against rays on 800 x 800 m of Midtown, for periods of a week to a year and bins of 0.25 to 2 deg:
+// the mean error, in percent of the steps, was 8.4 to 11 times the square root of the sum below, in degrees.
+// On single days, whose edges are those of one season, it was 2 to 12 times. On the grid sample the factors
+// were 7 and 3 to 10.
 double edgesOfACity(std::size_t days) {
     return 11.2 + 0.8 / std::sqrt(double(std::max<std::size_t>(1, days)));
 }
 
-/// A stretch of slots [first, end).
+/// A range of slots [first, end).
 struct Slots {
     int first, end;
 };
 
-/// The suns of a period by azimuth: how many stand in the slots before each, in all and band by band of
-/// altitude, and the sum of their azimuths.
+/// The suns of a period by azimuth, as prefix sums over slots: the number of suns, in total and per altitude
+/// band, and the sum of their azimuths.
 class SunsByAzimuth {
 public:
     explicit SunsByAzimuth(const SunSteps& sun) : before_(BinCuts::slots + 1) {
@@ -53,7 +54,7 @@ public:
         return (at(of.end).slotSum - at(of.first).slotSum) / std::max(1.0, count(of));
     }
 
-    /// Sum of slots that suns are off their mean.
+    /// Sum over suns of the distance from their mean, in slots.
     [[nodiscard]] double off(Slots of) const {
         const double middle = mean(of);
         const int split = std::clamp(int(std::ceil(middle)), of.first, of.end);
@@ -61,7 +62,7 @@ public:
         return 2 * std::max(0.0, east);
     }
 
-    /// Sum over the places of an edge, and over bands, of the square of the suns on its wrong side; slots.
+    /// Sum over edge positions and bands of the square of the number of suns on the wrong side; in slots.
     [[nodiscard]] double wrong(Slots of) const {
         const double middle = mean(of);
         double sum = 0;
@@ -70,7 +71,7 @@ public:
         return sum;
     }
 
-    /// The first slot with a sun from this one on; BinCuts::slots: there is none.
+    /// The first slot, from this one on, with a sun; BinCuts::slots if there is none.
     [[nodiscard]] int nextSun(int slot) const {
         const auto more = std::ranges::upper_bound(before_.begin() + slot + 1, before_.end(), at(slot).count,
                                                    {}, &Before::count);
@@ -80,7 +81,7 @@ public:
 private:
     struct Before {
         double count = 0, slotSum = 0;
-        std::array<float, bands> ofBand{};  // whole numbers, exact to 16 million
+        std::array<float, bands> ofBand{};  // whole numbers, exact up to 16 million
         Before& operator+=(const Before& other) {
             count += other.count;
             slotSum += other.slotSum;
@@ -97,7 +98,7 @@ private:
         return {findAzimuthSlot(computeAzimuthDeg(step)), std::clamp(int(altitude) / bandDeg, 0, bands - 1)};
     }
 
-    // Into the entry after its slot: sums are of all before.
+    // Counted in the entry after its slot, because sums cover all slots before.
     void add(const Place& place) {
         Before& entry = before_[std::size_t(place.slot) + 1];
         entry.count += 1;
@@ -122,8 +123,8 @@ private:
 
 using Bins = std::vector<Slots>;
 
-// The longest bin from here on, of so many slots at most, whose suns are off their mean by no more than this
-// in all.
+// The longest bin that begins at `first`, has at most `widest` slots, and whose suns' distances from their
+// mean sum to at most `mostOff`.
 Slots binFrom(const SunsByAzimuth& suns, int first, int widest, double mostOff) {
     int end = first + 1, beyond = std::min(first + widest, BinCuts::slots) + 1;
     while (beyond - end > 1) {
@@ -170,7 +171,7 @@ int findAzimuthSlot(double azimuthDeg) {
     return std::clamp(int(azimuthDeg / slotDeg), 0, BinCuts::slots - 1);
 }
 
-// The error grows with what suns may be off: by halving.
+// Bisection on the allowed sum of distances, with which the error grows.
 BinCuts chooseBinCuts(const SunSteps& sun, double targetPercent, ShadowCounts counts) {
     constexpr double finest = 1.01;
     const SunsByAzimuth suns(sun);

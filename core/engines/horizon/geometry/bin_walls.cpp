@@ -7,19 +7,19 @@ namespace noonmark {
 
 namespace {
 
-// Wide of the rounding of distances to a wall that the azimuth crosses squarely, cells.
+// Exceeds the rounding of the distance, in cells, to a wall that the azimuth crosses at a right angle.
 constexpr float onTheWall = 1e-4F;
 
-constexpr double mostAcross = 32;  // cells of a piece
+constexpr double mostAcross = 32;  // cells per piece
 
-// A receiver on a wall counts as just east and north of it. So little behind that it is inside, it would be
-// no receiver.
+// A receiver on a wall counts as just east and north of it. A position this close behind the wall would be
+// inside the building and hence no receiver.
 float nearestOf(const StandingWall& wall) {
     const glm::dvec2 edge = wall.b - wall.a;
     return edge.y > edge.x ? -onTheWall : onTheWall;
 }
 
-// The same of the face behind an edge; where it leans nobody is on it who is not below the edge.
+// The same for the face behind an edge. On a sloping face, only receivers below the edge can lie on it.
 float nearestOf(glm::vec3 outward) {
     constexpr float plumb = 1e-6F;
     return std::abs(outward.z) <= plumb && outward.x + outward.y > 0 ? -onTheWall : onTheWall;
@@ -53,7 +53,7 @@ void BinWalls::begin(const AzimuthBatch& batch, const ShadowExtent& tile, double
     tile_ = tile;
 }
 
-// Along some azimuth of the batch.
+// True if in reach along some azimuth of the batch.
 bool BinWalls::inReach(const ShadowExtent& extent, double reach) const {
     const double farthest = std::min(extent.highAlong + reach, tile_.highAlong) - extent.lowAlong;
     const double aside = spread_ * std::max(0.0, farthest);
@@ -61,7 +61,7 @@ bool BinWalls::inReach(const ShadowExtent& extent, double reach) const {
            extent.lowAlong <= tile_.highAlong && extent.highAlong + reach >= tile_.lowAlong;
 }
 
-// How far an obstacle of this rise can shade, in cells along, is kept in reach_.
+// Stores in reach_ how far an obstacle of this rise can cast shadow, in cells along.
 bool BinWalls::reachesTile(glm::dvec2 low, glm::dvec2 high, double rise) {
     reach_ = rise / lowestTan_ + 1;
     ShadowExtent extent;
@@ -71,12 +71,12 @@ bool BinWalls::reachesTile(glm::dvec2 low, glm::dvec2 high, double rise) {
     return reaches;
 }
 
-// Across and along.
+// Returns across and along.
 glm::dvec2 BinWalls::from(glm::dvec2 cells) const {
     return {axes_.swapped ? cells.y : cells.x, axes_.sign * (axes_.swapped ? cells.x : cells.y)};
 }
 
-// Whether a wall from low a to high b faces away from the sun along some azimuth of the batch.
+// Whether a wall from its low end a to its high end b faces away from the sun at some azimuth of the batch.
 bool BinWalls::facesAway(glm::dvec2 a, glm::dvec2 b) const {
     return qOf(b) - qOf(a) + spread_ * std::abs(b.y - a.y) > 0;
 }
@@ -111,7 +111,7 @@ void BinWalls::addEdge(const StandingSolid& solid, const SolidEdge& edge) {
                {.nearest = nearestOf(behind), .building = solid.building});
 }
 
-// Of all squares of the terrain; a receiver lies at the datum or above.
+// Searches all squares of the terrain; receivers lie at the datum or above.
 void BinWalls::addTerrain(const TerrainEdges& terrain, std::uint32_t number, glm::dvec2 away,
                           const std::stop_token& stop) {
     terrain.find({.axes = axes_,
@@ -132,7 +132,7 @@ void BinWalls::addTerrain(const TerrainEdges& terrain, std::uint32_t number, glm
     }
 }
 
-// Either end may be the low one.
+// Either end may have the lower q.
 void BinWalls::addUpwards(const End& a, const End& b, const WallPiece& piece) {
     if (!(std::max(a.rise, b.rise) > 0)) return;
     if (qOf(a.at) < qOf(b.at))
@@ -175,7 +175,7 @@ std::size_t BinWalls::slotOf(const WallPiece& piece) const {
            std::size_t(int(std::floor(std::min(piece.lowQ, piece.highQ) / bandWidth)) - firstBand_);
 }
 
-// By counting.
+// A counting sort.
 void BinWalls::sort() {
     double lowest = tile_.highAlong, highest = found_.empty() ? lowest : double(found_.front().highAlong),
            lowQ = tile_.lowQ, highQ = tile_.highQ;

@@ -11,65 +11,66 @@
 
 namespace noonmark {
 
-/// A piece of what hides the sun, the top of a wall that faces away from it or an edge of a roof or of the
-/// terrain, in the axes of one azimuth: at most 32 cells across and 16 along. They are cut at places of their
-/// own, whatever the tile and the azimuth, and each cut belongs to one side.
+/// A piece of an occluder's outline: the top of a wall that faces away from the sun, or an edge of a roof or
+/// of the terrain, in the axes of one azimuth. At most 32 cells across and 16 along. Pieces are cut at fixed
+/// positions, independent of tile and azimuth, and a point on a cut belongs to exactly one piece.
 struct WallPiece {
-    glm::dvec2 low, high;  ///< its ends, across and along: it shades cells from low's q up to before high's
-    double lowQ, highQ;    ///< of the ends; along the middle of a batch highQ may lie below lowQ
+    glm::dvec2 low, high;  ///< ends, across and along: shades cells with low's q <= q < high's q
+    double lowQ, highQ;    ///< q of the ends; at the middle of a batch highQ may be less than lowQ
     float highAlong;       ///< highest `along` of the piece
-    float rise;  ///< height at lowQ, such that rise / (distance in `along`) is the tangent of the horizon
-    float riseSlope;  ///< of `rise` against q; 0 for walls
-    float highRise;   ///< highest of the piece
-    float topM;       ///< height above the datum; walls only
-    float nearest;    ///< it shades cells farther off than computeNearestAlong(); below 0 where a cell on the
-                    ///< wall is behind it
+    float rise;            ///< height at lowQ, scaled: rise / (distance in `along`) is the horizon's tangent
+    float riseSlope;       ///< change of `rise` per q; 0 for walls
+    float highRise;        ///< highest `rise` of the piece
+    float topM;            ///< height above the datum; walls only
+    float nearest;  ///< shades cells farther away than computeNearestAlong(); negative if a cell on the
+                    ///< wall lies behind it
     std::uint32_t building;
 };
 
-/// Azimuths that are looked at together: the `k` of each (shadow_axes.h) is off that of these axes by
-/// `spread` at most.
+/// Azimuths that are processed together. The `k` of each (shadow_axes.h) differs from that of these axes by
+/// at most `spread`.
 struct AzimuthBatch {
     ShadowAxes axes;
     double spread = 0;
 };
 
-/// The pieces of wall that matter to a tile at one azimuth, or at any of a batch, in bands of q and, from the
-/// sun's far end of the tile towards the sun, in rows of 16 `along`: those that a cell may see first come
-/// first.
+/// The pieces of wall that matter to a tile at one azimuth, or at any azimuth of a batch. They are sorted
+/// into rows of 16 `along`, from the tile's far end towards the sun, and within a row into bands of q. Pieces
+/// that a cell may see first come first.
 class BinWalls {
 public:
-    static constexpr double bandWidth = 48;  // as wide as a piece may be in q
+    static constexpr double bandWidth = 48;  // the largest extent of a piece in q
     static constexpr double rowDepth = 16;
 
-    /// Replaces what is there by what these obstacles hide the sun with. `tile`: cells that matter. `cellM`:
-    /// metres a cell. `lowestTan`: of the bin's suns. Less once stopped: a large terrain takes long to look
-    /// through.
+    /// Replaces the contents by the pieces with which these obstacles may hide the sun. `tile`: extent of the
+    /// receivers. `cellM`: metres per cell. `lowestTan`: of the bin's suns. Incomplete if stopped, because
+    /// searching a large terrain takes long.
     void find(const WallList& list, const Obstacles& obstacles, glm::dvec2 away, const ShadowExtent& tile,
               double cellM, float lowestTan, const std::stop_token& stop);
 
-    /// The same of prisms for all azimuths of a batch. `lowestTan`: a sun of that altitude in the batch's
-    /// middle throws shadows as far along as the lowest of its suns.
+    /// The same for prisms and all azimuths of a batch. `lowestTan`: a sun of that altitude at the batch's
+    /// middle azimuth casts shadows as far along as the lowest of its suns.
     void find(const WallList& list, std::span<const StandingPrism> prisms, const AzimuthBatch& batch,
               const ShadowExtent& tile, double cellM, float lowestTan);
 
-    /// Row of the walls with the highest `along` up to this one; rows count towards the sun.
+    /// The row of walls whose highest `along` is at most this; row numbers increase towards the sun.
     [[nodiscard]] int rowOf(double along) const;
     [[nodiscard]] int rows() const { return rows_; }
-    /// The first row that any are in; 0 or more.
+    /// First row that contains walls; at least 0.
     [[nodiscard]] int firstRow() const { return firstRow_; }
     /// Highest `along` in a row.
     [[nodiscard]] double highestAlong(int row) const { return (lastStep_ - row + 1) * rowDepth; }
 
-    /// The bands whose pieces may shade lowQ <= q < highQ.
+    /// Bands whose pieces may shade lowQ <= q < highQ.
     struct Bands {
         int first, end;
     };
     [[nodiscard]] Bands bandsOf(double lowQ, double highQ) const;
-    /// The same of pieces in this row, along all azimuths of a batch, for cells up to this `along`.
+    /// The same for pieces in this row, at all azimuths of a batch, for cells up to `highestAlong`.
     [[nodiscard]] Bands bandsOf(double lowQ, double highQ, double highestAlong, int row) const;
     [[nodiscard]] std::span<const WallPiece> pieces(int row, const Bands& bands) const;
-    /// Calls visit(piece) for those in a row that may raise horizons of a block; `sight`: from makeQuery().
+    /// Calls visit(piece) for each piece of a row that may raise horizons of a block; `sight`: from
+    /// makeQuery().
     template <class Visit>
     void forEachCandidate(int row, const Bands& bands, const BlockQuery& sight, const Visit& visit) const {
         const auto [first, end] = rangeOf(row, bands);
@@ -77,22 +78,22 @@ public:
             for (std::uint32_t may = bounds_.mayRaise(some, end, sight); may != 0; may &= may - 1)
                 visit(sorted_[some + std::size_t(std::countr_zero(may))]);
     }
-    /// Of a block with these bounds.
+    /// Query for a block with these bounds.
     [[nodiscard]] BlockQuery makeQuery(double lowQ, double highQ, double lowestAlong, float cot) const {
         return {float(lowQ - tile_.lowQ), float(highQ - tile_.lowQ), float(lowestAlong - tile_.lowAlong), cot,
                 float(spread_)};
     }
-    /// Rise of the tallest piece in this row and all farther ones.
+    /// Largest rise in this row and all rows farther away.
     [[nodiscard]] float tallest(int row, const Bands& bands) const { return highest(tallest_, row, bands); }
-    /// Rise of the tallest piece in this row.
+    /// Largest rise in this row.
     [[nodiscard]] float tallestIn(int row, const Bands& bands) const {
         return highest(tallestIn_, row, bands);
     }
-    /// Prisms and solids.
+    /// Number of prisms and solids out of reach.
     [[nodiscard]] std::uint64_t outOfReach() const { return outOfReach_; }
 
 private:
-    /// One end of what is cut into pieces.
+    /// One end of an outline segment to be cut into pieces.
     struct End {
         glm::dvec2 at;  ///< across and along
         double rise;
@@ -127,9 +128,9 @@ private:
     std::uint64_t outOfReach_ = 0;
     std::vector<WallPiece> found_, sorted_;
     PieceBounds bounds_;                 // of sorted_
-    std::vector<std::uint32_t> starts_;  // of each slot: row by row, in it band by band
+    std::vector<std::uint32_t> starts_;  // start of each slot in sorted_: by row, then band
     std::vector<float> tallestIn_, tallest_;
-    std::vector<float> backLit_;             // of the faces of the solid at hand
+    std::vector<float> backLit_;             // for each face of the current solid
     std::vector<TerrainEdges::Edge> edges_;  // of the terrain
 };
 

@@ -7,26 +7,26 @@
 
 namespace noonmark {
 
-/// How high the cells of a block lie.
+/// Ground heights of the cells of a block.
 struct BlockGround {
-    const Line<float>* linesM = nullptr;  ///< above the datum, line by line, 16 each; null: all lie on it
-    float lowestM = 0;                    ///< of the receivers
+    const Line<float>* linesM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
+    float lowestM = 0;                    ///< lowest of the receivers
 };
 
-/// The elevations of a tile's receivers, in the order of its blocks' lines; nothing where they are flat. They
-/// are those of the reference's rays, a millimetre above the ground: both see their own ground alike.
+/// Elevations of a tile's receivers, in the row order of its blocks; empty if they are flat. They are those
+/// of the reference's rays, a millimetre above the ground, so that both treat a receiver's own ground alike.
 class BlockGrounds {
 public:
-    BlockGrounds() = default;  ///< flat
-    /// 2 kB a block.
+    BlockGrounds() = default;  ///< flat ground
+    /// 2 kB per block.
     BlockGrounds(const Receivers& receivers, const ReceiverBlocks& blocks, double datumM);
 
     [[nodiscard]] bool flat() const { return rows_.empty(); }
     [[nodiscard]] BlockGround of(std::size_t block, bool swapped) const;
 
 private:
-    std::vector<Line<float>> rows_, columns_;  // side a block
-    std::vector<float> lowestM_;               // of each block
+    std::vector<Line<float>> rows_, columns_;  // 16 per block
+    std::vector<float> lowestM_;               // one per block
 };
 
 }  // namespace noonmark

@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// A block in the axes of one azimuth.
+/// Position of a block in the axes of one azimuth.
 struct BlockPlace {
     BlockPlace(const ReceiverBlocks::Block& block, const ShadowAxes& axes) {
         constexpr int side = ReceiverBlocks::side;
@@ -22,12 +22,12 @@ struct BlockPlace {
         lowQ = q - std::max(0.0, shift) - 1;
         highQ = q - std::min(0.0, shift) + side;
     }
-    double across, q, along;  ///< of its first cell
+    double across, q, along;  ///< of the block's first cell
     double lowestAlong, highestAlong;
-    double lowQ, highQ;  ///< bounds of its cells, and a little more
+    double lowQ, highQ;  ///< bounds of its cells with a margin
 };
 
-/// Of a tile's cells.
+/// Extent of a tile's cells.
 inline ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes) {
     ShadowExtent extent;
     const glm::dvec2 low(box.firstColumn, box.firstRow);
@@ -35,12 +35,13 @@ inline ShadowExtent extentOf(const TileBox& box, const ShadowAxes& axes) {
     return extent;
 }
 
-/// Distances that are compared so, in cells, are wide of the rounding of what is found of walls and cells:
-/// what is passed over for them changes no bit.
+/// Margins for comparing distances in cells. They exceed the rounding of positions of walls and cells, so
+/// that what they exclude changes no bit of the result.
 inline constexpr float nearlyOfDistance = 1 - 1e-5F, roundingOfDistance = 1e-2F;
 
-/// Whether a wall this high gives a cell at this distance, or one farther off, a steeper horizon than one of
-/// this cotangent. Wide of rounding: what it passes over changes no bit, in whatever order walls come.
+/// Whether a wall this high may give a cell at this distance, or one farther away, a steeper horizon than one
+/// with this cotangent. The margin exceeds rounding, so walls that it excludes change no bit, in whatever
+/// order walls come.
 inline bool mayRaise(float rise, double distance, float cot) {
     return double(rise) * double(cot) > distance * double(nearlyOfDistance) - double(roundingOfDistance);
 }

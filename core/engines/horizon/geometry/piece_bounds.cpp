@@ -13,9 +13,9 @@ namespace noonmark {
 
 namespace {
 
-// Of distances in cells: wide of the rounding of bounds and of the block's own sums.
+// Margins for distances in cells; they exceed the rounding of bounds and of the block's own coordinates.
 constexpr float nearly = nearlyOfDistance, margin = 2 * roundingOfDistance;
-// From the block's lowest cell to its highest, and from a piece's highest point to its lowest, and more.
+// Depth of a block plus depth of a piece, in cells, rounded up.
 constexpr float depths = 33;
 
 [[maybe_unused]] bool mayRaiseOne(float lowQ, float highQ, float highAlong, float rise,

@@ -6,11 +6,12 @@
 
 namespace noonmark {
 
-/// How the shadows of one azimuth run over the cells of a grid. Of its two axes `along` is the one nearer to
-/// the shadows, turned so that they run towards higher `along`; `across` is the other. q = across - k along
-/// is the same for all points of one shadow. Unit: cells, cell centres at whole numbers.
+/// Coordinates in which the shadows of one azimuth run over the cells of a grid. `along` is the grid axis
+/// closer to the shadows' direction, oriented so that shadows run towards higher `along`; `across` is the
+/// other axis. q = across - k along is constant along a shadow. Unit: cells, with cell centres at whole
+/// numbers.
 struct ShadowAxes {
-    /// `away`: unit vector that shadows run along.
+    /// `away`: unit vector in which shadows fall.
     explicit ShadowAxes(glm::dvec2 away)
         : swapped(std::abs(away.x) > std::abs(away.y)),
           sign((swapped ? away.x : away.y) < 0 ? -1 : 1),
@@ -26,16 +27,16 @@ struct ShadowAxes {
         return {(swapped ? cells.y : cells.x) - k * along, along};
     }
 
-    /// Whether going from (across, along) to (x, y) turns the plane over.
+    /// Whether the mapping from (across, along) to (x, y) reverses orientation.
     [[nodiscard]] bool mirrored() const { return swapped != (sign < 0); }
 
-    bool swapped;             ///< `along` is x
-    double sign;              ///< of the axis: 1 or -1
-    double alongPerDistance;  ///< of a distance along the azimuth, the part along `along`: 0.7 to 1
+    bool swapped;             ///< `along` is the x axis
+    double sign;              ///< orientation of the axis: 1 or -1
+    double alongPerDistance;  ///< `along` covered per unit of distance along the azimuth: 0.7 to 1
     double k;                 ///< -1 to 1
 };
 
-/// What some points span in the axes of one azimuth.
+/// Bounding box of points in the axes of one azimuth.
 struct ShadowExtent {
     double lowQ = 1e300, highQ = -1e300, lowAlong = 1e300, highAlong = -1e300;
 

@@ -10,9 +10,9 @@ namespace noonmark {
 
 namespace {
 
-/// One side of a triangle, to be matched with its neighbour's.
+/// One side of a triangle, to be matched with the same side of the adjacent triangle.
 struct Side {
-    std::uint32_t low, high;  // ends, by index
+    std::uint32_t low, high;  // indices of the ends
     std::uint32_t face;
     bool forward;  // the triangle runs from low to high
 };
@@ -31,13 +31,13 @@ std::vector<Side> sortedSides(const TriangleMesh& mesh) {
     return sides;
 }
 
-// Halves of one plane face, and faces that are one but for rounding.
+// Whether the faces are halves of one plane face, up to rounding.
 bool isFlat(glm::vec3 one, glm::vec3 other) {
     constexpr float least = 1e-6F;  // radians
     return glm::dot(one, other) > 0 && glm::length(glm::cross(one, other)) < least;
 }
 
-// Where more than two faces meet each is at a rim.
+// A side where more than two faces meet is treated as a boundary of each.
 void addEdges(const Side* first, const Side* end, StandingSolid& solid) {
     if (end - first == 2 && first[0].forward != first[1].forward) {
         if (isFlat(solid.normals[first[0].face], solid.normals[first[1].face])) return;

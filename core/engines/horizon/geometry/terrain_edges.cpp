@@ -13,7 +13,8 @@ namespace {
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-// The least length of a way that is one step long in columns and rows together: the smaller singular value.
+// The shortest length of a path that is one step long in columns and rows together: the smaller singular
+// value.
 double shortestStepM(const PostGrid::Steps& steps) {
     const double a = glm::dot(steps.column, steps.column), b = glm::dot(steps.row, steps.row),
                  c = glm::dot(steps.column, steps.row);
@@ -27,7 +28,7 @@ TerrainEdges::TerrainEdges(std::shared_ptr<const Terrain> terrain, const Grid& r
       origin_(receivers.centre(0, 0)),
       cellM_(receivers.cellM),
       datumM_(datumM) {
-    // None where there is but one row or column: it has no triangles.
+    // A terrain with a single row or column has no triangles, hence no squares.
     for (int row = 0; row < terrain_->grid.rows - 1; row += side)
         for (int column = 0; column < terrain_->grid.columns - 1; column += side)
             squares_.push_back(squareFrom({column, row}));
@@ -51,7 +52,7 @@ TerrainEdges::Square TerrainEdges::squareFrom(glm::ivec2 first) const {
     return square;
 }
 
-// The sides of a bent grid bulge less than a cell.
+// The sides of a bent grid deviate from straight lines by less than a cell.
 void TerrainEdges::setPlace(Square& square) const {
     const PostGrid& grid = terrain_->grid;
     square.low = glm::dvec2(1e300);
@@ -72,7 +73,7 @@ void TerrainEdges::setHeights(Square& square) const {
     const PostGrid& grid = terrain_->grid;
     const glm::ivec2 first = square.first, last = square.last;
     square.highestM = std::numeric_limits<float>::lowest();
-    // With the next cells in the east and north: the square has the edges between.
+    // Includes the next cells to the east and north, because the square owns the edges between.
     const glm::ivec2 beyond(std::min(last.x + 1, grid.columns - 1), std::min(last.y + 1, grid.rows - 1));
     float steepest = 0;
     for (int row = first.y; row <= beyond.y; ++row)
@@ -84,13 +85,13 @@ void TerrainEdges::setHeights(Square& square) const {
             steepest = std::max({steepest, float(std::abs(east)), float(std::abs(north))});
         }
     const bool outer = first.x == 0 || first.y == 0 || last.x == grid.columns - 1 || last.y == grid.rows - 1;
-    // A triangle rises along two sides, one by columns and one by rows: by the root of 2 more along its
-    // slope; and steps may differ by a hundredth from those in the middle.
+    // A triangle's gradient is that along one column step and one row step combined, up to sqrt(2) times the
+    // larger one; steps may differ by one percent from those at the centre.
     square.steepest = outer ? std::numeric_limits<float>::max()
                             : steepest * 1.4143F * 1.01F / float(shortestStepM(square.steps));
 }
 
-/// Looks through the squares at one azimuth.
+/// Searches squares at one azimuth.
 class TerrainEdges::Finder {
 public:
     Finder(const TerrainEdges& edges, const Question& question, std::vector<Edge>& found)
@@ -132,7 +133,7 @@ private:
                 awaySteps_.x * (d - c) + awaySteps_.y * (a - d)};
     }
 
-    // Its diagonal, and its sides in the east and in the north where there are cells beyond.
+    // Examines the cell's diagonal, and its eastern and northern sides if there are cells beyond.
     void lookAtCell(int column, int row) {
         const PostGrid& grid = edges_.terrain_->grid;
         const Faces own = facesOf(column, row);
@@ -171,7 +172,7 @@ private:
     const TerrainEdges& edges_;
     const Question& question_;
     std::vector<Edge>& found_;
-    glm::vec2 awaySteps_{};  // the shadows' direction in steps of the square, per metre
+    glm::vec2 awaySteps_{};  // the direction of shadows in steps of the square, per metre
     float lowestTan_;
 };
 

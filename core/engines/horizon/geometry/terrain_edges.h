@@ -11,24 +11,25 @@
 
 namespace noonmark {
 
-/// The terrain as what it may hide the sun with: the edges of its triangles (meshOf of a terrain: the surface
-/// that rays meet). For one azimuth those count where the far side is lit and the near side is not; what lies
-/// beyond the outer posts ends plumb. Looked through square by square: most are too flat, too low or too
-/// far for a bin's suns.
+/// The terrain as an occluder: the edges of its triangles (meshOf of a terrain, the surface that rays hit).
+/// At one azimuth an edge counts if its far side is lit and its near side is not; the terrain ends vertically
+/// at its outer posts. Searched square by square, since most squares are too flat, too low or too far away to
+/// hide a bin's suns.
 class TerrainEdges {
 public:
-    static constexpr int side = 32;  ///< of a square, in the terrain's cells
+    static constexpr int side = 32;  ///< side of a square, in terrain cells
 
-    /// `receivers`: the grid whose cells its edges are told in. `datumM`: local z that heights count from.
+    /// `receivers`: the grid in whose cells edges are given. `datumM`: local z from which heights are
+    /// measured.
     TerrainEdges(std::shared_ptr<const Terrain> terrain, const Grid& receivers, double datumM);
 
-    /// An edge in the axes of an azimuth; heights above the datum in metres.
+    /// An edge in the axes of an azimuth; heights in metres above the datum.
     struct Edge {
         ShadowAxes::Point a, b;
         double aM, bM;
     };
 
-    /// What an azimuth asks for: edges that can hide a sun of `lowestTan` or higher from a cell of `tile` at
+    /// A query for one azimuth: edges that can hide a sun of `lowestTan` or higher from a cell of `tile` at
     /// the datum or above.
     struct Question {
         ShadowAxes axes;
@@ -37,17 +38,16 @@ public:
         double lowestTan = 0;
         double alongPerMetre = 1;
     };
-    /// Replaces what is in `edges`; only some of them once stopped. Some 3 ns for each cell of the squares
-    /// that are looked through.
+    /// Replaces the contents of `edges`; incomplete if stopped. Some 3 ns per cell of the squares searched.
     void find(const Question& question, std::vector<Edge>& edges, const std::stop_token& stop) const;
 
 private:
-    /// Posts [first, last] of the terrain's grid, corners included, and the most of what is in them.
+    /// Posts [first, last] of the terrain's grid, corners included, with upper bounds of height and slope.
     struct Square {
         glm::ivec2 first, last;
         float highestM, steepest;
-        glm::dvec2 low, high;   ///< the box of its posts, in the receivers' cells
-        PostGrid::Steps steps;  ///< in its middle, metres
+        glm::dvec2 low, high;   ///< bounding box of its posts, in receiver cells
+        PostGrid::Steps steps;  ///< steps at its centre, metres
     };
     class Finder;
 
@@ -58,7 +58,7 @@ private:
     void setPlace(Square& square) const;
 
     std::shared_ptr<const Terrain> terrain_;
-    glm::dvec2 origin_;  // the receivers' first centre, local metres
+    glm::dvec2 origin_;  // centre of the receivers' first cell, local metres
     double cellM_ = 1;   // of the receivers
     double datumM_ = 0;
     std::vector<Square> squares_;

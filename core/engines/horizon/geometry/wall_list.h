@@ -13,36 +13,36 @@
 
 namespace noonmark {
 
-/// A wall of a prism that stands on the ground. Cells of a grid: the centre of cell (column, row) is at
+/// A wall of a prism that stands on the ground. In cells of a grid: the centre of cell (column, row) is at
 /// (column, row).
 struct StandingWall {
-    glm::dvec2 a, b;  ///< left of a -> b is inside
+    glm::dvec2 a, b;  ///< the interior is to the left of a -> b
 };
 
-/// Walls of one prism, all of one height.
+/// The walls of one prism, all of the same height.
 struct StandingPrism {
-    std::uint32_t firstWall = 0;  ///< into WallList::walls
+    std::uint32_t firstWall = 0;  ///< index in WallList::walls
     std::uint32_t wallCount = 0;
     float topM = 0;              ///< above the list's datum
-    std::uint32_t building = 0;  ///< as its adder numbers them
-    glm::dvec2 low{}, high{};    ///< bounds, cells
+    std::uint32_t building = 0;  ///< number given by the caller that adds the building
+    glm::dvec2 low{}, high{};    ///< bounds in cells
 };
 
-/// What stands on the ground and may hide the sun.
+/// Occluders that stand on the ground.
 struct WallList {
-    double datumM = 0;  ///< local z that heights count from
+    double datumM = 0;  ///< local z from which heights are measured
     std::vector<StandingPrism> prisms;
     std::vector<StandingWall> walls;
-    std::vector<StandingSolid> solids;            ///< general meshes that stand
+    std::vector<StandingSolid> solids;            ///< general meshes that stand on the ground
     std::shared_ptr<const TerrainEdges> terrain;  ///< null: flat
-    std::uint32_t terrainNumber = 0;              ///< in the place of a building's
+    std::uint32_t terrainNumber = 0;              ///< takes the place of a building's number
 
     [[nodiscard]] std::span<const StandingWall> wallsOf(const StandingPrism& prism) const {
         return std::span(walls).subspan(prism.firstWall, prism.wallCount);
     }
 };
 
-/// Some or all that a list holds, or held.
+/// Some or all of the occluders that a list contains or has contained.
 struct Obstacles {
     std::span<const StandingPrism> prisms;  ///< their walls are in the list
     std::span<const StandingSolid> solids;
@@ -55,22 +55,22 @@ inline Obstacles listAllObstacles(const WallList& list) {
     return {list.prisms, list.solids, list.terrain.get()};
 }
 
-/// What walls cannot describe: a part that hangs.
+/// An overhang, which walls cannot describe.
 struct OverhangPart {
     const Part* part;        ///< not owned
-    std::uint32_t building;  ///< as its adder numbers them
+    std::uint32_t building;  ///< number given by the caller that adds the building
 };
 using OverhangParts = std::vector<OverhangPart>;
 
-/// Adds the parts of a building, each taken from the ground up. A part that starts on another of its
-/// building is taken so too: what is below it is solid. Parts that hang go to `open`, general meshes that
-/// stand to the list's solids; what ends below the datum is left out.
+/// Adds the parts of a building, each extended down to the ground. A part that stands on another part of its
+/// building is treated the same way, since the space below it is solid. Overhangs go to `overhangs`, general
+/// meshes that stand on the ground to the list's solids; parts that end below the datum are left out.
 void addStandingWalls(const Building& building, std::uint32_t number, const Grid& grid, WallList& list,
                       OverhangParts& overhangs);
 
-/// What may hide the sun from receivers: what stands of some buildings, numbered by their index in the city,
-/// and its terrain, which has the number after the last building's. The datum is the lowest receiver's. Parts
-/// that hang go to `open`.
+/// Collects the occluders of the receivers: the parts of these buildings that stand on the ground, numbered
+/// by index in the city, and the terrain, whose number is one after the last building's. The datum is the
+/// height of the lowest receiver. Overhangs go to `overhangs`.
 WallList collectStandingObstacles(const City& city, std::span<const std::uint32_t> buildings,
                                   const Receivers& receivers, OverhangParts& overhangs);
 

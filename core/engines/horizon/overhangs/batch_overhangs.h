@@ -11,24 +11,25 @@
 
 namespace noonmark {
 
-/// The horizons of one block as a sweep gives them.
+/// The horizons of one block as computed by a sweep.
 struct SweptBlock {
     std::size_t block;         ///< index
-    const HorizonCode* codes;  ///< 16 a line; null: all are noHorizon
-    bool swapped;              ///< lines are columns
+    const HorizonCode* codes;  ///< 16 per row; null: all are noHorizon
+    bool swapped;              ///< rows are columns
 };
 
-/// What hangs, at the azimuths of a batch, looked at from blocks whose horizons have just been found. Keeps
-/// its memory; one for each thread.
+/// Adds overhangs, at the azimuths of a batch, to blocks whose horizons have just been computed. Reuses its
+/// memory; one per thread.
 class BatchOverhangs {
 public:
-    /// From now on: these bins, of one batch, and this tile. All that is named must outlive what follows.
+    /// Selects the bins, which must form one batch, and the tile. All arguments must outlive the calls that
+    /// follow.
     void begin(std::span<const OverhangShapes* const> shapes, const OverhangTile& tile,
                std::span<const SweptBin> bins, double cellM, const std::stop_token& stop);
 
-    /// Returns a block's codes raised where what hangs hides all suns above the horizon up to there, valid
-    /// until the next call, and calls visit(cell, low, high) for what it hides apart from it: of cell 16 x
-    /// row + column, of one cell from below, disjoint.
+    /// Returns a block's codes, raised where an overhang hides all suns from the horizon up to its top; valid
+    /// until the next call. Calls visit(cell, low, high) for the intervals that overhangs hide separately
+    /// from the horizon: of cell 16 x row + column; the intervals of a cell ascend and are disjoint.
     template <class Visit>
     const HorizonCode* raise(std::size_t bin, const SweptBlock& swept, const ReceiverBlocks& blocks,
                              const BlockGrounds& grounds, const Visit& visit);
@@ -37,7 +38,7 @@ private:
     [[nodiscard]] static std::size_t placeOf(const ReceiverBlocks& blocks, std::size_t block);
     void setBlock(const SweptBlock& swept, const ReceiverBlocks& blocks, const BlockGrounds& grounds);
 
-    std::array<OverhangSweep, BatchLanes::most> sweeps_;  // one a bin
+    std::array<OverhangSweep, BatchLanes::most> sweeps_;  // one per bin
     std::array<HorizonCode, BatchLanes::most> lowest_{};
     ViewingBlock from_;
     BlockCodes codes_;
@@ -57,7 +58,8 @@ const HorizonCode* BatchOverhangs::raise(std::size_t bin, const SweptBlock& swep
     sweeps_[bin].look(place, from_, lowest, [&](int cell, HorizonCode low, HorizonCode high) {
         constexpr int side = ReceiverBlocks::side;
         HorizonCode& horizon = codes_.values[cell];
-        // Below the lowest sun there is nothing to see.
+        // No suns are lower than the lowest sun, so the space below it does not separate an interval from the
+        // horizon.
         if (int(low) > std::max(int(horizon) + 1, int(lowest_[bin])))
             return visit(swept.swapped ? cell % side * side + cell / side : cell, low, high);
         horizon = std::max(horizon, high);

@@ -14,8 +14,8 @@ constexpr HorizonCode zenith = HorizonCode(steepnessLevels - 1 + int(noHorizon))
     return rise > 0 ? HorizonCode(std::min(level, steepnessLevels - 1) + int(noHorizon)) : noHorizon;
 }
 
-// Where the near side lies behind a cell, it is below what hangs or above it: what is over it hides all up to
-// the zenith.
+// If the near side lies behind the cell, the cell is below or above the overhang; an overhang above it hides
+// everything up to the zenith.
 NOONMARK_EVERY_ISA
 void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, HorizonCode* high) {
     const int count = seen.count;

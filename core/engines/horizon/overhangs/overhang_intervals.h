@@ -12,21 +12,20 @@
 
 namespace noonmark {
 
-/// What hangs, looked at from a block at one azimuth. Seen from a cell each layer hides the altitudes
-/// between its two crossings with the vertical plane through the sun: a prism those from its far bottom to
-/// its near top, a triangle those between its two crossings: exactly those whose ray it would stop. Keeps its
-/// memory; one for each thread.
+/// The altitudes that overhangs hide from a block at one azimuth. Seen from a cell, a prism hides the
+/// altitudes from its far bottom to its near top, and a triangle those between its two intersections with the
+/// vertical plane through the sun: exactly those whose ray it would block. Reuses its memory; one per thread.
 class OverhangIntervals {
 public:
-    /// From now on: from this block. `lowest`: what ends below that code hides no sun.
+    /// Selects the block. `lowest`: intervals that end below that code hide no sun.
     void begin(const ViewingBlock& from, const BlockAxes& axes, HorizonCode lowest);
 
-    /// Looks at a layer from the block's cells whose horizons are no higher than `most`. About 2 ns a cell
-    /// that sees it.
+    /// Adds a layer for the block's cells whose horizons are no higher than `most`. About 2 ns per cell that
+    /// sees it.
     void look(const OverhangLayer& layer, std::span<const OverhangStrip> strips, HorizonCode most);
 
-    /// Calls visit(cell, low, high) for the intervals that reach above the horizons, cell by cell (16 x line
-    /// + place) in ascending order, from below, disjoint and apart.
+    /// Calls visit(cell, low, high) for the intervals that reach above the horizons. Cells (16 x row +
+    /// position) ascend; the intervals of a cell ascend, are disjoint and do not touch.
     template <class Visit>
     void finish(const Visit& visit);
 
@@ -46,12 +45,12 @@ private:
     BlockAxes axes_{};
     HorizonCode lowest_ = noHorizon;
     ViewingBlock block_;
-    std::array<std::uint64_t, cells / 64> raised_{};  // cells, as bits
-    std::array<HorizonCode, cells> lows_;             // where what raised them begins
+    std::array<std::uint64_t, cells / 64> raised_{};  // cells with raised horizons, as bits
+    std::array<HorizonCode, cells> lows_;             // where the interval that raised a cell begins
     std::vector<Apart> apart_;
     StripLanes strips_;
     VisibleCells seen_;
-    alignas(64) HorizonCode low_[VisibleCells::most], high_[VisibleCells::most];  // of what is seen
+    alignas(64) HorizonCode low_[VisibleCells::most], high_[VisibleCells::most];  // of visible cells
 };
 
 template <class Visit>
@@ -59,7 +58,8 @@ void OverhangIntervals::finish(const Visit& visit) {
     std::ranges::sort(apart_, [](const Apart& a, const Apart& b) {
         return a.cell != b.cell ? a.cell < b.cell : a.low < b.low;
     });
-    // What is apart from the horizon as it was when it came may not be from what that was raised to.
+    // An interval that was separate from the horizon when it was added may touch the horizon after it was
+    // raised.
     std::erase_if(apart_, [&](const Apart& one) {
         if (!joins(one.cell, one.low)) return false;
         raise(one.cell, one.low, one.high);

@@ -27,7 +27,7 @@ void OverhangLayers::add(const OverhangTriangle& triangle, const ShadowAxes& axe
     const auto& [low, middle, high] = corners;
     const double rise = std::max({low.rise, middle.rise, high.rise});
     if (rise <= 0 || !(low.q < high.q)) return;
-    // Where the longest side passes the corner between its ends.
+    // The point of the longest side at the q of the middle corner.
     const double t = (middle.q - low.q) / (high.q - low.q);
     const Corner across{middle.q, low.along + t * (high.along - low.along),
                         low.rise + t * (high.rise - low.rise)};
@@ -37,7 +37,7 @@ void OverhangLayers::add(const OverhangTriangle& triangle, const ShadowAxes& axe
     addLayers(false, rise);
 }
 
-// Between the sides from a1 to a2 and from b1 to b2, which meet at one of their ends.
+// The strip between side a1-a2 and side b1-b2, which share one end.
 void OverhangLayers::addStrip(const Corner& a1, const Corner& a2, const Corner& b1, const Corner& b2) {
     if (!(a1.q < a2.q)) return;
     const auto side = [](const Corner& from, const Corner& to) {
@@ -76,7 +76,8 @@ void OverhangLayers::findEdges(const OverhangPrism& prism, const ShadowAxes& axe
     std::ranges::sort(edges_, {}, &Edge::lowQ);
 }
 
-// Between two neighbouring corners inside is from each odd wall to the next even one, whatever the outline.
+// Between two neighbouring corners, the interior lies from each odd wall to the next even one, for any
+// outline.
 void OverhangLayers::addAcross(double lowQ, double highQ, double bottom, double top) {
     crossed_.clear();
     for (const Edge& edge : edges_) {

@@ -8,30 +8,30 @@
 
 namespace noonmark {
 
-/// Of something that hangs, what lies between two neighbouring corners of it as they are seen along one
-/// azimuth, lowQ <= q < highQ: there the side that faces the shadow and the one that faces the sun are both
-/// straight.
+/// The part of an overhang between two neighbouring corners as seen along one azimuth, lowQ <= q < highQ.
+/// Within it, the side that faces the shadow and the side that faces the sun are both straight.
 struct OverhangStrip {
-    /// At lowQ, and what comes to it for each q. `rise`: such that rise / (distance in `along`) is a tangent.
+    /// Values at lowQ and their change per q. `rise` is scaled so that rise / (distance in `along`) is a
+    /// tangent.
     struct Side {
         double along, slope, rise, riseSlope;
     };
     double lowQ, highQ;
-    Side near, far;  ///< to the shadow
+    Side near, far;  ///< `near` faces the shadow, `far` the sun
 };
 
-/// Strips that lie beside each other, by q: a triangle is one layer, a prism one or, where its outline lies
-/// several times across, more.
+/// Strips side by side, in order of q. A triangle is one layer; a prism is one layer, or several if its
+/// outline crosses an azimuth more than twice.
 struct OverhangLayer {
     std::size_t firstStrip, endStrip;
-    bool solid;  ///< all between its sides is, from the far one's foot to the near one's top
+    bool solid;  ///< all space between the sides, from the far side's bottom to the near side's top, is solid
     double lowQ, highQ, lowestAlong, highestAlong, highestRise;
 };
 
-/// What hangs, in the axes of one azimuth. Keeps its memory from one to the next.
+/// Overhangs in the axes of one azimuth. Reuses its memory.
 class OverhangLayers {
 public:
-    /// Replaces what is there. `alongPerMetre`: cells along a metre of distance. Some 50 ns a strip.
+    /// Replaces the contents. `alongPerMetre`: cells along per metre of distance. Some 50 ns per strip.
     void set(std::span<const OverhangShapes* const> shapes, const ShadowAxes& axes, double alongPerMetre);
 
     [[nodiscard]] std::span<const OverhangLayer> all() const { return layers_; }
@@ -40,13 +40,13 @@ public:
     }
 
 private:
-    /// A corner, or where something is crossed.
+    /// A corner, or an intersection.
     struct Corner {
         double q, along, rise;
     };
-    /// Of a wall, from its lower q to its higher.
+    /// A wall's edge, from its lower q to its higher.
     struct Edge {
-        double lowQ, highQ, along, slope;  // `along` at lowQ; slope of it against q
+        double lowQ, highQ, along, slope;  // `along` at lowQ, and its change per q
         [[nodiscard]] double at(double q) const { return along + slope * (q - lowQ); }
     };
     void add(const OverhangTriangle& triangle, const ShadowAxes& axes);
@@ -59,11 +59,11 @@ private:
     double alongPerMetre_ = 1;
     std::vector<OverhangStrip> strips_;
     std::vector<OverhangLayer> layers_;
-    ShadowExtent extent_;  // of the shape at hand
+    ShadowExtent extent_;  // of the current shape
     std::vector<Edge> edges_;
     std::vector<double> corners_;
     std::vector<const Edge*> crossed_;
-    std::vector<std::vector<OverhangStrip>> across_;  // of the shape at hand, layer by layer
+    std::vector<std::vector<OverhangStrip>> across_;  // of the current shape, by layer
 };
 
 }  // namespace noonmark

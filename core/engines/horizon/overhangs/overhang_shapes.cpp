@@ -13,7 +13,7 @@ namespace {
 
 bool isPrism(const Part& part) { return !part.mesh && part.footprint.outer.size() >= 3; }
 
-/// Adds the parts of a building.
+/// Adds the parts of a building to its shapes.
 class ShapeBuilder {
 public:
     ShapeBuilder(const Grid& grid, double datumM, OverhangShapes& shapes)

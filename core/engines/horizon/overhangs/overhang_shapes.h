@@ -13,19 +13,19 @@
 
 namespace noonmark {
 
-/// A part with plumb walls that hangs. Cells and metres above a datum, as are all shapes.
+/// An overhang with vertical walls. In cells and in metres above a datum, like all shapes.
 struct OverhangPrism {
-    std::vector<std::vector<glm::dvec2>> rings;  ///< outer one and holes
+    std::vector<std::vector<glm::dvec2>> rings;  ///< outer ring and holes
     double bottomM, topM;
 };
 
-/// A triangle of another part that hangs.
+/// A triangle of an overhang that is not a prism.
 using OverhangTriangle = std::array<glm::dvec3, 3>;
 
-/// What hangs of one building, each part whole where it can be.
+/// The overhangs of one building; each is a prism where possible.
 struct OverhangShapes {
     static constexpr std::size_t most =
-        50'000;  ///< of a city: each is looked at from every cell that it may shade
+        50'000;  ///< limit per city: each is examined from every cell that it may shade
 
     std::uint32_t building = 0;  ///< as in OverhangPart
     std::vector<OverhangPrism> prisms;
@@ -36,19 +36,20 @@ struct OverhangShapes {
     [[nodiscard]] std::size_t size() const { return prisms.size() + triangles.size(); }
 };
 
-/// Some of what hangs; not owned.
+/// Pointers to overhangs; not owned.
 using OverhangList = std::vector<const OverhangShapes*>;
 
-/// Building by building. `parts`: those of one side by side. `datumM`: local z that heights count from.
+/// One entry per building. `parts`: those of one building must be adjacent. `datumM`: local z from which
+/// heights are measured.
 std::vector<OverhangShapes> toOverhangShapes(const OverhangParts& parts, const Grid& grid, double datumM);
 
-/// The same. Error: more than `most`.
+/// The same. Error if there are more than `most`.
 Result<std::vector<OverhangShapes>> makeOverhangShapes(const OverhangParts& parts, const Grid& grid,
                                                        double datumM);
 
 OverhangList listOf(std::span<const OverhangShapes> shapes);
 
-/// Error: so many are more than OverhangShapes::most.
+/// Error if the count exceeds OverhangShapes::most.
 Result<void> checkOverhangCount(std::size_t count);
 
 }  // namespace noonmark

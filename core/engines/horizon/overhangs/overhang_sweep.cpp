@@ -9,7 +9,8 @@ namespace {
 
 constexpr int side = ReceiverBlocks::side;
 
-// A level more than it is, wide of rounding; straight up where they are beside it.
+// One level higher than the actual code, which exceeds rounding; vertical if the block is not behind the
+// overhang.
 HorizonCode mostAt(double rise, double distance) {
     constexpr int highest = steepnessLevels - 1 + int(noHorizon);
     if (distance <= 0) return HorizonCode(highest);
@@ -48,7 +49,7 @@ std::span<const Gap> OverhangSweep::intervals(const OverhangView& view, std::spa
     return gaps_;
 }
 
-// Row by row of blocks, or column by column where swapped.
+// Visits blocks row by row, or column by column if swapped.
 void OverhangSweep::findBlocks(std::uint32_t layer, const OverhangLayer& of, double lowestTan) {
     const TileBox& box = view_->tile.box;
     const ShadowExtent& within = view_->within;
@@ -93,7 +94,7 @@ bool OverhangSweep::maySee(std::size_t block, HorizonCode lowest) const {
     return i >= 0;
 }
 
-// `blind` where nobody is.
+// `blind` if the block has no receivers.
 HorizonCode OverhangSweep::lowestIn(std::size_t block, std::span<const HorizonCode> horizons) const {
     const auto [first, end] = view_->tile.blockNumbers[block];
     HorizonCode lowest = blind;
@@ -111,7 +112,7 @@ BlockAxes OverhangSweep::axesOf(std::size_t block) const {
     return {first.q, first.along, float(axes_.k * axes_.sign), float(axes_.sign), float(alongPerMetre_)};
 }
 
-// Whose numbers its cells have is kept in numbers_.
+// Stores the numbers of the block's cells in numbers_.
 ViewingBlock OverhangSweep::blockAt(std::size_t block, std::span<const HorizonCode> horizons) {
     const OverhangTile& tile = view_->tile;
     const glm::ivec2 first = firstOf(block) - glm::ivec2(tile.box.firstColumn, tile.box.firstRow);

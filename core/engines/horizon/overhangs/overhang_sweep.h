@@ -1,5 +1,12 @@
 #pragma once
 
+// Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
+// below a horizon. overhang_shapes.h converts them to prisms and triangles; overhang_layers.h cuts these into
+// strips in the axes of one azimuth; overhang_visibility.h finds the cells of a block that see a strip, and
+// overhang_intervals.h the altitudes it hides from them. OverhangSweep applies this to the blocks of a tile
+// (overhang_tile.h) at one azimuth, BatchOverhangs to a batch during a sweep. gaps.h holds the hidden
+// intervals that do not begin at the horizon.
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,47 +21,47 @@
 
 namespace noonmark {
 
-/// What is looked at from the cells of a tile, at one azimuth.
+/// The overhangs and the tile for one azimuth.
 struct OverhangView {
     std::span<const OverhangShapes* const> shapes;
     const OverhangTile& tile;
     glm::dvec2 away;
-    HorizonCode lowest;  ///< code of the lowest sun: what ends below hides none
+    HorizonCode lowest;  ///< code of the lowest sun; intervals that end below it hide none
     double cellM;
-    ShadowExtent within = everywhere;  ///< cells that matter
+    ShadowExtent within = everywhere;  ///< extent of the relevant cells
 
     static constexpr ShadowExtent everywhere{-1e300, 1e300, -1e300, 1e300};
 };
 
-/// What hides the sun at one azimuth without standing on the ground like a wall. Keeps its memory from one
-/// view to the next; one for each thread.
+/// Finds the intervals that overhangs hide at one azimuth. Reuses its memory; one per thread.
 class OverhangSweep {
 public:
     static constexpr HorizonCode blind = ViewingBlock::blind;
 
-    /// From now on: this view, whose tile and shapes must outlive what follows. Blocks from which nothing
-    /// can be seen, whatever their horizons, are found here; some 50 ns a layer (OverhangLayers).
+    /// Selects the view, whose tile and shapes must outlive the calls that follow. Determines the blocks that
+    /// can see an overhang at all, whatever their horizons; some 50 ns per layer (OverhangLayers).
     void begin(const OverhangView& view, const std::stop_token& stop);
 
-    /// Whether something may be seen from a block of the tile (OverhangTile::blockNumbers) whose lowest
-    /// horizon that matters is this.
+    /// Whether an overhang may be seen from a block of the tile (index in OverhangTile::blockNumbers) whose
+    /// lowest relevant horizon is `lowest`.
     [[nodiscard]] bool maySee(std::size_t block, HorizonCode lowest) const;
-    /// Looks from there, and calls visit as OverhangIntervals::finish() does. Some 0.1 us a layer that may be
-    /// seen.
+    /// Finds the block's intervals and calls visit as OverhangIntervals::finish() does. Some 0.1 us per layer
+    /// that may be seen.
     template <class Visit>
     void look(std::size_t block, const ViewingBlock& from, HorizonCode lowest, const Visit& visit);
 
-    /// `horizons`: of what stands, one a number; `blind` for those that do not matter. Returns the intervals
-    /// that reach above them, receiver by receiver in ascending order, from below, disjoint and apart; none
-    /// once stopped. Valid until the next call. Cost: of begin(), and of look() for all blockNumbers.
+    /// `horizons`: of what stands on the ground, one per number; `blind` for irrelevant ones. Returns the
+    /// intervals that reach above them: receivers ascend, the intervals of a receiver ascend, are disjoint
+    /// and do not touch; none if stopped. Valid until the next call. Costs as much as begin() plus look() for
+    /// all blockNumbers.
     std::span<const Gap> intervals(const OverhangView& view, std::span<const HorizonCode> horizons,
                                    const std::stop_token& stop);
 
 private:
-    /// A layer that may be seen from a block, and how high at most.
+    /// A layer that may be seen from a block, and the highest code that it reaches there.
     struct Entry {
         std::uint32_t layer;
-        std::int32_t next;  // of the block's
+        std::int32_t next;  // next entry of the same block
         HorizonCode most;
     };
     struct Range {
@@ -73,9 +80,9 @@ private:
     double alongPerMetre_ = 0;
     OverhangLayers layers_;
     std::vector<Entry> entries_;
-    std::vector<std::int32_t> firsts_;  // entry of each block; -1: none
+    std::vector<std::int32_t> firsts_;  // first entry of each block; -1: none
     OverhangIntervals look_;
-    std::array<std::int32_t, ReceiverBlocks::cells> numbers_{};  // of the block at hand, -1: none
+    std::array<std::int32_t, ReceiverBlocks::cells> numbers_{};  // of the current block; -1: none
     std::array<float, ReceiverBlocks::cells> groundsM_{};
     std::vector<Gap> gaps_;
 };

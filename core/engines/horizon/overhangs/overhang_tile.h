@@ -8,14 +8,14 @@
 
 namespace noonmark {
 
-/// The cells of a tile that have numbers.
+/// The numbered cells of a tile.
 struct OverhangTile {
     TileBox box;
     std::vector<std::int32_t> numbers;      ///< row by row; -1: none
-    std::vector<float> groundsM;            ///< of each number, above the datum; empty: all lie on it
-    std::vector<NumberRange> blockNumbers;  ///< numbers of each square of cells (ReceiverBlocks), row by row
+    std::vector<float> groundsM;            ///< one per number, above the datum; empty: all are at the datum
+    std::vector<NumberRange> blockNumbers;  ///< numbers of each block of cells (ReceiverBlocks), row by row
 
-    /// Of a cell of a block, 16 x row + column.
+    /// Number of a block's cell 16 x row + column.
     [[nodiscard]] std::uint32_t numberOf(const ReceiverBlocks::Block& block, int cell) const {
         const int column = block.column - box.firstColumn + cell % ReceiverBlocks::side,
                   row = block.row - box.firstRow + cell / ReceiverBlocks::side;

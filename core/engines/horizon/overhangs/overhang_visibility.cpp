@@ -13,11 +13,11 @@ namespace noonmark {
 namespace {
 
 constexpr int side = ReceiverBlocks::side;
-constexpr float onOverhangs = 1e-3F;  // cells; nearer than that a receiver is on it
+constexpr float onOverhangs = 1e-3F;  // in cells; a receiver closer than this is on the overhang
 
-/// A line of a block.
+/// A row of a block.
 struct Line16 {
-    int first;  // cell
+    int first;  // first cell
     float shift, along;
 };
 
@@ -52,7 +52,7 @@ struct Line16 {
     return _mm512_maskz_permutexvar_ps(0xFFFF, strips, _mm512_load_ps(table));
 }
 
-/// Of each cell of a line.
+/// Values for each cell of a row.
 struct Sight512 {
     __m512i strips;
     __m512 width, along;
@@ -67,7 +67,7 @@ struct Sight512 {
     }
 };
 
-// The last strip that begins at a cell's q or before it.
+// The last strip that begins at or before a cell's q.
 [[gnu::target("avx512f")]] inline __m512i stripsAt(const StripLanes& strips, __m512 places, float shift) {
     __m512i at = _mm512_setzero_si512();
     for (int strip = 1; strip < strips.count; ++strip) {

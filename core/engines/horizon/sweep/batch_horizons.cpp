@@ -18,7 +18,7 @@ void BatchHorizons::begin(std::span<const SweptBin> bins, double cellM) {
     }
 }
 
-// Of the lowest horizon of any azimuth, were walls as high in all as along the middle.
+// Cotangent of the lowest horizon of any azimuth, scaled to rises at the middle azimuth.
 float BatchHorizons::highestCot() const {
     float highest = 0;
     for (int i = 0; i < lanes_->count; ++i) highest = std::max(highest, cots_[i] * lanes_->riseOfMiddle[i]);
@@ -34,7 +34,7 @@ void BatchHorizons::raise(const BinWalls& walls, const ReceiverBlocks::Block& bl
     const BinWalls::Bands all = walls.bandsOf(place.lowQ, place.highQ, place.highestAlong, rows - 1);
     const bool narrow = batch().spread == 0;
     float cot = highestCot();
-    // A piece is 16 deep: those that begin a row beyond the block may come down into it.
+    // Pieces are up to 16 deep, so pieces that begin one row beyond the block may extend into it.
     for (int row = std::max(walls.firstRow(), walls.rowOf(place.highestAlong) - 1); row < rows; ++row) {
         const double distance = place.lowestAlong - walls.highestAlong(row);
         if (!mayRaise(walls.tallest(row, all), distance, cot)) break;
@@ -66,7 +66,7 @@ void BatchHorizons::add(const WallPiece& piece, const BlockPlace& place, const R
     }
 }
 
-// Whether there were any.
+// Returns whether there were any walls waiting.
 bool BatchHorizons::raiseWaiting(const ReceiverBlocks::Masks& masks) {
     bool any = false;
     for (std::size_t bin = 0; bin < lowest_.size(); ++bin)

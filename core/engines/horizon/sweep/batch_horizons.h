@@ -14,25 +14,25 @@
 
 namespace noonmark {
 
-/// The horizons of a square on level ground among prisms at all azimuths of a batch: walls are looked through
-/// once for all of them. Keeps its memory; one for each thread.
+/// The horizons of a block on level ground, among prisms, at all azimuths of a batch; walls are searched once
+/// for all of them. Reuses its memory; one per thread.
 class BatchHorizons {
 public:
-    /// From now on: these bins, of one batch (fansOf). `cellM`: metres a cell.
+    /// Selects the bins, which must form one batch (groupIntoBatches). `cellM`: metres per cell.
     void begin(std::span<const SweptBin> bins, double cellM);
     [[nodiscard]] const AzimuthBatch& batch() const { return lanes_->batch; }
-    /// As BinWalls::find() wants it.
+    /// Parameter of BinWalls::find().
     [[nodiscard]] float lowestTan() const { return lanes_->lowestTan; }
 
-    /// Raises the horizons of the block's cells in `masks`. `walls`: only prisms, found for this batch.
+    /// Raises the horizons of the block's cells in `masks`. `walls`: prisms only, found for this batch.
     void raise(const BinWalls& walls, const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks);
 
-    /// What raise() made of a bin: codes of the block's cells in `masks`, 16 a line (row, or column where
-    /// swapped), noHorizon for the others; null where all are noHorizon. Valid until the next call.
+    /// The result of raise() for a bin: codes of the block's cells in `masks`, 16 per row (column if
+    /// swapped), noHorizon for other cells; null if all are noHorizon. Valid until the next call.
     const HorizonCode* codes(std::size_t bin);
 
 private:
-    /// Walls that a bin's horizons are still to be raised to.
+    /// Walls found for a bin but not yet applied to its horizons.
     struct Waiting {
         static constexpr std::size_t most = 32;
         std::size_t count = 0;
@@ -44,11 +44,11 @@ private:
     void raise(std::size_t bin, const ReceiverBlocks::Masks& masks);
 
     std::optional<BatchLanes> lanes_;
-    std::vector<HorizonCode> lowest_;           // of each bin's suns
-    std::vector<BlockRows> lines_;              // of each bin
-    alignas(64) float cots_[BatchLanes::most];  // of the lowest horizons that matter; one a bin
+    std::vector<HorizonCode> lowest_;           // code of each bin's lowest sun
+    std::vector<BlockRows> lines_;              // one per bin
+    alignas(64) float cots_[BatchLanes::most];  // of each bin's lowest relevant horizon
     std::array<Waiting, BatchLanes::most> waiting_;
-    unsigned raised_ = 0;                       // bins, as bits
+    unsigned raised_ = 0;                       // bins with raised horizons, as bits
     BlockHorizons horizons_[BatchLanes::most];  // of raised bins
     alignas(64) HorizonCode codes_[ReceiverBlocks::cells];
 };

@@ -14,7 +14,8 @@ namespace {
 constexpr int most = BatchLanes::most;
 constexpr float nearly = nearlyOfDistance, margin = roundingOfDistance;
 
-// Slopes in double: the narrower a wall seems, the more its ends' q lose of its width.
+// Slopes are computed in double: the narrower a wall appears, the more rounding of its ends' q affects its
+// width.
 [[maybe_unused]] unsigned lookAlongEach(const BatchLanes& lanes, const float* cots, const WallAhead& wall,
                                         WallInBatch& in) {
     unsigned may = 0;
@@ -36,7 +37,7 @@ constexpr float nearly = nearlyOfDistance, margin = roundingOfDistance;
 }
 
 #ifdef NOONMARK_PICKS_ISA
-/// Along four azimuths.
+/// Ends at four azimuths.
 struct Ends256 {
     __m256d low, high;
 };
@@ -57,7 +58,7 @@ struct Ends256 {
                                                  _mm256_mul_pd(top, _mm256_load_pd(alongPerMetre + 4))));
 }
 
-// As bits.
+// Returns one bit per azimuth.
 [[gnu::target("avx2")]] inline unsigned facesAway(const Ends256& ends) {
     return unsigned(_mm256_movemask_pd(_mm256_cmp_pd(ends.low, ends.high, _CMP_GT_OQ)));
 }

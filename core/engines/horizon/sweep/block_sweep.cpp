@@ -6,8 +6,8 @@ namespace noonmark {
 
 namespace {
 
-// To the last bit what findRaisingAzimuths() finds of a wall: edits look at some obstacles this way and at
-// some that.
+// Gives the same bits as findRaisingAzimuths() does for a wall, because edits process some obstacles with
+// this function and some with that one.
 WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block, double k) {
     const glm::dvec2 first(block.across, block.along), a = first - piece.low, b = first - piece.high;
     const double low = a.x - k * a.y, high = b.x - k * b.y;
@@ -22,7 +22,7 @@ WallOnBlock onBlock(const WallPiece& piece, const BlockPlace& block, double k) {
             .building = std::int32_t(piece.building)};
 }
 
-// What an edge must surpass to change something.
+// The horizons that an edge must exceed to change anything.
 const Floats16* seenOver(const UnevenHorizons& horizons) { return horizons.lines; }
 const Floats16* seenOver(const AttributedHorizons& horizons) { return horizons.others; }
 
@@ -42,7 +42,7 @@ void BlockSweep::begin(const WallList& walls, const Obstacles& obstacles, glm::d
     walls_.find(walls, obstacles, away, extent, cellM, 1 / toCotangent(lowest), stop);
 }
 
-// Where each cell has a height of its own, what it asks of an edge grows with the distance.
+// If cells have individual heights, the rise that an edge needs grows with the distance.
 template <class Horizons>
 bool BlockSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
                        const BlockGround& ground, Horizons& horizons) {

@@ -11,25 +11,26 @@
 
 namespace noonmark {
 
-/// Squares of a tile at one azimuth. Keeps its memory from one to the next; one for each thread.
+/// Computes the horizons of a tile's blocks at one azimuth. Reuses its memory; one per thread.
 class BlockSweep {
 public:
-    /// From now on: these obstacles, for cells in `extent`; horizons that hide no sun of code `lowest` are
-    /// noHorizon. `cellM`: metres a cell. Less once stopped.
+    /// Selects the obstacles and the extent of the cells. Horizons that hide no sun of code `lowest` become
+    /// noHorizon. `cellM`: metres per cell. Incomplete if stopped.
     void begin(const WallList& walls, const Obstacles& obstacles, glm::dvec2 away, const ShadowExtent& extent,
                HorizonCode lowest, double cellM, const std::stop_token& stop);
 
-    /// Codes of the block's cells in `masks`, 16 a line (row, or column where swapped), noHorizon for the
-    /// others; null where all are noHorizon. Valid until the next call.
+    /// Codes of the block's cells in `masks`, 16 per row (column if swapped), noHorizon for other cells; null
+    /// if all are noHorizon. Valid until the next call.
     const HorizonCode* codes(const ReceiverBlocks::Block& block, const ReceiverBlocks::Masks& masks,
                              const BlockGround& ground = {});
 
-    /// The same, with who makes the horizon and what it would be without them; null where all are level.
+    /// The same with the building that makes each horizon and the horizon without that building; null if all
+    /// are level.
     const AttributedCodes* attributedCodes(const ReceiverBlocks::Block& block,
                                            const ReceiverBlocks::Masks& masks,
                                            const BlockGround& ground = {});
 
-    /// Prisms and solids.
+    /// Number of prisms and solids out of reach.
     [[nodiscard]] std::uint64_t outOfReach() const { return walls_.outOfReach(); }
 
 private:
@@ -41,7 +42,7 @@ private:
     ShadowAxes axes_{{0, 1}};
     BlockRows lines_{0, 1};
     HorizonCode lowest_ = 0;
-    bool even_ = true;  // prisms only: the fast way, on level ground
+    bool even_ = true;  // only prisms on level ground: the fast path
     float risePerMetre_ = 0;
     BatchHorizons batch_;
     UnevenHorizons uneven_;

@@ -17,31 +17,32 @@ namespace noonmark {
 
 namespace {
 
-// For the horizons of one tile, were all its cells receivers.
+// Memory for the horizons of one tile if all its cells are receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
 constexpr std::size_t partsShown = 16, fansAPart = 4;
-constexpr std::size_t tasks = 64;  // at least, so that all cores have work to the end
-constexpr int largestTile = 1024;  // cells a side: a line of horizons stays in the first-level cache
+constexpr std::size_t tasks = 64;  // minimum number of tasks, so that all cores have work until the end
+constexpr int largestTile = 1024;  // cells per side: a row of horizons stays in the first-level cache
 
 int tileSide(std::size_t bins) {
     const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(HorizonCode));
     return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
-// Of about the same size: each looks at all walls in reach.
+// Divides into tiles of nearly equal size, because each examines all walls in reach.
 int evenSide(int cells, int most) {
     const int tiles = (cells + most - 1) / most, side = (cells + tiles - 1) / tiles;
     return (side + ReceiverBlocks::side - 1) / ReceiverBlocks::side * ReceiverBlocks::side;
 }
 
-// Of one tile's receivers.
+// For a single tile with these receivers.
 bool horizonsFit(const Receivers& receivers, std::size_t bins) {
     constexpr std::size_t paddingABlock = 32, cellsABlock = ReceiverBlocks::cells;
     const std::size_t numbers = receivers.cells.size() + receivers.grid.size() / cellsABlock * paddingABlock;
     return numbers * bins * sizeof(HorizonCode) <= tileBytes;
 }
 
-// Each azimuth of a batch notes which of what hangs may be seen from which square.
+// With many overhangs each bin becomes a batch of its own, because every azimuth of a batch stores which
+// overhangs may be seen from which block.
 std::vector<BatchRange> fansAmong(std::span<const OverhangShapes> overhangs, std::span<const SweptBin> bins) {
     constexpr std::size_t mostInFans = 4096;
     std::size_t shapes = 0;
@@ -54,16 +55,16 @@ std::vector<BatchRange> fansAmong(std::span<const OverhangShapes> overhangs, std
 
 }  // namespace
 
-/// What the threads share while a tile is swept and counted.
+/// Data shared by the threads while a tile is swept and counted.
 struct PeriodSweep::Tile {
     Tile(const Receivers& receivers, const TileBox& box, double datumM, std::size_t bins)
         : blocks(receivers, box), grounds(receivers, blocks, datumM), horizons(bins, blocks.numbers()) {}
     ReceiverBlocks blocks;
     BlockGrounds grounds;
-    TileHorizons horizons;  ///< of no bins, where none are kept
+    TileHorizons horizons;  ///< no bins if horizons are not stored
     OverhangTile overhangs;
-    std::vector<std::vector<Gap>> gaps;  ///< of each bin
-    std::atomic<std::size_t> done{0};    ///< bins
+    std::vector<std::vector<Gap>> gaps;  ///< one list per bin
+    std::atomic<std::size_t> done{0};    ///< finished bins
 };
 
 PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OverhangShapes> overhangs,
@@ -84,7 +85,7 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OverhangShapes> 
 
 std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>()); }
 
-// One tile where the receivers' horizons fit.
+// A single tile if the receivers' horizons fit.
 std::vector<TileBox> PeriodSweep::tiles() const {
     const Grid& grid = receivers_.grid;
     const int size = std::max({1, grid.columns, grid.rows});
@@ -116,7 +117,8 @@ void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
     field.cost.seconds[stage] += watch.seconds();
 }
 
-// Where somebody looks, batches from all over the sky in turn, and in between what they come to.
+// With a sink, batches are processed in turns that are spread over all azimuths, with a running result after
+// each turn.
 void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
     if (!overhangs_.empty()) tile.overhangs = OverhangTile(receivers_, tile.blocks, walls_.datumM);
     tile.gaps.assign(bins_.size(), {});
@@ -156,7 +158,7 @@ void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
     report(tile.blocks, 0.8 * double(tile.done) / double(bins_.size()));
 }
 
-// Gaps with suns of the bin are kept, or counted.
+// Gaps that contain suns of the bin are stored, or counted at once.
 const HorizonCode* PeriodSweep::withOverhangs(const BatchRange& batch, std::size_t i, const SweptBlock& swept,
                                               Tile& tile, Workspace& workspace) {
     const std::size_t bin = batch.first + i;
@@ -173,7 +175,7 @@ const HorizonCode* PeriodSweep::withOverhangs(const BatchRange& batch, std::size
         });
 }
 
-// Steps hidden by the batches of some turns, one a number.
+// Steps hidden by the batches up to a turn, one per number.
 PeriodSweep::Sums PeriodSweep::hidden(Tile& tile, const Turns& turns) {
     if (keeps_) return hiddenByCached(tile, turns);
     Sums sums(tile.blocks.numbers());

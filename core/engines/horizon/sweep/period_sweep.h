@@ -1,5 +1,11 @@
 #pragma once
 
+// The sweep itself, from a period down to one block. PeriodSweep handles tiles, batches and threads;
+// TileSweep sweeps one tile at the azimuths of a batch. For prisms on level ground it uses BatchHorizons,
+// which processes up to eight azimuths at once (batch_walls.h); otherwise BlockSweep, which also supports
+// terrain, general meshes and receivers at their own heights (uneven_block.h). raise_block.h has the inner
+// loops. tile_horizons.h stores the codes of a tile.
+
 #include <tbb/combinable.h>
 #include <tbb/enumerable_thread_specific.h>
 
@@ -21,24 +27,25 @@
 
 namespace noonmark {
 
-/// Sweeps the horizons of a period and counts what they hide, tile after tile. They are kept, one tile's at a
-/// time, where the longest runs are wanted; else each is counted as soon as it is there.
+/// Sweeps the horizons of a period and counts the suns they hide, tile by tile. If longest runs are wanted,
+/// the horizons of one tile at a time are stored; otherwise each horizon is counted as soon as it is known.
 class PeriodSweep {
 public:
-    /// All must outlive it. `rays` decide the longest runs in doubt; null: nobody does.
+    /// All arguments must outlive it. `rays` decides longest runs in doubt; null: they stay as they are.
     PeriodSweep(const WallList& walls, std::span<const OverhangShapes> overhangs, const Receivers& receivers,
                 const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
                 Progress& progress, std::stop_token stop);
 
     Result<void> run(ShadowField& field);
 
-    /// Prisms and solids x bins x tiles.
+    /// Number of prisms and solids out of reach, summed over bins and tiles.
     std::uint64_t outOfReach();
 
 private:
     using Sums = std::vector<std::uint32_t>;
     struct Tile;
-    /// The first batch of every `all`, up to `turn`; all batches, where there is one turn.
+    /// Batches are processed in `all` turns; batch b belongs to turn b % all. Covers the turns up to `turn`;
+    /// by default, all batches.
     struct Turns {
         std::size_t turn = 0, all = 1;
         [[nodiscard]] bool have(std::size_t batch) const { return batch % all <= turn; }
@@ -49,7 +56,7 @@ private:
     void timed(ShadowField& field, const char* stage, Work&& work);
     void sweep(Tile& tile, const ShadowField& field);
     void sweep(const BatchRange& batch, Tile& tile);
-    /// What a thread works with.
+    /// Per-thread memory.
     struct Workspace {
         TileSweep sweep;
         BlockSums sums;
@@ -73,7 +80,7 @@ private:
     PeriodCount count_;
     RunDoubts doubts_;
     RunRays* rays_;
-    bool keeps_;  // horizons
+    bool keeps_;  // whether horizons are stored
     Progress& progress_;
     std::stop_token stop_;
     std::size_t receiversDone_ = 0;

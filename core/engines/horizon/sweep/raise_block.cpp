@@ -59,7 +59,7 @@ void clearAny(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons) {
     }
 }
 
-// Uses up what it is given.
+// Overwrites `values`.
 [[gnu::always_inline]] inline float highestOf(float* values) {
     for (int half = side / 2; half > 0; half /= 2)
         for (int i = 0; i < half; ++i) values[i] = std::max(values[i], values[i + half]);
@@ -76,13 +76,13 @@ float lowestOfAny(const BlockHorizons& horizons) {
 }
 
 #ifdef NOONMARK_PICKS_ISA
-// What is the same for a line's cells, found for all lines at once.
+// Values that are constant within a row, computed for all rows at once.
 struct WallBeforeLines {
-    alignas(64) std::uint32_t cells[side];    // that the wall is before, as bits
-    alignas(64) float minusCotAtFirst[side];  // of the horizon at the line's first cell
+    alignas(64) std::uint32_t cells[side];    // cells behind the wall, as bits
+    alignas(64) float minusCotAtFirst[side];  // minus the cotangent of the horizon at the row's first cell
 };
 
-// The place of a line's first cell that is not below this one: 0 to 16.
+// Index of the first cell of each row whose q is not below this one: 0 to 16.
 [[gnu::target("avx512f")]] inline __m512i placeFrom(__m512 q) {
     constexpr int up = _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC;
     constexpr __mmask16 all = 0xFFFF;
@@ -104,7 +104,8 @@ struct WallBeforeLines {
     const __m512 along = _mm512_add_ps(_mm512_set1_ps(wall.along), _mm512_loadu_ps(lines.alongs.data()));
     const __m512 distance = _mm512_sub_ps(along, _mm512_mul_ps(_mm512_set1_ps(wall.slope), low));
     _mm512_store_ps(before.minusCotAtFirst, _mm512_mul_ps(distance, _mm512_set1_ps(-wall.perRise)));
-    // Each line's numbers are to be read from memory, which is free; GCC would take them out of registers.
+    // Forces each row's values to be read from memory, which is free; GCC would extract them from registers
+    // instead.
     asm volatile("" : "+m"(before));
 }
 
@@ -112,7 +113,7 @@ struct WallBeforeLines {
     return _load_mask16(reinterpret_cast<__mmask16*>(const_cast<std::uint32_t*>(&before.cells[line])));
 }
 
-// The same sums in the same order as raiseLine(). All lines stay in registers.
+// The same operations in the same order as raiseLine(). All rows stay in registers.
 [[gnu::target("avx512f")]] inline void raiseAhead512(const WallBeforeLines& before, __m512 minusLess,
                                                      __m512* horizons) {
 #pragma GCC unroll 16
@@ -195,7 +196,7 @@ struct WallBeforeLines {
 
 RowRange linesOf(const WallOnBlock& wall, const BlockRows& lines) {
     if (lines.linesAQ == 0) return {0, side};
-    constexpr float roundingQ = 1e-5F;  // many lines, where the shadows run nearly along them
+    constexpr float roundingQ = 1e-5F;  // spans many rows if shadows run almost along the rows
     const float margin = 1 + roundingQ * std::abs(lines.linesAQ);
     const float a = wall.high * lines.linesAQ, b = (wall.low + float(side - 1)) * lines.linesAQ;
     return {int(std::clamp(std::min(a, b) - margin, 0.0F, float(side))),

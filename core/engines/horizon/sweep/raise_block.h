@@ -12,57 +12,60 @@
 
 namespace noonmark {
 
-/// The horizon of each cell of a block of 16 x 16, line by line, as the cotangent of its altitude: distance
-/// over height, which takes no division for each cell. The higher a horizon, the less.
+/// The horizon of each cell of a 16 x 16 block, row by row, as the cotangent of its altitude: distance over
+/// height, which needs no division per cell. The higher a horizon, the smaller the cotangent.
 struct BlockHorizons {
-    static constexpr float nobody = -1;  ///< of cells that are no receivers: no horizon is higher
+    static constexpr float nobody = -1;  ///< for cells that are not receivers: no horizon is higher
     Floats16 lines[ReceiverBlocks::side];
 };
 
-/// Cells, more than any computeNearestAlong().
+/// In cells; larger than any computeNearestAlong().
 inline constexpr float aheadBy = 0.1F;
 
-/// How far along a cell counts as on a wall that takes `slope` cells along for each across. What is rounded
-/// off the distance grows with the slope. `nearest`: on a wall square to the azimuth, either sign.
+/// The distance along, in cells, up to which a cell counts as on a wall that runs `slope` cells along per
+/// cell across; the rounding of the distance grows with the slope. `nearest`: the value for a wall at a right
+/// angle to the azimuth, either sign.
 inline float computeNearestAlong(float nearest, float slope) {
     const float along = nearest * (1 + std::abs(slope));
     return std::clamp(along, -aheadBy / 2, aheadBy / 2);
 }
 
-/// How q and `along` go from a block's first line to its others.
+/// Changes of q and `along` from a block's first row to its other rows.
 struct BlockRows {
     BlockRows(double k, double sign);
-    std::array<float, ReceiverBlocks::side> shifts;  ///< q falls by so much
-    std::array<float, ReceiverBlocks::side> alongs;  ///< `along` grows by so much
-    float linesAQ;                                   ///< lines for each q; 0 where q stays
+    std::array<float, ReceiverBlocks::side> shifts;  ///< decrease of q
+    std::array<float, ReceiverBlocks::side> alongs;  ///< increase of `along`
+    float linesAQ;                                   ///< rows per unit of q; 0 if q does not change
 };
 
-/// A piece of wall as a block's first cell sees it; in cells.
+/// A piece of wall relative to a block's first cell; in cells.
 struct WallOnBlock {
-    float low, high;  ///< q of the cell, less lowQ and highQ of the piece
-    float along;      ///< `along` of the cell, less that of the wall at lowQ
+    float low, high;  ///< q of the cell minus lowQ and highQ of the piece
+    float along;      ///< `along` of the cell minus that of the wall at lowQ
     float slope, rise, riseSlope, nearest;
     float perRise;          ///< 1 / rise
-    bool ahead;             ///< all cells are farther behind it than `nearest`, and than 0
-    std::int32_t building;  ///< only for who asks
+    bool ahead;             ///< all cells are farther behind it than `nearest` and than 0
+    std::int32_t building;  ///< only for attribution
 };
 
-/// The lines of a block, [first, end), with cells that a piece is wide enough to shade; or one more.
+/// The rows [first, end) of a block with cells that lie within a piece's range of q; may contain a row too
+/// many at either end.
 struct RowRange {
     int first, end;
 };
 RowRange linesOf(const WallOnBlock& wall, const BlockRows& lines);
 
-/// Level for receivers, `nobody` for the rest.
+/// Sets the horizons of receivers to level and those of other cells to `nobody`.
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);
 
-/// Raises horizons to those that some walls give them: of each wall cells with low + place >= 0 > high +
-/// place that are farther behind it than `nearest`. A cell on a wall gets cotangent 0. Returns the cotangent
-/// of the lowest horizon of all cells then; `nobody` where there are no receivers. The same bits on every
-/// instruction set, in whatever order walls come. Some 20 ns a wall.
+/// Raises horizons to those of some walls. A wall affects cells with low + place >= 0 > high + place that are
+/// farther behind it than `nearest`. A cell on a wall gets cotangent 0. Returns the cotangent of the lowest
+/// horizon of all cells afterwards; `nobody` if there are no receivers. The same bits on every instruction
+/// set, in whatever order walls come. Some 20 ns per wall.
 float raiseBlock(std::span<const WallOnBlock> walls, const BlockRows& lines, BlockHorizons& horizons);
 
-/// Codes of all cells, 16 a line; noHorizon for those that hide no sun of code `lowest`, and for nobody's.
+/// Codes of all cells, 16 per row; noHorizon for cells whose horizon hides no sun of code `lowest` and for
+/// cells that are not receivers.
 void toCodes(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* codes);
 
 }  // namespace noonmark

@@ -12,8 +12,9 @@ namespace noonmark {
 
 namespace {
 
-// Hundreds of megabytes, written once and read across: in pages of this size they come at once, and each
-// number's codes are a page or two apart, not one each.
+// The codes take hundreds of megabytes; they are written once, bin by bin, and read across bins. Huge pages
+// of this size are mapped with few page faults, and reading across bins moves only a page or two from one bin
+// to the next.
 constexpr std::size_t pageBytes = std::size_t{2} << 20U;
 
 HorizonCode* allocated(std::size_t count) {
@@ -22,7 +23,7 @@ HorizonCode* allocated(std::size_t count) {
     void* memory = std::aligned_alloc(pageBytes, bytes);
     if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
-    madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: no matter if it is not heard
+    madvise(memory, bytes, MADV_HUGEPAGE);  // a hint; failure is harmless
 #endif
     return static_cast<HorizonCode*>(memory);
 }

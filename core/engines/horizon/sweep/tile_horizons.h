@@ -9,7 +9,7 @@
 
 namespace noonmark {
 
-/// For each bin and number of a tile the code of its horizon: 2 bytes each, not cleared.
+/// The horizon code for each bin and number of a tile: 2 bytes each, not initialised.
 class TileHorizons {
 public:
     TileHorizons(std::size_t bins, std::size_t numbers);

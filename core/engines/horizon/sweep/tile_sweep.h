@@ -10,7 +10,7 @@
 
 namespace noonmark {
 
-/// What a tile is swept with.
+/// The inputs for sweeping a tile.
 struct TileScene {
     const WallList& walls;
     const ReceiverBlocks& blocks;
@@ -21,20 +21,20 @@ struct TileScene {
     [[nodiscard]] bool even() const { return listAllObstacles(walls).even() && grounds.flat(); }
 };
 
-/// A tile swept at the azimuths of a batch. Keeps its memory from one to the next; one for each thread.
+/// Sweeps a tile at the azimuths of a batch. Reuses its memory; one per thread.
 class TileSweep {
 public:
-    /// Calls take(bin, block, codes, swapped) for each of the batch's bins and each block, unless stopped:
-    /// the bin's index in `bins`, the block's, and its codes as BlockSweep gives them. Returns the number of
-    /// prisms and solids out of reach, each for every bin.
+    /// Unless stopped, calls take(bin, block, codes, swapped) for each bin of the batch and each block: the
+    /// bin's index in `bins`, the block's index, and its codes as from BlockSweep. Returns the number of
+    /// prisms and solids out of reach, summed over bins.
     template <class Take>
     std::uint64_t run(const TileScene& scene, std::span<const SweptBin> bins, const Take& take,
                       const std::stop_token& stop) {
         return scene.even() ? runEven(scene, bins, take, stop) : runEach(scene, bins, take, stop);
     }
 
-    /// The same of one bin, with who makes the horizons: calls take(block, codes, swapped) with codes as
-    /// BlockSweep::attributedCodes() gives them.
+    /// The same for one bin with attribution: calls take(block, codes, swapped) with codes as from
+    /// BlockSweep::attributedCodes().
     template <class Take>
     void runAttributed(const TileScene& scene, const SweptBin& bin, const Take& take,
                        const std::stop_token& stop);

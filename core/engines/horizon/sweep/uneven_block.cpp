@@ -27,8 +27,8 @@ void raiseLines(const WallOnBlock& wall, const BlockRows& lines, RowRange range,
                   lanesOf(horizons.grounds[line]), lanesOf(horizons.lines[line]));
 }
 
-// Edges of terrain are a cell or two wide: of each line they shade as many cells. The same sums as for whole
-// lines, cell by cell.
+// Edges of terrain are one or two cells wide and affect as many cells of each row. These cells are processed
+// singly, with the same operations as whole rows.
 constexpr float narrowQ = 4;
 
 void raiseCell(const WallOnBlock& wall, float place, float low, float distance, float ground,
@@ -53,7 +53,7 @@ void raiseCell(const WallOnBlock& wall, float place, float low, float distance, 
 }
 
 #ifdef NOONMARK_PICKS_ISA
-// One cell of each line at a time.
+// Processes one cell of every row at a time.
 [[gnu::target("avx512f")]] void raiseCells512(const WallOnBlock& wall, const BlockRows& lines,
                                               UnevenHorizons& horizons) {
     constexpr int up = _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC;
@@ -120,7 +120,7 @@ void findNeed(const Floats16* cots, const Floats16* grounds, float lowest, Block
         for (int i = 0; i < side; ++i) {
             const float seen = std::min(lanesOf(cots[line])[i], lowest);
             lanesOf(need.tans[line])[i] = 1 / std::max(seen, upright);
-            lanesOf(need.grounds[line])[i] = seen < 0 ? 1e30F : lanesOf(grounds[line])[i];  // nobody's
+            lanesOf(need.grounds[line])[i] = seen < 0 ? 1e30F : lanesOf(grounds[line])[i];  // not a receiver
         }
 }
 

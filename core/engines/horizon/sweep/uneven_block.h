@@ -5,35 +5,34 @@
 
 namespace noonmark {
 
-/// The horizons of a block's cells that lie at heights of their own, under edges that rise and fall.
+/// The horizons of a block whose cells have individual heights, below edges whose height varies.
 struct UnevenHorizons : BlockHorizons {
     Floats16 grounds[ReceiverBlocks::side];  ///< heights in the unit of WallOnBlock::rise
 };
 
-/// `risePerMetre`: rises a metre.
+/// `risePerMetre`: rise per metre of height.
 void setGrounds(const BlockGround& ground, float risePerMetre, Floats16* grounds);
 
-/// As for BlockHorizons; a cell that lies higher than the edge stays as it is. On level ground and under
-/// level edges the same bits.
+/// As for BlockHorizons; cells above the edge are not changed. On level ground and below level edges it gives
+/// the same bits.
 void raiseBlock(const WallOnBlock& wall, const BlockRows& lines, UnevenHorizons& horizons);
 
-/// How high an obstacle must reach to be seen from a block's cells over the horizons that they have already.
+/// How high an obstacle must reach to be seen from a block's cells above their current horizons.
 struct BlockNeed {
-    Floats16 tans[ReceiverBlocks::side];     ///< of the horizons, not below that of the lowest sun
+    Floats16 tans[ReceiverBlocks::side];     ///< of the horizons, at least that of the lowest sun
     Floats16 grounds[ReceiverBlocks::side];  ///< as in UnevenHorizons
 };
 
-/// `cots`: line by line, as in BlockHorizons. `lowest`: of a horizon that hides a sun.
+/// `cots`: row by row, as in BlockHorizons. `lowest`: cotangent of the lowest horizon that hides a sun.
 void findNeed(const Floats16* cots, const Floats16* grounds, float lowest, BlockNeed& need);
 
-/// Of an obstacle `distance` before the block's first line (in `along`, negative: behind it), or farther from
-/// the sun's side: no cell sees one below, wide of rounding. 20 ns.
+/// The smallest rise, less a margin for rounding, at which some cell can see an obstacle `distance` or more
+/// before the block's first row (in `along`; negative: behind it). 20 ns.
 float findLeastRise(const BlockNeed& need, const BlockRows& lines, float distance);
 
-/// The horizon that an edge gives a line's cells; the same sums as under level walls.
+/// The horizon that an edge gives the cells of a row; the same operations as for level walls.
 struct EdgeHorizon {
-    alignas(
-        64) float cot[lanesPerVector];  ///< infinite or no number where the cell lies higher than the edge
+    alignas(64) float cot[lanesPerVector];            ///< infinite or NaN if the cell is above the edge
     alignas(64) std::int32_t shaded[lanesPerVector];  ///< whether the edge is before the cell
 };
 [[gnu::always_inline]] inline void findHorizon(const WallOnBlock& wall, float shift, float along,
