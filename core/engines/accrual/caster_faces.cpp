@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-// An extruded wall is two triangles one after the other, sharing the edge from the first corner to the third.
+// An extruded wall is two consecutive triangles that share the edge from the first corner to the third.
 bool makesWall(glm::uvec3 first, glm::uvec3 second) { return first.x == second.x && first.z == second.y; }
 
 class FaceList {

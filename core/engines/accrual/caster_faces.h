@@ -11,22 +11,22 @@
 
 namespace noonmark {
 
-/// A flat convex face, counter-clockwise from outside.
+/// A flat convex face, counter-clockwise as seen from outside.
 struct CasterFace {
-    std::array<std::uint32_t, 4> corner{};  ///< into CasterFaces::points
-    std::uint8_t corners = 3;               ///< 3 or 4
-    bool twoSided = false;                  ///< of a mesh that is not closed: throws from behind, too
+    std::array<std::uint32_t, 4> corner{};  ///< indices in CasterFaces::points
+    std::uint8_t corners = 3;               ///< number of corners, 3 or 4
+    bool twoSided = false;  ///< part of a mesh that is not closed: also casts shadow if seen from behind
 };
 
-/// All faces of some buildings and of the terrain, as depth maps take them: walls whole, caps and meshes in
-/// triangles. Terrain is the top of the solid below it. Local metres.
+/// All faces of some buildings and of the terrain in the form that depth maps use: walls as quadrilaterals,
+/// caps and meshes as triangles. Terrain is the top of the solid below it. Local metres.
 struct CasterFaces {
     std::vector<glm::vec3> points;
     std::vector<CasterFace> faces;
 };
 
-/// `buildings`: indices into the city. O(points log points), all cores; after a stop request it returns soon,
-/// with what it has: look at the token.
+/// `buildings`: indices in the city. O(points log points), all cores. Returns soon after a stop request with
+/// an incomplete result; the caller must check the token.
 CasterFaces makeCasterFaces(const City& city, std::span<const std::uint32_t> buildings,
                             const std::stop_token& stop = {});
 

@@ -11,8 +11,8 @@ namespace noonmark {
 
 namespace {
 
-/// How depth changes over a face; between `low` and `high`, so that rounding on a face seen edge on goes
-/// nowhere.
+/// Depth as a linear function over a face, clamped to `low` and `high` so that rounding on a face seen
+/// edge-on has no effect.
 struct DepthPlane {
     glm::dvec2 foot{};
     double depth = 0;  ///< at `foot`
@@ -25,7 +25,7 @@ struct DepthPlane {
     }
 };
 
-// Newell's normal: the sum over all edges, good for long thin faces too.
+// Newell's normal: a sum over all edges, accurate also for long thin faces.
 DepthPlane planeOf(const MapPolygon& polygon) {
     double nx = 0, ny = 0, nz = 0;
     for (std::size_t i = 0; i < polygon.corners; ++i) {
@@ -42,11 +42,11 @@ DepthPlane planeOf(const MapPolygon& polygon) {
     return plane;
 }
 
-/// Texels that are raised at a time, whatever a register holds.
+/// Number of texels raised at a time, whatever the register width.
 constexpr int together = 16;
 
-// The first `left` texels of a register. Comparisons stand right before their choice: the compiler takes a
-// stored one apart, lane by lane.
+// Raises the first `left` texels of a register. Each comparison directly precedes its selection, because the
+// compiler splits a stored comparison into scalar operations.
 template <class Register>
 [[gnu::always_inline]] inline void raise(float* at, const FloatsOf<Register>& depth, int left) {
     IntsOf<Register> counting;
@@ -58,7 +58,7 @@ template <class Register>
     std::memcpy(at, &after, sizeof after);
 }
 
-/// How a face's depth goes on along its rows.
+/// How a face's depth continues along its rows.
 struct RowDepth {
     float gradient, low, high;
 };

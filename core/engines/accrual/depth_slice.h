@@ -8,10 +8,10 @@
 
 namespace noonmark {
 
-/// The depth map of one step: 32-bit depths, larger is nearer to the sun. Row-major, `stride` floats a row
-/// (some more than there are columns, so that vectors may run over the end).
+/// The depth map of one step: 32-bit depths, larger is closer to the sun. Row-major, `stride` floats per row
+/// (more than there are columns, so that vectors may extend past the end).
 struct DepthSlice {
-    static constexpr float empty = -1e30F;  ///< where nothing is before the sky
+    static constexpr float empty = -1e30F;  ///< value of texels without a face
 
     DepthSlice(int columnCount, int rowCount);
     void clear();
@@ -22,26 +22,26 @@ struct DepthSlice {
     std::vector<float> depth;
 };
 
-/// Corners of a face as a map sees it.
+/// Corners of a face in the coordinates of a map.
 struct MapPolygon {
-    static constexpr std::size_t most = 5;  ///< four, and one more where it is cut
+    static constexpr std::size_t most = 5;  ///< four, and one more if it is clipped
     std::array<glm::dvec2, most> place{};   ///< texels, counter-clockwise
     std::array<double, most> depth{};
     std::size_t corners = 0;
 };
 
-/// A stretch of a row, with the depth at its first texel.
+/// A section of a row, with the depth at its first texel.
 struct DepthSpan {
-    std::uint32_t at = 0;  ///< of its first texel, in DepthSlice::depth
+    std::uint32_t at = 0;  ///< index of its first texel in DepthSlice::depth
     std::int32_t count = 0;
     float depth = 0;
 };
 
-/// Draws polygons into slices; keeps its buffer from one to the next. One a thread.
+/// Draws polygons into slices; reuses its buffer. One per thread.
 class DepthPen {
 public:
-    /// Raises the slice where the polygon is nearer to the sun. Texels by the half-open rule of
-    /// convex_spans.h. Says how many rows were drawn.
+    /// Raises the slice where the polygon is closer to the sun. Texels are chosen by the half-open rule of
+    /// convex_spans.h. Returns the number of rows drawn.
     int draw(const MapPolygon& polygon, DepthSlice& slice);
 
 private:

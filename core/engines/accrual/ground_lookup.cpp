@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-// Of 16 texels: the compiler puts such a loop together by itself.
+// Processes 16 texels; the compiler vectorises this loop.
 [[gnu::always_inline]] inline std::uint64_t sixteen(const float* depth, const std::uint32_t* texel,
                                                     float bias) {
     std::uint32_t shaded = 0;
@@ -30,7 +30,7 @@ void lookUpAny(const float* depth, const std::uint32_t* texel, std::size_t words
 }
 
 #ifdef NOONMARK_PICKS_ISA
-// A comparison gives its 16 bits at once.
+// A comparison yields its 16 bits at once.
 [[gnu::target("avx512f")]] void lookUp512(const float* depth, const std::uint32_t* texel, std::size_t words,
                                           float bias, std::uint64_t* shaded) {
     const __m512 biases = _mm512_set1_ps(bias);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t unused = ~std::uint32_t{0};
 
-/// Decides face by face, and packs the points of those that stay.
+/// Culls face by face and compacts the points of the remaining faces.
 class Culling {
 public:
     Culling(const CasterFaces& faces, const std::vector<glm::dvec3>& placed, const MapFrame& frame,
@@ -47,7 +47,8 @@ private:
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     }
 
-    // A face that is turned one way at both ends is so in between: every step's sun is a sum of theirs.
+    // A face that is turned the same way at both ends is so in between, because the sun's direction at every
+    // step is a linear combination of the two.
     [[nodiscard]] bool isDrawn(const CasterFace& face) const {
         double top = placed_[face.corner[0]].z;
         for (std::size_t i = 1; i < face.corners; ++i) top = std::max(top, placed_[face.corner[i]].z);
@@ -70,8 +71,8 @@ private:
         return meetsMap(low, high) && (!receivers_.any || receivers_.any(low, high));
     }
 
-    // Lines stay lines under the warp, so a box that lies beyond one border of the map with all its corners
-    // does not meet it.
+    // Straight lines stay straight under the warp, so a box whose corners all lie outside the same border of
+    // the map does not meet the map.
     [[nodiscard]] bool meetsMap(glm::dvec2 low, glm::dvec2 high) const {
         int west = 0, east = 0, south = 0, north = 0, behind = 0;
         for (const glm::dvec2 corner : {low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y)}) {

@@ -12,25 +12,26 @@
 
 namespace noonmark {
 
-/// The receivers of an interval, as far as culling must know them.
+/// The extent of an interval's receivers, for culling.
 struct ReceiverExtent {
-    double lowestW = 0;  ///< height before the map's plane of the lowest: what lies below shades nothing
+    double lowestW = 0;  ///< height of the lowest receiver above the map's plane; faces below it cast no
+                         ///< shadow on receivers
     /// Whether a receiver may lie in this box of the map's plane, metres; null: anywhere on the map.
     std::function<bool(glm::dvec2 low, glm::dvec2 high)> any;
 };
 
-/// The faces that may darken a receiver at some step of an interval, placed in the frame of its maps: what
-/// all its slices are drawn from.
+/// The faces that may shade a receiver at some step of an interval, in the frame of its maps. All its slices
+/// are drawn from them.
 struct IntervalCasters {
     std::vector<glm::dvec3> points;  ///< MapFrame::placed
-    std::vector<CasterFace> faces;   ///< corners into `points`
-    std::uint64_t turnedOther =
-        0;  ///< faces left out: never on the side that is drawn, or below all receivers
-    std::uint64_t outOfReach = 0;  ///< faces left out: their shadow meets no receiver
+    std::vector<CasterFace> faces;   ///< corners are indices in `points`
+    std::uint64_t turnedOther = 0;  ///< culled faces: never on the side that is drawn, or below all receivers
+    std::uint64_t outOfReach = 0;   ///< culled faces: their shadow meets no receiver
 };
 
-/// Never leaves out what could darken a receiver. In an interval every point's shadow moves on a straight
-/// line, so the places of both ends bound it. O(faces). `placed`: MapFrame::placed of faces.points.
+/// Conservative: never culls a face that could shade a receiver. During an interval the shadow of a point
+/// moves on a straight line, so its positions at both ends bound it. O(faces). `placed`: MapFrame::placed of
+/// faces.points.
 IntervalCasters placeCasters(const CasterFaces& faces, const std::vector<glm::dvec3>& placed,
                              const MapFrame& frame, const SunInterval& interval, CasterSide side,
                              const ReceiverExtent& receivers);

@@ -8,17 +8,17 @@
 
 namespace noonmark {
 
-/// What a user may set on every engine that shades one interval at a time: "interval" and "bound".
+/// Options of every engine that shades one interval at a time: "interval" and "bound".
 std::vector<EngineOption> graphOptions();
 DirectionGraphSettings readGraphSettings(const EngineSettings& settings);
 
-/// The same, before them "map" and "bias", for engines that do it with depth maps of at most `largestMap`
-/// texels a side.
+/// The same, preceded by "map" and "bias", for engines that use depth maps of at most `largestMap` texels per
+/// side.
 std::vector<EngineOption> accrualOptions(int largestMap);
 AccrualSettings readAccrualSettings(const EngineSettings& settings);
 
-/// Memory of accrual maps of a grid: places of receivers, bits and masks of an interval, and some 30 maps of
-/// runs alive in a year. Bytes a cell.
+/// Memory of accrual maps of a grid, bytes per cell: positions of receivers, bits and masks of an interval,
+/// and some 30 maps of runs alive during a year.
 inline constexpr double accrualBytesPerCell = 160;
 
 }  // namespace noonmark

@@ -64,7 +64,7 @@ MapFrame planeAcross(const SurfacePoints& points, const SunInterval& interval) {
     return frame;
 }
 
-// Points move on straight lines, so where they are at both ends bounds where they are in between.
+// Points move on straight lines, so their positions at both ends bound those in between.
 std::vector<glm::dvec2> thrownAtEnds(const MapFrame& frame, const SurfacePoints& points,
                                      const SunInterval& interval) {
     std::vector<glm::dvec2> thrown;

@@ -7,8 +7,8 @@
 
 namespace noonmark {
 
-/// Turns 64 words of 64 bits: bit j of word i becomes bit i of word j. Source of the method: Warren, Hacker's
-/// Delight, section 7-3.
+/// Transposes 64 words of 64 bits: bit j of word i becomes bit i of word j. Source of the method: Warren,
+/// Hacker's Delight, section 7-3.
 inline void transpose(std::array<std::uint64_t, 64>& words) {
     std::uint64_t mask = 0x00000000FFFFFFFFULL;
     for (unsigned width = 32; width != 0; width >>= 1, mask ^= mask << width)

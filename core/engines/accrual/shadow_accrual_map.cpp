@@ -72,7 +72,7 @@ private:
         return {};
     }
 
-    // The grid's cells from metres of its plane.
+    // Converts metres on the plane to cells of the grid.
     [[nodiscard]] ReceiverExtent extent() const {
         return {double(settings_.biasM), [this](glm::dvec2 low, glm::dvec2 high) {
                     return count_.any(low / cellM_ - 1.0, high / cellM_);

@@ -1,5 +1,12 @@
 #pragma once
 
+// Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
+// only by a shear. caster_faces.h lists the faces of a city; interval_casters.h culls and places them for one
+// interval in the frame of map_frame.h, which trapezoid.h may warp towards the eye. slice_drawer.h and
+// depth_slice.h draw one depth map per step, and slice_stack.h all of an interval. ground_lookup.h and
+// surface_lookup.h read the shadow of receivers from them. ShadowAccrualMap does this for ground grids,
+// SurfaceAccrual for points on any surface. accrual_settings.h and interval_options.h hold the settings.
+
 #include <memory>
 
 #include "core/engines/accrual/accrual_settings.h"
@@ -7,13 +14,13 @@
 
 namespace noonmark {
 
-/// Shadow accrual maps (paper, section 4) on the processor, for flat ground: the city is placed once an
-/// interval; each of its steps is a slice, a depth map that differs from the others by a shear alone; one
-/// slice a task, on all cores. A slice is looked up as soon as it is drawn, so that no more than one a thread
-/// is in memory. Error: the sun's straight path, and, where texels do not lie on cells, half a texel.
+/// Shadow accrual maps (paper, section 4) on the processor, for flat ground. The city is transformed once per
+/// interval. Each step of the interval is a slice, a depth map that differs from the others only by a shear;
+/// slices are drawn in parallel on all cores. Each slice is looked up as soon as it is drawn, so only one per
+/// thread is in memory. Error: the straight sun path and, if texels are not aligned with cells, half a texel.
 class ShadowAccrualMap final : public IntervalEngine {
 public:
-    /// Error when a setting is out of range.
+    /// Error if a setting is out of range.
     static Result<std::shared_ptr<const ShadowAccrualMap>> make(const AccrualSettings& settings);
 
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,

@@ -32,7 +32,7 @@ void turnRound(MapPolygon& polygon) {
 
 void addCorner(MapPolygon& polygon, glm::dvec3 texel, double depth) {
     polygon.place[polygon.corners] = {texel.x / texel.z, texel.y / texel.z};
-    // Depth over q, not depth, is linear on the warped map.
+    // On the warped map, depth / q is linear, not depth.
     polygon.depth[polygon.corners++] = depth / texel.z;
 }
 

@@ -10,25 +10,25 @@
 
 namespace noonmark {
 
-/// What drawing a slice took.
+/// The work done to draw a slice.
 struct SliceCost {
     std::uint64_t faces = 0;
     std::uint64_t rows = 0;
 };
 
-/// Draws slices; one a thread.
+/// Draws slices; one per thread.
 class SliceDrawer {
 public:
-    /// The depth map of the sun that makes this shear; clears the slice first. The same for the same
-    /// arguments, to the last bit, whoever draws it.
+    /// Clears the slice and draws the depth map of the sun direction with this shear. The result depends only
+    /// on the arguments, to the last bit.
     SliceCost draw(const IntervalCasters& casters, const MapFrame& frame, glm::dvec2 shear, CasterSide side,
                    DepthSlice& slice);
 
 private:
-    /// A point as the map of this step sees it.
+    /// A point in the map of this step.
     struct Seen {
         glm::dvec3 texel;  ///< MapFrame::homogeneous
-        double depth;      ///< w, undivided
+        double depth;      ///< w, not divided by q
     };
     void drawFace(const CasterFace& face, CasterSide side, DepthSlice& slice, SliceCost& cost);
 

@@ -10,8 +10,9 @@
 namespace noonmark {
 
 namespace {
-constexpr int watchedSlices = 12;  // a fifth of an hour: each at the end waits for the slowest of few
-}
+// A fifth of an hour. Groups are not smaller, because all threads wait for the slowest slice of each group.
+constexpr int watchedSlices = 12;
+}  // namespace
 
 SliceStack::SliceStack(int columns, int rows)
     : workspaces_([columns, rows] {

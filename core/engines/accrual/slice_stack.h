@@ -14,18 +14,18 @@
 
 namespace noonmark {
 
-/// Shadow of all receivers at a step: bit i % 64 of word i / 64 is set where receiver i is in shadow. Called
-/// on several threads at a time.
+/// Computes the shadow of all receivers at a step: bit i % 64 of word i / 64 is set if receiver i is in
+/// shadow. Called on several threads at the same time.
 using LookUpStep = std::function<void(const DepthSlice& slice, int step, std::span<std::uint64_t> shaded)>;
 
-/// The slices of an interval, drawn one a task on all cores and looked up as soon as they are drawn: one
-/// slice a thread is in memory, whatever their number.
+/// Draws the slices of an interval in parallel on all cores and looks up each as soon as it is drawn. Only
+/// one slice per thread is in memory, whatever their number.
 class SliceStack {
 public:
     SliceStack(int columns, int rows);
 
-    /// masks[i] of receiver i; what is in them before does not matter. Incomplete after a stop request. With
-    /// a watcher a few slices at a time. Throws std::bad_alloc.
+    /// Sets masks[i] to the shadow of receiver i. Incomplete after a stop request. With a watcher, draws a
+    /// few slices at a time. Throws std::bad_alloc.
     void shade(const IntervalCasters& casters, const MapFrame& frame, const SunInterval& interval,
                CasterSide side, const LookUpStep& lookUp, std::span<ShadowMask> masks,
                const std::stop_token& stop, const MaskWatcher* watcher = nullptr);
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] SliceCost cost() const;
 
 private:
-    /// What a thread draws with.
+    /// Per-thread memory.
     struct Workspace {
         DepthSlice slice;
         SliceDrawer drawer;

@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-// Points stand in a row of cells: the direction graph asks only how many there are.
+// Represents the points as a row of cells, because the direction graph needs only their number.
 Receivers rowOf(std::size_t points) {
     Receivers receivers;
     receivers.grid = {0, 0, 1, int(points), 1};
@@ -93,7 +93,7 @@ private:
     Cost cost_;
 };
 
-/// Interval scenes of one set of points.
+/// Interval scenes for one set of points.
 class SurfaceIntervals final : public IntervalEngine {
 public:
     SurfaceIntervals(const SurfacePoints& points, const AccrualSettings& settings)

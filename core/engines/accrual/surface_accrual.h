@@ -6,13 +6,13 @@
 
 namespace noonmark {
 
-/// Shadow accrual maps on any surface (paper, section 4), on the processor: exploration. Each interval has a
-/// frame of its own across the sun's way, warped towards the eye where the points have one. Error: half a
-/// texel at the border of shadows, the sun's straight path, and the direction graph where hours share an
-/// edge. Running results go to progress.partials() as a field of one row, a cell a point.
+/// Shadow accrual maps on any surface (paper, section 4), on the processor, for exploration. Each interval
+/// has its own frame at a right angle to the sun's direction, warped towards the eye if the points have one.
+/// Error: half a texel at the border of shadows, the straight sun path, and the direction graph where hours
+/// share an edge. Running results go to progress.partials() as a field with one row, one cell per point.
 class SurfaceAccrual final : public SurfaceEngine {
 public:
-    /// Error when a setting of the maps is out of range.
+    /// Error if a setting of the maps is out of range.
     static Result<std::unique_ptr<SurfaceAccrual>> make(const AccrualSettings& settings,
                                                         const DirectionGraphSettings& graph);
 

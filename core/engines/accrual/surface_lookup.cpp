@@ -14,19 +14,19 @@ namespace noonmark {
 
 namespace {
 
-/// All that a step's lookup needs besides the points and the map.
+/// The data that a step's lookup needs besides the points and the map.
 struct StepView {
     float shearX, shearY;
-    float column[3], row[3], q[3];  ///< of texelFromPlane
+    float column[3], row[3], q[3];  ///< rows of texelFromPlane
     float perQ[3];                  ///< 1 / q of a texel's centre, from (column, row, 1)
     float sun[3];                   ///< in the frame's axes
     float biasM;
-    float slopeM;  ///< slope bias x metres a texel where q is 1 x sun[2]
+    float slopeM;  ///< slope bias x metres per texel at q = 1 x sun[2]
     int columns, rows;
     int stride;
 };
 
-// Vectors go out by reference: returned, they would cross instruction sets.
+// Vectors are returned by reference: returning them by value would cross instruction sets.
 template <class Floats>
 [[gnu::always_inline]] inline void load(const std::vector<float>& from, std::size_t at, Floats& values) {
     std::memcpy(&values, from.data() + at, sizeof values);
@@ -46,7 +46,7 @@ template <class Floats, class Ints>
     texel = __builtin_convertvector(at, Ints);
 }
 
-/// Points in the map of a step, as many as a register has lanes.
+/// Points in the map of a step, one per lane of a register.
 template <class Register>
 struct SeenPoints {
     FloatsOf<Register> w, q;
@@ -76,11 +76,11 @@ template <class Register>
     linear(step.perQ, column, row, seen.centrePerQ);
 }
 
-/// How their surfaces stand to the sun.
+/// Orientation of their surfaces to the sun.
 template <class Register>
 struct SeenNormals {
     FloatsOf<Register> facing;  ///< cosine
-    FloatsOf<Register> slope;   ///< metres of depth a texel, where q is 1, x slope bias
+    FloatsOf<Register> slope;   ///< slope bias x metres of depth per texel at q = 1
 };
 
 template <class Register>
@@ -98,7 +98,7 @@ template <class Register>
     seen.slope = step.slopeM * (across + up) / (seen.facing > least ? seen.facing : least);
 }
 
-// A bit for each lane's point, from the lowest on.
+// One bit for each lane's point, lowest first.
 template <class Register>
 [[gnu::always_inline]] inline std::uint64_t shadedOf(const PlacedSurface& points, std::size_t first,
                                                      const StepView& step, const float* depth) {
@@ -124,7 +124,7 @@ template <class Register>
     return std::uint64_t(std::uint32_t(bits[0]));
 }
 
-// Sixteen texels take longer to bring together than twice eight.
+// Limited to registers of 32 bytes: gathering sixteen texels at once takes longer than eight twice.
 void lookUp(const PlacedSurface& points, const StepView& step, const float* depth,
             std::span<std::uint64_t> shaded) {
     runWithWidestRegisters<32>([&](auto registers) __attribute__((always_inline)) {
@@ -154,8 +154,8 @@ StepView viewOf(const MapFrame& frame, glm::dvec3 towardsSun, float biasM, float
     const glm::dvec3 sun = frame.turned(towardsSun);
     view.sun[0] = float(sun.x), view.sun[1] = float(sun.y), view.sun[2] = float(sun.z);
     view.biasM = biasM;
-    // The area of a texel grows with the cube of q; its side is taken to grow evenly, which is less near the
-    // eye and more far away than its narrow side needs.
+    // The area of a texel grows with the cube of q. Its side is assumed to grow linearly, which gives less
+    // bias near the eye and more far away than its narrow side needs.
     const double texelM = std::pow(std::abs(glm::determinant(frame.texelFromPlane)), -0.5);
     view.slopeM = slopeBias * float(texelM * sun.z);
     view.columns = frame.columns, view.rows = frame.rows, view.stride = stride;

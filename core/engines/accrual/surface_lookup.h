@@ -10,8 +10,8 @@
 
 namespace noonmark {
 
-/// Surface points in the frame of an interval's maps, as lookups take them: one array a coordinate, padded to
-/// whole words of 64 with points that nobody asks for.
+/// Surface points in the frame of an interval's maps, for lookups: one array per coordinate, padded with
+/// unused points to whole words of 64.
 struct PlacedSurface {
     std::vector<float> x, y, w;              ///< MapFrame::placed, metres
     std::vector<float> across, up, towards;  ///< normals in the axes u, v, normal of the frame
@@ -20,15 +20,15 @@ struct PlacedSurface {
 };
 PlacedSurface placeSurface(const SurfacePoints& points, const MapFrame& frame);
 
-/// Finds out which points of a surface are in shadow at a step.
+/// Determines which points of a surface are in shadow at a step.
 class SurfaceLookup {
 public:
     SurfaceLookup(PlacedSurface surface, const MapFrame& frame, const AccrualSettings& settings);
 
     [[nodiscard]] const PlacedSurface& surface() const { return surface_; }
 
-    /// Bit i % 64 of shaded[i / 64]: point i is turned away from the sun, or something is more than the bias
-    /// before it. Bits beyond the last are 0.
+    /// Bit i % 64 of shaded[i / 64]: point i faces away from the sun, or an occluder is closer to the sun
+    /// than the point by more than the bias. Bits after the last point are 0.
     void look(const DepthSlice& slice, glm::dvec3 towardsSun, std::span<std::uint64_t> shaded) const;
 
 private:

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double focusShare = 0.8;
 
-// Matrices of GLM are columns first; these read row by row.
+// GLM matrices are column-major; the arguments are rows.
 glm::dmat3 rows(glm::dvec3 first, glm::dvec3 second, glm::dvec3 third) {
     return glm::transpose(glm::dmat3(first, second, third));
 }
 
-/// Points as seen along an axis: x along it, y to its left, from the eye.
+/// Coordinates along an axis from the eye: x along it, y to its left.
 struct AlongAxis {
     glm::dvec2 eye{};
     glm::dvec2 axis{1, 0};
@@ -30,10 +30,10 @@ struct AlongAxis {
     }
 };
 
-/// Where points lie along the axis, as distances from the eye.
+/// Distances of points from the eye along the axis.
 struct Depths {
     double nearest = 0;
-    double focus = 0;  ///< of the farthest of the nearest 80 %
+    double focus = 0;  ///< distance that contains the nearest 80 % of the points
     double farthest = 0;
 };
 
@@ -44,7 +44,7 @@ Depths depthsOf(std::vector<double> along) {
     return {low, *at, high};
 }
 
-/// A trapezoid with its axis on x, between x = nearest and farthest, its sides meeting at x = apex on the
+/// A trapezoid with its axis on x, from x = nearest to x = farthest, whose sides meet at x = apex on the
 /// axis.
 struct Trapezoid {
     double apex = 0;
@@ -53,8 +53,8 @@ struct Trapezoid {
     double lowSlope = 0;  ///< of its sides: y over distance from the apex
     double highSlope = 0;
 
-    // q is the distance from the apex, 1 in the middle of the map's length. Between 1 / nearest and 1 /
-    // farthest the map's x runs evenly, as under a perspective.
+    // q is the distance from the apex, normalised to 1 in the middle of the map's length. The map's x is
+    // linear between 1 / nearest and 1 / farthest, as in a perspective projection.
     [[nodiscard]] glm::dmat3 matrix(int mapSize) const {
         const double near = nearest - apex, far = farthest - apex, unit = 2 * near * far / (near + far);
         const glm::dvec3 q{1 / unit, 0, -apex / unit};
@@ -100,7 +100,7 @@ std::optional<glm::dmat3> fitTrapezoid(std::span<const glm::dvec2> points, glm::
         along.push_back(seen.back().x);
     }
     const Depths depths = depthsOf(std::move(along));
-    // The apex lies so far before the nearest point that the focus comes at 80 % of the map.
+    // The apex lies in front of the nearest point at the distance that puts the focus at 80 % of the map.
     const double length = depths.farthest - depths.nearest, focus = depths.focus - depths.nearest;
     if (!(focus > 0) || focus >= 0.8 * focusShare * length) return std::nullopt;
     const double before = (1 - focusShare) * length * focus / (focusShare * length - focus);

@@ -7,17 +7,17 @@
 
 namespace noonmark {
 
-/// How a square map of `mapSize` texels a side is laid over points of a plane: the matrix that MapFrame calls
-/// texelFromPlane. Every point lies on the map.
+/// Ways to lay a square map of `mapSize` texels per side over points of a plane. They return the matrix
+/// MapFrame::texelFromPlane. Every point lies on the map.
 
-/// Stretched over their box.
+/// Stretches the map over the points' bounding box.
 glm::dmat3 fitBox(std::span<const glm::dvec2> points, int mapSize);
 
-/// Stretched over a trapezoid around them whose narrow side is turned to `eye` (Martin and Tan, Anti-aliasing
-/// and continuity with trapezoidal shadow maps, 2004): the axis runs from the eye to the middle of the
-/// points, and the nearest 80 % of them get 80 % of the map's length (their 80 % rule, with the focus where
-/// that many points are). None where that would not help: points no denser near the eye, or the eye over
-/// their middle.
+/// Stretches the map over a trapezoid around the points whose narrow side faces `eye` (Martin and Tan,
+/// Anti-aliasing and continuity with trapezoidal shadow maps, 2004): the axis runs from the eye to the centre
+/// of the points, and the closest 80 % of them get 80 % of the map's length (their 80 % rule, with the focus
+/// where that many points are). Empty if the warp would not help: points no denser near the eye, or the eye
+/// above their centre.
 std::optional<glm::dmat3> fitTrapezoid(std::span<const glm::dvec2> points, glm::dvec2 eye, int mapSize);
 
 }  // namespace noonmark

@@ -10,12 +10,13 @@ namespace noonmark {
 
 namespace {
 
-// Shares of the bound: together no more than it across a bin. A year has more of declination to cover than of
-// hour angles at a time of the clock, and these divide an hour evenly.
+// Shares of the bound for the two sides of a bin; the diagonal stays within the bound. The range of
+// declinations in a year exceeds the range of hour angles at a given clock time, and columns must divide an
+// hour evenly.
 constexpr double columnShare = 0.6, ringShare = 0.42;
 constexpr double degreesAMinute = 0.25;  // of hour angle
 
-// Three directions of a day lie on a circle about the pole, passed clockwise as seen from it.
+// Three directions of a day lie on a circle around the pole, passed clockwise as seen from the pole.
 glm::dvec3 poleOf(const SunSteps& sun) {
     glm::dvec3 sum{};
     for (const SunDay& day : sun.days) {
@@ -28,7 +29,7 @@ glm::dvec3 poleOf(const SunSteps& sun) {
     return glm::length(sum) < noArc ? glm::dvec3(0, 0, 1) : glm::normalize(sum);
 }
 
-// Where the circle of noon crosses the equator of the sky; any place where the pole is the zenith.
+// Where the meridian of noon crosses the celestial equator; arbitrary if the pole is the zenith.
 glm::dvec3 noonOf(glm::dvec3 pole) {
     const glm::dvec3 up = glm::dvec3(0, 0, 1) - pole.z * pole;
     return glm::length(up) < 1e-6 ? glm::normalize(glm::cross(pole, glm::dvec3(1, 0, 0)))
@@ -56,7 +57,8 @@ std::uint32_t DirectionBins::of(glm::dvec3 direction, double inMinutes) const {
         inMinutes * degreesAMinute;
     const double declination =
         Radians{std::asin(std::clamp(glm::dot(direction, pole_), -1.0, 1.0))}.degrees().value;
-    // Bins lie around noon and around the equator of the sky, numbered from the sky's far end.
+    // Bins are centred on noon and on the celestial equator, and numbered from the lowest hour angle and
+    // declination.
     const int column = roundedDown((hourAngle + 180) / columnDeg_ + 0.5),
               ring = roundedDown((declination + 90) / ringDeg_ + 0.5);
     return std::uint32_t(ring) << 16U | std::uint32_t(column);

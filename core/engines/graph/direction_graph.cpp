@@ -16,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-// Edges are told apart by both bins and by the number of steps; without merging, by a running number.
+// Edges are identified by both bins and the number of steps; without merging, by a running number.
 using EdgeKey = std::tuple<std::uint32_t, std::uint32_t, int, std::uint64_t>;
 
 class GraphBuilder {
@@ -69,7 +69,7 @@ private:
         const SunStep& to = sun_.steps[last];
         const int steps = int(last - first) + 1;
         const std::uint32_t fromBin = graph_.bins.of(glm::dvec3(from.direction));
-        // An interval ends where the next begins.
+        // An interval ends where the next one begins.
         const std::uint32_t toBin = graph_.bins.of(glm::dvec3(to.direction), sun_.stepMinutes);
         const EdgeKey key{fromBin, toBin, steps, settings_.merge ? 0 : graph_.intervals};
         const auto [place, isNew] = edgeOf_.try_emplace(key, std::uint32_t(graph_.edges.size()));
@@ -99,8 +99,8 @@ private:
         return legs;
     }
 
-    // Days of spring and autumn on which the sun stands alike share edges. By the height of the sun they come
-    // together, and an edge's masks are needed for a short while only.
+    // Days in spring and autumn with the same sun positions share edges. Sorted by the sun's height they are
+    // adjacent, so an edge's masks are needed only for a short time.
     void orderPaths() {
         const auto height = [&](const DirectionGraph::Path& path) {
             double sum = 0;

@@ -15,35 +15,35 @@ struct DirectionGraphSettings {
     /// paper, section 7.
     double boundDeg = 5;
     double intervalMinutes = 60;  ///< 0.1 to 120
-    bool merge = true;            ///< false: every interval of every day is its own edge (no error from bins)
+    bool merge = true;  ///< false: every interval of every day is an edge of its own (no error from bins)
 };
 
-/// The intervals of a period with those that look alike computed once (paper, section 6).
+/// The intervals of a period, with similar ones merged so that they are computed once (paper, section 6).
 struct DirectionGraph {
-    /// All intervals that lead from one bin to another, where the next interval begins, in the same number of
-    /// steps. `sun` runs between the
-    /// mean directions of those that take it, which lie closer to each of them than the bins' centres do.
+    /// All intervals that lead from one bin to another, the bin where the next interval begins, in the same
+    /// number of steps. `sun` runs between the mean directions of these intervals, which are closer to each
+    /// of them than the bins' centres.
     struct Edge {
         SunInterval sun;
         std::uint32_t fromBin = 0;
         std::uint32_t toBin = 0;
-        std::uint32_t weight = 0;  ///< intervals of the period that take it
+        std::uint32_t weight = 0;  ///< number of the period's intervals on this edge
     };
     /// One interval on a day's path.
     struct Leg {
         std::uint32_t edge = 0;
-        bool breaksRun = false;  ///< the sun was away before it: a run cannot cross
+        bool breaksRun = false;  ///< steps are missing before it, so runs end
     };
-    /// What one or more days do; days that do the same are listed once.
+    /// The legs of one or more days; days with the same path are listed once.
     using Path = std::vector<Leg>;
     DirectionBins bins;
     double stepMinutes = 1;
     std::vector<Edge> edges;
-    std::vector<Path> paths;      ///< ordered so that paths that share edges are near each other
+    std::vector<Path> paths;      ///< ordered so that paths that share edges are close together
     std::uint64_t intervals = 0;  ///< before merging
 };
 
-/// Error when a setting is out of range, naming the range. Leftover steps at the end of a window make a
+/// Error that states the range if a setting is out of range. Remaining steps at the end of a window form a
 /// shorter interval. O(steps).
 Result<DirectionGraph> buildDirectionGraph(const SunSteps& sun, const DirectionGraphSettings& settings);
 

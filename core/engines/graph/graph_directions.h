@@ -7,7 +7,7 @@ namespace noonmark {
 /// Every direction of every edge, for IntervalEngine::prepare.
 SunSteps collectDirections(const DirectionGraph& graph);
 
-/// A step of less than a minute makes the intervals shorter: a mask holds 64 steps.
+/// Shortens the intervals if steps are shorter than a minute, because a mask holds 64 steps.
 DirectionGraphSettings fitToMasks(DirectionGraphSettings settings, double stepMinutes);
 
 }  // namespace noonmark

@@ -15,7 +15,7 @@ namespace noonmark {
 
 namespace {
 
-/// Runs of the edges that a later path still needs: 4 bytes a receiver and edge, half of what the masks would
+/// The runs of edges that a later path still needs: 4 bytes per receiver and edge, half of what masks would
 /// take.
 class LiveMaps {
 public:
@@ -44,7 +44,7 @@ private:
     std::size_t most_ = 0;
 };
 
-/// One run over the graph, into a blank field.
+/// One pass over the graph that fills a blank field.
 class GraphRun {
 public:
     GraphRun(const DirectionGraph& graph, IntervalScene& scene, const Receivers& receivers,
@@ -87,7 +87,7 @@ private:
         return {};
     }
 
-    // `before`: the legs of its day before this one.
+    // `before`: the earlier legs of the same day.
     Result<void> shade(const DirectionGraph::Leg& leg, const std::vector<PathLeg>& before) {
         progress_.report(double(shaded_++) / double(graph_.edges.size()), "shading intervals");
         const DirectionGraph::Edge& edge = graph_.edges[leg.edge];
@@ -105,13 +105,13 @@ private:
         return {};
     }
 
-    // `path`: the legs so far of the day at work.
+    // `path`: the finished legs of the current day.
     void show(const std::vector<PathLeg>& path) {
         PartialSink* sink = progress_.partials();
         if (sink && sink->wants()) sink->take(partial(tally_, path));
     }
 
-    // With the first few steps of an edge; `path`: the legs before it of the day at work.
+    // Includes the first few steps of an edge; `path`: the earlier legs of the current day.
     [[nodiscard]] PartialField partialOf(const DirectionGraph::Edge& edge, int steps, bool breaksRun,
                                          std::vector<PathLeg> path) const {
         DirectionGraph::Edge some = edge;
@@ -127,7 +127,7 @@ private:
         return shown;
     }
 
-    // The masks at work up to a step; after it nothing, or what is known around.
+    // The current masks up to a step; after it no shadow, or that of nearby points of the coarser view.
     [[nodiscard]] std::vector<ShadowMask> beginningOf(const DirectionGraph::Edge& edge, int steps) const {
         std::vector<ShadowMask> masks(masks_.size());
         if (memory_.around) masks = memory_.around->at(std::uint32_t(&edge - graph_.edges.data()));
@@ -146,7 +146,7 @@ private:
         return partial;
     }
 
-    // Adds the intervals to come as they are known around; what the legs added point to.
+    // Adds the remaining intervals from the coarser view; returns the storage that the added legs refer to.
     std::vector<std::vector<MaskRuns>> restAround(IntervalTally& tally, std::vector<PathLeg>& path) const {
         std::vector<std::vector<MaskRuns>> rest;
         if (!memory_.around || tally.intervals() == graph_.intervals) return rest;
@@ -168,7 +168,7 @@ private:
     StepMemory memory_;
     LiveMaps maps_;
     IntervalTally tally_;
-    std::vector<ShadowMask> masks_;  // of the edge at work
+    std::vector<ShadowMask> masks_;  // of the current edge
     std::size_t shaded_ = 0;
 };
 

@@ -22,7 +22,7 @@ NOONMARK_EVERY_ISA void runsOfMasks(const ShadowMask* masks, std::size_t count, 
     for (std::size_t i = 0; i < count; ++i) runs[i] = measureRuns(masks[i], steps);
 }
 
-// Runs that cross from one leg to the next are the suffix of one and the prefix of the other.
+// A run that crosses from one leg to the next is the suffix of one and the prefix of the other.
 std::uint32_t longestAlong(const std::vector<PathLeg>& legs, std::size_t i) {
     std::uint32_t longest = 0;
     std::uint32_t run = 0;

@@ -11,30 +11,32 @@
 
 namespace noonmark {
 
-/// One interval on a day's path, with what its masks came to.
+/// One interval on a day's path, with the runs of its masks.
 struct PathLeg {
-    std::span<const MaskRuns> runs;  ///< one a receiver
+    std::span<const MaskRuns> runs;  ///< one per receiver
     int steps = 0;
-    bool breaksRun = false;  ///< a run cannot cross into it
+    bool breaksRun = false;  ///< runs do not continue into it
 };
 
-/// Gross and continuous shadow of every receiver, put together from intervals (paper, section 6): gross is
-/// the sum over the intervals, continuous is stitched along each day. At any time it is the true tally of
-/// what was added so far. 12 bytes a receiver; adding uses all cores.
+/// Combines intervals into gross and continuous shadow of every receiver (paper, section 6): gross shadow is
+/// the sum over the intervals, continuous shadow is stitched along each day. At any time it is the exact
+/// result for the intervals added so far. 12 bytes per receiver; adding uses all cores.
 class IntervalTally {
 public:
     explicit IntervalTally(std::size_t receivers) : gross_(receivers), longest_(receivers) {}
 
-    /// The runs of one edge's masks, its gross shadow counted for every interval that takes it.
+    /// Adds an edge's gross shadow for every interval on it and returns the runs of its masks.
     std::vector<MaskRuns> addEdge(std::span<const ShadowMask> masks, const DirectionGraph::Edge& edge);
 
-    /// A day whose edges were all added.
+    /// Adds a day whose edges have all been added.
     void addPath(const std::vector<PathLeg>& legs);
 
-    [[nodiscard]] std::uint64_t intervals() const { return intervals_; }  ///< of the period, added so far
-    [[nodiscard]] std::uint64_t steps() const { return steps_; }          ///< of these
+    /// Intervals of the period added so far, and their steps.
+    [[nodiscard]] std::uint64_t intervals() const { return intervals_; }
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
-    /// Minutes into a field over these receivers; `legs` belong to a day that was not added yet, in order.
+    /// Writes minutes to a field over these receivers; `legs`, in order, belong to a day that has not been
+    /// added yet.
     void writeTo(ShadowField& field, const Receivers& receivers, const std::vector<PathLeg>& legs) const;
 
 private:

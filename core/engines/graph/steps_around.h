@@ -10,17 +10,17 @@
 
 namespace noonmark {
 
-/// Shadow at every step, by edge of a direction graph and receiver. 8 bytes a receiver and edge.
+/// Shadow at every step, by edge of a direction graph and receiver. 8 bytes per receiver and edge.
 using EdgeMasks = std::vector<std::vector<ShadowMask>>;
 
-/// What is known already of places near each receiver: running results over one day show it for the steps to
-/// come, so that they tell of the whole day and grow finer with each step.
+/// Known results near each receiver. Running results for one day use them for the steps that are not
+/// finished, so that they cover the whole day and become more accurate with each step.
 struct StepsAround {
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    std::shared_ptr<const EdgeMasks> masks;  ///< found over the same steps through the same graph
-    std::vector<std::uint32_t> nearest;      ///< of each receiver, in `masks`; none: it is shown as lit
+    std::shared_ptr<const EdgeMasks> masks;  ///< computed for the same steps with the same graph
+    std::vector<std::uint32_t> nearest;      ///< for each receiver an index in `masks`; none: shown as lit
 
-    /// Of each receiver at one edge.
+    /// Masks of all receivers at one edge.
     [[nodiscard]] std::vector<ShadowMask> at(std::uint32_t edge) const {
         std::vector<ShadowMask> here;
         here.reserve(nearest.size());
@@ -29,15 +29,15 @@ struct StepsAround {
     }
 };
 
-/// Whether a period is one that running results can tell the whole of: a day that takes each edge once.
+/// Whether running results can cover the whole period: a single day that uses each edge once.
 inline bool isOneDay(const DirectionGraph& graph) {
     return graph.paths.size() == 1 && graph.intervals == graph.edges.size();
 }
 
-/// What an accumulation remembers from one view to the next, finer one.
+/// Data passed from the accumulation of one view to that of the next, finer one.
 struct StepMemory {
-    const StepsAround* around = nullptr;  ///< of the coarser view; null: nothing
-    EdgeMasks* found = nullptr;           ///< filled where the period is one day; null: not wanted
+    const StepsAround* around = nullptr;  ///< from the coarser view; null: nothing known
+    EdgeMasks* found = nullptr;           ///< filled if the period is one day; null: not needed
 };
 
 }  // namespace noonmark

@@ -20,12 +20,12 @@ std::vector<int> allBlocks(const Lanes& lanes) {
     return blocks;
 }
 
-/// An interval's lanes, and what throws shadows on them at its ends and in its middle. The sun's path is a
-/// straight line on the ground, so that its halves have the same lanes.
+/// An interval's lanes, and the shadow sources on them at its ends and middle. The sun's path is a straight
+/// line on the ground, so both halves have the same lanes.
 struct IntervalLanes {
     SunInterval interval;
     Lanes lanes;
-    std::unique_ptr<SourceInstant> atFirst, atMiddle, atLast;  // atMiddle: null until it is asked for
+    std::unique_ptr<SourceInstant> atFirst, atMiddle, atLast;  // atMiddle: null until it is needed
     std::vector<int> halved;                                   // blocks that are drawn in halves
 
     IntervalLanes(const SunInterval& sun, const Grid& grid, const SourceFinder& finder)
@@ -92,7 +92,7 @@ private:
         return draw(ofInterval, masks, stop);
     }
 
-    // Sets all bits, and notes which blocks are drawn in halves.
+    // Sets all bits and determines the blocks that are drawn in halves.
     Result<void> draw(IntervalLanes& of, std::span<ShadowMask> masks, const std::stop_token& stop) {
         const Stopwatch watch;
         const LegDrawer drawer(of.lanes, receivers_, *parts_.drawer, parts_.finder->levels());
@@ -126,10 +126,10 @@ private:
     }
 
     InverseAccrualParts parts_;
-    Grid grid_;  // with its margin
+    Grid grid_;  // including the margin
     LaneReceivers receivers_;
     std::size_t receiverCount_;
-    std::vector<ShadowMask> part_;  // of the receivers: some of their steps
+    std::vector<ShadowMask> part_;  // masks of the receivers for some of the steps
     Cost cost_;
 };
 

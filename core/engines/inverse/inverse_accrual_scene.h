@@ -9,24 +9,25 @@
 
 namespace noonmark {
 
-/// What an inverse accrual map is made of.
+/// The parts of an inverse accrual map.
 struct InverseAccrualParts {
-    std::unique_ptr<SourceFinder> finder;  ///< over the grid of the receivers, padded by `marginCells`
+    std::unique_ptr<SourceFinder> finder;  ///< for the grid of the receivers, padded by `marginCells`
     std::shared_ptr<ShadowLineDrawer> drawer;
-    std::unique_ptr<IntervalScene> rays;  ///< for the steps of a low sun; null where there are none
+    std::unique_ptr<IntervalScene> rays;  ///< for steps with a low sun; null if there are none
     LowSun lowSun;
     int marginCells = 0;
     std::uint32_t buildingsUsed = 0;
 };
 
-/// Share of a block's receivers in a shadow of an interval's middle step that no line leads to: beyond it,
-/// the block is drawn in halves. It is looked at where most receivers have a full list at both ends.
+/// Limit for the share of a block's receivers that are in shadow at an interval's middle step although no
+/// line reaches them. If it is exceeded, the block is drawn in two halves. Only checked if most receivers
+/// have a full list at both ends.
 constexpr double mostMissedShare = 0.01;
 
-/// `grid` with so many more cells on each side.
+/// `grid` extended by this many cells on each side.
 Grid padGrid(const Grid& grid, int cells);
 
-/// The receivers outlive it.
+/// The receivers must outlive the scene.
 std::unique_ptr<IntervalScene> makeInverseAccrualScene(InverseAccrualParts parts, const Receivers& receivers);
 
 }  // namespace noonmark

@@ -10,16 +10,16 @@
 
 namespace noonmark {
 
-/// The masks of some blocks of lanes, to be drawn into.
+/// The masks of some blocks of lanes, as a target for drawing.
 struct LaneMasks {
     int majors = 0;
     std::vector<ShadowMask> masks;  ///< blocks x lanes of a block x majors
-    /// Blocks x majors: for each lane the first place from this one on, and the last one up to this one,
-    /// whose mask is asked for; majors and -1 where there is none. What a drawer leaves in the masks of the
-    /// others is open.
+    /// Blocks x majors: for each lane the first position from this one on, and the last one up to this one,
+    /// whose mask is wanted; majors and -1 if there is none. Masks of unwanted positions are unspecified
+    /// after drawing.
     std::vector<Line<std::int32_t>> nextWanted, lastWanted;
 
-    /// Contents are left as they are.
+    /// Leaves the contents unspecified.
     void resize(int majorCount, int blocks) {
         majors = majorCount;
         masks.resize(std::size_t(blocks) * Lanes::perBlock * std::size_t(majors));
@@ -28,7 +28,7 @@ struct LaneMasks {
     }
     [[nodiscard]] int blocks() const { return int(nextWanted.size()) / majors; }
 
-    /// wanted(major, lane)
+    /// Sets the wanted positions of a block; wanted(major, lane).
     void ask(int block, const auto& wanted) {
         Line<std::int32_t>*next = &nextWanted[firstLine(block)], *last = &lastWanted[firstLine(block)];
         Line<std::int32_t> seen;
@@ -42,7 +42,7 @@ struct LaneMasks {
                 seen.values[lane] = last[major].values[lane] == major ? major : seen.values[lane];
     }
 
-    /// The line of major position 0 in nextWanted and lastWanted.
+    /// Index of major position 0 of a block in nextWanted and lastWanted.
     [[nodiscard]] std::size_t firstLine(int block) const { return std::size_t(block) * std::size_t(majors); }
     [[nodiscard]] ShadowMask* lane(int block, int lane) {
         return &masks[std::size_t(block * Lanes::perBlock + lane) * std::size_t(majors)];

@@ -9,18 +9,18 @@
 
 namespace noonmark {
 
-/// What throws a shadow on the cells of some blocks of lanes at one instant: the heights of up to `levels`
-/// occluding points on the way to the sun, nearest first, each of another building (paper, section 5: the
-/// slices of the inverse accrual map). A line holds the lanes of a block at one major position: what moves on
-/// a lane is read line after line.
+/// The shadow sources of the cells of some blocks of lanes at one instant: the heights of up to `levels`
+/// occluding points on the way to the sun, nearest first, each on a different building (paper, section 5: the
+/// slices of the inverse accrual map). A Line holds the lanes of a block at one major position, so a shadow
+/// that moves along a lane is read from consecutive Lines.
 struct LaneSources {
     int levels = 0;
     int majors = 0;
     std::vector<Line<float>> heightM;  ///< blocks x majors x levels; above the ground, metres; 0: no occluder
-    std::vector<Line<std::uint32_t>> building;  ///< the same shape; nobody where there is no occluder
+    std::vector<Line<std::uint32_t>> building;  ///< the same shape; `nobody` if there is no occluder
     static constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
-    /// Contents are left as they are.
+    /// Leaves the contents unspecified.
     void resize(int levelCount, int majorCount, int blocks = 1) {
         levels = levelCount;
         majors = majorCount;
@@ -45,7 +45,7 @@ struct LaneSources {
         return found;
     }
 
-    /// Whether the cell lies in shadow.
+    /// Whether the cell is in shadow.
     [[nodiscard]] bool shades(int block, int major, int lane) const {
         return heightM[line(block, major)].values[lane] > 0;
     }

@@ -7,15 +7,16 @@
 
 namespace noonmark {
 
-/// The cells of a grid strung on parallel lanes, each cell on exactly one: what moves along `direction` stays
-/// on its lane to half a cell. Lanes can be worked on at the same time, for none writes to another's cells.
+/// The cells of a grid grouped into parallel lanes, each cell on exactly one: a shadow that moves in
+/// `direction` stays on its lane to within half a cell. Lanes can be processed in parallel, because none
+/// writes to another's cells.
 ///
-/// Along the major axis (x where the direction is more east-west than north-south) a lane has one place a
-/// column; across it, minor = lane + bend(major), the bend being the direction's slope rounded to whole
-/// cells. Every lane has all major positions: where it bends beyond the grid's sides its places are no cells.
+/// Along the major axis (x if the direction is more east-west than north-south) a lane has one position per
+/// column; across it, minor = lane + bend(major), where the bend is the direction's slope rounded to whole
+/// cells. Every lane has all major positions; where it leaves the grid its positions are not cells.
 class Lanes {
 public:
-    /// Lanes side by side that are worked on together.
+    /// Number of adjacent lanes that are processed together.
     static constexpr int perBlock = 16;
 
     /// `direction`: metres, any length; zero counts as east.
@@ -28,12 +29,12 @@ public:
     [[nodiscard]] int minors() const { return alongX_ ? grid_.rows : grid_.columns; }
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
-    /// Cells across that a lane moves from one major position to the next, before rounding: at most 1.
+    /// Minor displacement of a lane from one major position to the next, before rounding: at most 1.
     [[nodiscard]] double slope() const { return slope_; }
-    /// Of lane 0, before its bend; may be negative: lanes that enter the grid late.
+    /// Minor position of lane 0 without its bend; negative if there are lanes that enter the grid late.
     [[nodiscard]] int firstLane() const { return firstLane_; }
 
-    /// Minor position of a lane; a cell where it is 0 to minors() - 1.
+    /// Minor position of a lane; a cell if it is 0 to minors() - 1.
     [[nodiscard]] int minor(int lane, int major) const {
         return lane + firstLane_ + bend_[std::size_t(major)];
     }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double crowdedShare = 0.4;
 
-// At its first step and its last a leg's sources know the answer; lines do not.
+// At a leg's first and last step the sources give the shadow exactly; lines do not.
 void takeMasks(const LineLeg& leg, const BlockWork& work, int slot, std::span<ShadowMask> masks) {
     const ShadowMask lastBit = ShadowMask{1} << (leg.interval.steps - 1), between = ~(lastBit | 1);
     const ShadowMask cached = fullMask(leg.firstStep);
@@ -28,7 +28,7 @@ void takeMasks(const LineLeg& leg, const BlockWork& work, int slot, std::span<Sh
         }
 }
 
-/// Of a block's receivers, one in `stride`, those for which is(major, lane, number).
+/// Share of receivers that satisfy is(major, lane, number), among one in `stride` of a block's receivers.
 template <class Is>
 double shareOf(const std::vector<Line<std::uint32_t>>& numbers, int stride, const Is& is) {
     std::size_t asked = 0, count = 0;

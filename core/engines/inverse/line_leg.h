@@ -11,40 +11,40 @@
 
 namespace noonmark {
 
-/// Some steps of an interval, with what throws the shadows at their ends and how these move in between.
+/// Some steps of an interval, with the shadow sources at both ends and the motion of the shadows in between.
 struct LineLeg {
     const SourceInstant& atFirst;
     const SourceInstant& atLast;
     SunInterval interval;
-    int firstStep;  ///< of the leg, in the masks
+    int firstStep;  ///< first step of the leg, in the masks
     LinePass forward, backward;
 
     LineLeg(const Lanes& lanes, const SourceInstant& first, const SourceInstant& last,
             const SunInterval& interval, int firstStep);
 };
 
-/// Memory for some blocks of lanes, used again block after block.
+/// Working memory for some blocks of lanes, reused for the following blocks.
 struct BlockWork {
     LaneSources first, last;
     LaneMasks masks;
-    std::vector<std::vector<Line<std::uint32_t>>> numbers;  ///< of receivers, a block each
+    std::vector<std::vector<Line<std::uint32_t>>> numbers;  ///< receiver numbers, one entry per block
 };
 
 /// Draws legs, all over the same lanes.
 class LegDrawer {
 public:
-    /// All outlive it.
+    /// All arguments must outlive it.
     LegDrawer(const Lanes& lanes, const LaneReceivers& receivers, ShadowLineDrawer& drawer, int levels)
         : lanes_(lanes), receivers_(receivers), drawer_(drawer), levels_(levels) {}
 
-    /// Where most receivers of a block have a full list at both ends, what lies behind may matter in between:
-    /// those blocks, ascending. Else the bits of the leg's steps are the receivers' shadow; earlier steps
-    /// stay, later ones are cleared. All cores.
+    /// Sets the bits of the leg's steps to the receivers' shadow; bits of earlier steps are kept, those of
+    /// later steps are cleared. Returns the blocks, ascending, where most receivers have a full list at both
+    /// ends, so that ignored occluders may matter in between. All cores.
     Result<std::vector<int>> draw(const LineLeg& leg, std::span<const int> blocks,
                                   std::span<ShadowMask> masks, const std::stop_token& stop) const;
 
-    /// Those of the blocks where more than so large a share of the receivers lies in a shadow of the instant
-    /// at which their masks, bit `step`, have none. One receiver in four is asked. All cores.
+    /// Returns those blocks in which more than the share `mostMissed` of the receivers are in shadow at the
+    /// instant although their masks, bit `step`, are not. Checks one receiver in four. All cores.
     [[nodiscard]] std::vector<int> missing(const SourceInstant& instant, int step, double mostMissed,
                                            std::span<const int> blocks, std::span<const ShadowMask> masks,
                                            const std::stop_token& stop) const;

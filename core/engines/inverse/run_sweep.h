@@ -7,12 +7,13 @@
 
 namespace noonmark {
 
-/// Where one end of a run stands on its way: at entry `start` of the step table as seen from the first of
-/// some cells, and `perCell` more from each next.
+/// Position of one end of a run on its way, as an entry of the step table: `start` as seen from the first of
+/// some cells, and `perCell` more for each following cell.
 struct RunEnd {
     float start = 0;
     float perCell = 0;
-    /// `length`: cells moved in the whole interval; the first cell is `ahead` cells before the end's start.
+    /// `length`: cells moved during the whole interval; the first cell is `ahead` cells before the end's
+    /// start.
     static RunEnd over(float length, float ahead) {
         const float perCell = float(StepTable::size) / std::max(length, 1e-6F);
         return {ahead * perCell, perCell};
@@ -24,12 +25,13 @@ struct RunEnd {
     }
 };
 
-/// Some cells of a run, counted from its first, each shaded at the steps that `rear` has come to and `front`
-/// has not passed.
+/// Some cells of a run, counted from its first. Each is shaded at the steps that `rear` has reached and
+/// `front` has not passed.
 struct SweepPart {
     RunEnd rear, front;
     int first = 0, end = 0;  ///< cells that may be shaded
-    /// From this cell on `rear` is behind all the time; before this one `front` is ahead.
+    /// From cell rearBehindFrom on, `rear` is behind at all steps; before cell frontAheadTo, `front` is ahead
+    /// at all steps.
     int rearBehindFrom = 0, frontAheadTo = 0;
 
     [[nodiscard]] ShadowMask steps(int i, const StepTable& table) const {
@@ -38,20 +40,20 @@ struct SweepPart {
     }
 };
 
-/// What a run shades in an interval: `count` cells from its first on. Each of its ends reaches half a cell
-/// beyond its cell's centre. Where the surface folds over, whichever end is ahead, the steps between the ends
-/// in the other order too.
+/// The cells that a run shades during an interval: `count` cells from its first on. Each end of the run
+/// reaches `reach` beyond its cell's centre. If the surface folds over, the steps between the ends in reverse
+/// order are shaded too, whichever end is ahead.
 struct RunSweep {
-    /// How far each end reaches beyond its cell's centre, cells. The edge lies anywhere up to the next
-    /// centre, in the mean at half of the way; but each line is drawn twice, from the first step and from the
-    /// last, and the farther of two such guesses is in the mean a sixth of a cell too far.
+    /// How far each end reaches beyond its cell's centre, cells. The edge may lie anywhere up to the next
+    /// centre, on average halfway. But each line is drawn twice, from the first step and from the last, and
+    /// the farther of two such guesses is on average a sixth of a cell too far.
     static constexpr float reach = 0.5F - 1.0F / 6;
 
     int count = 0;
     bool folds = false;
     SweepPart plain, folded;
 
-    /// `cells`: of the lane.
+    /// `cells`: number of cells of the lane.
     RunSweep(const SourceRun& run, const RunRule& rule, int cells) {
         const float first = run.firstM * rule.cellsPerMetre, last = run.lastM * rule.cellsPerMetre;
         folds = run.first < run.last && rule.folds(run.firstM, run.lastM);
@@ -73,8 +75,8 @@ struct RunSweep {
     }
 
 private:
-    // The first end moves farther than the last, and catches up with it: from some cell on nothing is left
-    // between them, and what lies between them in the other order begins about there. A cell of doubt.
+    // The first end moves farther than the last and overtakes it: from some cell on nothing is left between
+    // them, and the part in reverse order begins near that cell. The limits allow for one uncertain cell.
     void fold(float first, float last, float width) {
         const float parts = first - last;
         plain.end = std::min(count, cellsIn((reach * last + (width + reach) * first) / parts) + 2);
@@ -87,7 +89,7 @@ private:
         folded.first = std::max(0, cellsIn(((width - reach) * first - reach * last) / parts) - 1);
     }
 
-    // A low sun draws lines past any int.
+    // Lines of a low sun may be longer than any int.
     static int cellsIn(float length) { return int(std::min(length, 1e6F)); }
     static int endOf(int cell, float length, int cells) {
         return std::min(cell + 1 + cellsIn(length + 0.5F), cells);

@@ -11,11 +11,11 @@ namespace noonmark {
 
 namespace {
 
-// Where the shadow of a point one metre up lies, seen from below it: metres.
+// Offset of the shadow of a point one metre up from the point below it, metres.
 glm::dvec2 throwOf(glm::dvec3 sun) { return -glm::dvec2(sun.x, sun.y) / sun.z; }
 
-// The sun's great circle meets a horizontal plane in a straight line, so one number tells where on it the
-// shadow is.
+// The sun's great circle intersects a horizontal plane in a straight line, so one number gives the shadow's
+// position on it.
 std::vector<double> fractions(const SunInterval& interval) {
     const glm::dvec2 start = throwOf(interval.first);
     const glm::dvec2 way = throwOf(interval.last) - start;
@@ -34,7 +34,7 @@ struct Cells {
     int end = 0;
 };
 
-// Where rear is behind all the time or front ahead, nothing needs looking up.
+// Where rear is behind at all steps or front ahead, no lookup is needed.
 NOONMARK_EVERY_ISA void shade(const ShadowMask* before, const SweepPart& part, const Cells& cells,
                               ShadowMask* row) {
     const RunEnd rear = part.rear, front = part.front;
@@ -51,16 +51,16 @@ NOONMARK_EVERY_ISA void shade(const ShadowMask* before, const SweepPart& part, c
 constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr Ints16 laneBits = 1 << counting;
 
-/// A block's sources, in the order in which shadows move.
+/// A block's sources in the order in which shadows move.
 struct SourceLines {
     const Line<float>* heightM;
     const Line<std::uint32_t>* building;
-    std::ptrdiff_t step;  // lines from one place to the next; negative where shadows move against the lanes
+    std::ptrdiff_t step;  // Lines from one position to the next; negative if shadows move against the lanes
     int levels;
 };
 
-// changed[at]: a bit for each lane on which the sources of a place do not simply go on from the one before. A
-// few more do no harm: a little less than what folds counts, too.
+// changed[at]: a bit for each lane on which the sources of a position do not simply continue those of the
+// previous one. Extra bits do no harm; changes slightly below the folding limit are marked too.
 NOONMARK_EVERY_ISA void markChanges(const SourceLines& lines, int places, const RunRule& rule,
                                     std::uint16_t* changed) {
     const float steepest = rule.steepestM;
@@ -68,7 +68,7 @@ NOONMARK_EVERY_ISA void markChanges(const SourceLines& lines, int places, const 
         std::max(-steepest, 0.9999F * RunRule::foldedBy / std::max(rule.cellsPerMetre, 1e-9F));
     const Ints16 zero{};
     for (int at = 1; at < places; ++at) {
-        Ints16 other{}, beyond{};  // sign bits of what must not be negative
+        Ints16 other{}, beyond{};  // the sign bit is set where a value that must not be negative is
         for (int level = 0; level < lines.levels; ++level) {
             const std::ptrdiff_t now = at * lines.step + level, before = now - lines.step;
             const Floats16 higher = reinterpret_cast<const Floats16&>(lines.heightM[now]) -
@@ -113,7 +113,7 @@ public:
     }
 
 private:
-    // Rows of masks lie in the order of motion while they are drawn into.
+    // While being drawn, rows of masks are in the order of motion.
     void turnRows() {
         if (!pass_.reversed) return;
         for (int lane = 0; lane < Lanes::perBlock; ++lane)
@@ -142,7 +142,7 @@ private:
         if (sweep.folds) shade(before, sweep.folded, cells, row);
     }
 
-    // Of `count` cells from the place `first` on, those from the first to the last that is asked for.
+    // Of `count` cells from position `first` on, the range from the first to the last wanted one.
     [[nodiscard]] Cells wanted(int lane, int first, int count) const {
         const std::size_t line = masks_.firstLine(block_);
         const auto next = [&](int major) {
@@ -194,7 +194,8 @@ ShadowMotion computeBackwardMotion(const SunInterval& interval) {
 }
 
 StepTable::StepTable(const std::vector<double>& fraction) {
-    // Positions along the line: the steps themselves forward, the steps in reverse backward.
+    // Positions along the line in ascending order: the steps themselves if forward, the steps in reverse if
+    // backward.
     const bool falling = fraction.size() > 1 && fraction.front() > fraction.back();
     std::vector<double> ordered = fraction;
     if (falling) std::reverse(ordered.begin(), ordered.end());

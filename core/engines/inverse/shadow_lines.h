@@ -14,57 +14,58 @@
 
 namespace noonmark {
 
-/// How a shadow moves over flat ground in an interval: a point h metres up throws its shadow, at step k, at
-/// its place of the start plus h x fraction[k] x shift.
+/// How shadows move over flat ground during an interval: at step k, the shadow of a point h metres up is
+/// displaced from its start by h x fraction[k] x shift.
 struct ShadowMotion {
     glm::dvec2 shift{};  ///< metres per metre of height, from the start of the line to its end
     std::vector<double>
-        fraction;  ///< one a step, 0 to 1, monotone: rising from t1 forward, falling from tn backward
+        fraction;  ///< one per step, 0 to 1, monotone: rising forward from t1, falling backward from tn
 };
 ShadowMotion computeForwardMotion(
-    const SunInterval& interval);  ///< lines that begin where the shadow lies at the first step
+    const SunInterval& interval);  ///< lines begin at the shadow's position at the first step
 ShadowMotion computeBackwardMotion(
-    const SunInterval& interval);  ///< lines that begin where the shadow lies at the last step
+    const SunInterval& interval);  ///< lines begin at the shadow's position at the last step
 
-/// Which steps have been passed at a place along a line, looked up by its share of the line. Shared by all
-/// drawers.
+/// A lookup table for the steps that have been passed at a position along a line, indexed by the fraction of
+/// the line. Used by all drawers.
 class StepTable {
 public:
     static constexpr int size = 4096;
     explicit StepTable(const std::vector<double>& fraction);
 
-    /// Bits of the steps up to a share of the line, all of them beyond its end. Entry 0 stands for what lies
-    /// before its beginning; then by share, `size` entries to its end and two beyond it.
+    /// Bits of the steps up to a fraction of the line; all steps beyond its end. Entry 0 is for positions
+    /// before the start; then follow `size` entries to the end and two beyond it.
     std::vector<ShadowMask> before;
 };
 
-/// One way over the lanes: from the first step on, or from the last backward.
+/// One pass over the lanes: forward from the first step, or backward from the last.
 struct LinePass {
     StepTable table;
     RunRule rule;
     bool reversed = false;  ///< shadows move towards lower major positions
 
-    /// `steepestM`: see RunRule; of the sources' instant.
+    /// `steepestM`: see RunRule; for the instant of the sources.
     LinePass(const Lanes& lanes, const ShadowMotion& motion, float steepestM);
 };
 
-/// Draws the line of every source into the places' masks: bit k where the shadow lies at step k. Neighbours
-/// on a lane whose occluding points lie next to each other on one building are drawn as one: what they shade
-/// moves as a whole, from the step at which its front reaches a cell to the one at which its end leaves it.
+/// Draws the line of every source into the masks of the positions: bit k is set where the shadow lies at step
+/// k. Neighbours on a lane whose occluding points are adjacent on one building are drawn as one run: it moves
+/// as a whole, and shades a cell from the step at which its front reaches the cell to the step at which its
+/// rear leaves it.
 class ShadowLineDrawer {
 public:
     virtual ~ShadowLineDrawer() = default;
-    /// ORs into `masks`, which has as many blocks as `sources`. May be called for several at a time where
-    /// blocksAtOnce() is 1.
+    /// ORs into `masks`, which has as many blocks as `sources`. May be called concurrently if blocksAtOnce()
+    /// is 1.
     [[nodiscard]] virtual Result<void> draw(const LinePass& pass, const LaneSources& sources,
                                             LaneMasks& masks) = 0;
-    /// How many blocks a call should have: 1 for a drawer that leaves the cores to its callers, all of
-    /// `blocks` for a device of its own.
+    /// How many blocks a call should have: 1 for a drawer that leaves parallelism to its callers, all of
+    /// `blocks` for a separate device.
     [[nodiscard]] virtual int blocksAtOnce(int blocks) const = 0;
     [[nodiscard]] virtual std::string describe() const = 0;
 };
 
-/// On the processor.
+/// Draws on the processor.
 std::unique_ptr<ShadowLineDrawer> makeShadowLineDrawer();
 
 }  // namespace noonmark

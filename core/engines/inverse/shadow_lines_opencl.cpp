@@ -22,14 +22,14 @@ std::vector<cl::Device> devicesOf(const cl::Platform& platform) {
     try {
         platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
     } catch (const cl::Error&) {
-        devices.clear();  // a platform without devices says so by failing
+        devices.clear();  // a platform without devices reports this as an error
     }
     return devices;
 }
 
 bool isGpu(const cl::Device& device) { return device.getInfo<CL_DEVICE_TYPE>() == CL_DEVICE_TYPE_GPU; }
 
-// PoCL keeps compiled kernels in a folder and ends the process where it cannot make one.
+// PoCL caches compiled kernels in a folder, and terminates the process if it cannot create one.
 void giveKernelCacheAHome() {
     if (std::getenv("POCL_CACHE_DIR") != nullptr) return;
     std::error_code error;
@@ -94,7 +94,7 @@ public:
         return {};
     }
 
-    // One after the other would leave most of a device idle.
+    // Drawing blocks one at a time would leave most of a device idle.
     [[nodiscard]] int blocksAtOnce(int blocks) const override { return blocks; }
 
     [[nodiscard]] std::string describe() const override {
@@ -115,8 +115,7 @@ private:
             set(out);
         const std::size_t lanes = masks.masks.size() / std::size_t(masks.majors);
         queue_.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(lanes));
-        // Mapping brings the masks back where the device keeps its own copy, and costs nothing where it does
-        // not.
+        // Mapping copies the masks back if the device has its own copy, and costs nothing otherwise.
         void* mapped = queue_.enqueueMapBuffer(out, CL_TRUE, CL_MAP_READ, 0, bytes);
         queue_.enqueueUnmapMemObject(out, mapped);
         queue_.finish();

@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// One OpenCL device of this machine.
+/// An OpenCL device of this machine.
 struct ComputeDevice {
     std::string name;      ///< "pthread-Intel(R) ..."
     std::string platform;  ///< "Portable Computing Language"
@@ -16,12 +16,12 @@ struct ComputeDevice {
     std::uint64_t largestBufferBytes = 0;
 };
 
-/// GPUs first, then the rest, in the order in which the user's choice counts them; empty where there is no
-/// OpenCL.
+/// GPUs first, then the others, in the order in which the device option counts them; empty without OpenCL.
 std::vector<ComputeDevice> listComputeDevices();
 
-/// The drawer on device number `device` of listComputeDevices(). Error where there is none, or its compiler
-/// fails: the caller then draws on the processor and says so. Compiling takes about a second the first time.
+/// A drawer on device number `device` of listComputeDevices(). Error if there is no such device or its
+/// compiler fails; the caller then draws on the processor and reports that. Compiling takes about a second
+/// the first time.
 Result<std::unique_ptr<ShadowLineDrawer>> makeOpenClDrawer(int device);
 
 }  // namespace noonmark

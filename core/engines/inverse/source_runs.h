@@ -8,8 +8,8 @@
 
 namespace noonmark {
 
-/// Neighbouring cells of a lane whose occluding points lie next to each other on one building. Positions
-/// count cells along the way of the shadow; heights of the occluding points in metres.
+/// Neighbouring cells of a lane whose occluding points are adjacent on one building. Positions count cells in
+/// the shadow's direction of motion; heights of the occluding points in metres.
 struct SourceRun {
     int first = 0;
     int last = 0;
@@ -18,38 +18,39 @@ struct SourceRun {
     std::uint32_t building = 0;
 };
 
-/// How the shadows that two neighbours' occluding points throw move: `cellsPerMetre` is how far that of a
-/// point one metre up does in the whole interval, `steepestM` how much heights differ at most from cell to
-/// cell on one surface.
+/// How the shadows of two neighbouring occluding points move. `cellsPerMetre`: cells that the shadow of a
+/// point one metre up moves during the whole interval. `steepestM`: largest height difference between
+/// neighbouring cells on one surface.
 struct RunRule {
     float cellsPerMetre = 0;
     float steepestM = 0;
-    static constexpr float foldedBy = -1.5F;  ///< cells that a shadow falls ahead of the one before
+    static constexpr float foldedBy = -1.5F;  ///< cells by which a shadow is ahead of the previous one
 
     [[nodiscard]] constexpr bool sameSurface(float beforeM, float afterM) const {
         const float higher = afterM - beforeM;
         return (higher <= steepestM) & (higher >= -steepestM);
     }
-    /// The second one's shadow falls behind the first one's on the way: between them the surface folds over.
+    /// Whether the second shadow falls behind the first on the way, so that the surface folds over between
+    /// them.
     [[nodiscard]] constexpr bool folds(float beforeM, float afterM) const {
         return (afterM - beforeM) * cellsPerMetre < foldedBy;
     }
 };
 
-/// What shades one cell, nearest first, each of another building.
+/// The sources that shade one cell, nearest first, each on a different building.
 struct CellSources {
     std::array<float, RayScene::maxLevels> heightM;
     std::array<std::uint32_t, RayScene::maxLevels> building;
     int count = 0;
 };
 
-/// Strings the sources of a lane's cells together to runs. Told of the cells where something begins or ends
-/// only; in between each source goes on.
+/// Joins the sources of a lane's cells into runs. Only needs the cells where a source begins or ends; in
+/// between, each source continues.
 class UnfinishedRuns {
 public:
     explicit UnfinishedRuns(const RunRule& rule = {}) : rule_(rule) {}
 
-    /// `before`: the sources of the cell before. Hands the runs that end there to `draw`.
+    /// `before`: the sources of the previous cell. Passes the runs that end there to `draw`.
     template <class Draw>
     void change(int cell, const CellSources& before, const CellSources& sources, const Draw& draw) {
         reachUpTo(cell - 1, before);
@@ -63,7 +64,7 @@ public:
         count_ = sources.count;
     }
 
-    /// The lane ends with the cell `last`.
+    /// Ends the lane after the cell `last`.
     template <class Draw>
     void finish(int last, const CellSources& sources, const Draw& draw) {
         change(last + 1, sources, {}, draw);
@@ -79,7 +80,7 @@ private:
         }
     }
 
-    // Where the surface folds over, the two cells are a run of their own.
+    // Where the surface folds over, the two cells form a run of their own.
     template <class Draw>
     SourceRun started(int cell, float heightM, std::uint32_t building, const Draw& draw) {
         SourceRun run{cell, cell, heightM, heightM, building};
@@ -101,7 +102,7 @@ private:
 
     using Runs = std::array<SourceRun, RayScene::maxLevels>;
     RunRule rule_;
-    std::array<Runs, 2> runs_{};  // those that are open, and those that are after the next change
+    std::array<Runs, 2> runs_{};  // open runs before and after the next change
     std::size_t now_ = 0;
     int count_ = 0;
 };

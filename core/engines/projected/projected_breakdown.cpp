@@ -20,7 +20,7 @@ Result<ShadowBreakdown> brokenDown(const City& city, const Receivers& receivers,
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         const SunSteps own = sets.stepsOf(set, sun);
         ShadowField field = blankField(receivers, own);
-        field.days = 1;  // minutes in all
+        field.days = 1;  // so that minutes are totals
         ProgressShare share(progress, set, sets.names.size());
         if (const auto filled = Projection(casters, receivers, own, share, stop).run(field); !filled)
             return tl::make_unexpected(filled.error());

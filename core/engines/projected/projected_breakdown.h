@@ -4,10 +4,10 @@
 
 namespace noonmark {
 
-/// Minutes in shadow by sets of steps, by projected shadows (projected_shadows.h: the same cities and
-/// receivers): each set has what a run over its own steps gives, bit for bit. The buildings are looked at
-/// once, and each step is filled once: as a run over the whole period, and some 3 ms a set of 800 x 800
-/// cells. `sets.ofStep`: one a step. Without figures of buildings.
+/// Minutes in shadow by sets of steps, computed with projected shadows (projected_shadows.h: the same cities
+/// and receivers). Each set has the same result as a run over its own steps, bit for bit. Buildings are
+/// processed once and each step is filled once, so the cost is that of a run over the whole period plus some
+/// 3 ms per set for 800 x 800 cells. `sets.ofStep`: one entry per step. Does not break down by building.
 Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receivers& receivers,
                                                   const SunSteps& sun, const StepSets& sets,
                                                   Progress& progress, std::stop_token stop);

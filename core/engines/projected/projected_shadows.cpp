@@ -26,9 +26,10 @@ Result<void> checkFlat(const City& city, const Receivers& receivers) {
 
 using Shade = std::function<Result<FillCount>(const SunSteps&, ShadowField&, Progress&)>;
 
-constexpr double pictureSeconds = 0.1;  // for some seven pictures a second
+constexpr double pictureSeconds = 0.1;  // for some seven running results per second
 
-// Where somebody looks: some days after the other, scattered over the period, as many as a picture may take.
+// With a sink, processes groups of days scattered over the period, each as large as the time between running
+// results allows.
 Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, const SunSteps& sun,
                                ShadowField& field, Progress& progress) {
     DaySum sum(receivers, sun);

@@ -34,7 +34,7 @@ Box2 computeBox(const Grid& grid) {
     return box;
 }
 
-// Calls `row(first)` with the first cell of each row in which the kinds of some cells differ.
+// Calls `row(first)` with the first cell of each row in which the two lists of cell kinds differ.
 void forRowsThatDiffer(const std::vector<CellKind>& a, const std::vector<CellKind>& b, const Grid& grid,
                        const auto& row) {
     const auto columns = std::size_t(grid.columns);
@@ -100,7 +100,7 @@ struct ShadowCache::State {
         memory.used = 0;
     }
 
-    // Those whose shadow falls on the grid at all.
+    // The buildings whose shadow can fall on the grid.
     Buildings reaching(Buildings some) const {
         const Box2 box = computeBox(field.grid);
         std::erase_if(some, [&](const auto& building) {
@@ -109,7 +109,7 @@ struct ShadowCache::State {
         return some;
     }
 
-    // Cells that are receivers from now on are to be counted; those that are none any more hold NaN.
+    // Marks new receivers for counting, and sets cells that are no longer receivers to NaN.
     void remask(const std::vector<CellKind>& now) {
         const auto columns = std::size_t(field.grid.columns);
         forRowsThatDiffer(kinds, now, field.grid, [&](std::size_t first) {
@@ -142,7 +142,7 @@ struct ShadowCache::State {
         return {};
     }
 
-    // Half done it holds nothing that can be trusted.
+    // A partial result is invalid.
     Result<void> change(const BuildingCasters& gone, const BuildingCasters& come, Progress& progress,
                         const std::stop_token& stop) {
         whole = false;

@@ -14,25 +14,25 @@
 namespace noonmark {
 
 struct ShadowCacheSettings {
-    /// For rasters that stay; a study that needs more is refused.
+    /// Memory limit for cached rasters; a study that needs more is refused.
     std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     bool operator==(const ShadowCacheSettings&) const = default;
 };
 
-/// The study of one day or a few by projected shadows (projected_shadows.h: the same cities and receivers,
-/// the same bits) in a city that is edited: a building that comes, goes or moves costs its own polygons, and
-/// minutes are counted again only where a cell's shadow changed.
+/// A study of one day or a few with projected shadows (projected_shadows.h: the same cities and receivers,
+/// the same bits) in a city that is edited. A building that is added, removed or moved costs its own
+/// polygons, and minutes are counted again only where a cell's shadow changed.
 ///
-/// At every step it is kept how many buildings shade each cell, bit by bit (building_counts.h): with
-/// rasters of what is dark alone nobody could tell, where a building goes, whether it was the only one. Costs
-/// some twice the time of one field by projected shadows, and 1 bit a cell and step, times two to four in a
-/// dense city: 29 MB to 120 MB for 800 x 800 cells and 360 steps.
+/// For every step it caches how many buildings shade each cell, bit by bit (building_counts.h). Rasters of
+/// the shaded cells alone would not suffice: when a building is removed, they do not show whether it was the
+/// only one that shaded a cell. Costs about twice the time of one field by projected shadows, and 1 bit per
+/// cell and step, times two to four in a dense city: 29 MB to 120 MB for 800 x 800 cells and 360 steps.
 ///
-/// Not for several threads at a time; uses all cores. Stops within 0.2 s with cancelled(): what was kept is
-/// then lost, and the next call makes it again.
+/// Not thread-safe; uses all cores. Returns cancelled() within 0.2 s of a stop request; the cached data is
+/// then lost and rebuilt by the next call.
 class ShadowCache {
 public:
-    /// Error: terrain, receivers on roofs, more memory than the settings allow.
+    /// Error: terrain, receivers on roofs, or more memory needed than the settings allow.
     static Result<ShadowCache> make(const City& city, const Receivers& receivers, const SunSteps& sun,
                                     Progress& progress, const std::stop_token& stop,
                                     ShadowCacheSettings settings = {});
@@ -40,13 +40,13 @@ public:
     ShadowCache& operator=(ShadowCache&&) noexcept;
     ~ShadowCache();
 
-    /// From now on another city. `receivers`: the same grid and region. Buildings that the cities share by
-    /// address did not change. Errors as of make(), or another region: then nothing changed.
+    /// Changes to another city. `receivers`: on the same grid and region. Buildings that the cities share by
+    /// address are unchanged. Errors as of make(), or another region; then nothing has changed.
     Result<void> change(const City& city, const Receivers& receivers, Progress& progress,
                         const std::stop_token& stop);
 
-    /// Of the present city: bit for bit that of a fresh run. After an error of change() as it was, or, where
-    /// that was stopped, not to be used.
+    /// The field of the current city, bit for bit that of a new run. After an error of change() it is
+    /// unchanged; after a cancelled change() it must not be used.
     [[nodiscard]] const ShadowField& field() const;
 
     [[nodiscard]] std::uint64_t bytes() const;  ///< of the rasters

@@ -10,17 +10,18 @@ namespace noonmark {
 namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
-constexpr float farthest = std::numeric_limits<float>::max();  // beyond it: nothing
+constexpr float farthest = std::numeric_limits<float>::max();  // larger heights mean no occluder
 
-/// Where a block's levels lie in memory: those of a major position one after the other.
+/// A block's levels in memory; those of one major position are contiguous.
 struct Levels {
     Line<float>* heightM;
     Line<std::uint32_t>* building;
     int count;
 };
 
-// Of the lanes from `first` on, as many as a register has, each carries its occluder down the levels: what is
-// farther than it goes on in its place, and it ends where the building was known already.
+// Inserts one occluder per lane, for as many lanes from `first` on as a register has. Each lane carries its
+// occluder down the levels: it displaces a higher one, which is then carried on, and stops where its building
+// is already in the list.
 template <class Register>
 [[gnu::always_inline]] inline void insertFrom(int first, const Levels& levels,
                                               const NearestLevels::Span& span,
@@ -33,8 +34,9 @@ template <class Register>
     count<Register>(lane);
     lane += first;
     const Floats height = span.heightM + __builtin_convertvector(lane, Floats) * facet.perLaneM;
-    // Two conditions that choose the same are taken apart lane by lane (GCC 12): these choose differently.
-    const Ints inside = (lane - span.first) | (span.end - 1 - lane);  // where not negative
+    // The compiler splits two conditions with the same choices into scalar operations (GCC 12), so these have
+    // different choices.
+    const Ints inside = (lane - span.first) | (span.end - 1 - lane);  // not negative inside the span
     Floats carried = inside >= 0 ? height : nothing;
     carried = height >= facet.nearestM ? carried : tooNear;
     Ints carriedBuilding = building - Ints{};

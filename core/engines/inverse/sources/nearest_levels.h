@@ -7,10 +7,10 @@
 
 namespace noonmark {
 
-/// The nearest few occluders of each place in a block of lanes, each building once.
+/// The nearest few occluders of each position in a block of lanes, each building once.
 class NearestLevels {
 public:
-    /// Works in block `into` of `sources`, of which nothing is known yet.
+    /// Writes to block `into` of `sources`, which starts out empty.
     NearestLevels(LaneSources& sources, int into);
 
     /// Lanes [first, end) of a block at one major position; 0 <= first < end <= 16.
@@ -18,18 +18,19 @@ public:
         int major = 0;
         int first = 0;
         int end = 0;
-        float heightM = 0;  ///< of the occluding point above the ground, at lane 0
+        float heightM = 0;  ///< height of the occluding point above the ground, at lane 0
     };
-    /// What the spans of one facet have in common.
+    /// Values shared by the spans of one facet.
     struct Facet {
-        float perLaneM = 0;  ///< what a lane adds to the height
-        float nearestM = 0;  ///< heights below this are left out
+        float perLaneM = 0;  ///< change of height from lane to lane
+        float nearestM = 0;  ///< smaller heights are ignored
         std::uint32_t building = 0;
     };
-    /// Keeps, place by place, the lowest of each building and the lowest buildings of all.
+    /// Keeps, for each position, the lowest height of each building and the buildings with the lowest
+    /// heights.
     void add(std::span<const Span> spans, const Facet& facet);
 
-    /// To be called once, at the end: the block becomes as LaneSources has it.
+    /// Converts the block to the form of LaneSources; call once, at the end.
     void finish();
 
 private:

@@ -17,19 +17,19 @@ namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 
-// The first whole position at or beyond one, 0 to `count`.
+// The first whole position at or beyond `position`, 0 to `count`.
 int firstAtOrBeyond(double position, int count) {
     const double held = std::clamp(position, 0.0, double(count));
     const int below = int(held);
     return below + int(held > below);
 }
 
-// Where between a and b the second coordinate passes `level`.
+// First coordinate at which the line from a to b reaches `level` in the second coordinate.
 double passes(glm::dvec2 a, glm::dvec2 b, double level) {
     return a.x + (b.x - a.x) * ((level - a.y) / (b.y - a.y));
 }
 
-/// A strip across the second coordinate, and what was found to lie in it: a range of the first one.
+/// A strip of the second coordinate, and the range of the first coordinate found inside it.
 struct Strip {
     double low, high;
     double from = nowhere, to = -nowhere;
@@ -51,7 +51,7 @@ struct Strip {
     }
 };
 
-// Widens low to high by where a line passes one position after the other.
+// Extends the range low to high by a line's value at consecutive positions.
 NOONMARK_EVERY_ISA void widen(double minor, double slope, int count, double* __restrict low,
                               double* __restrict high) {
     for (int i = 0; i < count; ++i) {
@@ -61,8 +61,8 @@ NOONMARK_EVERY_ISA void widen(double minor, double slope, int count, double* __r
     }
 }
 
-// The lanes of a block, 0 to 16, at whole positions from `low` on and before `high`, both held to [first,
-// end). Lane 0 is at from + bend.
+// The lanes of a block, 0 to 16, at whole positions from `low` up to but not including `high`, both clamped
+// to [first, end). Lane 0 is at from + bend.
 NOONMARK_EVERY_ISA void lanesBetween(const double* low, const double* high, const int* bend, int count,
                                      int from, int first, int end, int* __restrict firstLane,
                                      int* __restrict endLane) {
@@ -111,7 +111,7 @@ void ProjectedFacets::throwEdges(const SurfaceFacet& facet) {
     }
 }
 
-// Most facets reach few blocks, and few facets a block.
+// Most facets reach few blocks, and most blocks have few facets.
 void ProjectedFacets::sortIntoBlocks() {
     ofBlock_.resize(std::size_t(lanes_.blocks()));
     for (std::uint32_t i = 0; i < throws_.size(); ++i)
@@ -119,13 +119,14 @@ void ProjectedFacets::sortIntoBlocks() {
             ofBlock_[std::size_t(block)].push_back(i);
 }
 
-// Major and minor position.
+// Returns major and minor position.
 glm::dvec2 ProjectedFacets::thrown(glm::dvec3 point) const {
     const glm::dvec2 place = glm::dvec2(point.x, point.y) + point.z * throwCells_;
     return lanes_.alongX() ? place : glm::dvec2(place.y, place.x);
 }
 
-// From below the point h metres up on the way to the sun is p - h throw, so the facet's plane gives h.
+// From ground point p, the point h metres up on the way to the sun is p - h x throw, so the facet's plane
+// determines h.
 ProjectedFacets::Throw ProjectedFacets::thrownBy(const SurfaceFacet& facet) const {
     const glm::dvec3 n = facet.normal;
     const double facing = n.z - n.x * throwCells_.x - n.y * throwCells_.y;
@@ -177,7 +178,8 @@ void ProjectedFacets::fill(int block, LaneSources& sources, int into) const {
     levels.finish();
 }
 
-// Of the polygon's part in the block; a lane's places lie within half a cell of its straight line.
+// Positions of the polygon's part in the block; a lane's positions lie within half a cell of its straight
+// line.
 ProjectedFacets::Range ProjectedFacets::majorsInBlock(std::uint32_t facet, int block) const {
     const double firstLane = block * Lanes::perBlock + lanes_.firstLane();
     Strip strip{firstLane - 0.75, firstLane + Lanes::perBlock - 0.25};
@@ -201,7 +203,7 @@ void ProjectedFacets::findSpans(std::uint32_t facet, int block, Scratch& scratch
         spansOfAny(throws_[facet], majors, block, scratch);
 }
 
-// Half-open, as core/city/footprints/crossing.h.
+// Half-open, as in core/city/footprints/crossing.h.
 void ProjectedFacets::findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const {
     lines.clear();
     for (const Edge& edge : edgesOf(facet)) {
@@ -212,7 +214,7 @@ void ProjectedFacets::findLines(const SurfaceFacet& facet, Range majors, std::ve
     }
 }
 
-// A convex polygon's outline passes each major position twice or not at all.
+// A convex polygon's outline crosses each major position twice or not at all.
 void ProjectedFacets::spansOfConvex(const Throw& cast, Range majors, int block, Scratch& scratch) const {
     const int count = majors.end - majors.first;
     std::fill_n(scratch.low.data(), count, nowhere);

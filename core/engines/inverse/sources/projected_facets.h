@@ -12,20 +12,20 @@
 
 namespace noonmark {
 
-/// What the facets of a city throw on flat ground at one instant: a polygon each, over which the height of
-/// the occluding point is linear. Filled block by block of lanes, a major position at a time.
+/// The shadows of a city's facets on flat ground at one instant: one polygon each, over which the height of
+/// the occluding point is linear. Filled block by block of lanes, one major position at a time.
 class ProjectedFacets final : public SourceInstant {
 public:
-    /// `facets` and `lanes` outlive this; `facets` are in cells of the lanes' grid.
+    /// `facets` and `lanes` must outlive this; `facets` are in cells of the lanes' grid.
     ProjectedFacets(const SurfaceFacets& facets, const Lanes& lanes, glm::dvec3 towardsSun,
                     float nearestHitM);
 
     void fill(int block, LaneSources& sources, int into) const override;
 
 private:
-    /// One facet's polygon: the positions that it may cover, and the height above them.
+    /// The shadow polygon of a facet: the positions that it may cover, and the height above them.
     struct Throw {
-        int firstMajor = 0, endMajor = 0;  // empty: nothing
+        int firstMajor = 0, endMajor = 0;  // empty range: no shadow
         int firstMinor = 0, endMinor = 0;
         // Height of the occluding point: atOrigin + major x perMajor + minor x perMinor.
         double atOriginM = 0, perMajorM = 0, perMinorM = 0;
@@ -38,19 +38,19 @@ private:
     /// An edge of the polygon, from its lower major position to the higher.
     struct Edge {
         glm::dvec2 low, high;  // major and minor position
-        double slope = 0;      // minor over major; anything where it runs across
+        double slope = 0;      // minor per major; unspecified if both ends have the same major position
     };
-    /// The whole major positions that an edge passes, and where.
+    /// The whole major positions that an edge crosses, and the crossings.
     struct EdgeLine {
         Range majors;
         double minor = 0;  // at the first of them
         double slope = 0;
     };
-    /// Memory that is used again, facet after facet.
+    /// Working memory, reused for all facets.
     struct Scratch {
         std::vector<EdgeLine> lines;
-        std::vector<double> low, high;    // by major position, of the two crossings there
-        std::vector<int> firstLane, end;  // by major position: lanes of the block between them
+        std::vector<double> low, high;    // the two crossings at each major position
+        std::vector<int> firstLane, end;  // lanes of the block between them, by major position
         std::vector<double> crossings;
         std::vector<NearestLevels::Span> spans;
     };
@@ -72,11 +72,11 @@ private:
 
     const SurfaceFacets& facets_;
     const Lanes& lanes_;
-    glm::dvec2 throwCells_;  // x and y of the grid
+    glm::dvec2 throwCells_;  // shadow offset per metre of height; x and y of the grid
     float nearestM_;         // lowest height that counts
     std::vector<Throw> throws_;
-    std::vector<Edge> edges_;  // as SurfaceFacets::edges; of facets that throw something
-    std::vector<std::vector<std::uint32_t>> ofBlock_;  // facets, ascending
+    std::vector<Edge> edges_;                          // as SurfaceFacets::edges; of facets that cast shadow
+    std::vector<std::vector<std::uint32_t>> ofBlock_;  // facets of each block, ascending
 };
 
 }  // namespace noonmark

@@ -5,12 +5,13 @@
 
 namespace noonmark {
 
-/// In object order: at one instant each piece of a building's surface throws a polygon on the ground, and the
-/// height of the occluding point is linear in it; the nearest few are kept place by place. Finds what rays
-/// find, to rounding at the polygons' edges, for all cells at once. Cost: some 10 ns a polygon and 16 cells.
+/// Finds sources building by building: at one instant each facet of a building's surface casts a polygon on
+/// the ground, over which the height of the occluding point is linear; the nearest few are kept for each
+/// position. Finds what rays find, up to rounding at the polygons' edges, for all cells at once. Cost: some
+/// 10 ns per polygon and 16 cells.
 class ProjectedSourceFinder final : public SourceFinder {
 public:
-    /// `facets` in cells of the grid that lanes will be over.
+    /// `facets` in cells of the grid over which lanes will be made.
     ProjectedSourceFinder(SurfaceFacets facets, int levels, float nearestHitM);
     [[nodiscard]] int levels() const override { return levels_; }
     [[nodiscard]] std::unique_ptr<SourceInstant> at(glm::dvec3 towardsSun, const Lanes& lanes) const override;

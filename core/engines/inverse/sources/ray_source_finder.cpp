@@ -11,9 +11,9 @@ namespace noonmark {
 
 namespace {
 
-constexpr int packetSide = 4;  // cells: rays of a square of 4 x 4 stay together best
+constexpr int packetSide = 4;  // in cells: rays of 4 x 4 neighbouring cells are the most coherent
 
-/// Up to 16 places of a block, close together.
+/// Up to 16 positions of a block, close together.
 struct Packet {
     struct Place {
         int major, lane;

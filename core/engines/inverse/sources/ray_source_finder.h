@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-/// With rays in packets of 16 neighbours (paper, section 5).
+/// Finds sources with rays, in packets of 16 neighbours (paper, section 5).
 class RaySourceFinder final : public SourceFinder {
 public:
     RaySourceFinder(RayScene scene, const Grid& grid, int levels, float nearestHitM);

@@ -38,7 +38,7 @@ private:
         if (bottom > 0) addLevel(part.footprint, bottom, -1);
     }
 
-    // A ray leaves a closed part through a wall or roof first only if it began inside, or too near.
+    // A ray hits a closed part from behind first only if it starts inside the part or too close to it.
     [[nodiscard]] CellBox insideOf(const Part& part) const {
         if (double(part.bottomM) > nearestHitM_) return {};
         const Box2 box = bounds(part.footprint);

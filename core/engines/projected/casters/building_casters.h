@@ -9,7 +9,7 @@
 
 namespace noonmark {
 
-/// The casters of some buildings on flat ground, building by building.
+/// The casters of some buildings on flat ground, grouped by building.
 class BuildingCasters {
 public:
     BuildingCasters(std::vector<std::shared_ptr<const Building>> buildings, const Grid& grid);
@@ -24,8 +24,8 @@ public:
 
 private:
     ShadowCasters casters_;
-    std::vector<std::uint32_t> order_;  // casters, by building
-    std::vector<std::size_t> ends_;     // of each building, in order_
+    std::vector<std::uint32_t> order_;  // indices of casters, by building
+    std::vector<std::size_t> ends_;     // end of each building in order_
 };
 
 }  // namespace noonmark

@@ -9,11 +9,12 @@
 
 namespace noonmark {
 
-/// The shadow of a wall that stands begins so much sunward of it, metres up: where the rays of a receiver
-/// just behind it begin in the building (placeRayOrigin()). No receiver stands in there.
+/// The shadow of a wall on the ground begins this far behind the wall, towards the sun, as a height in
+/// metres: the rays of a receiver just behind the wall begin inside the building (placeRayOrigin()). No
+/// receiver lies in that strip.
 inline constexpr double behindWallM = 1e-3;
 
-/// Makes the shapes of casters' shadows at eight steps. Inlined into a kernel (registers.h).
+/// Computes the shapes of casters' shadows at eight steps. Inlined into a kernel (registers.h).
 template <class Register>
 class CasterFill::Shaping {
 public:
@@ -24,7 +25,7 @@ public:
         }
     }
 
-    /// Whether these edges, and no others, are far at all steps.
+    /// Whether exactly these edges face away from the sun at all steps.
     [[nodiscard, gnu::always_inline]] inline bool areFar(const Ring& ring, const Arc& arc) const {
         if (arc.first == arc.end) return false;
         const Points to{throws_.at.x, throws_.at.y};
@@ -36,13 +37,14 @@ public:
         return allAndNoneAboveZero(farthest, nearest);
     }
 
-    /// The hull of the ring at both places: at the far one the edges that face away, at the near one the
-    /// others, and between them the lines that its two outermost corners draw. False: it throws nothing.
+    /// The hull of the ring at its far and its near position: the edges that face away from the sun at the
+    /// far one, the others at the near one, and between them the lines drawn by the two outermost corners.
+    /// False: it casts no shadow.
     [[gnu::always_inline]] inline bool shape(const ShadowCaster& caster, const Ring& ring,
                                              const FarEdges& edges) {
         const Arc& arc = edges.far;
         const bool oneWall = arc.end == ring.after(arc.first), wall = caster.kind == ShadowCaster::Kind::wall;
-        // Of a wall that faces the sun one on the other side throws the shadow.
+        // If a wall faces the sun, the wall on the opposite side casts the shadow.
         if (wall && (arc.first == arc.end || arc.first != 0)) return false;
         const bool fromGround = caster.stands || (wall && caster.bottomM == 0);
         const Place far(throws_, caster.topM),
@@ -55,7 +57,7 @@ public:
             addEnds(ring, arc, 0);
             bound(arc.low, arc.high, far);
             addStrip(far, near, first, last);
-            if (caster.stands) {  // what lies sunward of the chord between these corners is under the caster
+            if (caster.stands) {  // on the sunward side of this chord is only the caster itself
                 addChord(near, edges.chord, first, last);
                 return true;
             }
@@ -65,7 +67,8 @@ public:
         return true;
     }
 
-    /// Seen from behind a face of a closed mesh throws nothing: one on the other side throws this shadow.
+    /// A face of a closed mesh that is seen from behind casts no shadow: a face on the opposite side casts
+    /// it.
     [[gnu::always_inline]] inline void shapeFace(const ShadowCaster& caster,
                                                  std::span<const glm::dvec2> points) {
         clear();
@@ -85,7 +88,7 @@ public:
             if (turn[step] == 0 || (turn[step] < 0 && !caster.twoSided)) leaveOut(step);
     }
 
-    /// The shape has nothing at this step.
+    /// Makes the shape empty at this step.
     void leaveOut(std::size_t step) { shape_.high[step] = std::numeric_limits<double>::lowest(); }
 
     [[nodiscard]] const StepShape& made() const { return shape_; }
@@ -95,10 +98,10 @@ private:
     using Points = EightPoints<Register>;
     static constexpr double farOff = 1e9;
 
-    /// How far the shadows of points so high are thrown, cells.
+    /// The offset of the shadow of points at one height, in cells.
     struct Place {
         Points at;
-        glm::dvec2 low, high;  ///< bounds; of all heights up to a wall's, and down to behind it
+        glm::dvec2 low, high;  ///< bounds over all steps
         [[gnu::always_inline]] inline Place(const StepOffsets& throws, double heightM)
             : at{Doubles(throws.at.x) * heightM, Doubles(throws.at.y) * heightM},
               low(glm::min(throws.low * heightM, throws.high * heightM)),
@@ -121,7 +124,7 @@ private:
         }
     }
 
-    // Makes room for points in [low, high], moved.
+    // Extends the bounds by points in [low, high], shifted by `place`.
     [[gnu::always_inline]] inline void bound(glm::dvec2 low, glm::dvec2 high, const Place& place) {
         least(Doubles(shape_.low), low.y + place.at.y).store(shape_.low);
         most(Doubles(shape_.high), high.y + place.at.y).store(shape_.high);
@@ -129,7 +132,7 @@ private:
         shape_.highest = glm::max(shape_.highest, high + place.high);
     }
 
-    // The paths of the two outermost corners; level ones bound nothing.
+    // The paths of the two outermost corners; level paths bound no rows.
     [[gnu::always_inline]] inline void addStrip(const Place& far, const Place& near, glm::dvec2 first,
                                                 glm::dvec2 last) {
         const Doubles none(0), slope(slope_), up = far.at.y - near.at.y, height = whereAboveZero(up, up, -up);
@@ -146,7 +149,7 @@ private:
         shape_.sides.westerns = shape_.sides.easterns = 1;
     }
 
-    // The arc's edges into the chains of an end. Its western edges run downwards.
+    // Adds the arc's edges to the chains of one end. Western edges run downwards.
     [[gnu::always_inline]] inline void addEnds(const Ring& ring, const Arc& arc, std::size_t end) {
         EdgeChain &western = shape_.western[end], &eastern = shape_.eastern[end];
         std::size_t i = arc.first;
@@ -167,7 +170,8 @@ private:
         bound(glm::min(first, last), glm::max(first, last), near);
     }
 
-    // An edge of a shape that runs counter-clockwise where `turn` > 0, clockwise where it is below.
+    // Adds an edge of a shape that runs counter-clockwise where `turn` > 0 and clockwise where it is
+    // negative.
     [[gnu::always_inline]] inline void addSide(const Points& from, const Points& to,
                                                const StepDoubles& turn) {
         StepPoints a, b;
@@ -190,7 +194,7 @@ private:
     }
 
     const StepOffsets& throws_;
-    StepDoubles slope_;  // of a shadow's way, in columns a row
+    StepDoubles slope_;  // of the shadow's direction, in columns per row
     StepShape shape_;
 };
 

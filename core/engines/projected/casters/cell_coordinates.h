@@ -7,13 +7,13 @@
 
 namespace noonmark {
 
-/// Where a point lies in cells of a grid: the centre of cell (0, 0) is at (0, 0).
+/// Position of a point in cells of a grid: the centre of cell (0, 0) is at (0, 0).
 inline glm::dvec2 toCells(const Grid& grid, glm::dvec2 local) {
     return {(local.x - grid.westM) / grid.cellM - 0.5, (local.y - grid.southM) / grid.cellM - 0.5};
 }
 
-/// How far, and where to, the shadow of a point one metre up lies from the point below it: cells.
-/// `towardsSun`: above the horizon.
+/// Offset, in cells, of the shadow of a point one metre up from the point below it. `towardsSun`: above the
+/// horizon.
 inline glm::dvec2 shadowOffsetInCells(glm::dvec3 towardsSun, double cellM) {
     return glm::dvec2(towardsSun.x, towardsSun.y) / (-towardsSun.z * cellM);
 }

@@ -6,13 +6,13 @@ namespace noonmark {
 
 namespace {
 
-// Positive where the way from a over b to c turns left.
+// Positive if the path from a through b to c turns left.
 double turn(glm::vec2 a, glm::vec2 b, glm::vec2 c) {
     const glm::dvec2 u = glm::dvec2(b) - glm::dvec2(a), v = glm::dvec2(c) - glm::dvec2(b);
     return u.x * v.y - u.y * v.x;
 }
 
-/// One ring, cut from point to point.
+/// Cuts one ring into pieces, from point to point.
 class RingCutter {
 public:
     RingCutter(const Ring& ring, const Ring& obstacles, std::size_t mostPoints)
@@ -31,28 +31,29 @@ public:
 private:
     [[nodiscard]] glm::vec2 point(std::size_t i) const { return ring_[i % ring_.size()]; }
 
-    // A piece ends where the ring turns right; so that none is cut in two there, one begins there.
+    // A piece ends where the ring turns right. Starting at such a point avoids splitting a piece at the
+    // start.
     [[nodiscard]] std::size_t firstPoint() const {
         for (std::size_t i = 0; i < ring_.size(); ++i)
             if (turn(point(i + ring_.size() - 1), point(i), point(i + 1)) < 0) return i;
         return 0;
     }
 
-    // How many edges from a point on one piece can have.
+    // Number of edges that a piece can have from this point on.
     [[nodiscard]] std::size_t edgesFrom(std::size_t first) const {
         std::size_t edges = 1;
         while (edges + 2 <= std::min(mostPoints_, ring_.size()) && canGrow(first, first + edges)) ++edges;
         return edges;
     }
 
-    // Whether the piece from `first` to `last` can have the next point.
+    // Whether the next point can be added to the piece from `first` to `last`.
     [[nodiscard]] bool canGrow(std::size_t first, std::size_t last) const {
         const glm::vec2 a = point(first), b = point(last), c = point(last + 1);
         return turn(point(last - 1), b, c) >= 0 && turn(b, c, a) >= 0 && turn(c, a, point(first + 1)) >= 0 &&
                isFree(a, b, c);
     }
 
-    // Only points that turn right, or of holes, can lie in there.
+    // Only points that turn right, or points of holes, can lie inside.
     [[nodiscard]] bool isFree(glm::vec2 a, glm::vec2 b, glm::vec2 c) const {
         return std::ranges::none_of(obstacles_, [&](glm::vec2 p) {
             return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&

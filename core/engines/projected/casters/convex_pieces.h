@@ -6,14 +6,16 @@
 
 namespace noonmark {
 
-/// Whether a repaired footprint has no hole and no corner that turns right; points on a straight wall do not
-/// matter. A ring may turn left all the way and still wind twice: repaired footprints do not. O(points).
+/// Whether a repaired footprint has no hole and no corner that turns right; points on a straight wall are
+/// ignored. A ring may turn left all the way and still wind twice, but repaired footprints never do.
+/// O(points).
 bool isConvex(const Footprint& footprint);
 
-/// Convex pieces of a footprint that have each of its edges once: stretches of a ring that turn left all the
-/// way, closed by a chord that runs inside. What stands over all pieces shades what the footprint's walls
-/// shade. Points in ring order, at most `mostPoints`; two points are one edge by itself. Of a soundly
-/// repaired footprint; O(points x (points that turn right + points of holes)).
+/// Splits a footprint into convex pieces that contain each of its edges once: sections of a ring that turn
+/// left all the way, closed by a chord inside the footprint. Prisms over all pieces cast the same shadow as
+/// the footprint's walls. Points in ring order, at most `mostPoints` per piece; a piece of two points is a
+/// single edge. The footprint must be properly repaired. O(points x (points that turn right + points of
+/// holes)).
 std::vector<Ring> splitIntoConvexPieces(const Footprint& footprint, std::size_t mostPoints);
 
 }  // namespace noonmark

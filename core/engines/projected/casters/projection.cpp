@@ -49,7 +49,7 @@ FillCount Projection::count(const RowBand& band, ShadowField& field) {
     return filler.count();
 }
 
-// Reports eight more steps of a band.
+// Reports that eight more steps of a band are done, and returns whether to continue.
 bool Projection::goOn() {
     const double all = double(sun_.steps.size()) * double(bands_.size());
     progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");

@@ -15,15 +15,15 @@
 
 namespace noonmark {
 
-/// Fills the shadows of casters at the steps of a period and counts the receivers' minutes, band after band
-/// of rows: its raster, and what its cells count, stay in cache. Uses all cores.
+/// Fills the shadows of casters at the steps of a period and counts the receivers' minutes, band by band, so
+/// that the raster and the counts of a band stay in cache. Uses all cores.
 class Projection {
 public:
-    /// All but `stop` outlive this.
+    /// All arguments except `stop` must outlive this object.
     Projection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
                Progress& progress, std::stop_token stop);
 
-    /// Minutes into the receivers' cells of a blank field. Error: cancelled().
+    /// Writes minutes to the receivers' cells of a blank field. Error: cancelled().
     Result<FillCount> run(ShadowField& field);
 
 private:

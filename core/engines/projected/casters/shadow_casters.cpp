@@ -27,7 +27,7 @@ public:
         for (const Part& part : city_.buildings[building]->parts) addPart(part);
     }
 
-    // What throws most comes first: much of the rest falls where it is dark already.
+    // The largest casters first, because much of what follows then falls on cells that are already shaded.
     ShadowCasters take() {
         std::ranges::stable_sort(result_.casters, std::greater{}, [](const ShadowCaster& caster) {
             const glm::dvec2 size = caster.high - caster.low;
@@ -52,13 +52,13 @@ private:
 
     static bool stands(const Part& part) { return !part.isOverhanging && seen(part.bottomM) == 0; }
 
-    // Few pieces rather than many walls: each throws for all of its walls.
+    // A few pieces rather than many walls: each piece casts the shadow of all its walls.
     void addPieces(const Part& part) {
         for (const Ring& piece : splitIntoConvexPieces(part.footprint, ShadowCaster::mostPoints))
             addRing(piece.size() == 2 ? Kind::wall : Kind::prism, part, piece);
     }
 
-    // Cut along chords where there are many points: each piece is convex and throws for itself.
+    // Prisms with many points are cut along chords; each piece is convex and casts its own shadow.
     void addConvex(const Part& part, std::span<const glm::vec2> ring) {
         const std::size_t count = std::min(ring.size(), ShadowCaster::mostPoints);
         addRing(Kind::prism, part, Ring(ring.begin(), ring.begin() + std::ptrdiff_t(count)));
@@ -108,8 +108,8 @@ private:
             result_.edges.emplace_back(points[i], points[i + 1 == points.size() ? 0 : i + 1]);
     }
 
-    // A receiver stands where its rays begin: a little above the ground, a little east and north of its
-    // place.
+    // A receiver is at the origin of its rays: slightly above the ground, and slightly east and north of its
+    // cell centre.
     static float seen(float heightM) { return std::max(0.0F, heightM - RayReferenceSettings::liftM); }
 
     ShadowCaster& add(Kind kind, const Ring& ring) {

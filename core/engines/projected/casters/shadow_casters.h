@@ -1,5 +1,11 @@
 #pragma once
 
+// Casters: occluders as convex pieces whose shadows are polygons. ShadowCasters holds those of a city and
+// BuildingCasters groups them by building; convex_pieces.h splits footprints, ring_lines.h describes edges as
+// lines, and cell_coordinates.h and shadow_offsets.h convert points and sun directions to cells.
+// caster_shaping.h computes a caster's shadow at eight steps. Projection runs filling and counting over a
+// period.
+
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -13,33 +19,31 @@
 
 namespace noonmark {
 
-/// One convex piece of what throws a shadow on flat ground. Coordinates in cells of a grid (the centre of
-/// cell (0, 0) is at (0, 0)), heights in metres above the receivers, which stand where placeRayOrigin() puts
-/// them.
+/// A convex caster on flat ground. Coordinates in cells of a grid (the centre of cell (0, 0) is at (0, 0)),
+/// heights in metres above the receivers, which are at the positions of placeRayOrigin().
 struct ShadowCaster {
     enum class Kind : std::uint8_t {
         prism,  ///< a convex polygon (counter-clockwise) from bottom to top
-        wall,   ///< two points: a wall from bottom to top; throws only when it faces away from the sun (left
-                ///< of first -> second is inside)
-        flat,   ///< a convex polygon at one height, `bottom`: a triangle of the underside of something that
-                ///< hangs
-        face,   ///< three points of a mesh, each with its height in `heights`; throws when it faces the sun
+        wall,   ///< two points: a wall from bottom to top; casts shadow only if it faces away from the sun
+                ///< (the interior is left of first -> second)
+        flat,   ///< a convex polygon at one height, `bottom`: a triangle of the underside of an overhang
+        face,   ///< three points of a mesh with their heights in `heights`; casts shadow if it faces the sun
     };
     static constexpr std::size_t mostPoints = 60;
     Kind kind = Kind::prism;
-    std::uint32_t firstPoint = 0;  ///< into ShadowCasters::points
+    std::uint32_t firstPoint = 0;  ///< index in ShadowCasters::points
     std::uint32_t pointCount = 0;
-    std::uint32_t firstEdge = 0;  ///< into ShadowCasters::edges, one from each point; a face has none
+    std::uint32_t firstEdge = 0;  ///< index in ShadowCasters::edges, one edge per point; none for a face
     float bottomM = 0;
     float topM = 0;
-    std::array<float, 3> heights{};  ///< of a face only
-    bool twoSided = false;           ///< a face of a mesh that is not closed: throws from behind, too
-    bool stands = false;             ///< a prism on the ground: no receiver is under it
-    std::uint32_t building = 0;      ///< index in City::buildings
-    glm::dvec2 low{}, high{};        ///< bounds of the points, cells
+    std::array<float, 3> heights{};  ///< only for a face
+    bool twoSided = false;  ///< a face of a mesh that is not closed: also casts shadow if seen from behind
+    bool stands = false;    ///< a prism on the ground: no receiver is under it
+    std::uint32_t building = 0;  ///< index in City::buildings
+    glm::dvec2 low{}, high{};    ///< bounds of the points, cells
 };
 
-/// Everything of some buildings that throws shadow, as convex pieces.
+/// All casters of some buildings.
 struct ShadowCasters {
     std::vector<ShadowCaster> casters;
     std::vector<glm::dvec2> points;
@@ -53,10 +57,10 @@ struct ShadowCasters {
     }
 };
 
-/// A convex prism stays whole. Any other becomes its walls (those that face away from the sun throw all of
-/// its shadow that lies outside its footprint), and, where it hangs, its underside; a mesh becomes its faces,
-/// seen from both sides where it is not closed. `buildings`: indices into the city, each on flat ground z =
-/// 0.
+/// A convex prism is one caster. Any other prism is split into its walls (those that face away from the sun
+/// cast all of its shadow outside its footprint) and, if it is an overhang, its underside. A mesh is split
+/// into its faces, two-sided if it is not closed. `buildings`: indices in the city, each on flat ground at z
+/// = 0.
 ShadowCasters makeShadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
 
 }  // namespace noonmark

@@ -5,11 +5,11 @@
 
 namespace noonmark {
 
-/// The throws of the steps from `first` to `end`, and eight at least: the first eight one by one, the
-/// period's last step again for those beyond it, and the bounds of all. Of a period that is not empty.
+/// Offsets for the steps from `first` to `end`: the first eight individually, with the period's last step
+/// repeated if there are fewer, and the bounds of all. The period must not be empty.
 StepOffsets computeOffsets(const SunSteps& sun, double cellM, std::size_t first, std::size_t end);
 
-/// The throws of the period eight by eight.
+/// Offsets of the period in groups of eight steps.
 std::vector<StepOffsets> computeOffsetsByEight(const SunSteps& sun, double cellM);
 
 }  // namespace noonmark

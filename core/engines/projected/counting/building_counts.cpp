@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-// The cells that change at any of the steps.
+// The cells that are set at any of the steps.
 template <class Register>
 [[gnu::always_inline]] inline std::uint64_t atAnyStep(const EightWords<Register>& steps) {
     StepWords words;
@@ -24,7 +24,7 @@ template <class Register>
 
 [[gnu::noinline]] void CountTile::addPlane() { planes_.push_back(std::make_unique<Plane>()); }
 
-// Ripple carry: as far as it goes.
+// A ripple-carry addition, which stops when the carry is empty.
 template <class Register>
 [[gnu::always_inline]] inline void CountTile::add(int row, const EightWords<Register>& come,
                                                   std::uint64_t& changed) {

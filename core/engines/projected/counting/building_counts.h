@@ -13,16 +13,16 @@ namespace noonmark {
 template <class Register>
 struct EightWords;
 
-/// How many buildings shade each of 64 x 64 cells at eight steps: a raster of the cells that any shades, and
-/// bit by bit how many do so besides one. There are as many rasters as the darkest cell needs, of 4 kB each;
-/// none where no shadow ever fell.
+/// How many buildings shade each of 64 x 64 cells at eight steps, as bit rasters (planes): one of the cells
+/// that any building shades, and one for each bit of the number of additional buildings. There are as many
+/// planes as the cell with the highest count needs, 4 kB each; none if no shadow ever fell.
 class CountTile {
 public:
     static constexpr int rows = 64;
 
-    /// Takes the shadow of one building away, which was added before, and adds another's; both may be empty.
-    /// What both shade costs nothing. `gone`, `come`, `changed`: one a row of the tile, of which those of
-    /// rows [first, end) are looked at. Adds the cells to `changed` that went into or out of shadow.
+    /// Removes the shadow of one building, which was added before, and adds that of another; both may be
+    /// empty. Cells in both shadows cost nothing. `gone`, `come`, `changed`: one entry per row of the tile,
+    /// of which rows [first, end) are processed. Adds to `changed` the cells that went into or out of shadow.
     void change(int first, int end, const StepWords* gone, const StepWords* come, std::uint64_t* changed);
 
     /// The cells of a row that are in shadow at each of the steps.
@@ -42,8 +42,8 @@ private:
     [[nodiscard]] StepWords& at(std::size_t plane, int row) const;
     void addPlane();
 
-    std::vector<std::unique_ptr<Plane>>
-        planes_;  // any; then the bits of the number besides one, lowest first
+    std::vector<std::unique_ptr<Plane>> planes_;  // cells shaded by any building; then the bits of the number
+                                                  // of additional ones, lowest first
 };
 
 }  // namespace noonmark

@@ -14,8 +14,8 @@ namespace noonmark {
 
 namespace {
 
-// Those of eight cells that are receivers: each byte that becomes 0 leaves its high bit, and these are pushed
-// together.
+// Bits of the receivers among eight cells. Bytes that become 0 leave their high bit set, and these bits are
+// packed together.
 std::uint64_t receiversOfEight(const CellKind* kinds) {
     constexpr std::uint64_t ones = 0x0101010101010101, highs = ones << 7U;
     std::uint64_t bytes = 0;
@@ -25,7 +25,7 @@ std::uint64_t receiversOfEight(const CellKind* kinds) {
     return (zeros * 0x0002040810204081) >> 56U;
 }
 
-// Those of up to 64 cells that are receivers.
+// Bits of the receivers among up to 64 cells.
 std::uint64_t receiversAmong(std::span<const CellKind> kinds) {
     std::uint64_t cells = 0;
     std::size_t i = 0;

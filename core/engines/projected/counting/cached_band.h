@@ -17,36 +17,37 @@ namespace noonmark {
 /// A period in groups of eight steps.
 struct SavedPeriod {
     std::size_t steps = 0;
-    std::vector<StepOffsets> throws;  ///< of each eight
-    StepOffsets whole;                ///< bounds of all
-    std::vector<RunStarts> starts;    ///< of each eight
+    std::vector<StepOffsets> throws;  ///< one per group
+    StepOffsets whole;                ///< bounds over the period
+    std::vector<RunStarts> starts;    ///< one per group
 };
 
-/// Memory that several bands share, bytes.
+/// Memory shared by several bands, bytes.
 struct CacheMemory {
     std::uint64_t most = 0;
     std::atomic<std::uint64_t> used{0};
     [[nodiscard]] bool exceeded() const { return used > most; }
 };
 
-/// How many buildings shade each cell of 64 rows of a grid at every step of a period, so that a building
-/// comes or goes at the cost of its own shadow. Cells are counted whether they are receivers or not.
+/// How many buildings shade each cell of 64 rows of a grid at every step of a period, so that adding or
+/// removing a building costs only its own shadow. All cells are counted, receivers or not.
 class CachedBand {
 public:
     static constexpr int rows = CountTile::rows;
 
     CachedBand(const Grid& grid, int firstRow, std::size_t eights);
 
-    /// Buildings that go, and others that come; those of the same number are best the same one moved.
-    /// Adds what it takes to `memory`. Returns early when stopped or above it, with some of it done.
+    /// Removes buildings and adds others; for speed, entries with the same number should be the same building
+    /// moved. Adds the memory used to `memory`. Returns early, with part of the work done, when stopped or
+    /// over the limit.
     void change(const BuildingCasters& gone, const BuildingCasters& come, const SavedPeriod& period,
                 CacheMemory& memory, const std::stop_token& stop);
 
-    /// The cell, or all, are counted by recount() although their shadow did not change.
+    /// Makes recount() count the cell, or all cells, even if their shadow did not change.
     void mark(int column, int row) { layout_.set(changed_, column, row - band_.first); }
     void markAll() { changed_.assign(changed_.size(), ~std::uint64_t{0}); }
 
-    /// Counts the minutes of the receivers whose shadow changed since the last time.
+    /// Counts the minutes of the receivers whose shadow changed since the last call.
     void recount(const SavedPeriod& period, std::span<const CellKind> kinds, ShadowField& field);
 
     [[nodiscard]] const RowBand& band() const { return band_; }
@@ -63,7 +64,7 @@ private:
 
     RowBand band_;
     BitLayout layout_;
-    std::vector<CountTile> tiles_;        // eight by eight, west to east
+    std::vector<CountTile> tiles_;        // by group of eight steps, then west to east
     std::vector<std::uint64_t> changed_;  // raster
 };
 

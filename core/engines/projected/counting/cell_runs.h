@@ -12,12 +12,12 @@ namespace noonmark {
 
 /// Shadow of one cell so far, in steps.
 struct CellRuns {
-    std::uint32_t gross = 0;    ///< but for the open run
-    std::uint32_t longest = 0;  ///< likewise
+    std::uint32_t gross = 0;    ///< without the open run
+    std::uint32_t longest = 0;  ///< without the open run
     std::uint32_t start = 0;    ///< step at which the open run began
 };
 
-/// Minutes a day, and of the longest run, as a field has them.
+/// Minutes per day, and of the longest run, as stored in a field.
 inline float grossMinutes(const CellRuns& cell, const ShadowField& field) {
     return float(cell.gross * field.stepMinutes / field.days);
 }
@@ -25,8 +25,8 @@ inline float longestMinutes(const CellRuns& cell, const ShadowField& field) {
     return float(cell.longest * field.stepMinutes);
 }
 
-/// The 64 cells of a word, of which `before` were in shadow, are `now` from `step` on. Costs something only
-/// for those that go into or out of shadow.
+/// Changes the 64 cells of a word from the shaded cells `before` to the shaded cells `now` at `step`. Only
+/// cells that go into or out of shadow cost anything.
 inline void changeRuns(CellRuns* cells, std::uint64_t before, std::uint64_t now, std::uint32_t step) {
     for (std::uint64_t ended = before & ~now; ended != 0; ended &= ended - 1) {
         CellRuns& cell = cells[std::countr_zero(ended)];
@@ -38,8 +38,8 @@ inline void changeRuns(CellRuns* cells, std::uint64_t before, std::uint64_t now,
         cells[std::countr_zero(begun)].start = step;
 }
 
-/// The word through eight steps from `first` on, `shaded` before and after them. A run that begins anew ends
-/// where only `never` is shaded.
+/// Processes eight steps of a word from `first` on; `shaded` is its state before, and afterwards that of the
+/// last step. At a step that starts a new run, the runs of all cells outside `never` end.
 inline void passEight(CellRuns* cells, std::uint64_t& shaded, const std::uint64_t* steps,
                       const RunStarts& startsRun, std::uint64_t never, std::uint32_t first) {
     const auto become = [&](std::uint64_t now, std::uint32_t step) {

@@ -9,10 +9,10 @@
 
 namespace noonmark {
 
-/// Which of eight steps begin a new run: a new day, or steps are missing before it.
+/// Which of eight steps begin a new run: the first of a day, or a step after a gap.
 using RunStarts = std::array<bool, stepsTogether>;
 
-/// Of the steps [8 k, 8 k + 8) for every k; those beyond the period begin none.
+/// For the steps [8 k, 8 k + 8), for every k; steps after the end of the period begin none.
 std::vector<RunStarts> findRunStarts(const SunSteps& sun);
 
 }  // namespace noonmark

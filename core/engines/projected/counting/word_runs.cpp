@@ -17,7 +17,7 @@ namespace {
 using Words = std::span<const StepWords* const>;
 using Starts = std::span<const RunStarts>;
 
-// The steps of an eight that are in the period.
+// Number of steps of a group of eight that belong to the period.
 std::size_t stepsOf(std::size_t eight, std::size_t steps) {
     return std::min(stepsTogether, steps - eight * stepsTogether);
 }
@@ -38,7 +38,7 @@ void countAny(Words words, Starts starts, std::size_t steps, WordRuns& runs) {
 }
 
 #ifdef NOONMARK_PICKS_ISA
-/// 32 cells, a lane each.
+/// 32 cells, one lane each.
 struct LaneRuns {
     __m512i run, gross, longest;
 };
@@ -59,7 +59,7 @@ struct LaneRuns {
         const std::size_t count = stepsOf(eight, steps);
         for (std::size_t k = 0; k < count; ++k) {
             if (starts[eight][k]) low.run = high.run = none;
-            // Read as masks, past the other registers.
+            // Loaded directly as masks, without passing through other registers.
             const auto* shaded = reinterpret_cast<const __mmask32*>(&words[eight]->words[k]);
             pass(low, _load_mask32(const_cast<__mmask32*>(shaded)), one);
             pass(high, _load_mask32(const_cast<__mmask32*>(shaded + 1)), one);

@@ -15,9 +15,9 @@ struct alignas(64) WordRuns {
     std::uint32_t longest[64];
 };
 
-/// Counts all cells of a word, step by step. `words`: of each eight steps; those beyond `steps` don't count.
-/// Some 1 ns a step where the processor has lanes of 16 bits for it and they suffice; else some for each cell
-/// that goes into or out of shadow.
+/// Counts all cells of a word, step by step. `words`: one per group of eight steps; steps after the first
+/// `steps` are ignored. Some 1 ns per step if the processor has suitable 16-bit lanes and the period fits
+/// them; otherwise some ns for each cell that goes into or out of shadow.
 void countRuns(std::span<const StepWords* const> words, std::span<const RunStarts> starts, std::size_t steps,
                WordRuns& runs);
 

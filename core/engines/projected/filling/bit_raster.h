@@ -7,8 +7,8 @@
 
 namespace noonmark {
 
-/// One bit a cell, 64 cells of a row a word. The words of 64 columns lie together, row after row. A region of
-/// 800 x 800 cells takes 83 kB a step.
+/// One bit per cell, 64 cells of a row per word. Words of the same 64 columns are contiguous, row by row. A
+/// region of 800 x 800 cells takes 83 kB per step.
 struct BitLayout {
     int columns = 0;
     int rows = 0;
@@ -30,7 +30,7 @@ struct BitLayout {
     }
 };
 
-/// Rows [first, end) of a grid, whose shadows are filled and counted together.
+/// Rows [first, end) of a grid whose shadows are filled and counted together.
 struct RowBand {
     int first = 0;
     int end = 0;

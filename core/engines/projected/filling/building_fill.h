@@ -9,27 +9,27 @@
 
 namespace noonmark {
 
-/// Words of a raster: columns of words [west, east), rows [south, north) of the raster.
+/// A rectangle of raster words: word columns [west, east), rows [south, north).
 struct WordBox {
     int west = 0, east = 0, south = 0, north = 0;
     [[nodiscard]] bool empty() const { return west >= east || south >= north; }
     [[nodiscard]] WordBox with(const WordBox& other) const;
 };
 
-/// Fills the shadow of one building after the other over some rows of a grid, each into a raster of its own,
-/// whatever receivers there are. One for each thread.
+/// Fills the shadows of buildings one at a time over some rows of a grid, each into an empty raster, without
+/// regard to receivers. One per thread.
 class BuildingFill {
 public:
-    /// `period`: the throws of all steps that will come.
+    /// `period`: the offsets of all steps to come.
     BuildingFill(const BuildingCasters& buildings, const BitLayout& layout, const RowBand& band,
                  const StepOffsets& period);
 
-    /// The shadow at eight steps; outside of the words it returns there is none. The raster must be clear. Of
-    /// a number beyond the buildings: nothing.
+    /// Fills the shadow at eight steps and returns the words that may contain it. The raster must be clear.
+    /// For an index beyond the last building: nothing.
     WordBox fill(std::size_t building, const StepOffsets& throws);
     void clear(const WordBox& box);
 
-    /// Whether the building's shadow reaches these rows in the period.
+    /// Whether the building's shadow reaches these rows during the period.
     [[nodiscard]] bool reaches(std::size_t building) const {
         return building < reaches_.size() && reaches_[building];
     }

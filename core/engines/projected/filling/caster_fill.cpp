@@ -45,8 +45,8 @@ void CasterFill::Ring::bound(Arc& arc) const {
 
 CasterFill::FarEdges CasterFill::Ring::facingApart(const Arc& facing) const {
     FarEdges cached{facing, {.first = facing.end, .end = facing.first}, {}};
-    if (facing.first ==
-        facing.end)  // all are near: from the lowest, so that each side runs upwards or downwards
+    if (facing.first == facing.end)  // all are near: begins at the lowest point, so that each side runs only
+                                     // upwards or only downwards
         cached.near.first = cached.near.end =
             std::uint32_t(std::ranges::min_element(points, {}, &glm::dvec2::y) - points.begin());
     bound(cached.far);
@@ -85,7 +85,7 @@ template <class Register>
     return fillShape<Register>(shaping.made(), task.layout, task.band, task.rasters);
 }
 
-// The steps with the same far edges together.
+// Processes steps with the same far edges together.
 int CasterFill::fillApart(std::uint32_t index, const Task& task) {
     int rows = 0;
     runWithWidestRegisters([&](auto registers) __attribute__((always_inline)) {

@@ -13,33 +13,33 @@ namespace noonmark {
 struct SweptBox {
     glm::dvec2 low, high;
 };
-/// Holds the shadow of a caster at all these steps.
+/// Bounds of a caster's shadow over all these steps.
 SweptBox computeSweptBox(const ShadowCaster& caster, const StepOffsets& throws);
 
-/// Throws the shadows of casters at eight steps of the sun at a time. Which edges face away from it changes
-/// rarely, so it is kept from one time to the next. One for each thread.
+/// Fills the shadows of casters, eight steps of the sun at a time. The edges that face away from the sun
+/// change rarely, so they are remembered from call to call. One per thread.
 class CasterFill {
 public:
     explicit CasterFill(const ShadowCasters& casters);
 
-    /// Fills the shadows of some casters into rasters (convex_fill.h) that have the cells under standing
-    /// casters set already, or do without them. Returns the number of rows looked at. Cost: 50 ns a caster,
-    /// and up to 10 ns a row. The same bits on every instruction set.
+    /// Fills the shadows of some casters into rasters (convex_fill.h). Cells under standing casters must
+    /// already be set, or are not needed. Returns the number of rows visited. Cost: 50 ns per caster, and up
+    /// to 10 ns per row. The same bits on every instruction set.
     std::uint64_t fill(std::span<const std::uint32_t> casters, const StepOffsets& throws,
                        const BitLayout& layout, const RowBand& band, std::span<std::uint64_t> rasters);
 
 private:
-    /// Edges [first, end), round a ring, and bounds of their points.
+    /// Edges [first, end) of a ring, wrapping around, and bounds of their points.
     struct Arc {
         std::uint32_t first = 0, end = 0;
         glm::dvec2 low{}, high{};
     };
-    /// The edges of a ring that face away from the sun, and the others; none: first == end.
+    /// The edges of a ring that face away from the sun, and the others; empty: first == end.
     struct FarEdges {
         Arc far, near;
-        RingEdge chord;  ///< from the far edges' end to their beginning
+        RingEdge chord;  ///< from the end of the far edges to their beginning
     };
-    /// A ring under the sun.
+    /// A caster's ring.
     struct Ring {
         std::span<const glm::dvec2> points;
         std::span<const RingEdge> edges;
@@ -52,7 +52,7 @@ private:
         void bound(Arc& arc) const;
         [[nodiscard]] FarEdges facingApart(const Arc& facing) const;
     };
-    /// The eight steps, and what their shadows are filled into.
+    /// The eight steps and the rasters for their shadows.
     struct Task {
         const StepOffsets& throws;
         BitLayout layout;
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] Ring parseRing(const ShadowCaster& caster) const;
 
     const ShadowCasters& casters_;
-    std::vector<FarEdges> far_;  // of each caster, as last seen
+    std::vector<FarEdges> far_;  // result of the last call, per caster
 };
 
 }  // namespace noonmark

@@ -11,10 +11,10 @@
 namespace noonmark {
 
 /// Rows of a convex shape at eight steps, in bit rasters of some rows of a grid. Inlined into a kernel
-/// (registers.h), for registers of each width; all give the same bits, in every band.
+/// (registers.h) for registers of each width; all widths give the same bits, in every band.
 namespace convex_fill {
 
-// Rows are told apart to 1e-7 of a cell; `farEast` is beyond any grid.
+// Rows are resolved to 1e-7 of a cell; `farEast` is beyond any grid.
 constexpr double steep = 1e16, farEast = 1e9;
 
 /// The rows and columns of a raster that may lie in a shape.
@@ -52,7 +52,7 @@ private:
     }
 };
 
-/// Walks a chain with the rows, upwards.
+/// Follows a chain upwards, row by row.
 class ChainWalk {
 public:
     explicit ChainWalk(const EdgeChain& chain) : chain_(chain) {}
@@ -72,8 +72,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Columns that hold a shape's spans at all steps, from row to row: where the lines of a side are outermost
-/// at the first row and at the last, on the line between these places they are no farther out.
+/// Columns that contain a shape's spans at all steps, advanced from row to row. They run on a straight line
+/// from the outermost bounds of the first row to those of the last, and no bound lies farther out in between.
 class Reach {
 public:
     template <class Register>
@@ -104,7 +104,7 @@ public:
 
 private:
     static constexpr double one = 4294967296.0;                      // 32.32 fixed point
-    static constexpr std::int64_t margin = std::int64_t(one) / 128;  // far above what rows round
+    static constexpr std::int64_t margin = std::int64_t(one) / 128;  // far above the rounding of rows
     static std::int64_t toFixedPoint(double columns) {
         return std::int64_t(std::clamp(columns, -1e9, 1e9) * one);
     }
@@ -113,13 +113,13 @@ private:
                  eastStep_ = 0;
 };
 
-/// Cells [west, east) of a row, in words; `words`: of its first one.
+/// The cells [west, east) of a row as words; `words` points to the row's first word.
 struct RowCells {
     int west, east;
     [[nodiscard]] int firstWord() const { return west >> 6; }
     [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
 
-    // Whether all are set at all steps.
+    // Whether all cells are set at all steps.
     template <class Register>
     [[gnu::always_inline]] inline bool allSet(const StepWords* words, std::ptrdiff_t stride) const {
         const std::uint64_t from = ~std::uint64_t{0} << unsigned(west & 63),
@@ -142,7 +142,7 @@ private:
     }
 };
 
-/// Rows in which every step of a shape has a span: there its ends need not be looked at.
+/// Rows in which every step of a shape has a span, so that the shape's ends need no test.
 struct SteadyRows {
     double first = -1e30, last = 1e30;
     explicit SteadyRows(const StepShape& shape) {
@@ -153,7 +153,8 @@ struct SteadyRows {
     }
 };
 
-// Off its rows a shape ends west of the grid: by products, since the compiler does least and most well.
+// Outside its rows a shape ends west of the grid. Computed with products, because the compiler optimises min
+// and max well.
 template <class Register>
 [[gnu::always_inline]] inline void endRows(const StepShape& shape, double row, StepSpans<Register>& spans) {
     const EightDoubles<Register> high(shape.high), low(shape.low);
@@ -161,18 +162,18 @@ template <class Register>
     spans.east = least(spans.east, (row - low) * steep + farEast);
 }
 
-/// The first cell of some steps' spans, or the first beyond them, and the bits of a word from there on.
+/// The first cell of each step's span, or the first one after it, and the bits of a word from there on.
 template <class Register>
 struct FirstCells {
     HalfIntsOf<Register> column;
 
-    // Rounded up as count - floor(count - x).
+    // Rounded up, as count - floor(count - x).
     [[gnu::always_inline]] inline FirstCells(const DoublesOf<Register>& position, int columns) {
         const DoublesOf<Register> left = double(columns) - position;
         column = columns - __builtin_convertvector(left, HalfIntsOf<Register>);
     }
-    // Shifts by 64 are made of two. One condition a choice: the compiler takes others apart lane by lane
-    // (GCC 12).
+    // A shift by 64 is composed of two shifts. One condition per selection: the compiler splits others into
+    // scalar operations (GCC 12).
     [[gnu::always_inline]] inline void bitsFrom(int word, WordsOf<Register>& bits) const {
         const HalfIntsOf<Register> zero{}, full = 64 - zero;
         HalfIntsOf<Register> bit = column - 64 * word;
@@ -201,13 +202,12 @@ template <class Register>
 }  // namespace convex_fill
 
 /// Fills a shape at eight steps into their bit rasters over some rows of a grid: the eight words of the same
-/// cells lie together, in the order of the layout. The centre of cell (column, row) is at (column, row), so
-/// that it is filled by the same half-open rule as everywhere (core/city/footprints/crossing.h), to rounding
-/// in double.
+/// cells are contiguous, in the order of the layout. The centre of cell (column, row) is at (column, row) and
+/// is filled by the same half-open rule as everywhere (core/city/footprints/crossing.h), up to rounding in
+/// double.
 ///
-/// The shape lies within 10^8 of the raster; what lies off it is clipped. Rows that are set already wherever
-/// a step may reach are passed over. Returns the number of rows looked at. Cost: 10 ns, and up to 10 ns a
-/// row.
+/// The shape lies within 10^8 of the raster; parts outside the raster are clipped. Rows whose reachable cells
+/// are already set are skipped. Returns the number of rows visited. Cost: 10 ns, and up to 10 ns per row.
 template <class Register>
 [[gnu::always_inline]] inline int fillShape(const StepShape& shape, const BitLayout& layout,
                                             const RowBand& band, std::span<std::uint64_t> rasters) {

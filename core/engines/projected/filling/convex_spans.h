@@ -8,9 +8,9 @@
 
 namespace noonmark {
 
-/// Spans of a convex polygon on a raster whose cell (column, row) has its centre at that place. Half-open: a
-/// centre on a western or southern edge is inside, on an eastern or northern one outside, and an edge gives
-/// the same columns to the polygons on both its sides, so neighbours leave no gap and share no cell.
+/// Spans of a convex polygon on a raster whose cell (column, row) has its centre at that position. Half-open:
+/// a centre on a western or southern edge is inside, on an eastern or northern one outside. An edge gives the
+/// same columns for the polygons on both its sides, so neighbours leave no gap and share no cell.
 namespace convex_spans {
 
 // Columns as 32.32 fixed point: a row costs one addition, and the error after a thousand rows is below 1e-6
@@ -24,13 +24,13 @@ inline int firstColumnAtOrBeyond(Fixed x, int columns) {
 }
 inline int firstRowAtOrBeyond(double y, int rows) { return int(std::ceil(std::clamp(y, 0.0, double(rows)))); }
 
-/// One side of the polygon, walked upwards edge by edge.
+/// One side of the polygon, followed upwards edge by edge.
 class Side {
 public:
     Side(std::span<const glm::dvec2> polygon, std::size_t lowest, bool counterClockwise)
         : polygon_(polygon), at_(lowest), forward_(counterClockwise), edgesLeft_(polygon.size()) {}
 
-    /// Moves on to the edge that crosses `row`; false above the last.
+    /// Advances to the edge that crosses `row`; false above the last.
     bool reach(int row, int rows) {
         while (end_ <= row) {
             if (edgesLeft_-- == 0) return false;
@@ -64,15 +64,15 @@ private:
     std::size_t at_;
     bool forward_;
     std::size_t edgesLeft_;
-    int end_ = -1;  // first row beyond the edge
-    Fixed x_ = 0;   // at the row last reached
+    int end_ = -1;  // first row after the edge
+    Fixed x_ = 0;   // at the current row
     Fixed slope_ = 0;
 };
 
 }  // namespace convex_spans
 
 /// Calls `span(row, first, end)` for every row of the counter-clockwise polygon with a cell in it, 0 <= first
-/// < end <= columns, upwards. Says how many rows the polygon crosses.
+/// < end <= columns, upwards. Returns the number of rows that the polygon crosses.
 template <class Span>
 int forEachSpan(std::span<const glm::dvec2> polygon, int columns, int rows, const Span& span) {
     using namespace convex_spans;

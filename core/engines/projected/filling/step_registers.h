@@ -5,13 +5,13 @@
 
 namespace noonmark {
 
-/// What is known of eight steps lies in so many registers.
+/// Number of registers that hold the values of eight steps.
 template <class Register>
 inline constexpr std::size_t partsOfSteps = stepsTogether * sizeof(double) / bytesIn<Register>;
 template <class Register>
 inline constexpr std::size_t stepsAPart = stepsTogether / partsOfSteps<Register>;
 
-/// Numbers at eight steps. The same sums, to the last bit, in registers of any width.
+/// Eight numbers, one per step. Results are the same to the last bit in registers of any width.
 template <class Register>
 struct EightDoubles {
     using Part = DoublesOf<Register>;
@@ -19,7 +19,7 @@ struct EightDoubles {
     Part part[parts];
 
     EightDoubles() = default;
-    // The sum with 0 keeps the compiler from storing number by number (GCC 12).
+    // Adding 0 keeps the compiler from storing the numbers one at a time (GCC 12).
     [[gnu::always_inline]] inline explicit EightDoubles(double everywhere) {
         for (std::size_t i = 0; i < parts; ++i) part[i] = everywhere + Part{};
     }
@@ -79,19 +79,19 @@ struct EightDoubles {
         return made;
     }
 
-    /// The smaller of each two.
+    /// The minimum per step.
     [[gnu::always_inline]] friend inline EightDoubles least(const EightDoubles& a, const EightDoubles& b) {
         EightDoubles made;
         for (std::size_t i = 0; i < parts; ++i) made.part[i] = b.part[i] < a.part[i] ? b.part[i] : a.part[i];
         return made;
     }
-    /// The larger of each two.
+    /// The maximum per step.
     [[gnu::always_inline]] friend inline EightDoubles most(const EightDoubles& a, const EightDoubles& b) {
         EightDoubles made;
         for (std::size_t i = 0; i < parts; ++i) made.part[i] = b.part[i] > a.part[i] ? b.part[i] : a.part[i];
         return made;
     }
-    /// a where a number is above 0, else b.
+    /// a where `number` is above 0, else b.
     [[gnu::always_inline]] friend inline EightDoubles whereAboveZero(const EightDoubles& number,
                                                                      const EightDoubles& a,
                                                                      const EightDoubles& b) {
@@ -99,7 +99,7 @@ struct EightDoubles {
         for (std::size_t i = 0; i < parts; ++i) made.part[i] = number.part[i] > 0 ? a.part[i] : b.part[i];
         return made;
     }
-    /// a where a number is not below the limit, else b.
+    /// a where `number` is not below the limit, else b.
     [[gnu::always_inline]] friend inline EightDoubles whereAtLeast(double limit, const EightDoubles& number,
                                                                    const EightDoubles& a,
                                                                    const EightDoubles& b) {
@@ -110,7 +110,7 @@ struct EightDoubles {
     }
 };
 
-/// The smallest of all.
+/// The minimum over all steps.
 template <class Register>
 [[gnu::always_inline]] inline double leastOf(const EightDoubles<Register>& numbers) {
     StepDoubles of;
@@ -120,7 +120,7 @@ template <class Register>
     return of[0];
 }
 
-/// A point at each of eight steps.
+/// One point per step.
 template <class Register>
 struct EightPoints {
     EightDoubles<Register> x, y;
@@ -201,7 +201,7 @@ template <class Register>
     return anySetIn<Register>(either);
 }
 
-/// Whether all of some numbers are above 0, and none of others.
+/// Whether all elements of `all` are above 0 and none of `none`.
 template <class Register>
 [[gnu::always_inline]] inline bool allAndNoneAboveZero(const EightDoubles<Register>& all,
                                                        const EightDoubles<Register>& none) {
