@@ -1,4 +1,4 @@
-// Shadow accrual maps against the rays on cities, with their failure rates stated.
+// Compares shadow accrual maps with rays on cities, with stated error limits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace tests;
 
-/// Mean over receivers of the difference in minutes, per cent of the time.
+/// Mean difference over receivers in minutes, percent of the time.
 struct Failure {
     double gross = 0;
     double continuous = 0;
@@ -85,8 +85,8 @@ protected:
     City city_;
 };
 
-// What is left with texels on cells is the sun's straight path: more of it where the sun is low. Stretched
-// over 300 cells, 1024 texels are off by up to a sixth of a cell.
+// With texels aligned with cells, the remaining error is due to the straight sun path and is larger for a low
+// sun. Stretched over 300 cells, 1024 texels are off by up to a sixth of a cell.
 TEST_P(AccrualAgreement, onTheGround) {
     const SunSteps morning = hours(city_, 9, 2, spring), dusk = hours(city_, 14, 2, winter);
     for (const CasterSide side : {CasterSide::awayFromSun, CasterSide::towardsSun}) {

@@ -1,4 +1,4 @@
-// The depth maps of an interval by themselves: what a slice is, and that it is a shadow map.
+// Tests the depth maps of an interval in isolation: the content of a slice, and that it equals a shadow map.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,8 @@ struct Placed {
     }
 };
 
-// Paper, section 4: on a plane at right angles to the first sun, a point w before it has moved w tan(angle).
+// Paper, section 4: on a plane perpendicular to the first sun direction, a point at height w above it moves
+// by w tan(angle).
 TEST(AccrualMap, theShearIsTheTanLaw) {
     const SunInterval interval = hour(120, 135, 30, 40);
     MapFrame frame;
@@ -87,7 +88,7 @@ TEST(AccrualMap, depthIsTheHeightOfWhatTheSunMeets) {
         return slice.depth[std::size_t(row) * slice.stride + std::size_t(column)];
     };
     EXPECT_EQ(at(5, 15), DepthSlice::empty);
-    // The southern wall rises from y = 10; the roof lies 30 / tan 60 farther north.
+    // The southern wall rises from y = 10; the roof's shadow lies 30 / tan 60 farther north.
     EXPECT_NEAR(at(15, 15), 5.5 * std::tan(60 * std::numbers::pi / 180), 1e-4);
     EXPECT_NEAR(at(15, 30), 30, 1e-4);
     EXPECT_EQ(at(15, 38), DepthSlice::empty);

@@ -63,7 +63,7 @@ TEST(AutoEngine, aLongPeriodOnTerrainGoesToTheHorizonSweep) {
 }
 
 TEST(AutoEngine, whatTheChosenOneRefusesGoesToRaysAndIsSaid) {
-    const ShadowField field = byAuto(oneTower(), days(1, 60'000));  // more than the sweep counts in a day
+    const ShadowField field = byAuto(oneTower(), days(1, 60'000));  // too many steps for the sweep
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("refused"));
     EXPECT_THAT(field.engine, HasSubstr("60000 steps"));
@@ -88,7 +88,7 @@ TEST(AutoEngine, expectsTheSweepToTakeLongerBelowPartsThatHang) {
     month.steps = 14'400;
     month.bins = 590;
     month.buildings = 950;
-    month.overhangTriangles = 1'796;  // of Midtown
+    month.overhangTriangles = 1'796;  // from Midtown
     const EstimatedSeconds seconds = estimateSeconds(month);
     EXPECT_LT(seconds.horizon, seconds.projected);
     month.overhangTriangles = 0;

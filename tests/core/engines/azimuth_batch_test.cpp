@@ -24,7 +24,7 @@ glm::dvec2 awayOf(double azimuthDeg) {
     return {-std::sin(azimuth), -std::cos(azimuth)};
 }
 
-/// All around, at most 0.7 deg apart.
+/// Bins in all directions, at most 0.7 deg apart.
 std::vector<SweptBin> binsAllAround() {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> step(0.05, 0.7), altitude(3, 50);
@@ -68,7 +68,7 @@ Squares squaresOf(const TileScene& scene, std::span<const SweptBin> bins,
     return squares;
 }
 
-/// Turned by some degrees, so that walls face all ways.
+/// Rotated by random angles, so that walls face in all directions.
 City turnedBlocks() {
     City city;
     std::mt19937 random(5);
@@ -103,7 +103,7 @@ TEST(AzimuthBatch, horizonsOfAFanAreThoseOfEachAzimuthAloneToTheLastBit) {
     std::size_t different = 0;
     for (const auto& [place, codes] : apart) {
         const auto found = together.find(place);
-        // A batch may look at a square that one azimuth sees to be level at once.
+        // A batch may examine a block that a single azimuth recognises as level immediately.
         const std::vector<HorizonCode> level(ReceiverBlocks::cells, noHorizon);
         different += codes != (found == together.end() ? level : found->second);
     }
@@ -153,8 +153,8 @@ TEST(BlockSums, countEachSquareHoweverItsLinesRun) {
     const HorizonCode suns[] = {-30'000, -20'000, -20'000};
     const std::vector<SunChange> changes = findSunChanges(suns, {});
     std::vector<HorizonCode> codes(ReceiverBlocks::cells, noHorizon);
-    codes[3 * ReceiverBlocks::side + 7] = -25'000;  // one sun
-    codes[7 * ReceiverBlocks::side + 3] = 0;        // all
+    codes[3 * ReceiverBlocks::side + 7] = -25'000;  // hides one sun
+    codes[7 * ReceiverBlocks::side + 3] = 0;        // hides all
     BlockSums sums;
     sums.begin(blocks.blocks().size());
     for (int turn = 0; turn < 40'000; ++turn) sums.add(1, turn % 2 == 1, codes.data(), changes);

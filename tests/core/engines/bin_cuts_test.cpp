@@ -37,8 +37,8 @@ double meanErrorPercent(const City& city, const Receivers& receivers, const SunS
     return 100 * sum / double(receivers.cells.size()) / truth.sunlitMinutesPerDay;
 }
 
-// The promise, with rays as the truth: days, a month and a year's days, in a city of houses wall to wall and
-// in one of towers.
+// Tests the error target against rays, for days, a month and days of a year, in a city of houses wall to wall
+// and in a city of towers.
 TEST(BinCuts, theMeanErrorStaysWithinTheTarget) {
     std::vector<Box3> boxes = randomBoxes(11, 7);
     for (Box3& box : boxes) box.low.z = 0;
@@ -66,10 +66,10 @@ TEST(BinCuts, fewBinsWhereTheTargetAllowsAndManyWhereItAsks) {
     }
     EXPECT_LE(chooseBinCuts(year, 0.05).widestDeg, 0.5) << "for the longest runs";
     EXPECT_GT(chooseBinCuts(year, 0.2).widestDeg, 0.5);
-    EXPECT_EQ(chooseBinCuts(day, 0.005).bins, day.steps.size());  // a bin for each sun
+    EXPECT_EQ(chooseBinCuts(day, 0.005).bins, day.steps.size());  // one bin for each sun
 }
 
-// One of ten suns takes much longer from bin to bin: a bin where suns stand close is narrower.
+// Some of the suns move ten times as fast in azimuth: bins are narrower where suns are dense.
 TEST(BinCuts, binsAreNarrowWhereTheSunSpendsItsTime) {
     std::vector<Sun> suns;
     for (int i = 0; i < 2000; ++i) suns.push_back({100 + 0.02 * i, 30});

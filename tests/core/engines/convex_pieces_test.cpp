@@ -27,7 +27,7 @@ Edges edgesOf(const Footprint& footprint) {
     return edges;
 }
 
-// Convex, inside, and all its edges but the last are the footprint's.
+// Pieces are convex and inside the footprint, and all their edges except the last belong to the footprint.
 void expectSound(const Footprint& footprint, const std::vector<Ring>& pieces, std::size_t most) {
     Edges edges;
     for (const Ring& piece : pieces) {
@@ -42,7 +42,7 @@ void expectSound(const Footprint& footprint, const std::vector<Ring>& pieces, st
             middle += a / float(piece.size());
         }
         if (piece.size() < 3) continue;
-        for (std::size_t i = 0; i < piece.size(); ++i)  // a little inside of each edge, the chord, too
+        for (std::size_t i = 0; i < piece.size(); ++i)  // slightly inside each edge, even the chord
             EXPECT_TRUE(contains(
                 footprint, glm::dvec2(0.01F * middle +
                                       0.99F * (0.5F * piece[i] + 0.5F * piece[(i + 1) % piece.size()]))));
@@ -69,7 +69,7 @@ TEST(ConvexPieces, anLIsTwoAndACourtKeepsItsWalls) {
     const Footprint yard{rectangle(0, 0, 30, 30), {Ring(court.rbegin(), court.rend())}};
     const auto pieces = splitIntoConvexPieces(yard, 60);
     expectSound(yard, pieces, 60);
-    for (const Ring& piece : pieces) EXPECT_LE(piece.size(), 3U);  // more would hold the court
+    for (const Ring& piece : pieces) EXPECT_LE(piece.size(), 3U);  // larger: would contain the court
 }
 
 TEST(ConvexPieces, ofRandomStarsTakeEveryEdgeOnceAndStayInside) {

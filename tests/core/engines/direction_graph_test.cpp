@@ -24,8 +24,8 @@ SunStep stepTowards(glm::dvec3 direction, int slot) {
             .slot = slot};
 }
 
-// Days on which the sun moves along one great circle, tilted a little more each day: interpolation between
-// ends is exact there.
+// Days on which the sun moves along one great circle, tilted slightly more each day, so that interpolation
+// between the ends is exact.
 SunSteps greatCircleDays(int days, int stepsADay, double tiltADayDeg) {
     SunSteps sun;
     for (int day = 0; day < days; ++day) {
@@ -40,7 +40,7 @@ SunSteps greatCircleDays(int days, int stepsADay, double tiltADayDeg) {
     return sun;
 }
 
-// A stand-in engine: receiver i is shaded where a rough function of the direction says so.
+// A stub engine: receiver i is shaded where an irregular function of the direction exceeds a limit.
 bool shadedAt(std::size_t receiver, glm::dvec3 direction) {
     return std::sin(direction.x * (8 + double(receiver % 17)) + double(receiver)) > 0.3;
 }
@@ -110,7 +110,7 @@ TEST(DirectionBins, areNoWiderThanTheBound) {
             EXPECT_GT(glm::dot(direction, directions.front()), furthest) << bin;
 }
 
-// The circles of the bins are the sun's: through a day it stays between two of them.
+// The circles of the bins are those of the sun: during a day it stays between two of them.
 TEST(DirectionBins, aDayStaysInOneRing) {
     for (const double latitudeDeg : {-66.0, -34.0, 0.0, 40.7, 69.6}) {
         const Observer observer{.place = {0, latitudeDeg}};
@@ -122,7 +122,8 @@ TEST(DirectionBins, aDayStaysInOneRing) {
     }
 }
 
-// The paper has 299 edges for a year's 2,190 hours; so has New York here, to a few, with directions nearer.
+// The paper has 299 edges for the 2,190 hours of a year. New York has about as many here, with a smaller
+// distance between merged directions.
 TEST(DirectionGraph, aYearOfSixHoursHasAsManyEdgesAsThePapers) {
     const SunSteps sun =
         computeSunSteps({.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}},
@@ -142,7 +143,7 @@ TEST(DirectionGraph, mergesIntervalsThatLookAlikeAndLosesNone) {
     const SunSteps sun = greatCircleDays(30, 365, 0.2);
     const auto graph = buildDirectionGraph(sun, {});
     ASSERT_TRUE(graph.has_value());
-    EXPECT_EQ(graph->intervals, 30U * 7U);  // six hours and a leftover of five minutes
+    EXPECT_EQ(graph->intervals, 30U * 7U);  // six hours and a remainder of five minutes
     EXPECT_LT(graph->edges.size(), 40U);
     std::uint64_t steps = 0;
     for (const auto& edge : graph->edges) steps += std::uint64_t(edge.weight) * std::uint64_t(edge.sun.steps);
@@ -155,7 +156,7 @@ TEST(DirectionGraph, refusesSettingsOutOfRange) {
     EXPECT_FALSE(buildDirectionGraph(sun, {.intervalMinutes = 121}).has_value());
     EXPECT_FALSE(buildDirectionGraph(sun, {.intervalMinutes = 0}).has_value());
     EXPECT_FALSE(
-        buildDirectionGraph(sun, {.intervalMinutes = 65}).has_value());  // 65 steps do not fit a mask
+        buildDirectionGraph(sun, {.intervalMinutes = 65}).has_value());  // 65 steps do not fit into a mask
 }
 
 TEST(GraphEngine, stitchesRunsAcrossIntervals) {
@@ -175,7 +176,7 @@ TEST(GraphEngine, stitchesRunsAcrossIntervals) {
                 longest = std::max(longest, run);
             }
         }
-        // A step on the very edge of the pattern may differ by rounding.
+        // A step exactly at the pattern's edge may differ because of rounding.
         EXPECT_NEAR(field->grossMin[i], gross / 3.0, 1.01) << i;
         EXPECT_NEAR(field->continuousMin[i], longest, 1.01) << i;
     }
@@ -196,7 +197,7 @@ TEST(DirectionGraph, aGapInTheDayBreaksTheRun) {
     const auto graph = buildDirectionGraph(sun, {});
     ASSERT_TRUE(graph.has_value());
     ASSERT_EQ(graph->paths.size(), 1U);
-    ASSERT_EQ(graph->paths[0].size(), 3U);  // 60, 30, then 30 after the gap
+    ASSERT_EQ(graph->paths[0].size(), 3U);  // 60, 30, and 30 after the gap
     EXPECT_FALSE(graph->paths[0][1].breaksRun);
     EXPECT_TRUE(graph->paths[0][2].breaksRun);
 }

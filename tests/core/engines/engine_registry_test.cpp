@@ -31,7 +31,7 @@ TEST(Engines, BothEndsOfEveryRangeAreTakenAndNothingBeyond) {
                 return makeEngine(engine.info.key, {{std::string(option.key), value}});
             };
             EXPECT_TRUE(made(option.lowest)) << option.key;
-            // Which OpenCL devices there are is the machine's affair.
+            // The available OpenCL devices depend on the machine.
             EXPECT_TRUE(made(option.highest) || option.key == "device") << option.key;
             EXPECT_TRUE(made(option.usual)) << option.key;
             for (const double wrong :

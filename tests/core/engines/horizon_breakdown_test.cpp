@@ -36,7 +36,7 @@ SunSteps threeMonths() {
     return sun;
 }
 
-/// Steps in shadow x cell area over all receivers.
+/// Sum over receivers of steps in shadow x cell area.
 double totalMinM2(const ShadowField& field, const Receivers& receivers) {
     double sum = 0;
     for (const std::uint32_t cell : receivers.cells)
@@ -77,7 +77,7 @@ TEST(HorizonBreakdown, setsAddUpToTheSweepsField) {
     }
 }
 
-// A period of its own gives what its set gives, where its bins have the same directions: a set is a period.
+// A set has the same result as a period of its own steps, if the bins have the same directions.
 TEST(HorizonBreakdown, aSetIsThePeriodOfItsSteps) {
     const City city = quarter();
     const Receivers receivers = findMiddle(city);
@@ -126,8 +126,8 @@ TEST(HorizonBreakdown, soleMinutesAreTheImpactOfRemovingABuilding) {
     }
 }
 
-/// Bridges between towers, canopies on podiums of their own, towers on stilts, slabs over one another, among
-/// what stands.
+/// Bridges between towers, canopies on podiums, towers on stilts, and stacked slabs, among buildings on the
+/// ground.
 City overhangingQuarter() {
     City city = cityOf(randomBoxes(8, 6));
     const auto add = [&](std::vector<Box3> boxes) {
@@ -177,8 +177,9 @@ TEST(HorizonBreakdown, soleMinutesOfWhatHangsAreTheImpactOfRemovingIt) {
     }
 }
 
-// Sun from the south. Behind two slabs, one at 10 m and one at 12 m just above it, 40 m off: the suns between
-// the two edges' slopes are split between them, and neither hides the other's.
+// Sun from the south. Receivers 40 m behind two slabs, one at 10 m and one just above it at 12 m: the suns
+// between the slopes of the two edges are divided between the slabs, and neither slab is charged with those
+// of the other.
 TEST(HorizonBreakdown, twoSlabsOverOneAnotherShareWhatTheyHide) {
     const City city = cityOf({{{-200, -30, 10}, {200, -10, 11}}, {{-200, -30, 12}, {200, -10, 13}}});
     const Receivers receivers = receiversOver(city, -2, 9, 2, 11);
@@ -206,7 +207,8 @@ TEST(HorizonBreakdown, twoSlabsOverOneAnotherShareWhatTheyHide) {
     EXPECT_NEAR(shadow.buildings[1].soleMinM2[0], upper - shared, rounding);
 }
 
-// One tower alone: all its own. Two towers in line with the sun: the one behind adds nothing of its own.
+// A single tower is the sole contributor to its shadow. Of two towers in line with the sun, the one behind
+// adds nothing.
 TEST(HorizonBreakdown, aTowerBehindAHigherOneHasNothingOfItsOwn) {
     const City city = cityOf({{{0, 0, 0}, {20, 10, 60}}, {{5, -40, 0}, {15, -30, 10}}});
     const Receivers receivers = receiversOver(city, 0, 12, 20, 30);

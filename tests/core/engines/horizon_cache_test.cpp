@@ -122,14 +122,14 @@ TEST(HorizonCache, theSweepOfOneTileSaysHowFarItIs) {
     EXPECT_EQ(*heard.fractions.rbegin(), 1);
 }
 
-/// What may be built somewhere in or around the region.
+/// Creates random buildings in or around the region.
 class AnyBuilding {
 public:
     AnyBuilding(std::mt19937& random, City ground, bool overhanging)
         : random_(random), ground_(std::move(ground)), overhanging_(overhanging) {}
 
-    /// Some turned, some not convex, some with walls on others' walls; where things hang also slabs, towers
-    /// on stilts, bridges between two houses of their own, and general meshes.
+    /// Some are rotated, some not convex, some share walls with others. With overhangs also slabs, towers on
+    /// stilts, bridges between two houses of the same building, and general meshes.
     std::shared_ptr<const Building> operator()() {
         const float x = between(-40, 120), y = between(-40, 120);
         const glm::vec2 corner(random_() % 3 == 0 ? std::floor(x) : x, y);
@@ -202,7 +202,7 @@ void editAnything(City& city, std::mt19937& random, bool overhanging = false) {
     }
 }
 
-/// Edits a city at random and holds the field against a fresh one now and then.
+/// Edits a city at random and compares the field with a new one from time to time.
 template <class ReceiversOf>
 void expectFreshFields(City city, int edits, bool overhanging, const ReceiversOf& receiversOf) {
     std::mt19937 random(11);
@@ -235,8 +235,8 @@ TEST(HorizonCache, anyEditsOfWhatHangsGiveTheFieldOfAFreshComputation) {
     expectFreshFields(blocks(3, 3), 1000, true, [](const City& city) { return coarseRegion(city); });
 }
 
-/// Buildings that are dragged one after the other, some back to where they stood, some together, with other
-/// edits, other periods and a lack of memory in between.
+/// Drags buildings one after the other, some back to their first position, some together, with other edits,
+/// other periods and a memory shortage in between.
 void expectFreshFieldsWhileDragged(bool overhanging, std::uint64_t memoryBytes) {
     std::mt19937 random(5);
     City city = blocks(3, 3);
@@ -288,7 +288,7 @@ TEST(HorizonCache, terrainThatBecomesAnotherIsSweptAnew) {
     EXPECT_TRUE(sameField(changed(kept, city, smallRegion(city)), fresh(city, smallRegion(city), sun)));
 }
 
-/// Mean difference from the rays over the receivers, of the period.
+/// Mean difference from the rays over the receivers, as a share of the period.
 double offRays(const City& city, const Receivers& receivers, const SunSteps& sun) {
     const ShadowField kept = fresh(city, receivers, sun), truth = traced(city, receivers, sun);
     double off = 0;

@@ -31,15 +31,15 @@ std::vector<Box3> standOnTerrain(std::uint32_t seed, int perSide, glm::dvec3 mov
     return boxes;
 }
 
-/// One sun a bin: nothing is left but rounding.
+/// With one sun per bin only rounding remains.
 std::vector<Sun> oneSunABin(double altitudeDeg) {
     std::vector<Sun> suns;
     for (int i = 0; i < 240; ++i) suns.push_back({1.5 * i + 0.37, altitudeDeg + 0.01 * i});
     return suns;
 }
 
-// The sweep works in float within a block; the test in double. Cell-steps may differ only where a box moved
-// by a millimetre, or a sun by half a level (0.001 deg), would change the answer too.
+// The sweep works in float within a block, the test in double. Cell-steps may differ only if moving a box by
+// a millimetre, or a sun by half a level (0.001 deg), would change the result too.
 TEST(HorizonNumbers, differFromDoubleByRoundingOnly) {
     const std::vector<Box3> boxes = standOnTerrain(7, 5);
     const City city = cityOf(boxes);
@@ -63,7 +63,7 @@ TEST(HorizonNumbers, differFromDoubleByRoundingOnly) {
         }
     }
     EXPECT_EQ(unexplained, 0U);
-    EXPECT_LE(double(different), 2e-5 * double(all));  // the largest difference stated
+    EXPECT_LE(double(different), 2e-5 * double(all));  // the stated maximum difference
 }
 
 TEST(HorizonNumbers, slopesOfATenThousandthAndOfTenThousand) {
@@ -97,12 +97,12 @@ TEST(HorizonNumbers, tenKilometresFromTheOriginAreLikeThere) {
     EXPECT_LE(different, a.grossMin.size() / 1000);
 }
 
-// Suns along the walls; cells on edges and corners are in shadow or not by the house's rule, but no cell is
-// that is off the building by a millimetre, and none is lit that is in the shadow of one a millimetre
-// smaller.
+// Suns along the walls. Cells on edges and corners are in shadow or not by the half-open rule. No cell more
+// than a millimetre outside the box's shadow is dark, and no cell inside the shadow of a box a millimetre
+// smaller is lit.
 TEST(HorizonNumbers, edgesAlongTheAzimuthAndReceiversOnThem) {
     std::vector<Box3> boxes = standOnTerrain(9, 4);
-    for (Box3& box : boxes) {  // centres of cells are on walls and corners
+    for (Box3& box : boxes) {  // puts cell centres on walls and corners
         box.low += glm::dvec3(0.5, 0.5, 0);
         box.high += glm::dvec3(0.5, 0.5, 0);
     }
@@ -152,7 +152,8 @@ TEST(HorizonNumbers, runningResultsGrowToTheWhole) {
     for (const std::uint32_t cell : receivers.cells) EXPECT_EQ(whole.grossMin[cell], alone.grossMin[cell]);
 }
 
-// 1,184 parts of Midtown have a min_height; those that hang and reach the region are open parts.
+// 1,184 parts of Midtown have a min_height; those of them with open air below that reach the region are
+// overhangs.
 TEST(HorizonNumbers, midtownAgreesWithRays) {
     const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";

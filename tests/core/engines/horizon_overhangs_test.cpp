@@ -11,7 +11,7 @@ namespace {
 
 using namespace tests;
 
-/// Means over the receivers of the difference from the rays, per cent of the period (gross) and of a day.
+/// Mean differences from the rays over the receivers, percent of the period (gross) and of a day.
 struct Off {
     double gross = 0, continuous = 0;
 };
@@ -34,8 +34,8 @@ void expectAgreement(const City& city, double mostGross = 0.1, double mostContin
     EXPECT_LE(off.continuous, mostContinuous);
 }
 
-// Under a slab 10 m above the ground the sun comes in below it: hidden between atan(10 / far) and, above the
-// receiver, the zenith.
+// A slab 10 m above the ground lets the sun in below it: the sun is hidden above atan(10 / distance to the
+// far edge), up to the zenith if the receiver is under the slab.
 TEST(HorizonOpenParts, aLiftedSlabHidesAnInterval) {
     const City city = cityOf({{{-2000, 0, 10}, {2000, 30, 12}}});
     const Receivers receivers = receiversOver(city, -3, -20, 3, 90);
@@ -91,7 +91,7 @@ City pitchedRoof() {
 
 TEST(HorizonOpenParts, aPitchedRoofAgreesWithRays) { expectAgreement(pitchedRoof()); }
 
-// More strips in one square of cells than are looked at together.
+// A block contains more strips than are processed together.
 TEST(HorizonOpenParts, aFineRoundCanopyAgreesWithRays) {
     Ring round;
     for (int i = 0; i < 96; ++i) {
@@ -103,7 +103,7 @@ TEST(HorizonOpenParts, aFineRoundCanopyAgreesWithRays) {
     expectAgreement(city);
 }
 
-// So many are swept azimuth by azimuth.
+// With so many overhangs, each azimuth is swept on its own.
 TEST(HorizonOpenParts, thousandsInOnePlaceHideWhatOneDoes) {
     const City one = cityOf({{{0, 0, 0}, {8, 8, 20}}, {{10, 0, 10}, {30, 25, 13}}});
     City many = one;

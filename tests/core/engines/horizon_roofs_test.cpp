@@ -22,7 +22,7 @@ void expectAgreement(const City& city, const Receivers& receivers, double mostGr
     EXPECT_LE(errors.meanContinuous, mostContinuous);
 }
 
-/// Gabled houses in rows, some turned, some with a lower wing against them.
+/// Gabled houses in rows, some rotated, some with a lower wing attached.
 City gabledQuarter(std::uint32_t seed, int perSide) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -48,7 +48,7 @@ TEST(HorizonRoofs, gabledHousesAgreeWithRays) {
 }
 
 TEST(HorizonRoofs, aGableThrowsItsOwnShadow) {
-    // Its ridge, 14 m high, runs north at x = 6; the sun is in the east.
+    // The ridge, 14 m high, runs north at x = 6; the sun is in the east.
     City city;
     city.buildings.push_back(gabledHouse(0, 0, 12, 18, 8, 14));
     const Receivers receivers = receiversOver(city, -80, 4, -1, 14);
@@ -76,7 +76,7 @@ TEST(HorizonRoofs, ManyThousandsOfRoofsAreSwept) {
     EXPECT_LE(errors.mean, 0.15);
 }
 
-// A roof at 12 m west of a tower of 60 m: the sun in the east is hidden below 48 / distance.
+// A roof at 12 m west of a 60 m tower: the sun in the east is hidden below a slope of 48 / distance.
 TEST(HorizonRoofs, aRoofBesideAHigherTower) {
     const City city = cityOf({{{-60, -40, 0}, {0, 40, 12}}, {{0, -300, 0}, {20, 300, 60}}});
     const Receivers receivers = placeReceiversAt(ReceiverPlaces::roofs, city, -60, -20, 0, 20);
@@ -100,7 +100,7 @@ TEST(HorizonRoofs, roofsAndGroundOfARandomQuarterAgreeWithRays) {
     for (const Box3& box : randomBoxes(5, 4))
         city.buildings.push_back(
             buildingOf({box.low + glm::dvec3(-100, 0, -box.low.z), box.high + glm::dvec3(-100, 0, 0)}));
-    city.buildings.push_back(buildingOf({{-90, 20, 14}, {-40, 50, 17}}));  // a deck over roofs and streets
+    city.buildings.push_back(buildingOf({{-90, 20, 14}, {-40, 50, 17}}));  // a deck above roofs and streets
     for (const ReceiverPlaces places : {ReceiverPlaces::roofs, ReceiverPlaces::both})
         expectAgreement(city, placeReceiversAt(places, city, -110.3F, -10.3F, 100.7F, 100.7F), 0.1, 0.35);
 }

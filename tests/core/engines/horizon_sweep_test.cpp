@@ -25,7 +25,7 @@ City standingBoxes(std::uint32_t seed, int perSide) {
     return cityOf(boxes);
 }
 
-/// Differences from the ray reference, in per cent of the period.
+/// Differences from the ray reference, in percent of the period.
 struct Errors {
     double mean = 0, max = 0;
 };
@@ -91,8 +91,8 @@ TEST(HorizonSweep, aTowerOnAPodiumStandsOnTheGround) {
     EXPECT_LE(errorsOf(swept(city, receivers, sun, 0.1), traced(city, receivers, sun), receivers).mean, 0.05);
 }
 
-// South of it the sun is never hidden; north of a long wall of height z, at a distance d, the sun in the
-// south is hidden when tan(altitude) < z / d.
+// South of a long wall the sun is never hidden. North of a wall of height z, at distance d, a sun in the
+// south is hidden if tan(altitude) < z / d.
 TEST(HorizonSweep, aLongWallHidesTheLowSun) {
     const City city = cityOf({{{-5000, 0, 0}, {5000, 10, 20}}});
     const Receivers receivers = receiversOver(city, -10, -50, 10, 150);
@@ -101,7 +101,7 @@ TEST(HorizonSweep, aLongWallHidesTheLowSun) {
     const ShadowField field = swept(city, receivers, oneDay(suns));
     for (const std::uint32_t cell : receivers.cells) {
         const double north = double(receivers.position(cell).y) - 10;
-        // A sun counts as up to 0.001 deg higher or lower.
+        // A sun's altitude is rounded by up to 0.001 deg.
         const auto hiddenAt = [&](double offDeg) {
             return double(std::ranges::count_if(suns, [&](const Sun& sun) {
                 return north > 0 &&
@@ -114,8 +114,8 @@ TEST(HorizonSweep, aLongWallHidesTheLowSun) {
     }
 }
 
-// The sun in the north, from azimuth 350 over 0 to 10; in the tropics, where it turns back; and where it
-// never sets.
+// The sun in the north, with azimuths from 350 through 0 to 10; in the tropics, where its azimuth reverses;
+// and where it never sets.
 TEST(HorizonSweep, azimuthsWrapTurnBackAndGoAllTheWayRound) {
     const City city = standingBoxes(4, 4);
     const Receivers receivers = receiversOver(city, -30.3F, -30.3F, 110.7F, 110.7F, 2);
@@ -142,8 +142,8 @@ TEST(HorizonSweep, aSunInTheZenithIsHiddenFromNobody) {
     for (const std::uint32_t cell : receivers.cells) EXPECT_EQ(field.grossMin[cell], 0);
 }
 
-// East and north of a building a receiver on its wall is dark with the sun behind the building; on the other
-// sides the cell is under the building.
+// On the eastern and northern walls of a building a receiver is dark with the sun behind the building; on the
+// other walls the cell is under the building.
 TEST(HorizonSweep, receiversOnAWallStandInItsShadow) {
     const City city = cityOf({{{0.5, 0.5, 0}, {20.5, 20.5, 10}}});
     const Receivers receivers = receiversOver(city, -10, -10, 40, 40);
@@ -176,8 +176,8 @@ TEST(HorizonSweep, partyWallsLetNoLightThrough) {
     }
 }
 
-// Cells whose centres lie in line with where two walls meet and with the sun: shadows that run nearly along a
-// line of cells.
+// Cells whose centres are in line with the sun and with the joint of two walls: shadows that run almost along
+// a row of cells.
 TEST(HorizonSweep, noLightPassesWhereTwoWallsMeetInLineWithTheSun) {
     const City whole = cityOf({{{0, 0, 0}, {10, 50, 30}}}),
                halves = cityOf({{{0, 0, 0}, {10, 20.5, 30}}, {{0, 20.5, 0}, {10, 50, 30}}});
@@ -203,7 +203,7 @@ TEST(HorizonSweep, theAnswerDoesNotDependOnThreads) {
         EXPECT_EQ(std::isnan(all.grossMin[cell]), receivers.kind[cell] != CellKind::ground);
 }
 
-// Cells far apart share no tile, and nothing else changes.
+// A distant part of the region changes the division into tiles and nothing else.
 TEST(HorizonSweep, tilesAgreeWithOneAnother) {
     const City city = standingBoxes(6, 4);
     const Receivers wide = receiversOver(city, -1500, 0, 100, 60), near = receiversOver(city, 0, 0, 100, 60);

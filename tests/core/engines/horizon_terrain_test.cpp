@@ -29,7 +29,7 @@ double hiddenBelow(const std::vector<Sun>& suns, double tan) {
         std::ranges::count_if(suns, [&](const Sun& sun) { return toTangent(sun.altitudeDeg) < tan; }));
 }
 
-// A ridge 40 m high along x = -5 hides from the valley in its west what stands in the east below 40 /
+// A ridge 40 m high along x = -5 hides from the valley to its west a sun in the east below a slope of 40 /
 // distance.
 TEST(HorizonTerrain, aRidgeShadesTheValleyBehindIt) {
     const City city =
@@ -44,7 +44,8 @@ TEST(HorizonTerrain, aRidgeShadesTheValleyBehindIt) {
     }
 }
 
-// Rising to the north at 30 degrees: a receiver's own ground hides the sun in the north below that.
+// Ground rising to the north at 30 degrees: a receiver's own ground hides a sun in the north below that
+// altitude.
 TEST(HorizonTerrain, aSlopeHidesTheSunBehindItself) {
     const double slope = toTangent(30);
     const City city = groundOf(40, [&](glm::dvec2 place) { return place.y * slope; });
@@ -58,8 +59,8 @@ TEST(HorizonTerrain, aSlopeHidesTheSunBehindItself) {
     }
 }
 
-// Ground falls to the north by 1 in 5; a wall of 10 m at y = 0: behind it the sun is hidden below
-// (10 + 0.2 y) / y.
+// Ground falls to the north by 1 in 5, with a wall of 10 m at y = 0: behind the wall the sun is hidden below
+// a slope of (10 + 0.2 y) / y.
 TEST(HorizonTerrain, aTowerShadesFartherDownASlope) {
     City city = groundOf(60, [](glm::dvec2 place) { return -0.2 * place.y; });
     city.buildings.push_back(buildingOf({rectangle(-150, -2, 150, 0), {}}, -5, 10));
@@ -83,7 +84,8 @@ TEST(HorizonTerrain, roughHillsAgreeWithRays) {
     }
 }
 
-// Posts as a map's rows and columns lie: turned from north, cells that are no squares, and bent.
+// Posts like the rows and columns of a projected map: rotated from north, with cells that are not square, and
+// bent.
 TEST(HorizonTerrain, hillsOnATurnedAndBentGridAgreeWithRays) {
     PostGrid posts(-80, -80, 2, 80, 80);
     posts.columnStep = {1.9, 0.35};
@@ -108,7 +110,7 @@ TEST(HorizonTerrain, hillsOnATurnedAndBentGridAgreeWithRays) {
     }
 }
 
-// Receivers that stand on the terrain's own points, and suns in line with its edges.
+// Receivers on the terrain's own points, and suns in line with its edges.
 TEST(HorizonTerrain, receiversOnTheTerrainsPointsAgreeWithRays) {
     City city;
     city.terrain = terrainOf(120, 1, RandomHills(3));
@@ -146,7 +148,7 @@ TEST(HorizonTerrain, levelTerrainIsFlatGround) {
     EXPECT_LE(off / double(onFlat.cells.size()), 0.001 * a.sunlitMinutesPerDay);  // a millimetre of height
 }
 
-// A range 300 m high, 40 km away in the south: the earth takes 109 m of it.
+// A range 300 m high, 40 km to the south: the earth's curvature hides 109 m of it.
 TEST(HorizonTerrain, aFarRangeIsSeenBeyondTheEarthsCurvature) {
     City city;
     city.terrain = terrainOf(121, 1000, [](glm::dvec2 place) {
@@ -171,7 +173,8 @@ TEST(HorizonTerrain, aTerrainOfOneRowHasNoSurface) {
     for (const std::uint32_t cell : receivers.cells) ASSERT_EQ(field.grossMin[cell], 0);
 }
 
-// A hill in the east and a wall in the south: who shades when is known, and the shares add up.
+// A hill in the east and a wall in the south: it is known which of them shades when, and the attributed
+// shadows add up.
 TEST(HorizonTerrain, theTerrainHasAShareOfItsOwn) {
     City city =
         groundOf(80, [](glm::dvec2 place) { return std::max(0.0, 60 - 2 * std::abs(place.x - 205)); });

@@ -30,7 +30,7 @@ double areaErrorPercent(const ShadowField& field, const ShadowField& truth) {
 }
 
 TEST(FirstOccluders, listsEachBuildingOnceNearestFirst) {
-    // Three slabs in a row, the first two sharing a wall.
+    // Three slabs in a row, the first two with a shared wall.
     const City city =
         cityOf({{{0, 0, 0}, {10, 40, 100}}, {{10, 0, 0}, {20, 40, 100}}, {{40, 0, 0}, {50, 40, 100}}});
     const RayScene scene = RayScene::over(city).value();
@@ -49,7 +49,7 @@ TEST(FirstOccluders, listsEachBuildingOnceNearestFirst) {
     EXPECT_EQ(found[4].distanceM, 0);
     EXPECT_EQ(found[6].distanceM, 0);
     EXPECT_NEAR(found[9].distanceM, 10.5 * toMetres,
-                1e-3);  // the wall half a metre away is left out, the way out of the building is not
+                1e-3);  // the wall half a metre away is ignored, the exit of the building is not
     EXPECT_EQ(found[9].building, 0U);
 }
 
@@ -85,7 +85,7 @@ TEST(InverseAccrualMap, areaErrorOfADayUnderOnePercentAtThreeLevels) {
     }
 }
 
-// 200 m square of a city on an hour of a random day, at dawn and dusk too.
+// A 200 m square of a city at a random hour of a random day, including dawn and dusk.
 struct RandomHour {
     Receivers receivers;
     SunSteps sun;
@@ -133,7 +133,7 @@ TEST(InverseAccrualMap, areaErrorOverRandomHoursAndPlacesByLevel) {
     EXPECT_GT(sum(errors[0]), sum(errors[2]));  // one level is not enough
 }
 
-// Lines from far away, past more occluders than levels: of a low tower beyond many walls they know nothing.
+// Lines from far away pass more occluders than there are levels, so they miss a low tower behind many walls.
 TEST(InverseAccrualMap, aSunAtTheHorizonIsTraced) {
     const City city = makeGridSample({.buildings = 400}).value();
     const Receivers receivers = receiversOver(city, -500, -100, -300, 100);
@@ -145,8 +145,7 @@ TEST(InverseAccrualMap, aSunAtTheHorizonIsTraced) {
     EXPECT_GT(areaErrorPercent(accrued(city, receivers, sun, {.lowestSunDeg = 0}), truth), 2.6);
 }
 
-// The steps on either side of the limit are put together in their order: a step of the truth is missed by
-// none.
+// The steps on both sides of the limit are combined in the right order: no step is lost.
 TEST(InverseAccrualMap, anHourThroughTheLimitLosesNoStep) {
     const City city = cityOf({{{0, 0, 0}, {20, 60, 30}}});
     const Receivers receivers = receiversOver(city, -80, -40, 100, 120);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace tests;
 
-/// High blocks in rows, with gaps of 0.3 to 2 m between them: narrower than a bin from most receivers.
+/// High blocks in rows, with gaps of 0.3 to 2 m between them, narrower than a bin from most receivers.
 City blocksWithNarrowGaps(std::uint32_t seed) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -36,7 +36,7 @@ ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& 
     return HorizonSweep({.checksRuns = checksRuns}).accumulate(city, receivers, sun, progress, {}).value();
 }
 
-/// How much too long the longest run of each receiver is, in per cent of the longest day, ascending.
+/// By how much the longest run of each receiver is too long, in percent of the longest day, ascending.
 std::vector<double> tooLongPercent(const ShadowField& field, const ShadowField& truth,
                                    const Receivers& receivers, double dayMinutes) {
     std::vector<double> errors;
@@ -64,7 +64,7 @@ SunSteps yearInNewYork(double stepMinutes) {
     return computeSunSteps(period, {{-73.98, 40.75}, 0, 1010, 10}).value();
 }
 
-// By horizons alone eight of these 9,410 cells were off by more than one step, up to 19 % of the day.
+// By horizons alone, eight of these 9,410 cells were off by more than one step, up to 19 % of the day.
 TEST(LongestRunErrors, areRareAtStepsOfTenMinutes) {
     const City city = blocksWithNarrowGaps(1);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 180.7F, 200.7F, 2);
@@ -77,7 +77,7 @@ TEST(LongestRunErrors, areRareAtStepsOfTenMinutes) {
     EXPECT_GT(field.cost.rays, 0U);
 }
 
-// By horizons alone 0.26 % of these cells were off by more than 2 %, up to 48 % of the day.
+// By horizons alone, 0.26 % of these cells were off by more than 2 %, up to 48 % of the day.
 TEST(LongestRunErrors, areSmallWhereRunsAreChecked) {
     const City city = blocksWithNarrowGaps(2);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 180.7F, 200.7F, 4);
@@ -87,7 +87,7 @@ TEST(LongestRunErrors, areSmallWhereRunsAreChecked) {
     EXPECT_EQ(shareFurtherOff(errors, 2), 0);
 }
 
-// Rays decide longest runs and nothing else.
+// Rays affect only longest runs.
 TEST(LongestRunErrors, grossShadowIsThatOfHorizons) {
     const City city = blocksWithNarrowGaps(3);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 180.7F, 200.7F, 4);

@@ -24,7 +24,7 @@ std::vector<RunLanes> randomHorizons(std::mt19937& random, std::size_t bins) {
     return horizons;
 }
 
-// Days that begin and end earlier and later, jump over bins, go back, and stand still.
+// Days that begin and end at different times, skip bins, go back, and stand still.
 std::vector<TimedStep> pickRandomDays(std::mt19937& random, int days, int bins) {
     std::vector<TimedStep> steps;
     for (int day = 0; day < days; ++day) {
@@ -40,7 +40,7 @@ std::vector<TimedStep> pickRandomDays(std::mt19937& random, int days, int bins) 
     return steps;
 }
 
-// Days that are taken for alike need not be.
+// Days that are grouped as similar need not be similar.
 std::vector<DaySteps> randomOrder(std::mt19937& random, const std::vector<TimedStep>& steps) {
     std::vector<DaySteps> days;
     for (std::uint32_t i = 0; i < steps.size(); ++i)
@@ -93,14 +93,14 @@ TEST(LongestRuns, areReachedUpToTheLongest) {
     }
 }
 
-/// What is hidden from one receiver, and horizons that say so but for `doubtful` steps in a hundred: those
-/// hide it at the highest and not at the lowest.
+/// The steps hidden from one receiver, and horizons that agree with them except for `doubtful` percent of the
+/// steps: those are hidden by the highest horizon and not by the lowest.
 struct Doubtful {
     std::vector<bool> hidden;
     RunSearch::Horizons horizons;
 };
 
-// A bin a step, so that any steps may be hidden.
+// One bin per step, so that any combination of steps may be hidden.
 std::vector<TimedStep> stepsOfOwnBins(std::mt19937& random, int days, int stepsADay) {
     std::vector<TimedStep> steps;
     for (int i = 0; i < days * stepsADay; ++i)
@@ -162,7 +162,7 @@ TEST(RunSearch, findsTheLongestRunAndAsksFewRays) {
     EXPECT_LT(asked, doubts / 2);
 }
 
-// Gaps that no horizon knows of: steps that the lowest horizon hides may be lit.
+// Gaps that no horizon shows: steps hidden by the lowest horizon may be lit.
 TEST(RunSearch, findsGapsThatNoHorizonKnowsOf) {
     std::mt19937 random(8);
     for (int round = 0; round < 200; ++round) {

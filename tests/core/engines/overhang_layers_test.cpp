@@ -28,7 +28,7 @@ double computeArea(const std::vector<glm::dvec2>& ring) {
     return std::abs(twice) / 2;
 }
 
-// In `along` and q areas are what they are in cells.
+// Areas in `along` and q equal areas in cells.
 double computeArea(const OverhangLayers& layers) {
     double area = 0;
     for (const OverhangLayer& layer : layers.all())
@@ -81,7 +81,7 @@ TEST(OverhangLayers, aTriangleIsOneLayerOfTwoStripsThatRiseAlike) {
     const auto strips = layers.of(layers.all()[0]);
     ASSERT_EQ(strips.size(), 2U);
     EXPECT_NEAR(computeArea(layers), 41, 1e-12);
-    // At the middle corner both strips say the same of the side that runs past it.
+    // At the middle corner both strips have the same values for the side that passes it.
     const double width = strips[0].highQ - strips[0].lowQ;
     EXPECT_NEAR(strips[0].far.rise + strips[0].far.riseSlope * width, strips[1].far.rise, 1e-12);
     EXPECT_NEAR(strips[1].near.rise, 6, 1e-12);

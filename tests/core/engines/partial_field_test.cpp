@@ -20,7 +20,7 @@
 namespace noonmark::tests {
 namespace {
 
-/// Looks at everything that it can get, or only at what comes unasked.
+/// Receives every running result, or only those that are sent without asking.
 class Onlooker final : public Progress, public PartialSink {
 public:
     explicit Onlooker(bool curious = true) : curious_(curious) {}
@@ -54,7 +54,7 @@ struct Partials : ::testing::Test {
 
 bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// Receivers whose value is known; every one of them must have the value of `truth`.
+// Number of receivers with a known value; each must equal the value in `truth`.
 std::size_t knownAndTrue(const std::vector<float>& part, const std::vector<float>& truth) {
     std::size_t known = 0;
     for (std::size_t i = 0; i < part.size(); ++i) {
@@ -101,7 +101,7 @@ TEST_F(Partials, lastIsTheResult) {
     }
 }
 
-// Watched or not, the same bits; on the way the fields of some of the days.
+// The same bits with and without a watcher; running results are the fields of some of the days.
 TEST_F(Partials, ofProjectedShadowsAreTrueForTheDaysDone) {
     const ProjectedShadows engine;
     NoProgress unwatched;
@@ -135,7 +135,7 @@ TEST_F(Partials, ofTheRayReferenceFillTheWholeRegionEarly) {
     EXPECT_NE(early->part.find(" of 130 tiles"), std::string::npos) << early->part;
 }
 
-// The first `intervals` intervals of an hour and what is left over, of days of 150 minutes.
+// The first `intervals` intervals of one hour or the remainder, of days of 150 minutes.
 SunSteps beginningOf(const SunSteps& sun, std::size_t intervals) {
     SunSteps part = sun;
     for (SunDay& day : part.days) {
@@ -146,7 +146,7 @@ SunSteps beginningOf(const SunSteps& sun, std::size_t intervals) {
     return part;
 }
 
-// On the way through an interval: the steps that its masks have by then, of one of three days.
+// During an interval, a running result covers the steps finished so far, on one of three days.
 TEST_F(Partials, ofAnIntervalAreTrueForTheStepsDone) {
     const DirectionGraphSettings apart{.merge = false};
     const DirectionGraph graph = buildDirectionGraph(sun, apart).value();
@@ -176,7 +176,7 @@ TEST_F(Partials, ofAnIntervalAreTrueForTheStepsDone) {
     }
 }
 
-/// A day by maps, and what its steps are.
+/// A day computed with maps, and the masks of its steps.
 struct PartialsOfADay : Partials {
     GraphEngine engine{ShadowAccrualMap::make({}).value(), {}};
     StepsAround around;
@@ -233,7 +233,8 @@ TEST_F(PartialsOfADay, areOfTheStepsDoneWhereSeveralDaysAreAsked) {
 }
 
 TEST_F(Partials, ofADirectionGraphAreTrueForTheIntervalsDone) {
-    // Without merging, intervals are shaded in the order of time: a partial is the study of a shorter period.
+    // Without merging, intervals are shaded in time order, so a running result is the study of a shorter
+    // period.
     const GraphEngine engine(InverseAccrualMap::make({}).value(), {.merge = false});
     Onlooker onlooker;
     static_cast<void>(fieldOf(engine, onlooker));

@@ -8,7 +8,7 @@
 namespace noonmark {
 namespace {
 
-// When pictures are taken by work that looks up every `stepS`, from a late beginning on.
+// Times at which results are taken by work that checks every `stepS`, starting late.
 std::vector<double> takenBy(double stepS, double untilS) {
     PartialPace pace;
     std::vector<double> taken;

@@ -17,7 +17,7 @@ ShadowField projected(const City& city, const Receivers& receivers, const SunSte
     return ProjectedShadows().accumulate(city, receivers, sun, progress, {}).value();
 }
 
-// Two days; hours of 15 steps that come again every day.
+// Two days; hours of 15 steps that repeat every day.
 SunSteps twoDays() {
     SunSteps sun;
     addDay(sun, arc(50, 45));

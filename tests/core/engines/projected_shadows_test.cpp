@@ -36,7 +36,7 @@ double differing(const City& city, const Receivers& receivers, const SunSteps& s
     return double(different) / double(std::max<std::size_t>(1, sun.steps.size() * receivers.cells.size()));
 }
 
-// A polygon as the shadow of a slab on the ground.
+// Fills a polygon as the shadow of a slab on the ground.
 void fillPolygon(std::span<const glm::dvec2> polygon, const BitLayout& layout,
                  std::span<std::uint64_t> rasters) {
     ShadowCasters casters;
@@ -57,7 +57,7 @@ TEST(CasterFill, fillsWhatTheRasteriserFills) {
     for (int round = 0; round < 500; ++round) {
         Ring ring{{x(random), y(random)}, {x(random), y(random)}, {x(random), y(random)}};
         if (round % 5 == 0)
-            ring[1].y = ring[0].y = float(int(ring[0].y)) + 0.5F;  // an edge along a row of centres
+            ring[1].y = ring[0].y = float(int(ring[0].y)) + 0.5F;  // an edge along a row of cell centres
         if (signedArea(ring) < 0) std::swap(ring[1], ring[2]);
         std::vector<glm::dvec2> cells;
         for (const glm::vec2 point : ring) cells.push_back(glm::dvec2(point) - 0.5);
@@ -88,8 +88,8 @@ TEST(ProjectedShadows, agreesWithRaysOnCourtyardsAndConcaveParts) {
         buildingOf({rectangle(0, 0, 30, 30), {Ring(court.rbegin(), court.rend())}}, 0, 12));
     city.buildings.push_back(
         buildingOf({{{50, 0}, {80, 0}, {80, 10}, {60, 10}, {60, 30}, {50, 30}}, {}}, 0, 25));
-    city.buildings.push_back(
-        buildingOf({{{0, 50}, {30, 53}, {28, 80}, {15, 60}, {2, 82}}, {}}, 8, 20, true));  // hangs, concave
+    city.buildings.push_back(buildingOf({{{0, 50}, {30, 53}, {28, 80}, {15, 60}, {2, 82}}, {}}, 8, 20,
+                                        true));  // a concave overhang
     const Receivers receivers = receiversOver(city, -40.3F, -40.3F, 130.7F, 130.7F);
     EXPECT_LE(differing(city, receivers, oneDay(arc(60, 50))), 1e-5);
 }
@@ -115,8 +115,7 @@ TEST(ProjectedShadows, minutesAndRunsAreThoseOfTheRayReference) {
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 120.7F, 120.7F);
     SunSteps sun = oneDay(arc(90, 40));
     addDay(sun, arc(77, 60));
-    for (std::size_t k = 120; k < sun.steps.size(); ++k)
-        sun.steps[k].slot += 5;  // steps missing in the second day
+    for (std::size_t k = 120; k < sun.steps.size(); ++k) sun.steps[k].slot += 5;  // a gap in the second day
     const ShadowField field = projected(city, receivers, sun), truth = traced(city, receivers, sun);
     std::size_t different = 0;
     for (const std::uint32_t cell : receivers.cells)
@@ -128,7 +127,7 @@ TEST(ProjectedShadows, minutesAndRunsAreThoseOfTheRayReference) {
 }
 
 TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
-    // Two halves of one block cast what the whole block casts.
+    // Two halves of a block cast the same shadow as the whole block.
     const City whole = cityOf({{{0, 0, 0}, {40, 20, 30}}});
     const City halves = cityOf({{{0, 0, 0}, {17, 20, 30}}, {{17, 0, 0}, {40, 20, 30}}});
     const Receivers receivers = receiversOver(whole, -60, -60, 100, 100);
@@ -140,7 +139,7 @@ TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
         EXPECT_EQ(one.grossMin[cell], two.grossMin[cell]) << cell;
 }
 
-// Rays begin a little north-east of a receiver: here one stands just outside a wall, and its rays begin
+// Rays begin slightly north-east of a receiver: here the receiver is just outside a wall, and its rays begin
 // inside.
 TEST(ProjectedShadows, aReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehind) {
     const float line = 0.5F + RayScene::asideM / 2;

@@ -6,7 +6,7 @@
 #include "core/engines/ray/ray_reference.h"
 #include "tests/core/engines/scenes.h"
 
-/// Whole days of the real sun over scenes whose shadow the slab test knows, step by step, in double.
+/// Whole days of the real sun over scenes whose shadow follows from the slab test, step by step, in double.
 namespace noonmark::tests {
 namespace {
 
@@ -35,15 +35,15 @@ SunSteps sunOf(const Site& site) {
     return computeSunSteps(period, {.place = site.place}).value();
 }
 
-/// How far apart the engine and the slab test are.
+/// The difference between the engine and the slab test.
 struct Comparison {
     std::size_t cells = 0;
-    std::size_t different = 0;  ///< cells with other minutes than the slab test has
+    std::size_t different = 0;  ///< cells whose minutes differ from the slab test
     std::size_t shaded = 0;     ///< cells with any shadow
 };
 
-// A cell may only differ by steps whose ray passes within 0.1 mm of a box's surface: more minutes than with
-// boxes smaller by that much, fewer than with larger ones.
+// A cell may differ only by steps whose ray passes within 0.1 mm of a box's surface: its minutes must lie
+// between those of boxes smaller and larger by that amount.
 Comparison compare(const std::vector<Box3>& boxes, const Receivers& receivers, const SunSteps& sun) {
     const ShadowField field = traced(cityOf(boxes), receivers, sun);
     Comparison comparison;
@@ -89,7 +89,8 @@ INSTANTIATE_TEST_SUITE_P(Sites, RayAnalytic,
                          [](const auto& site) { return std::string(site.param.name); });
 
 TEST(RayDays, sunStandsOnTheKnownSide) {
-    // At local noon the shadow falls north in New York, south in Sydney, and south at 10 N in June.
+    // At local noon the shadow falls to the north in New York, to the south in Sydney, and to the south at 10
+    // N in June.
     const auto shadeNorthOf = [](const Site& site) {
         const Box3 box{{0, 0, 0}, {20, 20, 40}};
         SunSteps sun = sunOf(site);
@@ -132,7 +133,7 @@ TEST(RayDays, polarNightHasNoShadowAndNoSun) {
 }
 
 TEST(RayDays, daysWithDifferentNumbersOfSteps) {
-    // Days around the first sunrise after the polar night grow from nothing.
+    // Days around the first sunrise after the polar night, which grow from no steps.
     const Site spring{"", {20, 70}, date(2026, 1, 10), 14, 5};
     const SunSteps sun = sunOf(spring);
     std::size_t shortest = 1000, longest = 0;

@@ -15,10 +15,9 @@ namespace {
 const Box3 tower{{0, 0, 0}, {10, 20, 30}};
 
 // --- One box, known answers
-// --------------------------------------------------------------------------------------
 
 TEST(RayReference, shadowOfABoxHasTheKnownLengthAndWidth) {
-    // The sun due south at 45 degrees: a 30 m box throws 30 m of shadow to the north, as wide as itself.
+    // The sun due south at 45 degrees: a 30 m box casts a shadow 30 m to the north, as wide as itself.
     const City city = cityOf({tower});
     const Receivers receivers = receiversOver(city, -20, -20, 30, 70);
     const ShadowField field = traced(city, receivers, oneDay({{180, 45}}));
@@ -40,10 +39,9 @@ TEST(RayReference, cellsThatAreNoReceiversHoldNaN) {
 }
 
 // --- Far from the origin
-// -----------------------------------------------------------------------------------------
 
-// 60 km off coordinates are multiples of 4 mm, and so are the boxes' here; a slab test in double decides,
-// but within a millimetre of a box.
+// At 60 km, coordinates are multiples of 4 mm, and so are the boxes' here. A slab test in double decides,
+// except within a millimetre of a box.
 TEST(RayReference, isAsExactFarFromTheOriginAsNear) {
     constexpr glm::dvec3 far(60'000, -45'000, 0);
     std::vector<Box3> boxes = randomBoxes(21, 8);
@@ -75,10 +73,9 @@ TEST(RayReference, isAsExactFarFromTheOriginAsNear) {
 }
 
 // --- Gross and continuous
-// ----------------------------------------------------------------------------------------
 
 TEST(RayReference, aGapBetweenTwoBoxesShowsInContinuousOnly) {
-    // One wall 20 m wide, or the same 20 m with a slit in its middle that the receiver sees the sun through
+    // One wall 20 m wide, and the same 20 m with a slit in the middle through which the receiver sees the sun
     // for one step.
     const SunSteps sun = oneDay({{170, 30}, {174, 30}, {180, 30}, {186, 30}, {190, 30}});
     const City whole = cityOf({{{-10, -12, 0}, {10, -10, 40}}});
@@ -154,10 +151,10 @@ TEST(RayReference, runsOfAnyLengthCrossPackets) {
 }
 
 // --- Shapes
-// ------------------------------------------------------------------------------------------------------
 
 TEST(RayReference, courtyardSeesTheSunThroughItsHole) {
-    // 10 m of wall around a court of 20 m: its northern part is lit at 45 degrees, its southern 10 m are not.
+    // Walls of 10 m around a courtyard of 20 m: its northern part is lit at 45 degrees, its southern 10 m are
+    // not.
     Footprint block{rectangle(0, 0, 40, 40), {{{10, 10}, {10, 30}, {30, 30}, {30, 10}}}};
     City city;
     city.buildings.push_back(buildingOf(block, 0, 10));
@@ -177,7 +174,7 @@ TEST(RayReference, lightPassesUnderALiftedSlab) {
     const ShadowField low = traced(city, receivers, oneDay({{180, 30}}));
     EXPECT_EQ(noon.grossMin[cellAt(noon.grid, 5.5, 5.5)], 1);
     EXPECT_EQ(low.grossMin[cellAt(low.grid, 5.5, 5.5)], 0);
-    // At 30 degrees its shadow lies 10 / tan 30 = 17.3 m to 12 / tan 30 + 10 = 30.8 m north of its southern
+    // At 30 degrees the shadow lies 10 / tan 30 = 17.3 m to 12 / tan 30 + 10 = 30.8 m north of its southern
     // edge.
     EXPECT_EQ(low.grossMin[cellAt(low.grid, 5.5, 16.5)], 0);
     EXPECT_EQ(low.grossMin[cellAt(low.grid, 5.5, 17.6)], 1);
@@ -186,8 +183,8 @@ TEST(RayReference, lightPassesUnderALiftedSlab) {
 }
 
 TEST(RayReference, partyWallsLetNoLightThrough) {
-    // Two boxes share the wall x = 0; suns sweep along it and across it, from receivers on and beside its
-    // line.
+    // Two boxes share the wall x = 0; suns sweep along it and across it, with receivers on its line and
+    // beside it.
     const std::vector<Box3> boxes{{{-10, 0, 0}, {0, 10, 30}}, {{0, 0, 0}, {10, 10, 30}}};
     const City city = cityOf(boxes);
     std::vector<Sun> suns;
@@ -210,8 +207,7 @@ TEST(RayReference, partyWallsLetNoLightThrough) {
 }
 
 TEST(RayReference, edgesOfACityThatIsShadowedWhollyLeakNothing) {
-    // A field of wall-to-wall boxes of equal height, the sun low: every receiver north of it is dark whatever
-    // the azimuth.
+    // Wall-to-wall boxes of equal height and a low sun: every receiver to the north is dark at any azimuth.
     std::vector<Box3> boxes;
     for (int i = -40; i < 40; ++i)
         for (int j = 0; j < 3; ++j)
@@ -226,7 +222,6 @@ TEST(RayReference, edgesOfACityThatIsShadowedWhollyLeakNothing) {
 }
 
 // --- On a wall's line
-// --------------------------------------------------------------------------------------------
 
 /// Steps in shadow at one point beside the tower.
 float shadowAt(double x, double y, const SunSteps& sun) {
@@ -237,7 +232,7 @@ float shadowAt(double x, double y, const SunSteps& sun) {
 }
 float shadowAt(double x, double y, Sun sun) { return shadowAt(x, y, oneDay({sun})); }
 
-/// `count` suns due south, their x exactly 0 (or -0).
+/// `count` suns due south, whose x is exactly 0 (or -0).
 SunSteps exactlySouth(double altitudeDeg, std::size_t count, float zero) {
     SunSteps sun = oneDay(std::vector<Sun>(count, {180, altitudeDeg}));
     for (SunStep& step : sun.steps) step.direction.x = zero;
@@ -270,7 +265,6 @@ TEST(RayReference, aReceiverOnACorner) {
 }
 
 // --- Nothing to do
-// -----------------------------------------------------------------------------------------------
 
 TEST(RayReference, polarNightIsAFieldOfZeros) {
     const City city = cityOf({tower});
@@ -295,8 +289,7 @@ TEST(RayReference, noReceiversNoBuildingsNoDays) {
     EXPECT_EQ(traced({}, open, {}).grossMin[3], 0);
 }
 
-// --- Workings
-// ----------------------------------------------------------------------------------------------------
+// --- Cost and cancellation
 
 TEST(RayReference, costAndWordsAreThere) {
     const City city = cityOf({tower, {{5000, 0, 0}, {5010, 10, 30}}});
@@ -328,7 +321,7 @@ TEST(RayReference, theNumberOfThreadsChangesNothing) {
     }
 }
 
-/// Asks to stop as soon as tracing has begun.
+/// Requests a stop as soon as tracing has begun.
 class StopsWhenTracing final : public Progress {
 public:
     void report(double fraction, std::string_view stage) override {

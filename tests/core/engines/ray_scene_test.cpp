@@ -13,18 +13,18 @@
 namespace noonmark::tests {
 namespace {
 
-/// What brute force knows of a ray.
+/// The result of brute force for a ray.
 struct Slow {
     bool blocked = false;
-    double edgeM = 1e30;  ///< how far from the nearest triangle's edge the ray crosses its plane, metres: how
-                          ///< sure the answer is
+    double edgeM = 1e30;  ///< how far from the nearest triangle's edge the ray crosses its plane, metres; a
+                          ///< measure of certainty
 };
 
 double distanceToEdge(glm::dvec3 point, glm::dvec3 a, glm::dvec3 b) {
     return glm::length(glm::cross(point - a, b - a)) / std::max(glm::length(b - a), 1e-12);
 }
 
-// Moeller and Trumbore's test in double.
+// The intersection test of Moeller and Trumbore in double.
 void meet(Slow& slow, glm::dvec3 origin, glm::dvec3 direction, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     const glm::dvec3 p = glm::cross(direction, c - a);
     const double determinant = glm::dot(b - a, p);
@@ -40,7 +40,7 @@ void meet(Slow& slow, glm::dvec3 origin, glm::dvec3 direction, glm::dvec3 a, glm
         {slow.edgeM, distanceToEdge(point, a, b), distanceToEdge(point, b, c), distanceToEdge(point, c, a)});
 }
 
-/// Every triangle, one after the other.
+/// Tests every triangle.
 Slow slowly(const TriangleMesh& mesh, glm::vec3 place, glm::vec3 direction) {
     Slow slow;
     const glm::vec3 origin = place + glm::vec3(RayScene::asideM, RayScene::asideM, 0);
@@ -56,7 +56,7 @@ std::uint32_t blockedFrom(const RayScene& scene, glm::vec3 origin, const Directi
     return blocked;
 }
 
-/// Receivers on the metre and half metre (many in line with walls), and suns, some exactly along the axes.
+/// Receivers at whole and half metres (many in line with walls), and suns, some exactly along the axes.
 struct RandomRays {
     explicit RandomRays(std::uint32_t seed) : random(seed) {}
     glm::vec3 origin() {
@@ -76,7 +76,7 @@ struct RandomRays {
 };
 
 // The stated failure rate: of a million rays none may be wrong unless it passes within a tenth of a
-// millimetre of an edge, and of those that do at most one in a thousand of all rays.
+// millimetre of an edge, and the wrong ones at edges may be at most one in a thousand of all rays.
 TEST(RayScene, agreesWithBruteForceOnRandomCities) {
     std::size_t rays = 0, wrongAtEdge = 0;
     for (std::uint32_t seed = 0; seed < 8; ++seed) {
@@ -161,13 +161,12 @@ TEST(RayScene, ofNothing) {
     EXPECT_EQ(scene.triangleCount(), 0);
 }
 
-// --- What can be left out
-// ----------------------------------------------------------------------------------------
+// --- Buildings out of reach
 
 TEST(Reach, buildingsBeyondItChangeNothing) {
-    // The city with its far buildings left out by the engine, and the same rays through all buildings. On
-    // whole metres receivers stand in line with walls, and some suns are exactly on an axis: nothing may hang
-    // on how the tree of boxes is cut.
+    // The engine's result without distant buildings, compared with the same rays against all buildings. At
+    // whole metres receivers are in line with walls, and some suns are exactly on an axis: the result must
+    // not depend on how the bounding volume hierarchy is split.
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         std::mt19937 random(seed);
         std::vector<Box3> boxes = randomBoxes(seed, 10);

@@ -23,7 +23,7 @@ TEST(RayTerrain, groundElevationIsTheSurfaceThatCastsShadow) {
 }
 
 TEST(RayTerrain, aPlaneSlopeShadesItselfOnlyWhenItFacesAway) {
-    // Rising to the north at 30 degrees: lit from the north only by a sun above 30 degrees.
+    // Ground rising to the north at 30 degrees: lit from the north only by a sun above 30 degrees.
     const double slope = std::tan(30 * std::numbers::pi / 180);
     const City city = groundOf(20, [&](glm::dvec2 place) { return place.y * slope; });
     const Receivers receivers = receiversOver(city, -60, -60, 60, 60, 2.5);
@@ -32,14 +32,15 @@ TEST(RayTerrain, aPlaneSlopeShadesItselfOnlyWhenItFacesAway) {
         for (const std::uint32_t cell : receivers.cells)
             ASSERT_EQ(field.grossMin[cell], minutes) << sun.azimuthDeg << ' ' << sun.altitudeDeg;
     };
-    expect({180, 5}, 0);   // the sun before the slope
+    expect({180, 5}, 0);   // the sun in front of the slope
     expect({0, 29.5}, 1);  // behind it
     expect({0, 30.5}, 0);  // above it
     expect({90, 1}, 0);    // along it
 }
 
 TEST(RayTerrain, smoothGroundHasNoAcne) {
-    // A bowl far from the origin and high up: floats are coarse there, and every receiver sees a high sun.
+    // A bowl far from the origin at high elevation: floats are coarse there, and every receiver sees a high
+    // sun.
     Terrain terrain{{12000, -9000, 10, 60, 60}, {}};
     for (int row = 0; row < 60; ++row)
         for (int column = 0; column < 60; ++column) {
@@ -55,8 +56,8 @@ TEST(RayTerrain, smoothGroundHasNoAcne) {
 }
 
 TEST(RayTerrain, aHillCastsAShadowOfTheKnownLength) {
-    // A long ridge 40 m high along x = 0; the sun in the east at 20 degrees. West of it the shadow ends 40 /
-    // tan 20 = 110 m away.
+    // A long ridge 40 m high along x = 0, with the sun in the east at 20 degrees. To the west its shadow ends
+    // 40 / tan 20 = 110 m away.
     const City city =
         groundOf(80, [](glm::dvec2 place) { return std::max(0.0, 40 - 2 * std::abs(place.x + 5)); });
     const Receivers receivers = receiversOver(city, -200, -20, 100, 20);
@@ -71,8 +72,8 @@ TEST(RayTerrain, aHillCastsAShadowOfTheKnownLength) {
 }
 
 TEST(RayTerrain, aBuildingOnAHillShadesFurtherDownhill) {
-    // Ground falls to the north by 1 in 5; a wall of 10 m at y = 0 and the sun at 45 degrees: its shadow ends
-    // where 10 + 0.2 y = y.
+    // Ground falls to the north by 1 in 5, with a wall of 10 m at y = 0 and the sun at 45 degrees: the shadow
+    // ends where 10 + 0.2 y = y.
     City city = groundOf(40, [](glm::dvec2 place) { return -0.2 * place.y; });
     city.buildings.push_back(buildingOf({rectangle(-50, -2, 50, 0), {}}, -5, 10));
     const Receivers receivers = receiversOver(city, -20, 0, 20, 40);

@@ -13,8 +13,7 @@ namespace {
 
 using namespace tests;
 
-/// Boxes with walls in whole and half metres, some wall to wall: on a grid of 1 m many receivers stand
-/// exactly on one.
+/// Boxes with walls at half metres, some wall to wall: on a grid of 1 m many receivers lie exactly on a wall.
 std::vector<Box3> boxesOnCellCentres(std::uint32_t seed) {
     std::mt19937 random(seed);
     std::vector<Box3> boxes;
@@ -57,8 +56,9 @@ OnWalls comparedOnWalls(const std::vector<Box3>& boxes, const Receivers& receive
     return found;
 }
 
-// The rule of RayReference: such a receiver is lit or dark as one just east and north of it. At corners where
-// houses meet the sweep was off by up to 8 of 60 minutes. What is left: one step, where a ray passes an edge.
+// The rule of RayReference: such a receiver is lit or dark like one just east and north of it. The sweep used
+// to be off by up to 8 of 60 minutes at corners where houses meet. What remains is one step where a ray
+// passes an edge.
 TEST(ReceiversOnWalls, seeTheSunAsThoseOfRaysDo) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const std::vector<Box3> boxes = boxesOnCellCentres(seed);

@@ -13,7 +13,7 @@
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 
-/// Scenes with known answers, made by hand.
+/// Hand-made scenes with known answers.
 namespace noonmark::tests {
 
 /// An axis-aligned solid, local metres.
@@ -77,7 +77,7 @@ inline SunSteps oneDay(const std::vector<Sun>& suns, double stepMinutes = 1) {
     return steps;
 }
 
-/// Receivers of 1 m (or `cellM`) over a box, buildings masked.
+/// Receivers of 1 m (or `cellM`) over a box, without cells under buildings.
 inline Receivers receiversOver(const City& city, float west, float south, float east, float north,
                                double cellM = 1) {
     return placeReceiversOnGround(city, makeRegionFromLocalBox({{west, south}, {east, north}}), {cellM})
@@ -90,13 +90,13 @@ inline ShadowField traced(const City& city, const Receivers& receivers, const Su
     return RayReference({.threads = threads}).accumulate(city, receivers, sun, progress, {}).value();
 }
 
-/// The field's index of the cell that holds a point.
+/// Index in the field of the cell that contains a point.
 inline std::size_t cellAt(const Grid& grid, double x, double y) {
     return grid.index(int(std::floor((x - grid.westM) / grid.cellM)),
                       int(std::floor((y - grid.southM) / grid.cellM)));
 }
 
-/// The slab test in double: whether a ray from `origin` passes through the box grown by `growM` (shrunk where
+/// The slab test in double: whether a ray from `origin` passes through the box grown by `growM` (shrunk if
 /// negative).
 inline bool passesThrough(const Box3& box, glm::dvec3 origin, glm::dvec3 direction, double growM = 0) {
     double from = 0, to = 1e30;
@@ -120,7 +120,7 @@ inline bool inShadow(const std::vector<Box3>& boxes, glm::dvec3 origin, glm::dve
     return false;
 }
 
-/// Minutes worked out in the test itself, step by step.
+/// Minutes computed in the test itself, step by step.
 struct Minutes {
     double gross = 0;
     double continuous = 0;
@@ -144,7 +144,7 @@ Minutes minutesOf(const SunSteps& sun, const IsShaded& isShaded) {
     return minutes;
 }
 
-/// Boxes on a jittered lattice: never overlapping, some standing wall to wall, some lifted.
+/// Boxes on a jittered lattice: never overlapping, some wall to wall, some raised above the ground.
 inline std::vector<Box3> randomBoxes(std::uint32_t seed, int perSide) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -162,7 +162,7 @@ inline std::vector<Box3> randomBoxes(std::uint32_t seed, int perSide) {
     return boxes;
 }
 
-/// A day of suns from east over south (or north) to west.
+/// A day of suns from east through south (or north) to west.
 inline std::vector<Sun> arc(int steps, double noonAltitudeDeg, bool sunInNorth = false) {
     std::vector<Sun> suns;
     for (int i = 0; i < steps; ++i) {
@@ -174,7 +174,7 @@ inline std::vector<Sun> arc(int steps, double noonAltitudeDeg, bool sunInNorth =
     return suns;
 }
 
-/// Days of a place, as the year goes: every `every` days, 8 h around noon.
+/// Days of a year at a latitude: every `every` days, 8 h around noon.
 inline SunSteps days(double latitudeDeg, int every, int stepMinutes = 1) {
     SunSteps steps;
     steps.stepMinutes = stepMinutes;

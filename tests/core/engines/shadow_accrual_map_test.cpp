@@ -28,7 +28,7 @@ ShadowField accrued(const City& city, const Receivers& receivers, const SunSteps
         .value();
 }
 
-/// A day on which the sun keeps to one great circle for each hour, as the accrual maps take it to.
+/// A day on which the sun follows one great circle during each hour, as the accrual maps assume.
 SunSteps greatCircles(int hours, double noonAltitudeDeg) {
     SunSteps sun;
     sun.days.push_back({.first = 0, .count = std::uint32_t(hours * 60)});
@@ -42,7 +42,7 @@ SunSteps greatCircles(int hours, double noonAltitudeDeg) {
     return sun;
 }
 
-// Share of cell-steps with another answer than the rays', in percent of both kinds together.
+// Share of cell-steps that differ from the rays, in percent, with both kinds of difference added.
 double meanErrorPercent(const ShadowField& field, const ShadowField& truth, const Receivers& receivers,
                         std::size_t steps) {
     double sum = 0;
@@ -61,7 +61,7 @@ TEST(ShadowAccrualMap, agreesWithTheRaysWhereTheSunMovesStraight) {
             EXPECT_LT(meanErrorPercent(accrued(city, receivers, sun, {.side = side}), truth, receivers, 360),
                       0.005)
                 << seed;
-        // Half a texel: the border of every shadow is off by up to that.
+        // Half a texel: the border of every shadow is off by up to this much.
         EXPECT_LT(
             meanErrorPercent(accrued(city, receivers, sun, {.texelsOnCells = false}), truth, receivers, 360),
             0.6)

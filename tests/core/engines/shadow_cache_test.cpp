@@ -34,7 +34,7 @@ bool sameField(const ShadowField& a, const ShadowField& b) {
     return sameBits(a.grossMin, b.grossMin) && sameBits(a.continuousMin, b.continuousMin);
 }
 
-// Two short days, one with a gap; not a multiple of eight steps.
+// Two short days, one with a gap; the number of steps is not a multiple of eight.
 SunSteps someDays() {
     SunSteps sun;
     addDay(sun, arc(37, 50));
@@ -47,7 +47,7 @@ Receivers overAll(const City& city, double cellM = 3) {
     return receiversOver(city, -11, -7, 221, 140, cellM);
 }
 
-/// Buildings of every kind in and around the region.
+/// Creates buildings of every kind in and around the region.
 class AnyBuilding {
 public:
     explicit AnyBuilding(std::uint32_t seed) : random_(seed) {}
@@ -136,7 +136,7 @@ void editAnything(City& city, AnyBuilding& any) {
         *somewhere() = any.make();
     } else {
         std::iter_swap(city.buildings.begin(), somewhere());
-        city.buildings.push_back(*somewhere());  // the same one twice
+        city.buildings.push_back(*somewhere());  // the same building twice
     }
 }
 
@@ -198,7 +198,7 @@ TEST(ShadowCache, refuseAnotherRegionTerrainAndTooMuchMemory) {
     EXPECT_NE(kept.change(hilly, receivers, silent, {}).error().text().find("flat ground"),
               std::string::npos);
     EXPECT_TRUE(sameField(kept.field(), fresh(city, receivers, sun)));
-    for (const std::uint64_t few : {10000U, 60000U}) {  // at once, and once it is seen what it takes
+    for (const std::uint64_t few : {10000U, 60000U}) {  // refused at once, and refused once the need is known
         const auto refused = ShadowCache::make(city, receivers, sun, silent, {}, {few});
         ASSERT_FALSE(refused) << few;
         EXPECT_NE(refused.error().text().find("smaller region"), std::string::npos);

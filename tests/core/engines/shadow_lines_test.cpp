@@ -21,7 +21,7 @@ glm::dvec3 sunAt(double azimuthDeg, double altitudeDeg) {
 
 const SunInterval morning{sunAt(110, 25), sunAt(124, 35), 60};
 
-/// What throws a shadow on the cells of a grid: levels x cells, 0 where there is nothing.
+/// Shadow sources of the cells of a grid: levels x cells, 0 where there is none.
 struct GridSources {
     Grid grid;
     int levels;
@@ -34,7 +34,7 @@ struct GridSources {
           heightM(std::size_t(levels) * grid.size()),
           building(heightM.size()) {}
 
-    /// On all blocks of the lanes.
+    /// The sources on all blocks of the lanes.
     [[nodiscard]] LaneSources on(const Lanes& lanes) const {
         LaneSources sources;
         sources.resize(levels, lanes.majors(), lanes.blocks());
@@ -49,7 +49,7 @@ struct GridSources {
         return sources;
     }
 
-    /// body(block, major, lane of the block, cell).
+    /// Calls body(block, major, lane of the block, cell).
     static void forEachPlace(const Lanes& lanes, const auto& body) {
         for (int lane = 0; lane < lanes.count(); ++lane)
             for (int major = 0; major < lanes.majors(); ++major)
@@ -70,7 +70,7 @@ GridSources randomSources(const Grid& grid, int levels) {
     return sources;
 }
 
-/// The masks of the cells; those not asked for may hold anything. `asked` none: all are.
+/// The masks of the cells; masks that are not wanted are unspecified. Empty `asked`: all are wanted.
 std::vector<ShadowMask> drawn(ShadowLineDrawer& drawer, const GridSources& sources,
                               const ShadowMotion& motion, const std::vector<bool>& asked = {}) {
     const Lanes lanes(sources.grid, motion.shift);
@@ -106,8 +106,8 @@ TEST(ShadowLines, aShadowLiesWhereTheSunThrowsIt) {
     GridSources sources(grid, 1);
     const std::size_t start = grid.index(60, 120);
     const float height = 80;
-    // Four cells: one pass draws the shadow of a single one a third of a cell narrower than it, and between
-    // the cells of some steps there is none.
+    // Four cells: one pass draws the shadow of a single cell a third of a cell narrower than the cell, so at
+    // some steps it falls between cells.
     for (const std::size_t cell : {start, grid.index(61, 120), grid.index(60, 121), grid.index(61, 121)})
         sources.heightM[cell] = height;
     const auto masks = drawn(*makeShadowLineDrawer(), sources, computeForwardMotion(morning));
@@ -118,7 +118,7 @@ TEST(ShadowLines, aShadowLiesWhereTheSunThrowsIt) {
     for (int step = 0; step < morning.steps; ++step) {
         const glm::dvec3 now = morning.at(step);
         const glm::dvec2 shadow = top - glm::dvec2(now) * (double(height) / now.z);
-        // The nearest cell that holds this step is less than a cell and a half away.
+        // The nearest cell that is shaded at this step is less than a cell and a half away.
         double nearest = 1e9;
         for (int row = 0; row < grid.rows; ++row)
             for (int column = 0; column < grid.columns; ++column)
@@ -129,8 +129,8 @@ TEST(ShadowLines, aShadowLiesWhereTheSunThrowsIt) {
 }
 
 TEST(ShadowLines, neighboursMoveAsOne) {
-    // A slab of 12 cells: its shadow moves 7 cells from one step to the next, and keeps its width but for the
-    // sixth of a cell an end that the pass from the other side adds.
+    // A slab of 12 cells: its shadow moves 7 cells from step to step and keeps its width, except for the
+    // sixth of a cell per end that the pass from the other side adds.
     const Grid grid{0, 0, 1, 600, 3};
     GridSources sources(grid, 1);
     for (int column = 10; column < 22; ++column) sources.heightM[grid.index(column, 1)] = 400;
@@ -169,7 +169,7 @@ TEST(ShadowLines, noBitsBeyondTheSteps) {
         EXPECT_EQ(mask & ~fullMask(7), 0U);
 }
 
-// What is looked up piece by piece is what the ends of a run say cell by cell.
+// The piecewise lookup gives the same result as the ends of a run, cell by cell.
 TEST(ShadowLines, aRunIsShadedAsItsEndsSay) {
     const ShadowMotion motion{{0.37, 0}, computeForwardMotion(morning).fraction};
     std::mt19937 random(8);
@@ -196,10 +196,10 @@ TEST(ShadowLines, aSunOnTheHorizonDrawsToTheEdge) {
     const Grid grid{0, 0, 1, 50, 1};
     GridSources sources(grid, 1);
     sources.heightM[0] = 300;
-    const ShadowMotion motion{{4e8, 0}, {0.0, 1e-10, 1.0}};  // 10^11 cells a second
+    const ShadowMotion motion{{4e8, 0}, {0.0, 1e-10, 1.0}};  // 10^11 cells per second
     const auto masks = drawn(*makeShadowLineDrawer(), sources, motion);
     EXPECT_EQ(masks[0] & 1, 1U);
-    EXPECT_EQ(masks[49] & 4, 0U);  // the last step lies far beyond the grid
+    EXPECT_EQ(masks[49] & 4, 0U);  // the last step lies far outside the grid
 }
 
 TEST(ShadowLines, backwardIsForwardSeenFromTheOtherEnd) {

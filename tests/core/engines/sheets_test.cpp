@@ -1,4 +1,4 @@
-// Surfaces without thickness cast their shadow by every engine: answers worked out here.
+// Surfaces without thickness cast shadow in every engine; the expected results are computed here.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ City cityOfMesh(const TriangleMesh& mesh) {
     return city;
 }
 
-// An L of 20 x 12 m less its north-east quarter, 5 m above the ground; two of its triangles look down.
+// An L of 20 x 12 m without its north-east quarter, 5 m above the ground; two of its triangles face down.
 constexpr float canopyM = 5;
 TriangleMesh canopy() {
     return {{{0, 0, canopyM},
@@ -63,7 +63,7 @@ IsShaded behindWall(double lowM, double highM) {
 SunSteps day() { return oneDay(arc(540, 41)); }
 
 struct Off {
-    double mean = 0, largest = 0;  // minutes a cell
+    double mean = 0, largest = 0;  // minutes per cell
 };
 
 Off offOf(const ShadowField& field, const Receivers& receivers, const IsShaded& isShaded) {
@@ -89,7 +89,7 @@ void expectShadow(const TriangleMesh& mesh, const IsShaded& isShaded) {
     const Receivers receivers = receiversOver(city, -50, -30, 50, 50);
     ASSERT_GE(receivers.cells.size(), 7970U);
     NoProgress progress;
-    // iam leaves out what is nearer than 1 m: cells beside a wall are off.
+    // iam ignores occluders closer than 1 m, so cells beside a wall are off.
     for (const Allowed& allowed : std::initializer_list<Allowed>{{"ray", 0.05, 4},
                                                                  {"projected", 0.05, 4},
                                                                  {"horizon", 0.4, 20},
@@ -116,7 +116,7 @@ TEST(Sheets, aWallOnTheGroundShades) { expectShadow(wall(0, 9), behindWall(0, 9)
 
 TEST(Sheets, aBillboardInTheAirShades) { expectShadow(wall(6, 12), behindWall(6, 12)); }
 
-// A float's grain at 400 m is 0.03 mm: nothing of a canopy so high is lost.
+// Float spacing at 400 m is 0.03 mm, so a canopy at that height keeps its thickness.
 TEST(Sheets, aCanopyOfAHighCityIsAsThickAsOneAtTheSea) {
     TriangleMesh high = canopy();
     for (glm::vec3& vertex : high.vertices) vertex.z += 400;

@@ -19,13 +19,13 @@ std::vector<std::uint32_t> listAllObstacles(const City& city) {
     return indices;
 }
 
-/// Levels x cells of the grid: heights, 0 where there is nothing, and buildings.
+/// Levels x cells of the grid: heights (0 where there is no source) and buildings.
 struct Found {
     std::vector<float> heightM;
     std::vector<std::uint32_t> building;
 };
 
-/// By way of lanes in `direction`.
+/// Finds sources on lanes in `direction`.
 Found found(const SourceFinder& finder, const Grid& grid, glm::vec3 sun, glm::dvec2 direction) {
     const Lanes lanes(grid, direction);
     const auto instant = finder.at(glm::dvec3(sun), lanes);
@@ -59,12 +59,12 @@ bool insideABuilding(const City& city, glm::dvec2 point) {
 }
 
 // Share of cell-levels at which rays and polygons do not find the same building at the same height. Inside a
-// building, the way out through a party wall is the way into the next one: either may come first.
+// building, the exit through a party wall is the entry into the next building; either may come first.
 double differing(const City& city, const Grid& grid, glm::vec3 sun, int levels, float nearestM) {
     const RaySourceFinder rays(RayScene::over(city).value(), grid, levels, nearestM);
     const ProjectedSourceFinder polygons(makeSurfaceFacets(city, listAllObstacles(city), grid, nearestM),
                                          levels, nearestM);
-    // Along x and along y, bent and straight, whatever the sun.
+    // Lanes along x and along y, bent and straight, independent of the sun.
     const double angle = sun.x * 40;
     const glm::dvec2 direction(std::cos(angle), std::sin(angle));
     const Found expected = found(rays, grid, sun, {1, 0}), is = found(polygons, grid, sun, direction);
@@ -99,8 +99,8 @@ TEST(SourceFinder, polygonsFindWhatRaysFindOnCourtyardsAndConcaveParts) {
         buildingOf({rectangle(0, 0, 30, 30), {Ring(court.rbegin(), court.rend())}}, 0, 12));
     city.buildings.push_back(
         buildingOf({{{50, 0}, {80, 0}, {80, 10}, {60, 10}, {60, 30}, {50, 30}}, {}}, 0, 25));
-    city.buildings.push_back(
-        buildingOf({{{0, 50}, {30, 53}, {28, 80}, {15, 60}, {2, 82}}, {}}, 8, 20, true));  // hangs, concave
+    city.buildings.push_back(buildingOf({{{0, 50}, {30, 53}, {28, 80}, {15, 60}, {2, 82}}, {}}, 8, 20,
+                                        true));  // a concave overhang
     for (const Sun sun : {Sun{100, 14}, Sun{151, 33}, Sun{230, 51}})
         EXPECT_LE(
             differing(city, {-40.3, -40.3, 0.5, 340, 341}, towardsSun(sun.azimuthDeg, sun.altitudeDeg), 3, 1),

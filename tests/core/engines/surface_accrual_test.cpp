@@ -77,7 +77,7 @@ TEST(SurfaceAccrual, litFacesDoNotShadeThemselves) {
     const SunSteps sun = greatCircleHour(150, 160, 20);
     const SurfacePoints points = seenFrom(city, {60, -150, 100}, {50, 50, 30});
     EXPECT_LT(meanErrorPercent(accrued(city, points, sun), tracedOn(city, points, sun)), 0.3);
-    // In the paper's maps every face in the sun lies on itself: it takes half a texel of slope to clear it.
+    // In the paper's maps every lit face lies on itself; half a texel of slope bias is needed to clear it.
     const AccrualSettings lit{.side = CasterSide::towardsSun};
     AccrualSettings withSlope = lit;
     withSlope.slopeBias = 1;
@@ -116,7 +116,7 @@ TEST(SurfaceAccrual, warpedSlicesEqualSeparateShadowMapsBitForBit) {
     const SurfacePoints points = seenFrom(city, {-60, -20, 40}, {100, 80, 0});
     const SunInterval interval{glm::dvec3(towardsSun(120, 30)), glm::dvec3(towardsSun(138, 40)), 60};
     const MapFrame frame = makeSurfaceFrame(points, interval, 256, true);
-    EXPECT_NE(frame.texelFromPlane[0][2], 0);  // it is warped
+    EXPECT_NE(frame.texelFromPlane[0][2], 0);  // the map is warped
     std::vector<std::uint32_t> all(city.buildings.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
     const CasterFaces faces = makeCasterFaces(city, all);
@@ -148,7 +148,7 @@ TEST(SurfaceAccrual, refusesWhatIsOutOfRange) {
                                                                   progress, {}));
 }
 
-// Martin and Tan's rule: what lies nearest gets the most of the map.
+// Martin and Tan's rule: the nearest points get most of the map.
 TEST(Trapezoid, holdsAllPointsAndGivesTheNearestMostOfTheMap) {
     std::vector<glm::dvec2> points;
     for (int i = 1; i <= 300; ++i) {

@@ -5,14 +5,14 @@
 
 namespace noonmark::tests {
 
-/// By bins fine enough that what is left of the error is not theirs.
+/// Sweeps with bins so narrow that any remaining error has another cause.
 inline ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& sun,
                          double binDeg = 0.2) {
     NoProgress progress;
     return HorizonSweep({.binDeg = binDeg}).accumulate(city, receivers, sun, progress, {}).value();
 }
 
-/// Winter, spring and summer in the middle latitudes.
+/// A winter, a spring and a summer day at a middle latitude.
 inline SunSteps threeDays() {
     SunSteps sun;
     for (const double noon : {22.0, 41.0, 68.0}) addDay(sun, arc(260, noon));

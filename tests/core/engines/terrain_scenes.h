@@ -8,7 +8,7 @@
 
 namespace noonmark::tests {
 
-/// A square of ground around the origin, its elevation a function of the place.
+/// Square terrain around the origin, with elevation as a function of position.
 template <class Elevation>
 std::shared_ptr<const Terrain> terrainOf(int side, double cellM, Elevation elevation) {
     Terrain terrain{{-side * cellM / 2, -side * cellM / 2, cellM, side, side}, {}};
@@ -18,7 +18,7 @@ std::shared_ptr<const Terrain> terrainOf(int side, double cellM, Elevation eleva
     return std::make_shared<const Terrain>(std::move(terrain));
 }
 
-/// Ground of 10 m cells.
+/// A city on terrain with 10 m cells.
 template <class Elevation>
 City groundOf(int side, Elevation elevation) {
     City city;
@@ -26,7 +26,7 @@ City groundOf(int side, Elevation elevation) {
     return city;
 }
 
-/// Hills of several sizes, some 25 m from the lowest to the highest, and rough by 10 cm.
+/// Hills of several sizes, some 25 m from the lowest to the highest point, with 10 cm of roughness.
 class RandomHills {
 public:
     explicit RandomHills(std::uint32_t seed) : random_(seed) {
@@ -52,7 +52,7 @@ private:
     Wave waves_[6];
 };
 
-/// A box that stands on uneven ground: from below its lowest corner to `heightM` above it.
+/// A box on uneven ground, from below its lowest corner to `heightM` above that corner.
 inline std::shared_ptr<const Building> standingBox(const City& city, float west, float south, float east,
                                                    float north, float heightM) {
     float lowest = 1e30F;
@@ -62,7 +62,7 @@ inline std::shared_ptr<const Building> standingBox(const City& city, float west,
     return buildingOf({rectangle(west, south, east, north), {}}, lowest - 1, lowest + heightM);
 }
 
-/// The boxes of randomBoxes() on the ground of a city.
+/// Adds the boxes of randomBoxes() on the ground of a city.
 inline void addStandingBoxes(City& city, std::uint32_t seed, int perSide, double offsetM) {
     for (const Box3& box : randomBoxes(seed, perSide))
         city.buildings.push_back(standingBox(city, float(box.low.x + offsetM), float(box.low.y + offsetM),
@@ -70,7 +70,8 @@ inline void addStandingBoxes(City& city, std::uint32_t seed, int perSide, double
                                              float(box.high.z - box.low.z)));
 }
 
-/// A house with a gabled roof along its longer side, as a closed mesh that stands at z = `groundM`.
+/// A house with a gabled roof along its longer side, as a closed mesh that stands on the ground at z =
+/// `groundM`.
 inline std::shared_ptr<const Building> gabledHouse(float west, float south, float east, float north,
                                                    float eavesM, float ridgeM, float groundM = 0) {
     const bool alongX = east - west > north - south;
@@ -101,7 +102,7 @@ inline std::shared_ptr<const Building> gabledHouse(float west, float south, floa
     return std::make_shared<const Building>(Building{.parts = {std::move(part)}});
 }
 
-/// Differences from the ray reference, in per cent of the period.
+/// Differences from the ray reference, in percent of the period.
 struct Errors {
     double mean = 0, max = 0, meanContinuous = 0;
 };
