@@ -5,7 +5,8 @@
 namespace noonmark {
 
 std::size_t fillFromNearest(std::vector<float>& values, int columns, int rows) {
-    // A wave that starts from all known cells at once; only their rims ever enter the queue twice over.
+    // Breadth-first search from all known cells at once; only cells at the border of a gap ever enter the
+    // queue twice.
     std::vector<std::size_t> wave;
     const auto index = [&](int column, int row) {
         return std::size_t(row) * std::size_t(columns) + std::size_t(column);

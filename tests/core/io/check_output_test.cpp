@@ -114,7 +114,7 @@ TEST_F(CheckOutput, ADamagedOrBusyDatabaseIsLeftAlone) {
     fs::resize_file(folder.path("cut.gpkg"), 1000);
     EXPECT_NE(whyNever(folder.path("cut.gpkg"), OutputKind::geoPackage), "");
     (void)folder.file("city.gpkg-journal", "half a transaction");
-    EXPECT_THAT(why(file, OutputKind::geoPackage, {{}, true}), HasSubstr("writes to this file"));
+    EXPECT_THAT(why(file, OutputKind::geoPackage, {{}, true}), HasSubstr("is writing to this file"));
 }
 
 TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
@@ -154,7 +154,7 @@ TEST_F(CheckOutput, WhatIsNoFileHasItsOwnMessage) {
     EXPECT_THAT(whyNever(folder.path(""), OutputKind::table), HasSubstr("A folder has this name"));
     fs::create_symlink("nowhere", folder.path("link"));
     EXPECT_THAT(whyNever(folder.path("link"), OutputKind::table),
-                HasSubstr("a link to a file that is not there"));
+                HasSubstr("a link to a file that does not exist"));
 }
 
 TEST_F(CheckOutput, OfSeveralTheWorstIsHeardFirst) {
@@ -167,7 +167,7 @@ TEST_F(CheckOutput, OfSeveralTheWorstIsHeardFirst) {
     (void)folder.file("shadow.tif", "II*\0"sv);
     EXPECT_THAT(whyNot({}), HasSubstr("shadow.tif: There is a file of this name already. Add --overwrite"));
     (void)folder.file("shadow.png", pngHead);
-    EXPECT_THAT(whyNot({}), HasSubstr("shadow.tif and 1 more of the files to write are there already"));
+    EXPECT_THAT(whyNot({}), HasSubstr("shadow.tif and 1 more of the files to write exist already"));
     EXPECT_EQ(whyNot({{}, true}), "");
     (void)folder.file("study.json", geoJson);
     EXPECT_THAT(whyNot({}),

@@ -282,7 +282,7 @@ TEST_F(OsmSemantics, noMeansNo) {
     const auto no = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "no"}});
     const auto noPart = osm.way(sizedRectangle(40, 0, 10, 10), {{"building:part", "no"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(yes));
-    EXPECT_THAT(placesOf("no building"), ElementsAre(no, noPart));
+    EXPECT_THAT(placesOf("not tagged as a building"), ElementsAre(no, noPart));
 }
 
 TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {

@@ -231,7 +231,7 @@ TEST(ReadCityJson, footprintsAreExtruded) {
         EXPECT_NEAR(area(part.footprint), 100, 0.1);
     }
     EXPECT_TRUE(warns(*piece, "a height of zero or less"));
-    EXPECT_TRUE(warns(*piece, "the default was taken"));
+    EXPECT_TRUE(warns(*piece, "the default is used"));
 }
 
 // The elevations of 3DBAG's LoD 0 lie above NAP: the height is what is left over the ground.
@@ -339,7 +339,7 @@ TEST(ReadCityJson, whatIsLeftOutIsSaid) {
     EXPECT_EQ(piece->buildings.size(), 2U);
     EXPECT_EQ(piece->features, 7U);
     for (const char* what : {"far from the middle", "SolitaryVegetationObject", "geometry templates",
-                             "no geometry that can be used", "without type"})
+                             "no usable geometry", "without a type"})
         EXPECT_TRUE(warns(*piece, what)) << what;
 }
 

@@ -218,7 +218,8 @@ TEST_F(ReadFootprints, newYorksShapefileIsInFeet) {
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_NEAR(piece.buildings[0]->parts[0].topM, 30.48, 1e-3);
     EXPECT_NEAR(piece.frame->originElevationM(), 15.24, 1e-3);
-    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("taken as feet"), HasSubstr("taken as feet")));
+    EXPECT_THAT(whats(piece.warnings),
+                ElementsAre(HasSubstr("feet are assumed"), HasSubstr("feet are assumed")));
 }
 
 TEST_F(ReadFootprints, theUserNamesFieldAndUnit) {
@@ -268,7 +269,7 @@ TEST_F(ReadFootprints, tagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_EQ(piece.buildings[0]->parts.size(), 1U);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 20);
-    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("no building")));
+    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("not tagged as a building")));
 }
 
 TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {

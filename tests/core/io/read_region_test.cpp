@@ -176,7 +176,7 @@ TEST(ReadRegion, aPointFarOffIsSaidAtOnce) {
         "far.geojson",
         collection(
             feature("Polygon", "[[[-73.98,40.75],[1e9,40.75],[1e9,40.76],[-73.98,40.76],[-73.98,40.75]]]")));
-    EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("is not where"));
+    EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("is outside the range of"));
 }
 
 TEST(ReadRegion, fileWithoutCrs) {

@@ -58,7 +58,7 @@ TEST(TerrainFromBases, aHillTownGetsItsGround) {
     ASSERT_TRUE(read.city.terrain);
     EXPECT_EQ(read.city.terrain->source.method, TerrainMethod::fromBases);
     EXPECT_EQ(read.city.terrain->source.sourcePoints, std::size_t(4 * side * side));
-    EXPECT_TRUE(warns(read, "made from their bases"));
+    EXPECT_TRUE(warns(read, "interpolated from their bases"));
     EXPECT_FALSE(warns(read, "the ground is flat"));
     for (int row = 0; row < side; ++row)
         for (int column = 0; column + 1 < side; ++column) {
@@ -89,7 +89,7 @@ TEST(TerrainFromBases, aFlatTownStaysFlatUnlessAskedFor) {
     EXPECT_FALSE(readTown(nearlyFlat).city.terrain);
     const CityRead asked = readTown(nearlyFlat, TerrainFromBases::always);
     ASSERT_TRUE(asked.city.terrain);
-    EXPECT_TRUE(warns(asked, "made from their bases"));
+    EXPECT_TRUE(warns(asked, "interpolated from their bases"));
 }
 
 TEST(TerrainFromBases, reliefIsThatOfNeighbours) {
