@@ -13,7 +13,7 @@ enum class WarningKind {
     clipped,  ///< a piece of it was cut away
     dropped,  ///< it could not be used at all
     leftOut,  ///< it was left out on purpose (underground, far away)
-    assumed,  ///< a value was missing or unreadable, and a stated default stands in
+    assumed,  ///< a value was missing or unreadable, and a stated default is used
 };
 std::string_view nameOf(WarningKind kind);
 

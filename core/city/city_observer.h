@@ -21,8 +21,8 @@ namespace noonmark {
 Observer placeObserver(const City& city, glm::dvec2 local);
 
 /// Largest error of the direction of this observer's sun at a place `distanceM` away, degrees. On flat ground
-/// it is the angle between the two verticals, 0.009 deg per km (2 s of the sun's motion). Terrain has that
-/// angle in its drop, except for about an eighth of it while the sun is low.
+/// it is the angle between the two verticals, 0.009 deg per km (2 s of the sun's motion). On terrain, whose
+/// drop accounts for most of that angle, it is about an eighth of the angle while the sun is low.
 double computeVerticalErrorDeg(double distanceM);
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@ namespace noonmark::bench {
 
 namespace {
 
-constexpr double growth = 3;  // four times the cells, minus the work that does not grow with them
+constexpr double growth = 3;  // four times the cells, but part of the work does not grow with them
 constexpr std::size_t inAnyCase = 2;
 
 // The share of the next run in the remaining time: the last of `toCome` runs takes more than all before it.

@@ -198,8 +198,8 @@ private:
 };
 
 // GDAL does not name the feature that a message is about: one warning per kind, with its count. Some drivers
-// read the whole file when they open it and repeat all messages when it is read: the first `atOpening`
-// messages are skipped.
+// read the whole file when they open it and repeat their messages when it is read: of the first `atOpening`
+// messages, those that come again later are skipped.
 void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::string& file, Warnings& warnings) {
     const std::span said(calls.complaints());
     const auto later = said.subspan(std::min(atOpening, said.size()));

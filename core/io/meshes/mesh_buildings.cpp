@@ -56,7 +56,8 @@ private:
     FilePiece& piece_;
 };
 
-// Warns about meshes in elevations above sea level, whose shadows would start in the air.
+// Warns if the whole mesh is above z = 0, as with elevations above sea level: its shadows would start in the
+// air.
 void warnIfAloft(const std::string& file, FilePiece& piece) {
     float lowest = 1e30F;
     for (const auto& building : piece.buildings)

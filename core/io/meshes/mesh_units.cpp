@@ -517,7 +517,8 @@ private:
     Sets sets_;
     std::vector<float> lowM_;
     std::vector<std::uint32_t> point_, firstPoint_;
-    std::unordered_map<std::uint64_t, std::size_t> lowestOf_;  // for each edge, the unit with the lowest point
+    std::unordered_map<std::uint64_t, std::size_t>
+        lowestOf_;  // for each edge, the unit with the lowest point
 };
 
 // Walls without a roof: they join the only building of their object; otherwise each connected set of them is

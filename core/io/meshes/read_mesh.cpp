@@ -123,7 +123,7 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
         "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
 }
 
-// Drops single corners of broken files that are too far away to represent.
+// Drops triangles with a corner beyond the range of a Frame, as in broken files.
 void dropFarTriangles(SceneReader& reader) {
     constexpr float mostM = 1e6F;  // limit of a Frame
     for (NamedMesh& object : reader.objects) {

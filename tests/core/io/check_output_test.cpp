@@ -21,20 +21,20 @@ constexpr std::string_view pngHead = "\x89PNG\r\n\x1a\n....";
 
 class CheckOutput : public testing::Test {
 protected:
-    /// Why a file may not be written; empty where it may.
+    /// Why a file may not be written; empty if it may.
     static std::string why(const fs::path& file, OutputKind kind, const OutputRules& rules = {}) {
         const auto may = checkOutput(file, kind, rules);
         return may ? std::string() : may.error().text();
     }
 
-    /// Why it may not be written, whether files may be replaced or not.
+    /// Why it may not be written, with and without permission to replace files.
     static std::string whyNever(const fs::path& file, OutputKind kind, std::vector<fs::path> inputs = {}) {
         const std::string words = why(file, kind, {inputs, false});
         EXPECT_EQ(why(file, kind, {inputs, true}), words);
         return words;
     }
 
-    /// A database with a table, and the id of a GeoPackage.
+    /// A database with a table and the application id of a GeoPackage.
     fs::path database(const std::string& name, const char* sql) {
         const fs::path file = folder.path(name);
         sqlite3* made = nullptr;

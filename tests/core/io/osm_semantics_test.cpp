@@ -218,7 +218,7 @@ TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
     EXPECT_THAT(placesOf("low gap"), ElementsAre(upper));
 }
 
-// Chicago's Marina City stands on a deck, and its towers are mapped below the street's layer.
+// Chicago's Marina City stands on a deck, and its towers are mapped below the layer of the street.
 TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
     const auto marinaCity = osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"},
                                                                    {"building:levels", "61"},

@@ -30,7 +30,7 @@ TEST(ReadCityJson, oneBadObjectIsAWarning) {
     document["vertices"].push_back({"a", nullptr, 1});
     const auto piece = read(document);
     ASSERT_TRUE(piece) << piece.error().text();
-    EXPECT_EQ(piece->buildings.size(), 8U);  // the bad ones lost one face
+    EXPECT_EQ(piece->buildings.size(), 8U);  // the broken ones lost one face
     EXPECT_TRUE(warns(*piece, "surfaces with missing vertices"));
     EXPECT_TRUE(warns(*piece, "not closed"));
 }

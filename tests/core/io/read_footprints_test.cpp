@@ -71,7 +71,7 @@ std::vector<std::string> whats(const Warnings& warnings) {
     return texts;
 }
 
-// Writes one rectangle in a system of its own, as a driver does it.
+// Writes one rectangle in the given system with a GDAL driver.
 void writeRectangle(const std::filesystem::path& file, const char* driver, const char* crs,
                     const std::vector<std::pair<std::string, double>>& fields) {
     const GdalCalls calls;
@@ -203,7 +203,7 @@ TEST_F(ReadFootprints, everySystemIsReprojected) {
         writeRectangle(file, "GPKG", crs, {{"height", 12}});
         const FilePiece piece = read(file);
         ASSERT_EQ(piece.buildings.size(), 1U) << crs;
-        // Never measured in Web Mercator, where this would be 1,394 m2, nor in feet.
+        // The area must not be measured in Web Mercator, where it would be 1,394 m2, or in feet.
         EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 800, 0.1) << crs;
         EXPECT_NEAR(piece.frame->origin().latDeg, manhattan.latDeg, 2e-5) << crs;
     }
