@@ -6,8 +6,9 @@
 
 namespace noonmark {
 
-/// Hold one while calling GDAL: it is prepared for files from strangers (gdal_setup.h), and what it complains
-/// of on this thread is kept here instead of being printed. Backend: gdal_calls_gdal.cpp.
+/// RAII guard around calls to GDAL. It makes sure that GDAL is set up for untrusted files (gdal_setup.h), and
+/// it collects GDAL's messages on this thread instead of letting GDAL print them. Backend:
+/// gdal_calls_gdal.cpp.
 class GdalCalls {
 public:
     GdalCalls();
@@ -15,13 +16,13 @@ public:
     GdalCalls(const GdalCalls&) = delete;
     GdalCalls& operator=(const GdalCalls&) = delete;
 
-    /// True once a call failed (GDAL's warnings do not count).
+    /// True once a call has failed (GDAL's warnings do not count).
     [[nodiscard]] bool failed() const { return failures_ > 0; }
-    /// How often a call failed.
+    /// Number of failed calls.
     [[nodiscard]] std::size_t failures() const { return failures_; }
-    /// GDAL's words for every failure and warning, in order; the first 10,000.
+    /// GDAL's messages for every failure and warning, in order; the first 10,000.
     [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
-    /// GDAL's words for the first failure, or "no reason was given".
+    /// GDAL's message for the first failure, or "no reason was given".
     [[nodiscard]] const std::string& why() const { return why_; }
 
 private:

@@ -8,13 +8,13 @@
 
 namespace noonmark {
 
-/// A whole number out of JSON that anybody may have written (nlohmann's, any kind). Json::get() takes every
-/// number, also one that `Integer` cannot hold: -1 becomes the largest of all, and 1e300 anything. Throws
+/// Reads a whole number from untrusted JSON (nlohmann's, any kind). Json::get() accepts every number, also
+/// one that `Integer` cannot hold: -1 becomes the largest unsigned value, and 1e300 an arbitrary one. Throws
 /// std::out_of_range for a number that is not whole or that Integer cannot hold, and nlohmann's type_error
-/// for what is no number.
+/// for a value that is not a number.
 template <std::integral Integer, class Json>
 Integer wholeNumberFrom(const Json& json) {
-    constexpr double mostExact = 9007199254740992;  // 2^53; from there on double leaves numbers out
+    constexpr double mostExact = 9007199254740992;  // 2^53; above it double cannot hold every whole number
     if (json.is_number_unsigned()) {
         if (const auto number = json.template get<std::uint64_t>(); std::in_range<Integer>(number))
             return Integer(number);
@@ -28,7 +28,7 @@ Integer wholeNumberFrom(const Json& json) {
     throw std::out_of_range("a number that is not whole, or out of range");
 }
 
-/// The same of a member; `otherwise` where there is none.
+/// Reads a whole number from a member of an object; returns `otherwise` if there is no such member.
 template <std::integral Integer, class Json>
 Integer wholeNumberIn(const Json& json, const char* member, Integer otherwise) {
     const auto found = json.find(member);

@@ -6,7 +6,7 @@ namespace noonmark {
 
 class PartialSink;  // core/engines/api/partial_field.h
 
-/// Where long work says how far it is. Passed beside a std::stop_token, which says when to give up.
+/// Receives the progress of long work. Passed together with a std::stop_token, which requests cancellation.
 class Progress {
 public:
     virtual ~Progress() = default;
@@ -15,11 +15,12 @@ public:
     /// Called from any thread, several at a time; implementations must be thread-safe and quick.
     virtual void report(double fraction, std::string_view stage) = 0;
 
-    /// Who shows running results, where anybody does; outlives the work.
+    /// The sink that displays partial results while the work runs; null if there is none. It outlives the
+    /// work.
     virtual PartialSink* partials() { return nullptr; }
 };
 
-/// For callers who do not look.
+/// Discards all progress.
 class NoProgress final : public Progress {
 public:
     void report(double, std::string_view) override {}

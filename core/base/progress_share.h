@@ -6,10 +6,11 @@
 
 namespace noonmark {
 
-/// One or some of several equal parts of a longer work: its fraction is a share of the whole's.
+/// Progress of one or more of several equal parts of a longer task: maps the fraction of the part to a
+/// fraction of the whole task.
 class ProgressShare final : public Progress {
 public:
-    /// Part `index` of `count`, or `parts` from there on. `whole` must outlive it.
+    /// Covers part `index` of `count`, or `parts` parts beginning with it. `whole` must outlive this object.
     ProgressShare(Progress& whole, std::size_t index, std::size_t count, std::size_t parts = 1)
         : whole_(whole), index_(index), count_(count), parts_(parts) {}
 

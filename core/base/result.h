@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/base holds what every other folder uses: Result and Error (this file), Warnings about
+// single features (warnings.h), Progress (progress.h, progress_share.h), units (units.h), Stopwatch, the
+// program's version, whole numbers from untrusted JSON (json_number.h), and the guard that every call to GDAL
+// needs (gdal_calls.h). It includes no other folder of core.
+
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -7,17 +12,17 @@
 
 namespace noonmark {
 
-/// Why something could not be done, in words that a planner understands.
+/// Why something failed, in words that a planner understands.
 struct Error {
     std::string what;    ///< what is wrong: "The file holds no polygons"
-    std::string where;   ///< file, feature or field; empty when there is no place
-    std::string advice;  ///< what to do about it; may be empty
+    std::string where;   ///< file, feature or field; empty if the error has no location
+    std::string advice;  ///< what the user can do about it; may be empty
 
     /// One line: "where: what. advice"
     [[nodiscard]] std::string text() const;
 };
 
-/// A value, or the reason why there is none. Functions of the house do not throw across their interface.
+/// A value, or the reason why there is none. Functions of this program do not throw across their interfaces.
 template <class T>
 using Result = tl::expected<T, Error>;
 

@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-/// Seconds since it was made, by a clock that never jumps.
+/// Seconds since construction, by a monotonic clock.
 class Stopwatch {
 public:
     [[nodiscard]] double seconds() const {

@@ -7,7 +7,7 @@ namespace noonmark {
 
 struct Radians;
 
-/// An angle in degrees. Angles cross the interface of core as Degrees, or carry their unit in the name.
+/// An angle in degrees. Core's interfaces pass angles as Degrees, or as numbers whose name carries the unit.
 struct Degrees {
     double value = 0;
     constexpr auto operator<=>(const Degrees&) const = default;

@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-/// "0.1.0": of the program that made a result.
+/// Version of this program: "0.1.0".
 std::string_view version();
 
 }  // namespace noonmark

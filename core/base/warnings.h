@@ -7,18 +7,18 @@
 
 namespace noonmark {
 
-/// What was done to a feature that could not be taken as it was.
+/// What was done to a feature that could not be used unchanged.
 enum class WarningKind {
     mended,   ///< its geometry was repaired
     clipped,  ///< a piece of it was cut away
     dropped,  ///< it could not be used at all
     leftOut,  ///< it was left out on purpose (underground, far away)
-    assumed,  ///< a value was missing or unreadable, and a stated default stands in
+    assumed,  ///< a value was missing or unreadable, and a stated default is used
 };
 std::string_view nameOf(WarningKind kind);
 
-/// One feature, one thing done to it. `what` is the same text for the same trouble, so that it can be
-/// counted.
+/// One thing that was done to one feature. The same problem always has the same text in `what`, so that
+/// warnings can be counted.
 struct Warning {
     WarningKind kind = WarningKind::assumed;
     std::string what;   ///< "outline crossed itself"
@@ -31,13 +31,13 @@ using Warnings = std::vector<Warning>;
 struct WarningGroup {
     WarningKind kind = WarningKind::assumed;
     std::string what;
-    std::vector<std::string> where;  ///< one per warning, in the order they came
+    std::vector<std::string> where;  ///< one per warning, in order of occurrence
 };
 
-/// Groups in the order in which each first appeared. O(n log n).
+/// Groups in order of first appearance. O(n log n).
 std::vector<WarningGroup> grouped(const Warnings& warnings);
 
-/// "28 mended: outline crossed itself (way 264768896, way 3, ...)"; names at most `most` places.
+/// "28 mended: outline crossed itself (way 264768896, way 3, ...)"; lists at most `most` locations.
 std::string lineOf(const WarningGroup& group, std::size_t most = 3);
 
 }  // namespace noonmark

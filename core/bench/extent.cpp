@@ -9,11 +9,10 @@ namespace {
 std::string describe(const Extent& extent) {
     const Extent full;
     return fmt::format(
-        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; what takes "
-        "more than {:g} s is run once, what would take more than {:g} s is worked out or left out; the "
-        "graph's "
-        "errors on {} receivers of a place; of other settings, places, days and resolutions what {:g} s have "
-        "room for.",
+        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; runs of "
+        "more than {:g} s are not repeated, runs of more than {:g} s are extrapolated or left out; the "
+        "graph's errors on {} receivers at each place; of other settings, places, days and resolutions as "
+        "many as fit into {:g} s.",
         extent.hours, full.hours, extent.positions, full.positions, extent.days, full.days, extent.hoursADay,
         full.hoursADay, extent.onceAboveS, extent.neverAboveS, extent.graphReceivers, extent.budgetS);
 }

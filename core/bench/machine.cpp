@@ -9,7 +9,7 @@ namespace noonmark::bench {
 
 namespace {
 
-// Linux lists its processors there, "model name	: AMD EPYC 9B14".
+// Linux lists its processors in this file, as "model name : AMD EPYC 9B14".
 std::string processorName() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)

@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-// Haversine: exact for small distances too.
+// Haversine: accurate for small distances too.
 double greatCircleM(LonLat a, LonLat b) {
     constexpr double earthRadiusM = 6371000;
     const auto radians = [](double degrees) { return Degrees{degrees}.radians().value; };

@@ -45,7 +45,7 @@ OGRLayer* createLayer(GDALDataset& dataset, const Figures& figures) {
     return layer;
 }
 
-// A building on the antimeridian is written in one piece, with longitudes that run on past 180.
+// A building on the antimeridian is written in one piece, with longitudes beyond 180.
 void addRing(OGRPolygon& polygon, const Ring& ring, const Frame& frame, double nearDeg) {
     OGRLinearRing line;
     for (const glm::vec2 point : ring) {
@@ -64,7 +64,7 @@ OGRPolygon polygonOf(const Footprint& footprint, const Frame& frame) {
     return polygon;
 }
 
-// Writes building after building; keeps what cannot be written as it is.
+// Writes the buildings one by one and collects what cannot be written unchanged.
 class PartWriter {
 public:
     PartWriter(OGRLayer& layer, const City& city, const Figures& figures)
@@ -89,8 +89,8 @@ private:
         feature.SetField("status", building.status.c_str());
         feature.SetField("height", part.topM - groundM);
         feature.SetField("min_height", part.bottomM - groundM);
-        // A flat city at 0 knows no elevation; to state one would bury it under a terrain that is opened
-        // beside it.
+        // A flat city at 0 has no known elevation; writing one would bury it under a terrain that is opened
+        // with it.
         const double elevation = city_.frame.originElevationM() + groundM;
         if (city_.terrain || elevation != 0) feature.SetField("ground_elevation", elevation);
         feature.SetField("height_source", std::string(nameOf(part.heightSource)).c_str());
@@ -106,7 +106,8 @@ private:
         return layer_.CreateFeature(&feature) == OGRERR_NONE;
     }
 
-    // Two buildings of one source id (from two files, say) must not become one when they are read again.
+    // Two buildings with the same source id (from two files, for instance) must stay separate when they are
+    // read again.
     std::string idFor(const Building& building) {
         const std::string own = building.sourceId.empty() ? "building" : building.sourceId;
         std::string id = own;
@@ -117,13 +118,13 @@ private:
     OGRLayer& layer_;
     const City& city_;
     const Figures& figures_;
-    std::size_t index_ = 0;  // of the building at hand
+    std::size_t index_ = 0;  // index of the current building
     std::unordered_set<std::string> ids_;
 };
 
 std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const Figures& figures) {
     if (dataset.StartTransaction() != OGRERR_NONE)
-        return std::nullopt;  // one for all: 40,000 parts in under a second
+        return std::nullopt;  // a single transaction: 40,000 parts in under a second
     OGRLayer* layer = createLayer(dataset, figures);
     if (layer == nullptr) return std::nullopt;
     PartWriter writer(*layer, city, figures);
@@ -147,7 +148,7 @@ Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const Ci
     dataset.reset();
     if (!warnings || calls.failed())
         return failure("The GeoPackage could not be written: " + calls.why(), file.string(),
-                       "Check that the folder exists, can be written to and has room");
+                       "Check that the folder exists, is writable and has space");
     if (auto named = pending.commit(); !named) return tl::make_unexpected(named.error());
     if (city.terrain)
         warnings->push_back(

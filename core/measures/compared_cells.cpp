@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-/// Says what the reference is traced for, and keeps it from those who look at running results.
+/// Labels the progress of the reference and hides its partial results from viewers.
 class SampleProgress final : public Progress {
 public:
     explicit SampleProgress(Progress& progress) : progress_(progress) {}
@@ -18,7 +18,7 @@ private:
     Progress& progress_;
 };
 
-// The field's minutes are floats: so are those that it is held against.
+// The field's minutes are floats, so the reference's are rounded to float too.
 ComparedCell compared(const ShadowField& field, std::uint32_t cell, const PointMinutes& truth) {
     const auto columns = std::uint32_t(field.grid.columns);
     return {field.grid.centre(int(cell % columns), int(cell / columns)), field.grossMin[cell],

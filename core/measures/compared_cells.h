@@ -15,8 +15,8 @@
 
 namespace noonmark {
 
-/// The field of an engine at some receivers, beside what rays through a scene that is at hand find there over
-/// all steps. The scene holds at least every building in reach of them. Hands out no running results.
+/// Compares an engine's field at some receivers with rays through an existing scene over all steps. The scene
+/// must hold at least every building in reach of these receivers. Publishes no partial results.
 Result<std::vector<ComparedCell>> compareByRays(const RayScene& scene, const Receivers& receivers,
                                                 const SunSteps& sun, const ShadowField& field,
                                                 std::span<const std::uint32_t> cells, Progress& progress,

@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-/// Points of the unit square that fill it evenly, however many are taken.
+/// Points that fill the unit square evenly, whatever their number.
 class EvenPoints {
 public:
     explicit EvenPoints(std::uint32_t seed) {

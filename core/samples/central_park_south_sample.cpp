@@ -14,9 +14,9 @@ namespace noonmark {
 namespace {
 
 constexpr double clearM = 3;          // free ground around a named tower
-constexpr std::uint32_t seed = 2017;  // the paper's year; any other would do
+constexpr std::uint32_t seed = 2017;  // the paper's year; any other number would do
 
-// 60 m buildings in Midtown's middle, half of that far away; the avenues that look onto the park are higher.
+// 60 m in the middle of Midtown, half of that far away; the avenues along the park have higher buildings.
 double medianHeight(glm::dvec2 place) {
     const glm::dvec2 d = (place - glm::dvec2{-60, -470}) / 480.0;
     const double share = d.x * d.x + d.y * d.y;
@@ -88,7 +88,7 @@ void addParkSides(City& city) {
             addBlock(city, settings, avenue, street);
 }
 
-// Street axes to another frame's metres.
+// Transforms street axes to another frame's metres.
 Footprint groundOf(const StreetPolygon& polygon, const Frame& frame) {
     const Frame own = centralParkFrame();
     Ring ring;
@@ -97,7 +97,7 @@ Footprint groundOf(const StreetPolygon& polygon, const Frame& frame) {
     return {std::move(ring), {}};
 }
 
-// The lots of a block as addBlock() cuts them.
+// The lots of a block as addBlock() divides it.
 std::vector<Lot> lotsOfBlock(Avenue avenue, int street) {
     SampleRandom random(seed, int(avenue), street);
     const BlockSettings settings = quarter(street < 59 ? broadwaySouth() : broadwayNorth());

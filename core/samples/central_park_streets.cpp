@@ -9,8 +9,8 @@ namespace {
 struct Sides {
     double west, east;
 };
-// In the order of the enumeration. Blocks of 800 or 920 feet, Madison and Lexington Avenues between; the
-// park's corner is 14 m into Fifth Avenue.
+// In the order of the enumeration. Blocks are 800 or 920 feet long, Madison and Lexington Avenues lie
+// between; the park's corner is 14 m into Fifth Avenue.
 constexpr std::array<Sides, 10> avenues{{
     {-1422.5, -1392},
     {-1148, -1117.5},

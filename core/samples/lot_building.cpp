@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-/// One lot's plans become parts: from the lot's axes to the streets' and on to the local frame.
+/// Makes parts of a lot's plans: transforms the lot's axes to the streets' and to the local frame.
 class Builder {
 public:
     Builder(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes, SampleRandom& random)
@@ -45,7 +45,7 @@ private:
         for (Part& part : makePrism(plan, bottomM, topM, axes_)) parts_.push_back(std::move(part));
     }
 
-    // A half turn on the northern side: it keeps orientation.
+    // Lots on the northern side are turned by 180 degrees, which keeps the orientation.
     [[nodiscard]] glm::dvec2 onStreet(glm::dvec2 point) const {
         if (lot_.frontsNorth) return {lot_.box.east - point.x, lot_.box.north - point.y};
         return {lot_.box.west + point.x, lot_.box.south + point.y};
@@ -80,7 +80,7 @@ private:
             podiumM, settings_.heightM);
     }
 
-    // The zoning of 1916: the higher, the further back.
+    // The zoning of 1916: higher tiers are set back further.
     void buildTiers() {
         const double stepM = std::min(size_.width, size_.depth) * random_.between(0.08, 0.15);
         const double firstM = settings_.heightM * random_.between(0.35, 0.5);
@@ -90,7 +90,7 @@ private:
         add(insetPlan(size_, 2 * stepM), secondM, settings_.heightM);
     }
 
-    // A convex ground, shrunk towards its corners' mean, stays inside itself.
+    // A convex ground, shrunk towards the mean of its corners, stays inside itself.
     void buildOnCut() {
         if (settings_.heightM < towerFromM) return addOnStreet({lot_.ground}, 0, settings_.heightM);
         const double podiumM = random_.between(12, 25);

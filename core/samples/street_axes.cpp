@@ -11,7 +11,7 @@ namespace {
 constexpr double sine = 0.48480962024633706;
 constexpr double cosine = 0.87461970713939574;
 
-// What lies where east - eastPerNorth * north >= limit (side 1) or <= limit (side -1): Sutherland and
+// The part with east - eastPerNorth * north >= limit (side 1) or <= limit (side -1), by Sutherland and
 // Hodgman's clipping.
 StreetPolygon halfOf(const StreetPolygon& polygon, double eastPerNorth, double limit, int side) {
     const auto beyond = [&](glm::dvec2 p) { return side * (p.x - eastPerNorth * p.y - limit); };

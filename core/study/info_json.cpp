@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// What one walk over the city counts.
+// Counts from one pass over the city.
 struct Counts {
     std::size_t parts = 0;
     std::size_t overhanging = 0;

@@ -12,10 +12,10 @@ namespace noonmark {
 
 namespace {
 
-// Kind 1, ground 4, list of receivers 4, gross and continuous 8; as much again while a map is drawn from
-// them.
+// Kind 1, ground 4, list of receivers 4, gross and continuous 8; and the same again while a map is drawn.
 constexpr double bytesPerCell = 32;
-// Vertices and indices 36, their copy in the acceleration structure and its nodes; measured with Embree 3.
+// Vertices and indices take 36; the rest is their copy in the acceleration structure and its nodes; measured
+// with Embree 3.
 constexpr double bytesPerTriangle = 250;
 constexpr double bytesPerStep = 2 * sizeof(SunStep);
 
@@ -30,7 +30,7 @@ double estimatedTriangles(const Part& part) {
     if (part.mesh) return double(part.mesh->triangles.size());
     std::size_t points = part.footprint.outer.size();
     for (const Ring& hole : part.footprint.holes) points += hole.size();
-    return 4 * double(points);  // two a wall, about one a point in each cap
+    return 4 * double(points);  // two per wall, about one per point in each cap
 }
 
 double countTriangles(const City& city) {

@@ -25,7 +25,7 @@ void PiecewiseProgress::end() { done_ += std::exchange(size_, 0); }
 void PiecewiseProgress::report(double fraction, std::string_view stage) {
     const double here = done_ + std::clamp(fraction, 0.0, 1.0) * size_;
     const double left = whole_ - before_ - here;
-    // The first moments tell nothing about the pace.
+    // The first seconds do not show the speed.
     const std::string time = here > 0 && watch_.seconds() > 2
                                  ? ", " + remainingWords(watch_.seconds() / here * left)
                                  : std::string();

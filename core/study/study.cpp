@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-// Runs one stage into its place and notes how long it took.
+// Runs one stage, stores its result in `place` and its duration in `study.seconds`.
 template <class T, class Stage>
 Result<void> timed(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
     if (stop.stop_requested()) return cancelled();
@@ -51,15 +51,15 @@ Result<void> checkBreakdown(const StudySettings& settings) {
     const bool months = !settings.contributions && settings.engine == "projected";
     if (!wantsBreakdown(settings) || months || settings.engine == "horizon" || settings.engine == "auto")
         return {};
-    return failure(fmt::format("{} from the engine '{}'",
-                               settings.contributions ? "Contributions come from the horizon sweep, not"
-                                                      : "Months come from the horizon sweep or projected "
-                                                        "shadows, not",
+    return failure(fmt::format("{} by the engine '{}'",
+                               settings.contributions
+                                   ? "Contributions are computed by the horizon sweep, not"
+                                   : "Months are computed by the horizon sweep or projected shadows, not",
                                settings.engine),
                    "engine", "Choose --engine horizon");
 }
 
-// Months by projected shadows where these made the field: both say the same then.
+// Months are computed by projected shadows if these made the field, so that months and field agree.
 Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
     const StepSets sets = settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
@@ -105,7 +105,7 @@ bool wantsError(const Study& study) {
     return study.settings.errorSample.receivers > 0 && !study.byReference();
 }
 
-// A study is not lost for want of its error: only a stop request ends it.
+// A failure to measure the error does not fail the study; only a stop request ends it.
 Result<void> measureError(Study& study, Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
     const auto error = sampleError(study.city, study.receivers, study.sun, study.field,

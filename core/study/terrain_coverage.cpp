@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-// Whether a grid's outline, looked at cell by cell, lies on the terrain: what is inside then does, too.
+// Whether every cell of a grid's outline lies on the terrain; then the cells inside do too.
 bool coversAll(const Terrain& terrain, const Grid& cells) {
     const auto off = [&](int column, int row) {
         return beyondM(terrain.grid, cells.centre(column, row)) > 0;
@@ -28,7 +28,7 @@ Box2 computeBox(const Grid& cells) {
     return {{float(cells.westM), float(cells.southM)}, {float(cells.eastM()), float(cells.northM())}};
 }
 
-// Counts places into a share.
+// Counts points into a share.
 class Counter {
 public:
     Counter(const Terrain& terrain, TerrainCoverage::Share& share) : posts_(terrain.grid), share_(share) {
@@ -94,9 +94,11 @@ TerrainCoverage terrainCoverage(const City& city, const Region& region, const Gr
 
 Result<void> checkCoverage(const TerrainCoverage& coverage, const std::string& region) {
     const auto refused = [&](const char* what, std::size_t count, const TerrainCoverage::Share& share) {
-        return failure(fmt::format("Most {} the terrain: {} of {}, up to {:.0f} m from it", what, count,
-                                   share.all, share.farthestM),
-                       region, "Choose a terrain that covers the region and what shades it, or leave it out");
+        return failure(
+            fmt::format("Most {} the terrain: {} of {}, up to {:.0f} m from it", what, count, share.all,
+                        share.farthestM),
+            region,
+            "Choose a terrain that covers the region and the buildings that shade it, or omit the terrain");
     };
     const auto& [receivers, casters] = coverage;
     if (receivers.off * 2 > receivers.all) return refused("receivers lie beyond", receivers.off, receivers);
@@ -115,7 +117,7 @@ Warnings warningsOf(const TerrainCoverage& coverage) {
                              100.0 * double(share.off) / double(share.all), share.farthestM)});
     };
     add("receivers beyond the terrain are at its nearest elevation", coverage.receivers);
-    add("buildings beyond the terrain, whose shadow can reach the region, stand on its nearest elevation",
+    add("buildings beyond the terrain whose shadow can reach the region stand on its nearest elevation",
         coverage.casters);
     return warnings;
 }

@@ -17,7 +17,7 @@ using namespace std::chrono;
 constexpr double millisecondsPerMinute = 60000;
 constexpr double mostSteps = 50'000'000;  // 1.6 GB
 
-/// The hours of one day, and the whole steps that fill them, before the horizon is looked at.
+/// The window of one day and its whole steps, before the horizon is considered.
 struct Window {
     Instant from;
     double minutes = 0;
@@ -30,17 +30,17 @@ double stepMinutesOf(const Period& period) {
     return instant ? 1 : period.stepMinutes;
 }
 
-/// As many steps of equal length as come nearest to what is asked for; at least one where there is any time.
-/// Hours that the step divides, but for rounding, are divided by it exactly.
+/// Divides a window into equal steps as near to the requested step as possible; at least one if the window is
+/// not empty. A window that the step divides, apart from rounding, gets exactly that step.
 Window filled(Instant from, double minutes, double stepMinutes) {
-    constexpr double rounding = 1e-6;  // of a step: 6 h of 0.1 min are 3600 steps
+    constexpr double rounding = 1e-6;  // as a share of a step: 6 h of 0.1 min are 3600 steps
     if (!(minutes > rounding * stepMinutes)) return {from};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(minutes / stepMinutes));
     const double asked = double(steps) * stepMinutes;
     return {from, std::abs(asked - minutes) <= rounding * stepMinutes ? asked : minutes, steps};
 }
 
-/// Where there is no sunrise or sunset because the sun stays up, the civil day itself bounds the window.
+/// If there is no sunrise or sunset because the sun stays up, the civil day bounds the window.
 Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant midnight, Instant nextMidnight,
                    double stepMinutes) {
     if (events.kind == DayKind::polarNight) return {midnight};
@@ -49,22 +49,23 @@ Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant m
     return filled(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
 }
 
-/// A sun above the observer's horizon, in the frame of the geometry. Where that lies so far from the observer
-/// that the sun is below its plane, it is taken in the plane: engines know suns above it.
+/// The direction of a sun above the observer's horizon, in the frame of the geometry. Far from the frame's
+/// origin the sun may be below that frame's horizontal plane; it is then moved just above the plane, since
+/// engines expect z > 0.
 struct FramedSun {
     glm::vec3 direction;
     bool levelled = false;
 };
 
 FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees altitude) {
-    constexpr double leastZ = 1e-6;  // a ten-thousandth of a degree
+    constexpr double leastZ = 1e-6;  // 0.00006 degrees
     glm::dvec3 towards = frameFromPlace * toDirection(azimuth, altitude);
     const bool levelled = towards.z <= 0;
     if (levelled) towards.z = leastZ;
     return {glm::vec3(glm::normalize(towards)), levelled};
 }
 
-/// Makes the days of a period, each on its own.
+/// Computes the days of a period independently of each other.
 class Days {
 public:
     Days(const Period& period, const Zone& zone, const Ephemeris& sun, const glm::dmat3& frameFromPlace)
@@ -105,7 +106,7 @@ private:
         return filled(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
     }
 
-    /// Nothing while the sun is below the horizon.
+    /// Nothing if the sun is below the horizon.
     [[nodiscard]] std::optional<SunStep> stepAt(const Window& window, std::int64_t slot,
                                                 std::size_t& levelled) const {
         const double sinceFrom = double(slot) * window.stepMinutes() * millisecondsPerMinute;
@@ -136,7 +137,8 @@ std::vector<Days::Steps> allDays(const Period& period, const Days& days, const s
     return made;
 }
 
-/// Every step counts the same: the mean of all, so that the minutes of the period are those of its hours.
+/// Gives every step the same weight, the mean over all days, so that the steps add up to the hours of the
+/// period.
 void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes) {
     std::int64_t steps = 0;
     for (const auto& day : days) {
@@ -175,7 +177,7 @@ std::optional<Error> tooManySteps(const Period& period) {
     if (steps <= mostSteps) return std::nullopt;
     return Error{fmt::format("The period has up to {:.0f} million steps, which need {:.1f} GB", steps / 1e6,
                              steps * sizeof(SunStep) / 1e9),
-                 "step", "Take a longer step or fewer days; 50 million steps are possible"};
+                 "step", "Choose a longer step or fewer days; the limit is 50 million steps"};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_F(ProjectPlaces, MistakesOfLotsSayWhatToDo) {
                 AllOf(HasSubstr("'9-9'"), HasSubstr("10-1, 10-2")));
     EXPECT_THAT(refused("lot import", {parcels_, "--layer", "roads"}), HasSubstr("Its layers are: parcels"));
     EXPECT_THAT(refused("lot import", {parcels_, "--within", "-73.9,40.76,-73.8,40.77"}),
-                HasSubstr("No parcel of the file lies there"));
+                HasSubstr("No parcel of the file lies in the region"));
     EXPECT_THAT(refused("lot import", {folder_.path("gone.gpkg").string()}), HasSubstr("gone.gpkg"));
     EXPECT_THAT(refused("lot add", {"One57", "-73.98,40.765,-73.979,40.766"}), HasSubstr("lot remove"));
     EXPECT_THAT(refused("lot add", {"x"}), HasSubstr("place"));

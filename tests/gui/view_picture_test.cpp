@@ -73,7 +73,7 @@ TEST(PlacingPanels, FieldsStayUnderTheCursorWhateverIsSaid) {
     panel.begin(QStringLiteral("a tower with a rather long name of its file, twice.obj"));
     EXPECT_EQ(places(), before);
     panel.showWarnings(
-        {{WarningKind::assumed, "the mesh's origin was put at the project's origin", "t.obj"}});
+        {{WarningKind::assumed, "the project's origin is used as the mesh's origin", "t.obj"}});
     EXPECT_EQ(places(), before);
 }
 

@@ -10,8 +10,8 @@
 
 namespace noonmark::bench {
 
-/// The time that an experiment may take, from when it is made. What an experiment cannot do without is
-/// measured all the same; what more there could be is left out where it does not fit in, and that is said.
+/// The time limit of an experiment, counted from construction. Necessary measurements are made in any case;
+/// optional ones are left out if they do not fit, and the report states that.
 class Allowance {
 public:
     explicit Allowance(double seconds = std::numeric_limits<double>::infinity()) : seconds_(seconds) {}
@@ -23,7 +23,7 @@ private:
     Stopwatch watch_;
 };
 
-/// Which of some pieces of work fit into `seconds` together, the cheapest first. `costs` in seconds.
+/// Which pieces of work fit into `seconds` together, the cheapest first. `costs` in seconds.
 inline std::vector<bool> canAfford(const std::vector<double>& costs, double seconds) {
     std::vector<std::size_t> order(costs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

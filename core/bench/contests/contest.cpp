@@ -15,7 +15,7 @@ namespace noonmark::bench {
 
 namespace {
 
-/// One contestant through check and rounds.
+/// Runs one contestant through its check and the rounds.
 class Runner {
 public:
     Runner(const Contestant& contestant, const Scene& scene, const Work& work)
@@ -69,7 +69,7 @@ private:
     void judge(const FieldError& error) {
         placing_.error = error;
         if (error.cellMeanPct > wrongAbovePct)
-            refuse(fmt::format("not timed: cells are off by {:.1f} % of the period in the mean",
+            refuse(fmt::format("not timed: cells differ by {:.1f} % of the period on average",
                                error.cellMeanPct));
     }
 

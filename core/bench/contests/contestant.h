@@ -12,28 +12,28 @@ namespace noonmark::bench {
 struct Contestant {
     std::string engine;   ///< key: "iam"
     std::string name;     ///< "Inverse accrual map"
-    std::string setting;  ///< what is not as usual: "levels 2"; empty
+    std::string setting;  ///< settings that differ from the usual ones: "levels 2"; may be empty
     std::shared_ptr<const Engine> accumulator;
-    bool needed = false;  ///< its time is one that is asked for: it is let run to its end
+    bool needed = false;  ///< the report needs its time: it is never stopped early
 };
 
 /// "Inverse accrual map, levels 2"
 std::string makeTitle(const Contestant& contestant);
 
-/// Who runs.
+/// The contestants.
 struct StartList {
     std::vector<Contestant> contestants;
-    std::vector<std::string> absent;  ///< who cannot be made on this machine, and why
+    std::vector<std::string> absent;  ///< engines that cannot run on this machine, and why
 };
 
-/// Every engine as it usually is.
+/// Every engine with its usual settings.
 StartList listUsualEngines(const EngineList& engines);
 
-/// Every engine as usual, and with each of its options, one at a time, at these multiples of its usual value
-/// (rounded and clamped to what the option allows; no setting twice).
+/// Every engine with its usual settings, and with each of its options, one at a time, at these multiples of
+/// its usual value (rounded and clamped to the option's range; no setting twice).
 StartList listVariedEngines(const EngineList& engines, const std::vector<double>& factors);
 
-/// One engine with one option at some values, in their order; empty where there is no such engine or option.
+/// One engine with one option at the given values, in order; empty if there is no such engine or option.
 std::vector<Contestant> listVariants(const EngineList& engines, std::string_view engine,
                                      std::string_view option, const std::vector<double>& values);
 

@@ -9,8 +9,8 @@
 
 namespace noonmark::bench {
 
-/// A stop token that stops when `outer` does, or when so many seconds have passed; never by time where they
-/// are infinite or more than a year.
+/// A stop token that stops when `outer` does, or after `seconds`; without a time limit if `seconds` is
+/// infinite or more than a year.
 class Deadline {
 public:
     Deadline(double seconds, const std::stop_token& outer)
@@ -23,7 +23,7 @@ public:
     Deadline& operator=(const Deadline&) = delete;
 
     [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-    /// Stops at once; from any thread.
+    /// Stops immediately; may be called from any thread.
     void giveUp() { source_.request_stop(); }
 
 private:
@@ -37,7 +37,7 @@ private:
     std::stop_callback<std::function<void()>> relay_;
     std::mutex mutex_;
     std::condition_variable_any woken_;
-    std::jthread timer_;  // last: ends before what it uses
+    std::jthread timer_;  // last: must end before the members it uses
 };
 
 }  // namespace noonmark::bench

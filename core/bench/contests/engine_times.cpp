@@ -14,7 +14,7 @@ namespace noonmark::bench {
 
 namespace {
 
-/// All engines at one place on one day.
+/// The contest of all engines at one place on one day.
 struct Meeting {
     int position = 0;
     CivilDate date;
@@ -38,8 +38,8 @@ Result<Meeting> meeting(const BenchSite& site, const Receivers& receivers, Civil
         });
 }
 
-/// What engines took in the last meeting that they took part in; those of the first one take part in any
-/// case.
+/// Updates the costs with the times of the last contest that each engine took part in; engines of the first
+/// contest always take part.
 void note(std::vector<double>& costs, const Meeting& meeting) {
     for (std::size_t i = 0; i < costs.size(); ++i)
         if (meeting.placings[i].timed()) costs[i] = measureCost(meeting.placings[i]);
@@ -68,7 +68,7 @@ Result<std::vector<Meeting>> meetings(const BenchSite& site, const Extent& exten
     return all;
 }
 
-/// Seconds an hour of one engine where it was timed.
+/// Times of one engine in seconds per hour, where it was timed.
 std::vector<double> secondsOf(std::size_t engine, const std::vector<Meeting>& all, double hours) {
     std::vector<double> seconds;
     for (const Meeting& one : all)
@@ -76,7 +76,7 @@ std::vector<double> secondsOf(std::size_t engine, const std::vector<Meeting>& al
     return seconds;
 }
 
-/// Mean time of `slow` over that of `fast`, over the meetings where both were timed.
+/// Mean time of `slow` divided by that of `fast`, over the contests where both were timed.
 std::optional<double> ratioOf(std::string_view slow, std::string_view fast, const StartList& engines,
                               const std::vector<Meeting>& all) {
     const auto placeOf = [&](std::string_view key) {
@@ -132,7 +132,7 @@ void addRatio(Finding& finding, const char* key, const std::optional<double>& ra
     if (ratio) finding.summary[key] = std::max(*ratio, finding.summary[key]);
 }
 
-// The shadow accrual map has two forms; the summary has the one that is faster on this machine.
+// The shadow accrual map has two forms; the summary uses the one that is faster on this machine.
 void addAccrualRatios(Finding& finding, const StartList& engines, const std::vector<Meeting>& all) {
     addRatio(finding, "sam_vs_shadow_map", ratioOf("shadow-map-gl", "sam-gl", engines, all),
              "SAM in OpenGL / shadow maps", "> 10");
@@ -145,16 +145,15 @@ Finding emptyFinding(const Extent& extent) {
     finding.key = "engine_times";
     finding.title = "All engines over places and days";
     finding.text = fmt::format(
-        "{} places, {} days of the year, {:g} h around noon at every minute. From city to field, with all "
-        "that "
-        "an "
-        "engine builds; each time is the median of {} runs, all engines in turn, after each one's result was "
-        "held against rays. Every engine's times are sorted by themselves, as in the paper.",
+        "{} places, {} days of the year, {:g} h around noon at every minute. Times are from city to field, "
+        "including everything that an engine builds; each is the median of {} runs, all engines in turn, "
+        "after each engine's result was checked against rays. Every engine's times are sorted separately, as "
+        "in the paper.",
         extent.positions, extent.days, extent.hoursADay, extent.runs);
     finding.table.columns = {
         "engine", "position", "date", "time_per_hour_s", "runs", "area_error_pct", "cell_error_mean_pct",
         "refusal"};
-    finding.comparisons[0].header = {"engine", "s an hour", "x rays"};
+    finding.comparisons[0].header = {"engine", "s per hour", "x rays"};
     finding.charts = {{"Time for an hourly interval",
                        {.label = "place and day, sorted by time", .whole = true},
                        {"time for an hour of sun, s", true},

@@ -9,9 +9,9 @@
 namespace noonmark::bench {
 
 /// All engines over random places and days (paper, section 7, Figure a of the performance evaluation):
-/// Extent::hoursADay around noon, always Extent::runs runs, seconds for an hourly interval, each engine's
-/// times sorted by themselves. Summary: iam_vs_ray and sam_vs_shadow_map, the ratio of the mean times where
-/// both were timed; of the two forms of the shadow accrual map the one that is faster here.
+/// Extent::hoursADay around noon, always Extent::runs runs, seconds per hourly interval, each engine's times
+/// sorted separately. Summary: iam_vs_ray and sam_vs_shadow_map, the ratios of mean times if both were timed;
+/// of the two forms of the shadow accrual map, the faster one on this machine.
 Result<Finding> benchEngineTimes(const BenchSite& site, const Extent& extent, const StartList& engines,
                                  const Work& work);
 

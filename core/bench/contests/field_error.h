@@ -5,11 +5,12 @@
 
 namespace noonmark::bench {
 
-/// How far a field is from the truth on the same receivers and steps; percent.
+/// Error of a field against the truth at the same receivers and steps; percent.
 struct FieldError {
-    double areaPct = 0;      ///< difference of the shadow areas, absolute, of the receivers' area
-    double cellMeanPct = 0;  ///< mean over the cells of the difference of gross shadow, of the sunlit time
-    double cellP99Pct = 0;   ///< 99 of 100 cells are nearer
+    double areaPct = 0;  ///< absolute difference of the shadow areas, % of the receivers' area
+    /// Absolute difference of gross shadow, mean over the cells, % of the sunlit time
+    double cellMeanPct = 0;
+    double cellP99Pct = 0;  ///< 99 of 100 cells differ by less
     double cellMaxPct = 0;
     bool operator==(const FieldError&) const = default;
 };

@@ -6,16 +6,16 @@
 
 namespace noonmark::bench {
 
-/// Whether work that has done so much of itself (0 to 1) will by far not end in time: a fifth longer than the
-/// limit, seen once a quarter of it has passed. Work that reports nothing is let go on.
+/// Whether work that has done `fraction` of itself (0 to 1) will clearly miss its limit: by a fifth, judged
+/// once a quarter of the limit has passed. Work that reports no progress is never hopeless.
 constexpr bool isHopeless(double elapsedS, double fraction, double limitS) {
     return elapsedS > limitS / 4 && fraction > 0 && elapsedS > fraction * 1.2 * limitS;
 }
 
-/// Ends work before its deadline where it is hopeless.
+/// Stops work before its deadline if it is hopeless.
 class Forecast final : public Progress {
 public:
-    /// The deadline outlives it.
+    /// `deadline` must outlive this object.
     Forecast(Deadline& deadline, double limitS) : deadline_(deadline), limitS_(limitS) {}
 
     void report(double fraction, std::string_view) override {

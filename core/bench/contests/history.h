@@ -5,13 +5,13 @@
 
 namespace noonmark::bench {
 
-/// What is known of a contestant from shorter periods.
+/// A contestant's times over shorter periods, to predict longer ones.
 class History {
 public:
     void add(int days, double seconds) { periods_.push_back({days, seconds}); }
 
-    /// Seconds over so many days, where time has almost grown in proportion so far, over ten times the days
-    /// at least; else 0: who knows.
+    /// Predicted seconds over `days`, if time has grown almost in proportion so far, over a range of at least
+    /// ten times the days; 0: unknown.
     [[nodiscard]] double expected(int days) const {
         if (periods_.empty() || periods_.back().days < 10 * periods_.front().days) return 0;
         const Period& last = periods_.back();

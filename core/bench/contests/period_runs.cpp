@@ -16,10 +16,10 @@ namespace noonmark::bench {
 namespace {
 
 constexpr const char* rayKey = "ray";
-constexpr const char* neededTitle = "Inverse accrual map";  // year_graph_speedup is its time
+constexpr const char* neededTitle = "Inverse accrual map";  // year_graph_speedup needs its time
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// The inverse accrual map as the paper's brute force: every hour of every day anew.
+/// Adds the inverse accrual map as the paper's brute force: every hour of every day is computed.
 void addWithoutGraph(StartList& list) {
     const auto usual = std::ranges::find(list.contestants, "iam", &Contestant::engine);
     const auto map = InverseAccrualMap::make({});
@@ -36,20 +36,20 @@ bool isUsual(const Contestant& contestant) {
     return contestant.setting.empty() || contestant.setting == withoutGraph;
 }
 
-/// A period with what its contests need.
+/// A period and the data of its contests.
 struct Arena {
     PeriodRun run;
     SunSteps sun;
     Truth truth;
 };
 
-/// Contests over one period after the other, shortest first.
+/// Runs contests over one period after the other, shortest first.
 class Series {
 public:
     Series(const BenchSite& site, const Receivers& receivers, const Extent& extent, const Work& work)
         : site_(site), receivers_(receivers), extent_(extent), work_(work) {}
 
-    /// Of the usual settings, all of whom are wanted.
+    /// Runs the contest of the usual settings, all of which are wanted.
     Result<void> competeUsual(Arena& arena) {
         PeriodRun& period = arena.run;
         std::vector<std::size_t> starters;
@@ -65,7 +65,7 @@ public:
         return compete(arena, starters, endless, std::vector<double>(starters.size(), 0));
     }
 
-    /// Of as many others as take less than `seconds`.
+    /// Runs the contest of as many other settings as take less than `seconds`.
     Result<void> competeVaried(Arena& arena, double seconds) {
         PeriodRun& period = arena.run;
         std::vector<std::size_t> places;
@@ -96,12 +96,12 @@ private:
         return {};
     }
 
-    /// Why a contestant takes no part; empty if it does.
+    /// Why a contestant does not take part; empty if it does.
     [[nodiscard]] std::string whyNot(const Contestant& contestant, const PeriodRun& period) {
         const std::string title = makeTitle(contestant);
         if (slow_.contains(title)) return "left out: too slow over fewer days";
         if (const double seconds = history_[title].expected(period.days); seconds > extent_.neverAboveS)
-            return fmt::format("left out: some {:.0f} s are expected", seconds);
+            return fmt::format("left out: expected to take some {:.0f} s", seconds);
         return {};
     }
 
@@ -112,7 +112,7 @@ private:
         return nullptr;
     }
 
-    /// What check and runs of a setting will take, as far as the usual ones tell.
+    /// Expected time of the check and runs of a setting, from the time of the usual ones.
     [[nodiscard]] double expected(const Placing& usual) const {
         return usual.medianS * (usual.medianS > extent_.onceAboveS ? 1 : 1 + extent_.runs);
     }
@@ -136,7 +136,7 @@ private:
     std::map<std::string, History> history_;
 };
 
-/// The periods in their order.
+/// The periods in order.
 std::vector<PeriodRun> periodsOf(const Extent& extent) {
     std::vector<PeriodRun> periods{{.name = "an hour", .hours = 1}};
     for (const int days : extent.dayCounts) periods.push_back({.name = nameOf(days), .days = days});
@@ -156,7 +156,7 @@ Result<Arena> arenaOf(PeriodRun run, const BenchSite& site, const Receivers& rec
     return Arena{std::move(run), std::move(*sun), std::move(*truth)};
 }
 
-// The usual settings of all periods first: what they leave of the time is for the others.
+// Runs the usual settings of all periods first; the remaining time goes to the others.
 Result<void> competeOver(std::vector<Arena>& arenas, Series& series, const Work& work) {
     Pieces pieces(work, "periods from an hour to a year, other settings", arenas.size());
     for (std::size_t i = 0; i < arenas.size(); ++i) {

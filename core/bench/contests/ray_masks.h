@@ -12,15 +12,15 @@
 
 namespace noonmark::bench {
 
-/// The ray reference step by step, for directions that no period holds: bit k of the mask of a receiver is
-/// set where it is in shadow of direction k.
+/// Shadow by the ray reference for single directions that belong to no period: bit k of a receiver's mask is
+/// set if it is in shadow for direction k.
 class RayMasks {
 public:
     RayMasks(RayScene scene, const Receivers& receivers);
-    /// All buildings of the city.
+    /// With all buildings of the city.
     static Result<RayMasks> over(const City& city, const Receivers& receivers, const std::stop_token& stop);
 
-    /// One mask for each of receivers.cells. At most 64 directions, unit vectors. All cores.
+    /// One mask for each of receivers.cells. At most 64 directions, unit vectors. Uses all cores.
     [[nodiscard]] std::vector<ShadowMask> of(std::span<const glm::dvec3> directions) const;
 
 private:

@@ -9,10 +9,10 @@ namespace noonmark::bench {
 
 namespace {
 
-constexpr double growth = 3;  // four times the cells, and what does not grow with them
+constexpr double growth = 3;  // four times the cells, but part of the work does not grow with them
 constexpr std::size_t inAnyCase = 2;
 
-// The last of so many takes more than all before it.
+// The share of the next run in the remaining time: the last of `toCome` runs takes more than all before it.
 double shareOfNext(std::size_t toCome) { return (growth - 1) / (std::pow(growth, double(toCome)) - 1); }
 
 Result<ResolutionRun> runAt(int resolution, const std::vector<double>& costs, double seconds,
@@ -39,7 +39,7 @@ std::string unlessAt(int finest, double cellsASide) {
 
 Result<std::vector<ResolutionRun>> benchResolutions(const BenchSite& site, const Extent& extent,
                                                     const StartList& engines, const Work& work) {
-    if (extent.resolutions.empty()) return failure("No resolution fits a square of this size");
+    if (extent.resolutions.empty()) return failure("No resolution is possible for a square of this size");
     std::vector<double> costs(engines.contestants.size(), 0);
     std::vector<ResolutionRun> runs;
     Pieces pieces(work, "time and memory by resolution", extent.resolutions.size());

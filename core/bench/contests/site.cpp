@@ -12,7 +12,7 @@ namespace noonmark::bench {
 
 namespace {
 
-// std::uniform_int_distribution differs between libraries; this does not.
+// std::uniform_int_distribution differs between libraries; this function does not.
 std::size_t anyOf(std::mt19937& random, std::size_t count) { return std::size_t(random()) % count; }
 
 void shuffle(std::vector<std::size_t>& values, std::mt19937& random) {

@@ -10,27 +10,27 @@
 
 namespace noonmark::bench {
 
-/// Where and when the experiments are made.
+/// Place and time of the experiments.
 struct BenchSite {
     City city;
-    std::string name;                       ///< of the city, for pages
-    std::string zone = "America/New_York";  ///< IANA
-    /// Of experiments on one day; those on a year take its calendar year.
+    std::string name;                       ///< name of the city, for pages
+    std::string zone = "America/New_York";  ///< IANA name
+    /// Date of experiments on one day; those over a year use its calendar year.
     CivilDate date{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}};
-    double sideM = 800;      ///< of the squares whose ground is measured; cells of 1 m unless said
-    std::uint32_t seed = 1;  ///< of every random choice
+    double sideM = 800;      ///< side of the measured squares; cells of 1 m unless stated otherwise
+    std::uint32_t seed = 1;  ///< seed of every random choice
 };
 
-/// `sideM` around the middle of the city, or its whole where it is smaller.
+/// A square of `sideM` around the middle of the city, or the whole city if it is smaller.
 Region pickMiddleSquare(const City& city, double sideM);
 
-/// Squares around randomly chosen buildings, moved so that they lie inside the city where it is large enough.
+/// Squares around randomly chosen buildings, moved so that they lie inside the city if it is large enough.
 std::vector<Region> pickRandomSquares(const BenchSite& site, int count);
 
-/// Days of the site's year, chosen at random, in order.
+/// Random days of the site's year, in order.
 std::vector<CivilDate> pickRandomDays(const BenchSite& site, int count);
 
-/// Every minute of `hours` a day around noon: 6 h begin at 9:00, as in the paper.
+/// Every minute of `hours` per day around noon: 6 h begin at 9:00, as in the paper.
 Result<SunSteps> computeSunOver(const BenchSite& site, CivilDate start, int days, double hours = 6);
 Result<SunSteps> computeYearSun(const BenchSite& site, double hours = 6);
 
@@ -40,20 +40,21 @@ Result<SunSteps> makeNoonHour(const BenchSite& site);
 /// Every minute from sunrise to sunset.
 Result<SunSteps> daylightOf(const BenchSite& site, CivilDate date);
 
-/// `count` steps of one day of `sun` from `first` on, as a day of its own.
+/// `count` steps of one day of `sun` from step `first` on, as a day of their own.
 SunSteps stretchOf(const SunSteps& sun, std::size_t first, std::size_t count);
 
-/// Those of `cellsASide` that make cells of the sizes that receivers may have.
+/// The values of `cellsASide` whose cells have an allowed size.
 std::vector<int> chooseResolutions(const BenchSite& site, std::vector<int> cellsASide);
 
-/// The ground of the middle square, cut into so many cells a side (cells are 0.25 to 10 m).
+/// Receivers on the ground of the middle square, with `cellsASide` cells along each side (cells are 0.25 to
+/// 10 m).
 Result<Receivers> placeReceiversAt(const BenchSite& site, int cellsASide, const std::stop_token& stop);
 
 /// The same in cells of 1 m.
 Result<Receivers> pickMiddleReceivers(const BenchSite& site, const std::stop_token& stop);
 
-/// Whole squares of 8 x 8 cells, chosen at random until at least `count` receivers are in (all where there
-/// are fewer): neighbours stay together, so that a cell costs an engine what it costs among all.
+/// A random sample of whole squares of 8 x 8 cells with at least `count` receivers (all if there are fewer).
+/// Neighbours stay together, so that a cell costs an engine as much as it does among all cells.
 Receivers sampleOf(const Receivers& receivers, std::size_t count, std::uint32_t seed);
 
 }  // namespace noonmark::bench

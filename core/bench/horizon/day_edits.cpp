@@ -42,7 +42,7 @@ Result<void> checkedEdit(ShadowCache& kept, const TowerPlace& place, const SunSt
     if (!fresh) return tl::make_unexpected(fresh.error());
     if (const auto done = edit(kept, place, work, times.edits); !done) return done;
     if (haveSameMinutes(kept.field(), *fresh)) return {};
-    return failure("The edited field differs from a fresh one", "kept shadows");
+    return failure("The edited field differs from a fresh one", "cached shadows");
 }
 
 Result<DayTimes> measured(const BenchSite& site, const Extent& extent, const SunSteps& day,
@@ -77,21 +77,19 @@ void addRows(Finding& finding, const char* what, const std::vector<double>& seco
 }  // namespace
 
 Result<Finding> benchDayEdits(const BenchSite& site, const Extent& extent, const Work& work) {
-    work.progress.report(0, "kept shadows");
+    work.progress.report(0, "cached shadows");
     const auto day = computeSunOver(site, site.date, 1);
     if (!day) return tl::make_unexpected(day.error());
     const auto times = measured(site, extent, *day, work);
     if (!times) return tl::make_unexpected(times.error());
     Finding finding;
     finding.key = "day_edits";
-    finding.title = "A tower that moves, one day";
+    finding.title = "A tower is moved, one day";
     finding.text = fmt::format(
-        "6 h around noon on {} at every minute, gross and continuous: full runs of projected shadows, and in "
-        "turn with them a tower of 40 x 40 x 200 m in the middle moved by 10 m and back on kept shadows. "
-        "After "
-        "every move the field equals that of the full run, bit for bit. To keep the shadows took {:.3g} s "
-        "and "
-        "{:.0f} MB.",
+        "6 h around noon on {} at every minute, gross and continuous: full runs of projected shadows, in "
+        "turn with edits that move a tower of 40 x 40 x 200 m in the middle by 10 m and back with cached "
+        "shadows. After every move the field equals that of the full run, bit for bit. Making the cache took "
+        "{:.3g} s and {:.0f} MB.",
         textOf(site.date), times->keepS, double(times->bytes) * 1e-6);
     finding.table.columns = {"what", "time_s"};
     finding.comparisons[0].header = {"", "median, ms", "least", "most"};

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double hoursADay = 8, fewerHoursADay = 6;
 
-/// Kept horizons and the times of what is done with them. The first error ends it.
+/// A horizon cache and the times of operations on it. Stops at the first error.
 class SavedStudy {
 public:
     SavedStudy(HorizonCache kept, const Work& work) : kept_(std::move(kept)), work_(work) {}
 
-    /// Seconds, for gross shadow.
+    /// Time for gross shadow, seconds.
     Result<double> retime(const SunSteps& sun) {
         return timed([&] { return kept_.retime(sun, silent_, work_.stop, ShadowCounts::gross); });
     }
@@ -27,7 +27,7 @@ public:
             return kept_.change(state.city, state.receivers, silent_, work_.stop, ShadowCounts::gross);
         });
     }
-    /// Seconds that the longest runs take besides.
+    /// Additional time for the longest runs, seconds.
     Result<double> countRuns() {
         return timed([&] { return kept_.withRuns(silent_, work_.stop); });
     }
@@ -50,7 +50,7 @@ private:
     ShadowField field_;
 };
 
-/// Seconds for gross shadow, and for it and the longest runs.
+/// Seconds for gross shadow, and for gross shadow and the longest runs together.
 struct Times {
     std::vector<double> gross, both;
 };
@@ -62,7 +62,7 @@ struct CacheTimes {
 
 Result<void> checkSame(const SavedStudy& study, const SavedStudy& fresh) {
     if (haveSameMinutes(study.field(), fresh.field())) return {};
-    return failure("The edited field differs from a fresh one", "kept horizons");
+    return failure("The edited field differs from a fresh one", "cached horizons");
 }
 
 Result<SavedStudy> studyOf(const TowerPlace& state, const Work& work) {
@@ -97,7 +97,7 @@ Result<void> addEdits(Times& times, SavedStudy& study, const TowerPlace& here, c
     return state;
 }
 
-// As while a slider of hours is dragged; and back each time.
+// As while a slider of hours is dragged; changes back each time.
 Result<void> addRetimes(Times& times, SavedStudy& study, const SunSteps& year, const SunSteps& shorter,
                         int runs) {
     Result<void> state;
@@ -145,7 +145,7 @@ void addRows(Finding& finding, const char* what, const std::vector<double>& seco
 }  // namespace
 
 Result<Finding> benchHorizonEdits(const BenchSite& site, const Extent& extent, const Work& work) {
-    work.progress.report(0, "kept horizons");
+    work.progress.report(0, "cached horizons");
     const auto year = computeYearSun(site, hoursADay), shorter = computeYearSun(site, fewerHoursADay);
     if (!year || !shorter) return tl::make_unexpected(year ? shorter.error() : year.error());
     CacheTimes times;
@@ -153,19 +153,14 @@ Result<Finding> benchHorizonEdits(const BenchSite& site, const Extent& extent, c
         return tl::make_unexpected(done.error());
     Finding finding;
     finding.key = "horizon_edits";
-    finding.title = "Other hours, and a tower that moves";
+    finding.title = "Other hours, and a moved tower";
     finding.text =
-        "A year of 8 h days on kept horizons: the full sweep, the hours changed from 8 to 6 a day, and a "
-        "tower of "
-        "40 x 40 x 200 m in the middle moved by 10 m and back. The field after the first move and the "
-        "last equals a fresh one, bit for bit. The first move finds what stands behind the tower; while it "
-        "is "
-        "dragged on that is known. Moves and hours come one after the other, first for gross shadow alone, "
-        "then each "
-        "with the longest runs. Fractions are of the same count in the full sweep: gross shadow, which is "
-        "shown "
-        "at "
-        "once, or with the longest runs, which may follow.";
+        "A year of 8 h days with cached horizons: the full sweep, the hours changed from 8 to 6 a day, and a "
+        "tower of 40 x 40 x 200 m in the middle moved by 10 m and back. The field after the first move and "
+        "the last equals a fresh one, bit for bit. The first move computes the horizon behind the tower; "
+        "later moves reuse it. Moves and changes of hours are measured one after the other, first for gross "
+        "shadow alone, then each with the longest runs. Fractions refer to the same count in the full sweep: "
+        "gross shadow, which the window shows first, or with the longest runs, which it can show later.";
     finding.table.columns = {"what", "time_s"};
     finding.comparisons[0].header = {"", "median, ms", "least", "most"};
     finding.charts = {{"Time of each run", {.label = "run", .whole = true}, {"time, ms", true}, {}}};

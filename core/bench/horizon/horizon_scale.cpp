@@ -32,7 +32,7 @@ Result<double> medianSeconds(const City& city, const Receivers& receivers, const
     return computeMoments(seconds).median;
 }
 
-/// The part of the buildings that is nearest to the middle of the square.
+/// The share of the buildings that is nearest to the middle of the square.
 City nearestOf(const BenchSite& site, double share) {
     const Box2 square = bounds(pickMiddleSquare(site.city, site.sideM));
     const glm::vec2 middle = (square.low + square.high) / 2.0F;
@@ -68,7 +68,8 @@ Result<void> addSides(Finding& finding, const BenchSite& site, const SunSteps& s
     return {};
 }
 
-// The same receivers for every part of the city: nearest first leaves those of the square as they are.
+// The same receivers for every share of the city: with the nearest buildings first, those in the square are
+// always there.
 Result<void> addBuildings(Finding& finding, const BenchSite& site, const SunSteps& sun, const Extent& extent,
                           const Work& work) {
     const auto receivers = pickMiddleReceivers(site, work.stop);
@@ -101,11 +102,10 @@ Result<Finding> benchHorizonScale(const BenchSite& site, const Extent& extent, c
     if (!sun) return tl::make_unexpected(sun.error());
     Finding finding;
     finding.key = "horizon_scale";
-    finding.title = "How the horizon sweep grows";
+    finding.title = "Growth of the horizon sweep";
     finding.text =
-        "A year of 8 h days at every minute: over squares of more and more receivers in the middle of the "
-        "city, "
-        "and over the whole square with more and more of the city's buildings, the nearest first.";
+        "A year of 8 h days at every minute: over squares of increasing size in the middle of the city, and "
+        "over the whole square with an increasing share of the city's buildings, the nearest first.";
     finding.table.columns = {"grows", "count", "time_s"};
     finding.comparisons[0].header = {"", "times as many", "times as long"};
     finding.charts = {{"Time by receivers", {"receivers", true}, {"time, s", true}, {{"time", "ours"}}},

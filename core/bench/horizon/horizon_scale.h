@@ -7,8 +7,9 @@
 
 namespace noonmark::bench {
 
-/// How the horizon sweep of a year of 8 h days grows: with the receivers (squares of an eighth to the whole
-/// side), and with the buildings of the city, the nearest to the middle first, most of them out of reach.
+/// How the time of the horizon sweep over a year of 8 h days grows with the number of receivers (squares of
+/// an eighth to the whole side), and with the number of buildings in the city, nearest to the middle first,
+/// most of them out of reach.
 Result<Finding> benchHorizonScale(const BenchSite& site, const Extent& extent, const Work& work);
 
 }  // namespace noonmark::bench

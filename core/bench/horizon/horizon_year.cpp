@@ -12,15 +12,15 @@ namespace {
 
 constexpr double hoursADay = 8;
 
-/// A sweep and what it is told.
+/// A sweep and its settings.
 struct Sweep {
-    double binDeg;  ///< 0: as the error target asks
-    bool runs;      ///< whether the longest runs are counted too
+    double binDeg;  ///< 0: determined by the error target
+    bool runs;      ///< whether the longest runs are counted
     [[nodiscard]] const char* counted() const { return runs ? "gross, runs" : "gross"; }
     [[nodiscard]] std::string width() const { return binDeg > 0 ? fmt::format("{:g}", binDeg) : "by error"; }
 };
 
-// Gross shadow at all widths, and with the longest runs at the usual one.
+// Gross shadow at all bin widths, and with the longest runs at the usual one.
 std::vector<Sweep> sweepsOf(const Extent& extent) {
     std::vector<Sweep> sweeps{{0, false}, {0, true}};
     for (const double binDeg : extent.binsDeg) sweeps.push_back({binDeg, false});
@@ -77,11 +77,10 @@ Finding emptyFinding(const Extent& extent, double raySeconds) {
     finding.text = fmt::format(
         "A year of 8 h days at every minute in the middle of the city. Errors of gross shadow against the "
         "ray reference at {} receivers, of the sunlit time; the ray reference's time for all, {} s, is "
-        "worked "
-        "out from them: it counts the longest runs too, which costs it nothing to speak of. Medians of {} "
-        "runs. Bins of 0 deg are those of the usual error target, {:g} %. All suns of a bin are taken at "
-        "their mean azimuth: cells whose horizon ends within a bin, behind the corner of a tower, are "
-        "farthest off.",
+        "extrapolated from them: it includes the longest runs, which cost it almost nothing. Medians of {} "
+        "runs. A bin of 0 deg means the usual error target, {:g} %. All suns of a bin are taken at their "
+        "mean azimuth: cells whose horizon ends within a bin, at the corner of a tower, have the largest "
+        "errors.",
         extent.sampleReceivers, formatThreeDigits(raySeconds), extent.runs,
         HorizonSweepSettings{}.errorTargetPercent);
     finding.table.columns = {"bin_deg",
@@ -100,7 +99,7 @@ Finding emptyFinding(const Extent& extent, double raySeconds) {
          {"bin, deg", true},
          {"cell error, % of the year", true},
          {{"mean", "ours"}, {"99 of 100 cells", "edge"}, {"largest", "most"}}},
-        {"Time by number of bins", {"bins a degree", true}, {"time, s", true}, {{"time", "ours"}}}};
+        {"Time by number of bins", {"bins per degree", true}, {"time, s", true}, {{"time", "ours"}}}};
     return finding;
 }
 

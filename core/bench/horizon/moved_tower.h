@@ -13,13 +13,14 @@ struct TowerPlace {
     Receivers receivers;
 };
 
-/// How far the tower moves, east.
+/// Distance that the tower moves, towards the east.
 inline constexpr float towerMoveM = 10;
 
-/// The tower so far east of the middle. Shares the buildings of the site's city. Error: of the receivers.
+/// The city with the tower `eastM` east of its middle. Shares the buildings of the site's city. Error: as for
+/// the receivers.
 Result<TowerPlace> placeTower(const BenchSite& site, float eastM, const Work& work);
 
-/// Whether two fields have the same bits, where no receiver is, too.
+/// Whether two fields are equal bit for bit, including cells that are not receivers.
 bool haveSameMinutes(const ShadowField& a, const ShadowField& b);
 
 }  // namespace noonmark::bench

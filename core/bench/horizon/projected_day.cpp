@@ -30,7 +30,7 @@ std::size_t differences(const std::vector<ShadowMask>& masks, std::span<const st
     return count;
 }
 
-// A mask holds 64 steps: the day goes by in stretches.
+// A mask holds 64 steps, so the day is processed in stretches.
 Result<double> mistaggedPct(const Scene& scene, const Work& work) {
     const auto rays = RayMasks::over(scene.city, scene.receivers, work.stop);
     if (!rays) return tl::make_unexpected(rays.error());
@@ -74,8 +74,7 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent) {
     finding.title = "One day, every engine";
     finding.text = fmt::format(
         "6 h around noon on {} at every minute, gross and continuous, in the middle of the city, all engines "
-        "in "
-        "turn; medians of {} runs. Errors are of the sunlit time; none is shown as 0.0001 %.",
+        "in turn; medians of {} runs. Errors are of the sunlit time; an error of zero is shown as 0.0001 %.",
         textOf(site.date), extent.runs);
     finding.table.columns = {
         "engine", "time_s", "runs", "area_error_pct", "cell_error_mean_pct", "cell_error_max_pct", "refusal"};

@@ -8,7 +8,7 @@
 
 namespace noonmark::bench {
 
-/// One day of 6 h at every minute by every engine, in turn with the ray reference; projected shadows besides
+/// One day of 6 h at every minute by every engine, in turn with the ray reference; projected shadows also
 /// minute by minute. Summary: day_vs_ray and day_mistagged_pct, the share of cells and minutes in which
 /// projected shadows and rays differ.
 Result<Finding> benchProjectedDay(const BenchSite& site, const Extent& extent, const EngineList& engines,

@@ -9,7 +9,7 @@ namespace noonmark::bench {
 namespace {
 
 Finding failed(const char* title, const Error& error) {
-    return {.title = title, .text = "This experiment could not be made: " + error.text(), .comparisons = {}};
+    return {.title = title, .text = "This experiment failed: " + error.text(), .comparisons = {}};
 }
 
 std::string siteWords(const BenchSite& site) {
@@ -49,7 +49,7 @@ Result<BenchReport> Experiments::into(BenchReport report, const BenchSite& site,
 Result<void> check(const BenchSite& site) {
     if (site.city.buildings.empty())
         return failure("There are no buildings to measure", site.name, "Choose a city with buildings");
-    // What the experiments would all say of a wrong date or zone, said once.
+    // Reports a wrong date or zone once, instead of in every experiment.
     return makeNoonHour(site).map([](const SunSteps&) {});
 }
 

@@ -13,19 +13,19 @@
 
 namespace noonmark::bench {
 
-/// Experiments one after the other, into a report. One that cannot be made becomes a finding that says why;
-/// after one that was cancelled none is made.
+/// Runs experiments one after the other and collects them in a report. An experiment that fails becomes a
+/// finding that says why; after a cancelled one, no more are run.
 class Experiments {
 public:
-    /// All of them are to end within `budgetS`.
+    /// All experiments together should end within `budgetS`.
     explicit Experiments(const Work& work, double budgetS = std::numeric_limits<double>::infinity())
         : work_(work), budgetS_(budgetS) {}
 
     using Make = std::function<Result<Finding>(const Work&)>;
-    /// `share` of the budget, 0 to 1; what the experiments before it did not need comes on top, what they
-    /// took too much is missing.
+    /// `share` of the budget, 0 to 1. Time that earlier experiments did not use is added, time that they
+    /// overran is subtracted.
     void add(const char* title, const Make& make, double share = 1);
-    /// What is said on the first page.
+    /// Adds a remark to the first page.
     void remark(const std::string& text);
 
     /// `report` with findings, machine, site, extent, time and summary filled in; or cancelled().
@@ -35,11 +35,11 @@ private:
     const Work& work_;
     double budgetS_;
     Stopwatch watch_;
-    double shares_ = 0;  // of the experiments so far
+    double shares_ = 0;  // sum of the shares so far
     std::vector<Finding> findings_;
 };
 
-/// Whether experiments can be made at all: a city with buildings, a date and a zone that are known.
+/// Error if no experiment is possible: the city has no buildings, or the date or zone is invalid.
 Result<void> check(const BenchSite& site);
 
 }  // namespace noonmark::bench

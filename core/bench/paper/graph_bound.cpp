@@ -19,14 +19,14 @@ constexpr std::array<double, 5> boundsDeg{1, 2, 5, 10, 20};
 constexpr double paperBoundDeg = 5;
 constexpr int hourSteps = 60;
 
-/// What one bound makes of the year.
+/// Results of one bound over the year.
 struct BoundFigures {
     double boundDeg = 0;
     std::size_t edges = 0;
     std::size_t edgesOfPlainBins = 0;
     std::uint64_t intervals = 0;
     Moments toBin;   ///< cosine of a direction and the mean of its bin
-    Moments toEdge;  ///< cosine of a direction and the one its edge uses in its place
+    Moments toEdge;  ///< cosine of a direction and the direction of its edge
 };
 
 Moments similarityToBin(const SunSteps& year, const DirectionBins& bins,
@@ -42,8 +42,7 @@ Moments similarityToBin(const SunSteps& year, const DirectionBins& bins,
     return computeMoments(std::move(cosines));
 }
 
-// Day and hour of a random step; leftovers at the end of a day, with no edge of a whole hour, are passed
-// over.
+// Picks day and hour of random steps; skips the remainder of a day that has no edge of a whole hour.
 Moments similarityToEdge(const SunSteps& year, const DirectionGraph& graph,
                          const std::vector<std::size_t>& times) {
     const GraphLookup edges(graph);
@@ -60,7 +59,7 @@ Moments similarityToEdge(const SunSteps& year, const DirectionGraph& graph,
     return computeMoments(std::move(cosines));
 }
 
-/// Edges where bins are `boundDeg` of azimuth wide and of altitude high, as the paper's quads may be read.
+/// Number of edges if bins are `boundDeg` wide in azimuth and in altitude, one reading of the paper's quads.
 std::size_t edgesOfPlainBins(const SunSteps& year, double boundDeg) {
     const auto binOfPlain = [&](const SunStep& step) {
         return std::pair(int(double(step.azimuthDeg) / boundDeg), int(double(step.altitudeDeg) / boundDeg));
@@ -117,12 +116,12 @@ ChartSeries paperPoint(double y) {
 Finding emptyFinding(const Extent& extent) {
     Finding finding;
     finding.key = "graph_bound";
-    finding.title = "The direction graph: how few intervals, how alike";
+    finding.title = "The direction graph: number of intervals and similarity";
     finding.text = fmt::format(
         "A year of 6 h days from 9:00 in intervals of 60 minutes; directions in bins of at most the bound. "
-        "Similarity is the cosine between the sun at {} random times and what stands for it: the mean of its "
-        "bin, and the direction that the edge of its interval uses, which lies closer, since an edge runs "
-        "between the means of its own ends.",
+        "Similarity is the cosine between the sun at {} random times and the direction that replaces it: the "
+        "mean of its bin, and the direction that the edge of its interval uses, which is closer, since an "
+        "edge runs between the means of its own ends.",
         extent.sunTimes);
     finding.table.columns = {"bound_deg",        "edges",          "intervals",
                              "bin_cosine_mean",  "bin_cosine_sd",  "bin_cosine_median",
@@ -130,7 +129,7 @@ Finding emptyFinding(const Extent& extent) {
     finding.comparisons[0].header = {"at 5 deg", "ours", "paper"};
     const ChartAxis bound{"bound of a bin, deg", true};
     finding.charts = {{"Edges of a year", bound, {"edges", true}, {{"ours", "ours"}, paperPoint(299)}},
-                      {"Difference of a direction and its stand-in",
+                      {"Difference between a direction and its replacement",
                        bound,
                        {"1 - mean cosine", true},
                        {{"mean of its bin", "ours"}, {"its edge", "edge"}, paperPoint(1 - 0.9996)}}};

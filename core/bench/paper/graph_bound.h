@@ -7,10 +7,10 @@
 
 namespace noonmark::bench {
 
-/// What the bound of the direction graph's bins does over a year of 6 h days (paper, section 7): how alike a
-/// direction and its stand-in are, and how many edges are left of the year's hourly intervals. Two stand-ins:
-/// the mean of all the year's directions in a bin, and the direction that the edge of an interval really
-/// uses. Summary: graph_edges, graph_intervals, at 5 deg.
+/// The effect of the bin width of the direction graph over a year of 6 h days (paper, section 7): how similar
+/// a direction and the direction that replaces it are, and how many edges remain of the year's hourly
+/// intervals. Two replacements: the mean of all the year's directions in a bin, and the direction that the
+/// edge of an interval actually uses. Summary: graph_edges, graph_intervals, at 5 deg.
 Result<Finding> benchGraphBound(const BenchSite& site, const Extent& extent, const Work& work);
 
 }  // namespace noonmark::bench

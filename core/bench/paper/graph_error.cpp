@@ -21,8 +21,8 @@ struct Hour {
     CivilDate date;
     std::string begin;        ///< "10:00"
     double truePct = 0;       ///< shadow area with the sun's own directions, of the receivers' area
-    double graphPct = 0;      ///< with the edge's
-    double mistaggedPct = 0;  ///< cell-steps with the other answer
+    double graphPct = 0;      ///< shadow area with the edge's directions, of the receivers' area
+    double mistaggedPct = 0;  ///< share of cells and steps with the wrong answer
 };
 
 /// The hours of a year and their edges.
@@ -30,7 +30,7 @@ class YearOfHours {
 public:
     YearOfHours(const SunSteps& year, const DirectionGraph& graph) : year_(year), edges_(graph) {}
 
-    /// Compares one random hour; nothing where the sun is not up all the hour.
+    /// Compares one random hour; nothing if the sun is not up for the whole hour.
     std::optional<Hour> compare(const RayMasks& rays, std::mt19937& random) const {
         const SunDay& day = year_.days[random() % year_.days.size()];
         const std::size_t draw = random();
@@ -120,14 +120,14 @@ Finding findingOf(const std::vector<Hour>& hours) {
     finding.title = "Shadows through the direction graph";
     finding.text = fmt::format(
         "Rays at every minute of {} random hours at {} places, once towards the sun and once along the edge "
-        "that the graph (bound 5 deg, a year of 6 h days) uses in its stead. Areas are of the receivers' "
-        "area, as the paper's; mistagged is the share of cells and minutes with the wrong answer.",
+        "by which the graph (bound 5 deg, a year of 6 h days) replaces it. Areas are of the receivers' area, "
+        "as in the paper; mistagged is the share of cells and minutes with the wrong answer.",
         hours.size(), hours.empty() ? 0 : hours.back().position);
     finding.table.columns = {
         "position",       "date",         "begin", "shadow_area_pct", "shadow_area_graph_pct",
         "area_error_pct", "mistagged_pct"};
     finding.comparisons[0].header = {"", "ours", "paper"};
-    ChartSeries points{.name = "an hour at a place", .colourOf = "ours", .joined = false};
+    ChartSeries points{.name = "one hour at one place", .colourOf = "ours", .joined = false};
     ChartSeries errors{.name = "area error", .colourOf = "ours", .joined = false};
     double most = 0;
     for (const Hour& hour : hours) {

@@ -7,16 +7,16 @@
 
 namespace noonmark::bench {
 
-/// Which edge of a merged direction graph an interval takes.
+/// Finds the edge of a merged direction graph for an interval.
 class GraphLookup {
 public:
-    /// The graph outlives it.
+    /// `graph` must outlive this object.
     explicit GraphLookup(const DirectionGraph& graph) : bins_(graph.bins), stepMinutes_(graph.stepMinutes) {
         for (const auto& edge : graph.edges) edges_[{{edge.fromBin, edge.toBin}, edge.sun.steps}] = &edge;
     }
 
-    /// The edge of the interval of `steps` steps from `first` to `last`; null where no interval of the
-    /// graph's period took it.
+    /// The edge of the interval of `steps` steps from `first` to `last`; null if the graph's period has no
+    /// such interval.
     [[nodiscard]] const DirectionGraph::Edge* find(const SunStep& first, const SunStep& last,
                                                    int steps) const {
         const std::uint32_t from = bins_.of(glm::dvec3(first.direction)),

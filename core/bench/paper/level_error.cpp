@@ -14,11 +14,11 @@ namespace {
 constexpr int hourSteps = 60;
 constexpr std::size_t levelsOfPaper = 3;
 
-/// Errors of all levels in one hour; the first is of one level.
+/// Errors of all levels in one hour; the first element is for one level.
 struct LevelErrors {
     int position = 0;
     CivilDate date;
-    double altitudeDeg = 0;  ///< of the sun, lowest of the hour
+    double altitudeDeg = 0;  ///< lowest altitude of the sun in the hour
     std::vector<FieldError> errors;
 };
 
@@ -43,7 +43,7 @@ Result<LevelErrors> errorsIn(const Scene& scene, const std::vector<Contestant>& 
     return errors;
 }
 
-/// Hours and places, one after the other.
+/// Random hours and places, one after the other.
 class RandomHours {
 public:
     RandomHours(const BenchSite& site, const Extent& extent, const Work& work)
@@ -101,7 +101,7 @@ void addLevels(Finding& finding, const std::vector<LevelErrors>& hours) {
     }
 }
 
-// Low suns make long shadows: the paper's remark on dawn and dusk.
+// Low suns cast long shadows: the paper's remark on dawn and dusk.
 void addAltitudes(Finding& finding, const std::vector<LevelErrors>& hours) {
     ChartSeries& series = finding.charts[1].series[0];
     for (const LevelErrors& hour : hours)
@@ -115,9 +115,8 @@ Finding emptyFinding(const Extent& extent) {
     finding.title = "Inverse accrual map: error by source level";
     finding.text = fmt::format(
         "{} random hours between sunrise and sunset at {} places; the map with 1 to 6 occluders followed "
-        "from "
-        "each cell against rays at every minute. Area error is the difference of the shadow areas, of the "
-        "receivers' area. At right, with 3 levels, the hours by how low the sun stood.",
+        "from each cell, against rays at every minute. Area error is the difference of the shadow areas, of "
+        "the receivers' area. On the right: the hours with 3 levels, by the altitude of the sun.",
         extent.hours, extent.positions);
     finding.table.columns = {"levels",
                              "position",
@@ -136,10 +135,10 @@ Finding emptyFinding(const Extent& extent) {
          {.label = "source levels", .whole = true},
          {"area error, %", false, true},
          {{"mean", "ours"}, {"median", "edge"}, {"largest", "most"}, paperAt3(0.7), paperAt3(2.6)}},
-        {"Area error by the sun's height, 3 levels",
-         {"lowest sun of the hour, deg", false, true},
+        {"Area error by the sun's altitude, 3 levels",
+         {"lowest altitude in the hour, deg", false, true},
          {"area error, %", false, true},
-         {{.name = "an hour at a place", .colourOf = "ours", .joined = false}}}};
+         {{.name = "one hour at one place", .colourOf = "ours", .joined = false}}}};
     return finding;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double mebibyte = 1024 * 1024;
 
-/// Table 2: MB at 2048 x 2048, and what a cell takes of it.
+/// Table 2: MB at 2048 x 2048, and bytes per cell.
 struct PaperMemory {
     const char* name;
     double mebibytesAt2048;
@@ -36,7 +36,7 @@ std::string paperBytesACell(const std::string& engine) {
     return fmt::format("{:.0f}", paper->second.mebibytesAt2048 * mebibyte / (2048.0 * 2048.0));
 }
 
-// From the smallest to the largest resolution: what does not grow with the cells falls out.
+// Bytes per cell between the smallest and the largest resolution, so that constant memory cancels.
 void addComparison(Finding& finding, int finest) {
     for (const ChartSeries& series : finding.charts[0].series) {
         if (series.points.size() < 2) continue;
@@ -65,15 +65,14 @@ Finding emptyFinding(const StartList& engines, const Extent& extent) {
     finding.key = "memory_by_resolution";
     finding.title = "Memory by resolution";
     finding.text =
-        "The most memory that the process held while an engine computed the hour of the page before, beyond "
-        "city and receivers: "
-        "the field, and the ray scene of the buildings in reach where there is one, are in it. Bytes a cell "
-        "are from the smallest to "
-        "the largest resolution, so that what does not grow falls out. The paper counts maps alone.";
+        "Peak memory of the process while an engine computed the hour of the previous page, beyond city and "
+        "receivers: includes the field, and the ray scene of the buildings in reach if there is one. Bytes "
+        "per cell are computed between the smallest and the largest resolution, so that constant memory "
+        "cancels. The paper counts the maps only.";
     finding.table.columns = {"engine", "cells_a_side", "peak_mib"};
     finding.comparisons[0].header = {"engine", fmt::format("MiB at {}", extent.resolutions.back()),
-                                     "bytes a cell", "paper"};
-    finding.charts = {{"Memory of an engine", {"cells a side", true}, {"peak, MiB", true}, {}}};
+                                     "bytes per cell", "paper"};
+    finding.charts = {{"Memory of an engine", {"cells per side", true}, {"peak, MiB", true}, {}}};
     for (const Contestant& engine : engines.contestants)
         finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
     return finding;

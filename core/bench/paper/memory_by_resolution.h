@@ -5,9 +5,9 @@
 
 namespace noonmark::bench {
 
-/// What engines take beyond city and receivers (paper, Table 2), from runs that are made already: the peak of
-/// the process while one engine computed the hour from noon in the middle of the city. The field, and a ray
-/// scene where an engine builds one, are in it.
+/// Memory of the engines beyond city and receivers (paper, Table 2), from finished runs: the peak of the
+/// process while one engine computed the hour from noon in the middle of the city. Includes the field, and
+/// the ray scene if the engine builds one.
 Finding benchMemoryByResolution(const std::vector<ResolutionRun>& runs, const Extent& extent,
                                 const StartList& engines);
 

@@ -87,7 +87,7 @@ Result<BenchReport> runPaperBench(const BenchSite& site, const Extent& extent, c
     Experiments experiments(work, extent.budgetS);
     addAll(experiments, site, fitting, engines);
     return std::move(experiments)
-        .into({.title = "The paper's experiments, run again", .summary = paperSummary()}, site, extent);
+        .into({.title = "The paper's experiments, repeated", .summary = paperSummary()}, site, extent);
 }
 
 }  // namespace noonmark::bench

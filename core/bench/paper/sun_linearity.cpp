@@ -29,7 +29,7 @@ constexpr std::array<PaperColumn, 6> paperTable{{{5, 0.99999, 1.31e-6, 1},
                                                  {120, 0.99997, 25.5e-6, 0.99998},
                                                  {240, 0.99952, 415e-6, 0.99965}}};
 
-/// The sun of a year at any time.
+/// The sun at any time of a year.
 class SunOfYear {
 public:
     static Result<SunOfYear> of(const BenchSite& site) {
@@ -47,7 +47,8 @@ public:
         const SolarPosition position = at(minute);
         return toDirection(position.azimuth, position.altitude);
     }
-    /// Up at the first and at the last minute. In a polar summer's night it may be down between: no matter.
+    /// Whether the sun is up at the first and the last minute. In a polar summer's night it may be down in
+    /// between, which does not matter.
     [[nodiscard]] bool upThrough(int minute, int minutes) const {
         return at(minute).altitude.value > 0 && at(minute + minutes).altitude.value > 0;
     }
@@ -107,9 +108,9 @@ Finding emptyFinding(const Extent& extent) {
     finding.title = "How straight the sun's path is";
     finding.text = fmt::format(
         "Between the ends of an interval the accrual maps move the sun along a great circle in equal angles. "
-        "Here that direction is held against the sun's own (ERFA, without refraction) at every minute of "
-        "intervals that begin at {} random times of the year. The paper's deviations for 5 and 10 minutes "
-        "are the rounding of single precision; ours are in double.",
+        "This experiment compares that direction with the sun's own (ERFA, without refraction) at every "
+        "minute of intervals that begin at {} random times of the year. The paper's deviations for 5 and 10 "
+        "minutes are rounding errors of single precision; ours are in double.",
         extent.sunTimes);
     finding.table.columns = {"interval_min",  "cosine_mean", "cosine_sd", "cosine_median", "angle_mean_deg",
                              "angle_max_deg", "paper_mean",  "paper_sd",  "paper_median"};

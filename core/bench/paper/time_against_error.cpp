@@ -10,9 +10,9 @@ namespace noonmark::bench {
 
 namespace {
 
-/// Smaller errors are shown here: a logarithmic axis has no zero. Percent.
+/// Smaller errors are drawn at this value, since a logarithmic axis has no zero. Percent.
 constexpr double leastShownPct = 1e-4;
-/// From there to here the ray reference, which has no error, is a line.
+/// The ray reference, which has no error, is drawn as a line from that value to this one.
 constexpr double mostShownPct = 5;
 
 void addRow(Finding& finding, const PeriodRun& run, std::size_t place) {
@@ -36,7 +36,7 @@ ChartSeries rayLine(const Contestant& ray, const Placing& placing) {
             .estimated = placing.estimated};
 }
 
-/// A setting that gives what the usual ones give: the bound of the graph on a single day.
+/// Whether a setting gives the same result as the usual one: the bound of the graph on a single day.
 bool changesNothing(const PeriodRun& run, std::size_t place) {
     if (run.contestants[place].setting.empty()) return false;
     for (std::size_t i = 0; i < place; ++i)
@@ -84,14 +84,11 @@ Finding emptyFinding(const Extent& extent) {
     finding.title = "Run time against error";
     finding.text = fmt::format(
         "Every engine and setting: an hour from noon, and days of 6 h from 9:00, at every minute, in the "
-        "middle "
-        "of the city. Error is the mean over the cells of the difference of gross shadow to the ray "
-        "reference's, of the sunlit time, and at least {:g} %; over a month and a year on {} receivers. A "
-        "point "
-        "without a word is an engine as it usually is; settings that change nothing are not shown; the line "
-        "is the ray reference, dashed where it is "
-        "worked "
-        "out from those receivers. What takes more than {:g} s is left out. Down and to the left is better.",
+        "middle of the city. Error is the mean over the cells of the difference of gross shadow from the ray "
+        "reference, of the sunlit time, drawn at {:g} % or more; over a month and a year on {} receivers. A "
+        "point without a label is an engine with its usual settings; settings that change nothing are not "
+        "drawn; the line is the ray reference, dashed where its time is extrapolated from those receivers. "
+        "Runs of more than {:g} s are left out. Down and to the left is better.",
         leastShownPct, extent.sampleReceivers, extent.neverAboveS);
     finding.table.columns = {"period",
                              "engine",

@@ -5,8 +5,8 @@
 
 namespace noonmark::bench {
 
-/// The figure that the paper lacks: every engine and setting as a point, error on one axis and time on the
-/// other, for an hour, a day, a month and a year; from runs that are made already.
+/// A figure that the paper lacks: every engine and setting as a point, with the error on one axis and the
+/// time on the other, for an hour, a day, a month and a year; from finished runs.
 Finding benchTimeAgainstError(const std::vector<PeriodRun>& runs, const Extent& extent);
 
 }  // namespace noonmark::bench

@@ -18,12 +18,12 @@ struct DayTime {
     bool estimated = false;
 };
 
-/// The engines in their usual settings, and without a graph.
+/// Shown are the engines with their usual settings, and the inverse accrual map without a graph.
 bool isShown(const Contestant& contestant) {
     return contestant.setting.empty() || contestant.setting == withoutGraph;
 }
 
-/// Times of one contestant by days; worked out where it was too slow, nothing where it refused.
+/// Times of one contestant by days; extrapolated if it was too slow, nothing if it refused.
 std::vector<DayTime> timesOf(const std::string& title, const std::vector<PeriodRun>& runs) {
     std::vector<DayTime> times;
     std::optional<DayTime> last;
@@ -84,7 +84,7 @@ void addSpeedup(Finding& finding, const Times& times) {
     if (with.days != 365 || rays.days != 365) return;
     if (!with.estimated) finding.summary["year_graph_speedup"] = rays.seconds / with.seconds;
     finding.comparisons.push_back(
-        {{"a year through the graph", "ours", "paper"},
+        {{"a year with the graph", "ours", "paper"},
          {{"rays / IAM with graph", formatThreeDigits(rays.seconds / with.seconds), "> 50"}}});
     if (bare != times.end() && !bare->second.empty())
         finding.comparisons.back().rows.push_back(
@@ -96,11 +96,10 @@ Finding emptyFinding(const Extent& extent) {
     finding.key = "time_by_days";
     finding.title = "Time by days";
     finding.text = fmt::format(
-        "6 h a day from 9:00 at every minute, in the middle of the city, over more and more days. Hollow "
-        "marks "
-        "and dashed lines are worked out: the ray reference beyond one day from {} receivers, an engine that "
-        "would take more than {:g} s in proportion to the days. Medians of {} runs where one takes less than "
-        "{:g} s.",
+        "6 h a day from 9:00 at every minute, in the middle of the city, over increasing numbers of days. "
+        "Hollow marks and dashed lines are extrapolated: the ray reference beyond one day from {} receivers, "
+        "an engine that would take more than {:g} s in proportion to the days. Medians of {} runs if one "
+        "takes less than {:g} s.",
         extent.sampleReceivers, extent.neverAboveS, extent.runs, extent.onceAboveS);
     finding.table.columns = {"engine", "setting", "days", "time_s", "runs", "estimated"};
     finding.comparisons[0].header = {"engine", "1 day, s", fmt::format("{} days, s", extent.dayCounts.back()),

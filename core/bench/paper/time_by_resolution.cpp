@@ -20,7 +20,7 @@ void addTo(Finding& finding, int resolution, const StartList& engines, const std
     }
 }
 
-// Four times the cells from one resolution to its double.
+// Four times the cells: from one resolution to its double.
 void addGrowth(Finding& finding, int finest) {
     for (const ChartSeries& series : finding.charts[0].series) {
         if (series.points.size() < 2) continue;
@@ -37,15 +37,16 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent, const StartLis
     finding.key = "time_by_resolution";
     finding.title = "Time by resolution";
     finding.text = fmt::format(
-        "{:g} m in the middle of the city cut into more and more cells, the hour from noon on {} at every "
-        "minute. Medians of {} runs in turn, after the check against rays. The paper found both accrual maps "
-        "linear in the number of cells.",
+        "{:g} m in the middle of the city, divided into increasing numbers of cells, over the hour from noon "
+        "on {} at every minute. Medians of {} runs in turn, after the check against rays. The paper found "
+        "both accrual maps linear in the number of cells.",
         site.sideM, textOf(site.date), extent.runs);
     finding.table.columns = {"engine",         "cells_a_side",        "time_s", "runs",
                              "area_error_pct", "cell_error_mean_pct", "refusal"};
     finding.comparisons[0].header = {"engine", fmt::format("{}, s", extent.resolutions.front()),
-                                     fmt::format("{}, s", extent.resolutions.back()), "times, for cells"};
-    finding.charts = {{"Time for one hour of sun", {"cells a side", true}, {"time, s", true}, {}}};
+                                     fmt::format("{}, s", extent.resolutions.back()),
+                                     "times as long, for cells"};
+    finding.charts = {{"Time for one hour of sun", {"cells per side", true}, {"time, s", true}, {}}};
     for (const Contestant& engine : engines.contestants)
         finding.charts[0].series.push_back({.name = engine.name, .colourOf = engine.engine});
     return finding;

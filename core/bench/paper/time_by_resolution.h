@@ -6,7 +6,7 @@
 namespace noonmark::bench {
 
 /// How engines scale with the number of cells (paper, section 7, Figure b of the performance evaluation),
-/// from runs that are made already.
+/// from finished runs.
 Finding benchTimeByResolution(const std::vector<ResolutionRun>& runs, const BenchSite& site,
                               const Extent& extent, const StartList& engines);
 

@@ -4,20 +4,22 @@
 
 namespace noonmark {
 
-/// What a building holds, cut into storeys of one height.
+/// The gross floor area of a building that is divided into storeys of one height.
 struct FloorArea {
     double grossM2 = 0;
-    int storeys = 0;           ///< with a floor
-    int estimatedStoreys = 0;  ///< of these, where a mesh is not closed (mesh_section.h)
+    int storeys = 0;  ///< storeys that have a floor
+    /// How many of them were estimated since a mesh is not closed (mesh_section.h)
+    int estimatedStoreys = 0;
 };
 
-/// The gross floor area of a building cut into storeys of `storeyHeightM` (over 0) from `groundM` (local z)
-/// up. Storey k has the floor of each part that reaches through the storey's middle: a prism's footprint; a
-/// mesh's section at the floor, 1 cm above it, or at the mesh's foot where that is higher. Parts that overlap
-/// count once. Prisms cost nothing; a mesh some ms for a hundred storeys.
+/// Computes the gross floor area of a building with storeys of `storeyHeightM` (above 0) from `groundM`
+/// (local z) up. The floor of storey k is the union of the floors of all parts that reach through the middle
+/// of the storey: for a prism its footprint; for a mesh its section 1 cm above the storey's floor, or 1 cm
+/// above the mesh's foot if that is higher. Parts that overlap count once. Prisms cost next to nothing; a
+/// mesh some ms for a hundred storeys.
 FloorArea computeFloorArea(const Building& building, double groundM, double storeyHeightM);
 
-/// The floor of storey 0: what computeFloorArea() counts there.
+/// The floor of storey 0, as computeFloorArea() counts it.
 std::vector<Footprint> findGroundFloor(const Building& building, double groundM, double storeyHeightM);
 
 }  // namespace noonmark

@@ -7,14 +7,14 @@
 #include "core/city/footprints/plan_lines.h"
 #include "core/city/footprints/repair_footprint.h"
 
-// GEOS's own names, so that its header is needed only by files that bear its name.
+// Forward declarations of GEOS's types, so that only files with geos in their name need its header.
 struct GEOSGeom_t;
 struct GEOSContextHandle_HS;
 
 namespace noonmark {
 
-/// A GEOS context that says nothing; its failures are null pointers. Cheap to make; not for two threads.
-/// Backend: geos_shapes_geos.cpp, like all here.
+/// A GEOS context that suppresses messages; failures are null pointers. Cheap to make; not thread-safe.
+/// Backend of this whole file: geos_shapes_geos.cpp.
 class Geos {
 public:
     Geos();
@@ -34,36 +34,36 @@ private:
     GEOSContextHandle_HS* context_;
 };
 
-/// An outline, then its holes, as they are, valid or not; each of at least three points. Null where GEOS
-/// fails.
+/// A polygon from an outline and its holes, unchanged, valid or not; each ring has at least three points.
+/// Null if GEOS fails.
 Geos::Geometry makePolygonGeometry(const Geos& geos, const std::vector<RawRing>& rings);
 
-/// Polygons as GEOS has them, in one multipolygon that need not be valid; they may overlap. Takes `polygons`
-/// over.
+/// A multipolygon of the given polygons, which may overlap, so that it need not be valid. Takes ownership of
+/// `polygons`.
 Geos::Geometry collection(const Geos& geos, std::vector<GEOSGeom_t*> polygons);
 Geos::Geometry collection(const Geos& geos, const std::vector<Footprint>& footprints);
 
-/// Lines, each once, cut where they meet; what lies within a millimetre is one. Null for none.
+/// Lines cut at their intersections, duplicates removed, snapped to a millimetre. Null if the result is
+/// empty.
 Geos::Geometry nodeLines(const Geos& geos, const std::vector<PlanLine>& lines);
 
-/// The union of a collection, without points within 1 mm of straight lines. Null where GEOS fails even on a
-/// grid of 1 mm.
+/// The union of a collection, without points within 1 mm of straight lines. Null if GEOS fails even on a grid
+/// of 1 mm.
 Geos::Geometry uniteGeometry(const Geos& geos, const Geos::Geometry& polygons);
 
-/// What `cover` leaves of `whole`; null where GEOS fails even on a grid of 1 mm, or is given null.
+/// `whole` minus `cover`; null if GEOS fails even on a grid of 1 mm, or if an argument is null.
 Geos::Geometry subtractGeometry(const Geos& geos, const Geos::Geometry& whole, const Geos::Geometry& cover);
 
-/// Every polygon in a geometry, oriented; points that fall together in float32 are one; polygons and holes
-/// under 0.01 m2 are left out, and `sliver`, where given, becomes true then.
+/// Every polygon in a geometry, oriented. Points that coincide in float32 are merged. Polygons and holes
+/// under 0.01 m2 are dropped; `sliver`, if given, is then set to true.
 std::vector<Footprint> toPolygons(const Geos& geos, const Geos::Geometry& geometry, bool* sliver = nullptr);
 
 /// Square metres; 0 for null.
 double computeArea(const Geos& geos, const Geos::Geometry& geometry);
 
-/// The grid that overlays snap to, metres: finer than any survey, coarse enough that nothing is left of
-/// rounding.
+/// Precision grid of overlays, metres: finer than any survey, coarse enough to remove rounding errors.
 inline constexpr double overlayGridM = 0.001;
-/// What is smaller is no piece of a building, m2.
+/// Smaller polygons are not pieces of a building, m2.
 inline constexpr double sliverAreaM2 = 0.01;
 
 }  // namespace noonmark

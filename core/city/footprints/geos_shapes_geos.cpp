@@ -30,7 +30,7 @@ GEOSGeometry* polygonFrom(const Geos& geos, const Points& outer, std::span<const
     return GEOSGeom_createPolygon_r(geos, ringGeometry(geos, outer), holes.data(), unsigned(holes.size()));
 }
 
-// Points that fall together in float32 are one; the way it runs is put right.
+// Merges points that coincide in float32, and corrects the orientation.
 Ring parseRing(const Geos& geos, const GEOSGeometry* geometry, bool counterClockwise) {
     const GEOSCoordSequence* points = GEOSGeom_getCoordSeq_r(geos, geometry);
     unsigned count = 0;
@@ -46,7 +46,7 @@ Ring parseRing(const Geos& geos, const GEOSGeometry* geometry, bool counterClock
     return ring;
 }
 
-/// Picks the polygons out of a geometry.
+/// Collects the polygons of a geometry.
 class PolygonCollector {
 public:
     explicit PolygonCollector(const Geos& geos) : geos_(geos) {}
@@ -54,13 +54,13 @@ public:
     void collect(const GEOSGeometry* geometry) {
         if (geometry == nullptr) return;
         if (GEOSGeomTypeId_r(geos_, geometry) == GEOS_POLYGON) return add(geometry);
-        if (GEOSGeomTypeId_r(geos_, geometry) < GEOS_MULTIPOINT) return;  // no inside
+        if (GEOSGeomTypeId_r(geos_, geometry) < GEOS_MULTIPOINT) return;  // points and lines have no interior
         for (int i = 0; i < GEOSGetNumGeometries_r(geos_, geometry); ++i)
             collect(GEOSGetGeometryN_r(geos_, geometry, i));
     }
 
     std::vector<Footprint> footprints;
-    bool sliver = false;  ///< something was too small
+    bool sliver = false;  ///< a polygon or hole was dropped since it was too small
 
 private:
     void add(const GEOSGeometry* polygon) {
@@ -114,8 +114,8 @@ Geos::Geometry nodeLines(const Geos& geos, const std::vector<PlanLine>& lines) {
     return geos.owned(all ? GEOSUnaryUnionPrec_r(geos, all.get(), overlayGridM) : nullptr);
 }
 
-// In full precision first: snapping to a grid takes several times as long, and in GEOS 3.11 may move a corner
-// that two polygons share for one of them only.
+// Tries full precision first: snapping to a grid takes several times as long, and GEOS 3.11 may then move a
+// corner that two polygons share in only one of them.
 Geos::Geometry uniteGeometry(const Geos& geos, const Geos::Geometry& polygons) {
     if (!polygons) return geos.owned(nullptr);
     Geos::Geometry joined = geos.owned(GEOSUnaryUnion_r(geos, polygons.get()));

@@ -12,17 +12,18 @@ struct PlanLine {
     glm::dvec2 a, b;
 };
 
-/// What lines enclose, as disjoint polygons. A ring inside a ring encloses what is outside it (a courtyard),
-/// and so on. Ends within 1 mm of one another meet. O(n log n). Backend: plan_lines_geos.cpp, like all here.
+/// The areas that lines enclose, as disjoint polygons. A ring inside a ring is a hole (a courtyard), a ring
+/// inside that encloses an area again, and so on. Ends within 1 mm of each other are joined. O(n log n).
+/// Backend of this whole file: plan_lines_geos.cpp.
 std::vector<Footprint> findEnclosedFaces(const std::vector<PlanLine>& lines);
 
-/// The faces that lines bound, side by side, without that rule.
+/// All faces bounded by lines, side by side, also those inside a hole.
 std::vector<Footprint> findFaces(const std::vector<PlanLine>& lines);
 
-/// The lines, and for each chain of them that does not close a line from its one end to its other.
+/// The lines, plus a line that joins the two ends of each chain that is not closed.
 std::vector<PlanLine> closeChains(const std::vector<PlanLine>& lines);
 
-/// A point inside a polygon and not on its edge.
+/// A point strictly inside a polygon.
 glm::dvec2 findPointInside(const Footprint& polygon);
 
 }  // namespace noonmark

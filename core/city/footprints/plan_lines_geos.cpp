@@ -27,7 +27,7 @@ bool isInOddRings(const Footprint& face, const std::vector<Footprint>& faces) {
            1;
 }
 
-// From the first point of a chain to its last, where they differ.
+// Adds a line from the last point of a chain to its first, if they differ.
 void addClosingLine(const Geos& geos, const GEOSGeometry* chain, std::vector<PlanLine>& lines) {
     if (GEOSisClosed_r(geos, chain) == 1) return;
     const Geometry first = geos.owned(GEOSGeomGetStartPoint_r(geos, chain)),

@@ -12,7 +12,7 @@ namespace {
 using Geometry = Geos::Geometry;
 using Boxes = std::vector<Box2>;
 
-// Whether something is left when the edge is worn away by half of `widthM`.
+// Whether anything is left after the footprint was eroded by half of `widthM`.
 bool isWide(const Geos& geos, const Footprint& footprint, double widthM) {
     const Geometry whole = collection(geos, std::vector<Footprint>{footprint});
     if (!whole) return false;
@@ -25,7 +25,7 @@ GEOSGeometry* boxGeometry(const Geos& geos, const Box2& box) {
                                       double(box.high.y));
 }
 
-// GEOS's tree of boxes; an item is the address of a box in `boxes`.
+// GEOS's spatial index of boxes; an item is the address of a box in `boxes`.
 class BoxTree {
 public:
     BoxTree(const Geos& geos, const Boxes& boxes) : geos_(geos), tree_(GEOSSTRtree_create_r(geos, 10)) {
@@ -55,7 +55,7 @@ private:
     std::vector<Geometry> shapes_;
 };
 
-// Null where GEOS fails even on a grid of 1 mm.
+// Null if GEOS fails even on a grid of 1 mm.
 Geometry sharedGeometry(const Geos& geos, const std::vector<Footprint>& a, const std::vector<Footprint>& b) {
     const Geometry first = collection(geos, a);
     const Geometry second = collection(geos, b);

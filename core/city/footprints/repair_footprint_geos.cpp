@@ -16,14 +16,14 @@ namespace noonmark {
 namespace {
 
 constexpr double largestCoordinateM =
-    1e8;  // twice round the earth: beyond it, a unit or a field was mistaken
+    1e8;  // twice round the earth: a larger value is an error of unit or field
 constexpr std::size_t fewestPoints = 3;
 
 using Geometry = Geos::Geometry;
 
 bool isValid(const Geos& geos, const Geometry& geometry) { return GEOSisValid_r(geos, geometry.get()) == 1; }
 
-// "Self-intersection", without the place that GEOS adds: the same text for the same trouble.
+// "Self-intersection", without the location that GEOS appends: the same text for the same problem.
 std::string reasonOf(const Geos& geos, const Geometry& geometry) {
     char* reason = GEOSisValidReason_r(geos, geometry.get());
     const std::string_view text = reason != nullptr ? reason : "";
@@ -32,7 +32,7 @@ std::string reasonOf(const Geos& geos, const Geometry& geometry) {
     return withoutPlace;
 }
 
-// The outline's inside less the holes' insides; a hole wholly outside becomes a piece of its own.
+// The outline's interior minus the holes' interiors; a hole wholly outside becomes a piece of its own.
 Geometry madeValid(const Geos& geos, const Geometry& geometry) {
     GEOSMakeValidParams* params = GEOSMakeValidParams_create_r(geos);
     GEOSMakeValidParams_setMethod_r(geos, params, GEOS_MAKE_VALID_STRUCTURE);
@@ -41,12 +41,12 @@ Geometry madeValid(const Geos& geos, const Geometry& geometry) {
     return geos.owned(valid);
 }
 
-// Snap rounding: all points on multiples of the step, and still valid.
+// Snap rounding: moves all points to multiples of the step and keeps the geometry valid.
 Geometry snapped(const Geos& geos, const Geometry& geometry, double stepM) {
     return geos.owned(GEOSGeom_setPrecision_r(geos, geometry.get(), stepM, 0));
 }
 
-// --- Rings before GEOS sees them
+// --- Rings before they are given to GEOS
 
 bool usable(glm::dvec2 p) {
     return std::abs(p.x) <= largestCoordinateM && std::abs(p.y) <= largestCoordinateM;
@@ -59,7 +59,7 @@ Points withoutRepeats(Points ring) {
     return ring;
 }
 
-// By way of a Ring of its own: GCC 12 takes dvec2(vec2(point)) for the point itself.
+// Copies through a Ring: GCC 12 takes dvec2(vec2(point)) for the point itself.
 RawRing rounded(const RawRing& ring) {
     Ring inFloat;
     for (const glm::dvec2 point : ring) inFloat.emplace_back(point);
@@ -67,7 +67,7 @@ RawRing rounded(const RawRing& ring) {
     return {inFloat.begin(), inFloat.end()};
 }
 
-// Holes that are no rings at all are left out; an empty answer: the outline is none.
+// Drops holes that are not rings; empty if the outline is not a ring.
 std::vector<RawRing> cleaned(const std::vector<RawRing>& rings, RepairedFootprint& result) {
     std::vector<RawRing> good;
     for (const RawRing& ring : rings) {
@@ -86,7 +86,7 @@ std::vector<RawRing> cleaned(const std::vector<RawRing>& rings, RepairedFootprin
     return good;
 }
 
-// The finest step that float32 has for every coordinate of the rings, metres: 1 mm at 10 km. Never under a
+// The smallest step of float32 over all coordinates of the rings, metres: 1 mm at 10 km. At least a
 // micrometre.
 double floatStep(const std::vector<RawRing>& rings) {
     double largest = 1;
@@ -102,10 +102,10 @@ std::string inWords(const std::string& reason) {
         {"Self-intersection", "outline or holes crossed"},
         {"Ring Self-intersection", "outline or a hole touched itself"},
         {"Hole lies outside shell", "a hole lay outside its outline"},
-        {"Holes are nested", "a hole lay in a hole"},
+        {"Holes are nested", "a hole lay inside another hole"},
         {"Interior is disconnected", "holes cut the outline into pieces"},
-        {"Duplicate Rings", "two rings were the same"},
-        {"Too few points in geometry component", "a ring had no inside"},
+        {"Duplicate Rings", "two rings were identical"},
+        {"Too few points in geometry component", "a ring had no interior"},
     };
     const auto found = words.find(reason);
     return found != words.end() ? found->second : "shape was not valid (" + reason + ")";
@@ -115,7 +115,7 @@ void say(RepairedFootprint& result, const std::string& what) {
     result.what += (result.what.empty() ? "" : ", ") + what;
 }
 
-// Valid polygons whose points are all float32; null where GEOS fails.
+// Valid polygons whose points are all float32; null if GEOS fails.
 Geometry mended(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
     auto inFloat = rings;
     for (RawRing& ring : inFloat) ring = rounded(ring);
@@ -152,7 +152,7 @@ RepairedFootprint repairFootprint(const std::vector<RawRing>& rings) {
     result.pieces = toPolygons(geos, geometry, &sliver);
     if (sliver) say(result, "slivers under 0.01 m2 left out");
     if (!result.pieces.empty()) return result;
-    if (result.what.empty()) result.what = "outline had no inside";
+    if (result.what.empty()) result.what = "outline had no interior";
     result.kind = WarningKind::dropped;
     return result;
 }

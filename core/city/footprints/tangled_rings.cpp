@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t mostPairs = 30'000'000;
 
-// A side of a ring; `x` is the axis that is swept along.
+// A side of a ring; the sweep runs along `x`.
 struct Side {
     glm::dvec2 from{};
     glm::dvec2 to{};
@@ -25,7 +25,7 @@ bool haveCommonEnd(const Side& a, const Side& b) {
     return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
 }
 
-// Rounding may decide a touch either way: the count is held against a rough limit only.
+// Rounding may decide a touch either way: the count is only compared with a rough limit.
 bool meet(const Side& a, const Side& b) {
     if (a.highY < b.lowY || b.highY < a.lowY || haveCommonEnd(a, b)) return false;
     return turn(a.from, a.to, b.from) * turn(a.from, a.to, b.to) <= 0 &&
@@ -41,7 +41,7 @@ Side sideOf(glm::dvec2 from, glm::dvec2 to) {
             std::max(from.y, to.y)};
 }
 
-// Along which axis the sides lie beside one another less: the one in which they are shorter, all in all.
+// Chooses the sweep axis along which fewer sides overlap: the one in which they are shorter in total.
 bool sweepsAlongY(const std::vector<RawRing>& rings) {
     glm::dvec2 sum(0);
     for (const RawRing& ring : rings)
@@ -63,7 +63,7 @@ std::vector<Side> sidesOf(const std::vector<RawRing>& rings) {
 }  // namespace
 
 bool areTangled(const std::vector<RawRing>& rings) {
-    std::vector<Side> open;  // those that may reach the side in hand
+    std::vector<Side> open;  // sides that may still reach the current side
     std::size_t crossings = 0;
     std::size_t pairs = 0;
     for (const Side& side : sidesOf(rings)) {

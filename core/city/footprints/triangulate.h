@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// Of a footprint that was not repaired; that many take about 0.1 s.
+/// Crossings allowed in a footprint that was not repaired; this many take about 0.1 s.
 inline constexpr std::size_t mostMeshCrossings = 10000;
 
 /// A footprint as counter-clockwise triangles.
@@ -20,8 +20,8 @@ struct Triangulation {
 };
 
 /// Constrained Delaunay triangulation of the interior. `points` begins with the footprint's own points in
-/// order, outer ring first; where rings cross (a footprint that was not repaired) the crossings follow. O(n
-/// log n).
+/// order, outer ring first; if rings cross (a footprint that was not repaired), the crossings follow. O(n log
+/// n).
 Triangulation triangulate(const Footprint& footprint);
 
 }  // namespace noonmark

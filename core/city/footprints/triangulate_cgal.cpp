@@ -20,7 +20,7 @@ struct PointIndex {
     int value = -1;  // into Triangulation::points; -1 for a crossing that CGAL made
 };
 struct FaceDepth {
-    int depth = -1;  // how many constraints lie between the face and the outside
+    int depth = -1;  // number of constraints between the face and the outside
 };
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
@@ -36,7 +36,7 @@ void addPoints(const Ring& ring, Points& points) {
     for (const glm::vec2 point : ring) points.emplace_back(point.x, point.y);
 }
 
-// The order of a curve through the plane, so that each point lies near the one before.
+// Orders points along a space-filling curve, so that each point is near the one before.
 std::vector<std::size_t> nearbyOrder(const Points& points) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -46,18 +46,19 @@ std::vector<std::size_t> nearbyOrder(const Points& points) {
     return order;
 }
 
-/// Inserts rings; of equal points the last gives the vertex its number.
+/// Inserts rings; of coincident points the last gives the vertex its index.
 class RingInserter {
 public:
     explicit RingInserter(Delaunay& delaunay) : delaunay_(delaunay) {}
 
-    // Both false when the sides cross too often.
+    // Both functions return false if the sides cross too often.
     bool insertOneByOne(const Footprint& footprint) {
         bool good = insertInOrder(footprint.outer);
         for (const Ring& hole : footprint.holes) good = good && insertInOrder(hole);
         return good;
     }
-    // Many points: in the order of a ring, the triangles to be turned over grow with the number of points.
+    // For many points: inserted in the order of a ring, the number of triangles to flip for each point grows
+    // with the number of points.
     bool insertAllPointsFirst(const Footprint& footprint) {
         Points points;
         addPoints(footprint.outer, points);
@@ -98,7 +99,7 @@ private:
     }
 
     Delaunay& delaunay_;
-    std::vector<Delaunay::Vertex_handle> vertices_;  // of every point, in the footprint's order
+    std::vector<Delaunay::Vertex_handle> vertices_;  // one for each point, in the footprint's order
 };
 
 std::vector<glm::vec2> ownPoints(const Footprint& footprint) {
@@ -107,7 +108,7 @@ std::vector<glm::vec2> ownPoints(const Footprint& footprint) {
     return points;
 }
 
-// Depth by flood fill from the outside: odd is inside, whatever way the rings run.
+// Computes depths by flood fill from the outside: odd is inside, whatever the orientation of the rings.
 void markDepths(const Delaunay& delaunay) {
     FaceStack stack{{delaunay.infinite_face(), 0}};
     while (!stack.empty()) {

@@ -27,9 +27,9 @@ void addCap(TriangleMesh& mesh, const Triangulation& cap, float z, bool facingUp
 
 using Edge = std::pair<Index, Index>;
 
-// Edges of the cap with a triangle on one side only, that triangle on their left. Not simply the rings'
-// edges: where a hole's corner touches the middle of an edge, the cap has two edges there, and walls must
-// have the same two for the solid to be closed.
+// Edges of the cap with a triangle on one side only, that triangle on their left. These are not simply the
+// rings' edges: where a hole's corner touches the middle of an edge, the cap has two edges there, and the
+// walls must have the same two for the solid to be closed.
 std::vector<Edge> computeOutline(const Triangulation& cap) {
     std::vector<Edge> edges;
     edges.reserve(cap.triangles.size() * 3);
@@ -43,7 +43,8 @@ std::vector<Edge> computeOutline(const Triangulation& cap) {
     return outline;
 }
 
-// The walls use the caps' points, `top` apart: the solid is closed by index.
+// The walls use the points of the two caps, whose indices differ by `top`, so that the solid is closed by
+// index.
 TriangleMesh extruded(const Part& part) {
     TriangleMesh mesh;
     const Triangulation cap = triangulate(part.footprint);

@@ -20,7 +20,7 @@ namespace {
 
 using Geometry = Geos::Geometry;
 
-// The triangles that matter from above, as flat polygons.
+// The projections of the relevant triangles, as polygons in plan.
 std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpward) {
     constexpr double leastTriangleM2 = 1e-6;
     std::vector<Footprint> triangles;
@@ -34,10 +34,10 @@ std::vector<Footprint> projectedTriangles(const TriangleMesh& mesh, bool onlyUpw
     return triangles;
 }
 
-// A plumb face seen from above.
+// A vertical face seen from above.
 struct WallTrace {
     glm::dvec2 a, b;
-    float lowM;  // of the face's lowest point
+    float lowM;  // height of the face's lowest point
 };
 
 std::vector<WallTrace> wallTraces(const TriangleMesh& mesh) {
@@ -71,7 +71,7 @@ std::vector<PlanLine> linesOf(const std::vector<WallTrace>& traces) {
     return lines;
 }
 
-// What has less is lost as a sliver when it is moved or read again.
+// Strips with a smaller area would be dropped as slivers when they are moved or read again.
 constexpr double leastStripM2 = 2 * sliverAreaM2;
 
 // A thin rectangle along a line.
@@ -105,7 +105,7 @@ std::vector<Footprint> wallStrips(const Geos& geos, const std::vector<WallTrace>
     return toPolygons(geos, strips);
 }
 
-// Walls too short for GEOS's pieces are a rectangle.
+// Walls that are too short for GEOS's pieces become a rectangle.
 std::vector<Footprint> stripsOrRectangle(const Geos& geos, const std::vector<WallTrace>& traces) {
     if (traces.empty()) return {};
     std::vector<Footprint> strips = wallStrips(geos, traces);
@@ -119,7 +119,7 @@ bool holds(const Box2& box, glm::dvec2 point, float marginM) {
            float(point.y) >= box.low.y - marginM && float(point.y) <= box.high.y + marginM;
 }
 
-// An outline bounds its mesh: engines look no farther for what casts a shadow.
+// The outline must bound the mesh: engines look for occluders only inside it.
 std::vector<Footprint> withWallsOutside(const Geos& geos, const TriangleMesh& mesh,
                                         std::vector<Footprint> pieces) {
     constexpr float marginM = float(wallStripM);
@@ -169,8 +169,8 @@ std::vector<std::size_t> numberedByAppearance(std::vector<std::size_t>& parent) 
     return groups;
 }
 
-// Grown and shrunk again, corners kept: closes gaps of up to twice `widthM`, as between triangles that nearly
-// meet.
+// Buffers outward and inward again with mitred corners: closes gaps of up to twice `widthM`, as between
+// triangles that nearly meet.
 Geometry withoutGaps(const Geos& geos, Geometry polygons, double widthM) {
     constexpr int segments = 8;
     constexpr double mitre = 5;
@@ -181,7 +181,7 @@ Geometry withoutGaps(const Geos& geos, Geometry polygons, double widthM) {
     return polygons;
 }
 
-// In one piece if it can be.
+// In one piece if possible.
 std::vector<Footprint> unionOfTriangles(const Geos& geos, const std::vector<Footprint>& triangles) {
     constexpr double gapM = 0.005;
     Geometry joined = uniteGeometry(geos, collection(geos, triangles));

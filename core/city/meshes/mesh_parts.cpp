@@ -31,7 +31,7 @@ double distanceTo(const Footprint& footprint, glm::dvec2 point) {
     return contains(footprint, point) ? 0 : distanceTo(footprint.outer, point);
 }
 
-// A point from above that is surely of this mesh's own outline: the middle of its widest triangle.
+// A point in plan that certainly lies in this mesh's own outline: the centre of its largest triangle.
 glm::dvec2 widestMiddle(const TriangleMesh& mesh) {
     double widest = -1;
     glm::dvec2 middle{};
@@ -53,7 +53,8 @@ std::size_t nearestPiece(const std::vector<Footprint>& pieces, glm::dvec2 point)
     return std::size_t(std::min_element(pieces.begin(), pieces.end(), nearer) - pieces.begin());
 }
 
-// One mesh per piece of the outline: what hangs together lies in one piece, since its outline does too.
+// One mesh per piece of the outline: a connected component lies in one piece, since its outline is connected
+// too.
 std::vector<TriangleMesh> splitByPiece(TriangleMesh mesh, const std::vector<Footprint>& pieces) {
     if (pieces.size() == 1) return {std::move(mesh)};
     std::vector<TriangleMesh> meshes(pieces.size());
@@ -72,7 +73,7 @@ Part cutInterval(TriangleMesh mesh, Footprint footprint, const std::string& sour
     return part;
 }
 
-// A level sheet is a prism, from its true height down.
+// A level sheet becomes a prism whose top is the sheet's true height.
 Part slabOf(const TriangleMesh& sheet, Footprint footprint, const std::string& sourceId) {
     const float topM = computeBox(sheet).high.z;
     return {.sourceId = sourceId,
@@ -82,13 +83,13 @@ Part slabOf(const TriangleMesh& sheet, Footprint footprint, const std::string& s
             .heightSource = HeightSource::mesh};
 }
 
-// What of its faces look down clear of the bottom, m2 from above.
+// Area of the downward faces above the mesh's bottom, m2 in plan.
 double areaLookingDownAbove(const TriangleMesh& mesh, float bottomM) {
     double area = 0;
     for (const glm::uvec3 t : mesh.triangles) {
         const glm::dvec3 a(mesh.vertices[t.x]), b(mesh.vertices[t.y]), c(mesh.vertices[t.z]);
         const glm::dvec3 doubled = glm::cross(b - a, c - a);
-        const double lean = -doubled.z / std::max(1e-12, glm::length(doubled));  // 1: looks straight down
+        const double lean = -doubled.z / std::max(1e-12, glm::length(doubled));  // 1: faces straight down
         if (lean < 0.1) continue;
         const double height = lean > 0.7 ? std::min({a.z, b.z, c.z}) : (a.z + b.z + c.z) / 3;
         if (height > double(bottomM) + double(openAirM)) area -= doubled.z / 2;
@@ -100,7 +101,7 @@ bool isCavity(const TriangleMesh& component, const Box3& whole) {
     return signedVolume(component) < 0 && computeBox(component).liesInside(whole);
 }
 
-// What of a sheet is clear of the bottom, m2 from above, whichever way it looks.
+// Area of a sheet's faces above the bottom, m2 in plan, whichever way they face.
 double areaAbove(const TriangleMesh& sheet, float bottomM) {
     double area = 0;
     for (const glm::uvec3 t : sheet.triangles) {
@@ -118,7 +119,7 @@ bool isCarriedByWalls(const TriangleMesh& sheet, const TriangleMesh& whole) {
     return std::ranges::all_of(computeOutline(sheet, false).pieces, isWalled);
 }
 
-// Of one component, m2 from above.
+// Area with open air below of one component, m2 in plan.
 double openArea(const TriangleMesh& component, const TriangleMesh& whole, const Box3& box) {
     if (isCavity(component, box)) return 0;
     if (!isSheet(component)) return areaLookingDownAbove(component, box.low.z);
@@ -140,7 +141,7 @@ bool hasOpenAirBelow(const TriangleMesh& mesh) {
 
 namespace {
 
-// Makes the parts of one mesh and lists what had to be done to it.
+// Makes the parts of one mesh and records the repairs.
 class PartsMaker {
 public:
     PartsMaker(const std::string& sourceId, const std::string& where) : sourceId_(sourceId), where_(where) {}
@@ -163,7 +164,7 @@ private:
 
     TriangleMesh cleaned(const TriangleMesh& raw) {
         TriangleMesh mesh = weld(raw);
-        closed_ = findOpenEdges(mesh) == 0;  // faces without area close it too
+        closed_ = findOpenEdges(mesh) == 0;  // faces without area can close it too
         removeDegenerateTriangles(mesh);
         const std::size_t dropped = raw.triangles.size() - mesh.triangles.size();
         if (dropped > 0)
@@ -179,12 +180,12 @@ private:
 
     void addSolids(TriangleMesh mesh) {
         if (!closed_ && !isSheet(mesh) && !isUpright(mesh))
-            warn(WarningKind::mended, "its surface is not closed; used as it is");
-        if (turnOutward(mesh) > 0) warn(WarningKind::mended, "its faces looked inward and were turned");
+            warn(WarningKind::mended, "its surface is not closed; it is used unchanged");
+        if (turnOutward(mesh) > 0) warn(WarningKind::mended, "its faces pointed inward and were turned");
         MeshOutline outline = computeOutline(mesh, closed_);
-        if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be found");
+        if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
         if (outline.wallsOnly && area(outline.pieces.front()) > 1)
-            warn(WarningKind::assumed, "walls without a roof; the ground that they enclose is inside");
+            warn(WarningKind::assumed, "walls without a roof; the ground that they enclose counts as inside");
         const float lowM = computeBox(mesh).low.z;
         std::vector<TriangleMesh> meshes = splitByPiece(std::move(mesh), outline.pieces);
         for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -198,7 +199,7 @@ private:
         else if (computeBox(mesh).high.z > lowM + levelSheetM)
             made_.parts.push_back(slabOf(mesh, std::move(footprint), sourceId_));
         else
-            warn(WarningKind::leftOut, "a level piece at its foot was taken for ground");
+            warn(WarningKind::leftOut, "a level piece at its foot was taken as ground");
     }
 
     const std::string& sourceId_;
@@ -214,7 +215,7 @@ MeshParts partsOf(const TriangleMesh& raw, const std::string& sourceId, const st
 }
 
 void markOverhangs(std::vector<Part>& parts, const std::function<float(glm::dvec2)>& groundM) {
-    constexpr float reachM = 0.5F;  // a lower part that ends this near below still carries
+    constexpr float reachM = 0.5F;  // a lower part whose top is at most this far below still carries
     std::vector<Part*> upward;
     for (Part& part : parts) upward.push_back(&part);
     std::stable_sort(upward.begin(), upward.end(),
@@ -227,7 +228,8 @@ void markOverhangs(std::vector<Part>& parts, const std::function<float(glm::dvec
             for (const Part* lower : standing)
                 if (lower->topM >= part->bottomM - reachM) carrying.push_back(lower->footprint);
             const double open = computeAreaOutside(part->footprint, carrying);
-            const double all = area(part->footprint);  // of a wall in the air a few square centimetres
+            // A wall above the ground may have only a few square centimetres
+            const double all = area(part->footprint);
             if (open > std::max(std::min(0.5, all / 2), 0.05 * all)) part->isOverhanging = true;
         }
         if (!part->isOverhanging) standing.push_back(part);

@@ -12,13 +12,13 @@ namespace noonmark {
 
 namespace {
 
-// Both triangles of an edge find the same point: from its lower end.
+// Interpolated from the edge's lower end, so that both triangles of an edge give the same point.
 glm::dvec2 cutOf(glm::dvec3 below, glm::dvec3 above, double heightM) {
     const double share = (heightM - below.z) / (above.z - below.z);
     return glm::dvec2(below) + share * (glm::dvec2(above) - glm::dvec2(below));
 }
 
-// Runs so that the inside of a closed mesh is on its left.
+// The direction of the line puts the inside of a closed mesh on its left.
 std::optional<PlanLine> cutThrough(const TriangleMesh& mesh, glm::uvec3 triangle, double heightM) {
     glm::dvec3 p[3];
     int above = 0;
@@ -28,7 +28,7 @@ std::optional<PlanLine> cutThrough(const TriangleMesh& mesh, glm::uvec3 triangle
     }
     if (above == 0 || above == 3) return std::nullopt;
     const bool oneAbove = above == 1;
-    int apart = 0;  // the corner that is alone on its side
+    int apart = 0;  // the corner that is alone on its side of the section
     while ((p[apart].z >= heightM) != oneAbove) ++apart;
     const glm::dvec3 &alone = p[apart], &next = p[(apart + 1) % 3], &last = p[(apart + 2) % 3];
     const glm::dvec2 toNext = oneAbove ? cutOf(next, alone, heightM) : cutOf(alone, next, heightM);
@@ -44,7 +44,7 @@ std::vector<PlanLine> cutLines(const TriangleMesh& mesh, double heightM) {
     return lines;
 }
 
-// How many times lines run around a point, counter-clockwise.
+// Winding number of lines around a point, counter-clockwise.
 int windingAround(glm::dvec2 point, const std::vector<PlanLine>& lines) {
     int winding = 0;
     for (const auto& [a, b] : lines) {
@@ -62,7 +62,7 @@ std::vector<Footprint> insideOf(const std::vector<PlanLine>& lines) {
     return inside;
 }
 
-// The faces of a mesh that reach above a height, seen from above.
+// The faces of a mesh that reach above a height, in plan.
 std::vector<Footprint> coverAbove(const TriangleMesh& mesh, double heightM) {
     TriangleMesh upper{mesh.vertices, {}};
     for (const glm::uvec3 t : mesh.triangles)

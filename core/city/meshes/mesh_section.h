@@ -11,13 +11,13 @@ namespace noonmark {
 struct MeshSection {
     std::vector<Footprint>
         pieces;  ///< disjoint; courtyards and cavities are left out, solids that overlap count once
-    bool estimated = false;  ///< the mesh is open there: see sectionAt
+    bool estimated = false;  ///< the mesh is open at that height: see cutSection
 };
 
-/// The section at local z `heightM`; a point at that height counts as above it. A mesh that is closed: what
-/// is inside, by winding number. One that is open: what its cut walls enclose, chains of them with two ends
-/// closed by a straight line (a missing party wall); where they enclose nothing, what of the mesh above that
-/// height covers, seen from above. O(triangles + n log n of those cut).
+/// The section at local z `heightM`; a point at that height counts as above it. For a closed mesh: the
+/// inside, by winding number. For an open mesh: the area that the cut walls enclose, after each open chain of
+/// walls was closed by a straight line between its ends (a missing party wall); if they enclose nothing, the
+/// outline, seen from above, of the mesh above that height. O(triangles + n log n of those cut).
 MeshSection cutSection(const TriangleMesh& mesh, double heightM);
 
 }  // namespace noonmark

@@ -12,8 +12,8 @@ namespace {
 // Areas of a mesh's faces, square metres.
 struct FaceAreas {
     double all = 0;
-    double fromAbove = 0;  // whichever way a face looks
-    double plumb = 0;      // of faces within six degrees of plumb
+    double fromAbove = 0;  // in plan, whichever way a face points
+    double plumb = 0;      // faces within six degrees of vertical
 };
 
 FaceAreas faceAreas(const TriangleMesh& mesh) {

@@ -20,7 +20,7 @@ glm::dvec3 doubledArea(const TriangleMesh& mesh, glm::uvec3 t) {
     return glm::cross(glm::dvec3(mesh.vertices[t.y]) - a, glm::dvec3(mesh.vertices[t.z]) - a);
 }
 
-// Two triangles' directed edge as one key.
+// A directed edge as one key.
 std::uint64_t edgeKey(Index from, Index to) { return (std::uint64_t(from) << 32U) | to; }
 
 Index rootOf(std::vector<Index>& parent, Index i) {
@@ -33,7 +33,8 @@ Index rootOf(std::vector<Index>& parent, Index i) {
 std::size_t removeDegenerateTriangles(TriangleMesh& mesh) {
     constexpr double leastDoubledArea = 2e-8;
     return std::erase_if(mesh.triangles, [&](glm::uvec3 t) {
-        return !(glm::length(doubledArea(mesh, t)) >= leastDoubledArea);  // so that NaN goes too
+        // Negated, so that NaN is removed too
+        return !(glm::length(doubledArea(mesh, t)) >= leastDoubledArea);
     });
 }
 

@@ -16,7 +16,7 @@ constexpr double leastAreaM2 = 1e-7;
 
 bool isFinite(glm::dvec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-// Without points that repeat the one before; empty if fewer than three are left.
+// Removes points that repeat the previous one; empty if fewer than three are left.
 IndexRing cleaned(const IndexRing& ring, Points points) {
     IndexRing result;
     for (const auto index : ring)
@@ -26,7 +26,7 @@ IndexRing cleaned(const IndexRing& ring, Points points) {
     return result;
 }
 
-// Newell: twice the ring's area, along its normal.
+// Newell: a vector along the ring's normal, twice the ring's area long.
 glm::dvec3 areaNormal(const IndexRing& ring, Points points) {
     glm::dvec3 sum(0);
     const glm::dvec3 origin = points[ring[0]];
@@ -90,7 +90,7 @@ SurfaceMesher::Outcome SurfaceMesher::add(const Surface& surface) {
     return Outcome::added;
 }
 
-// Most walls and roofs; false where a corner is not clearly convex.
+// Fast path for most walls and roofs; false if a corner is not clearly convex.
 bool SurfaceMesher::addConvexQuad(const std::vector<std::uint32_t>& ring, glm::dvec3 normal) {
     constexpr double clearlyM2 = 1e-4;
     for (std::size_t i = 0; i < 4; ++i) {

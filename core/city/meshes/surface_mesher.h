@@ -10,26 +10,26 @@
 
 namespace noonmark {
 
-/// A polygon in space: indices of points; the first ring bounds it, the others are holes in it.
+/// A polygon in space as indices of points: the outer ring first, then its holes.
 using Surface = std::vector<std::vector<std::uint32_t>>;
 
-/// Makes one triangle mesh of many planar polygons that share points. Neighbours share the mesh's points too,
+/// Triangulates many planar polygons that share points into one mesh. Neighbours share the mesh's points too,
 /// so that a closed shell stays closed by index.
 class SurfaceMesher {
 public:
     enum class Outcome {
         added,
-        mended,      ///< crosses itself in its own plane; the crossings became points
-        tangled,     ///< crosses itself in more than mostMeshCrossings points (triangulate.h): nothing added
-        degenerate,  ///< no area, or a point that is no number: nothing added
+        mended,      ///< the polygon crosses itself in its own plane; the crossings became points
+        tangled,     ///< more than mostMeshCrossings crossings (triangulate.h): nothing added
+        degenerate,  ///< no area, or a point that is not a number: nothing added
     };
 
     /// `points` in local metres; not owned, must outlive the mesher.
     explicit SurfaceMesher(std::span<const glm::dvec3> points) : points_(points) {}
 
-    /// Triangulates in the plane of the first ring's area normal (Newell), so vertical and slightly bent
-    /// polygons work. The triangles look to where the first ring runs counter-clockwise. Indices must be in
-    /// range.
+    /// Triangulates in the plane of the first ring's area normal (Newell), so that vertical and slightly bent
+    /// polygons work. The triangles face the side from which the first ring runs counter-clockwise. Indices
+    /// must be in range.
     Outcome add(const Surface& surface);
 
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }

@@ -4,7 +4,8 @@
 
 namespace noonmark {
 
-// Holes may touch the outline or one another, in a corner or along an edge: each way, the count is another.
+// With holes the caps must be triangulated: a hole may touch the outline or another hole in a corner or along
+// an edge, which changes the count.
 std::size_t countTriangles(const Part& part) {
     if (part.mesh) return part.mesh->triangles.size();
     const std::size_t points = part.footprint.outer.size();

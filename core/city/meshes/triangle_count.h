@@ -6,8 +6,8 @@
 
 namespace noonmark {
 
-/// As many triangles as meshOf(part) has, without making them where the outline has no holes: a simple
-/// polygon of v points has v - 2 triangles, a prism two of those and 2 v in its walls.
+/// The number of triangles of meshOf(part), without making them if the outline has no holes: a simple polygon
+/// of v points has v - 2 triangles; a prism has two such polygons and 2 v triangles in its walls.
 std::size_t countTriangles(const Part& part);
 
 }  // namespace noonmark

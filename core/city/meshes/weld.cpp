@@ -10,7 +10,7 @@ namespace noonmark {
 namespace {
 
 using Index = std::uint32_t;
-using Cell = glm::dvec3;  // whole numbers, which may be larger than integers hold
+using Cell = glm::dvec3;  // whole numbers, possibly beyond the range of integers
 
 struct CellHash {
     std::size_t operator()(const Cell& cell) const {
@@ -18,20 +18,21 @@ struct CellHash {
     }
 
 private:
-    // -0 equals 0 and has other bits; the low bits of small whole numbers are all 0.
+    // -0 equals 0 but has other bits; the low bits of small whole numbers are all 0.
     static std::size_t bitsOf(double number) {
         const std::uint64_t bits = std::bit_cast<std::uint64_t>(number + 0.0);
         return bits ^ bits >> 32U;
     }
 };
 
-// Finds points by place. Cells are twice the tolerance wide, so whatever lies within it is in one of the
-// eight cells around.
+// Finds points by position. Cells are twice the tolerance wide, so that every point within the tolerance is
+// in one of eight cells.
 class PointFinder {
 public:
     PointFinder(std::vector<glm::vec3>& points, float tolerance) : points_(points), tolerance_(tolerance) {}
 
-    // The point that stands for `point`: one that is there already, or itself, added.
+    // The point that represents `point`: an existing one within the tolerance, or `point` itself, which is
+    // then added.
     Index find(glm::vec3 point) {
         for (int corner = 0; corner < 8; ++corner) {
             const auto [first, end] = cells_.equal_range(cellAt(point, corner));
@@ -68,7 +69,7 @@ bool isFinite(glm::vec3 point) {
 std::vector<Index> weldIndices(std::span<const glm::vec3> points, float toleranceM) {
     std::vector<glm::vec3> found;
     PointFinder finder(found, toleranceM);
-    std::vector<Index> firstOf, indices;  // `firstOf`: of each found point, the index that it came from
+    std::vector<Index> firstOf, indices;  // `firstOf`: for each stored point, its index in the input
     for (Index i = 0; i < points.size(); ++i) {
         if (!isFinite(points[i])) {
             indices.push_back(i);

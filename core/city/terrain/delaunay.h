@@ -7,9 +7,8 @@
 
 namespace noonmark {
 
-/// The Delaunay triangulation of points: counter-clockwise triangles of their indices. Of points at the same
-/// place the first is used. Empty where all lie on one line. O(points log points). Backend:
-/// delaunay_cgal.cpp.
+/// The Delaunay triangulation of points: counter-clockwise triangles of their indices. Of coincident points
+/// the first is used. Empty if all points lie on one line. O(points log points). Backend: delaunay_cgal.cpp.
 std::vector<glm::uvec3> triangulateDelaunay(std::span<const glm::vec2> points);
 
 }  // namespace noonmark

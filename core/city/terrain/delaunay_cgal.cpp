@@ -18,7 +18,7 @@ using NumberedVertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t
 using PointTriangles =
     CGAL::Delaunay_triangulation_2<DelaunayKernel, CGAL::Triangulation_data_structure_2<NumberedVertex>>;
 
-// Each place once, with the first of its points.
+// Each position once, with the first of its points.
 std::vector<std::pair<PointTriangles::Point, std::uint32_t>> places(std::span<const glm::vec2> points) {
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0U);

@@ -5,7 +5,8 @@
 namespace noonmark {
 
 std::size_t fillFromNearest(std::vector<float>& values, int columns, int rows) {
-    // A wave that starts from all known cells at once; only their rims ever enter the queue twice over.
+    // Breadth-first search that starts from all known cells next to a gap; each filled cell enters the queue
+    // once.
     std::vector<std::size_t> wave;
     const auto index = [&](int column, int row) {
         return std::size_t(row) * std::size_t(columns) + std::size_t(column);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float nearGroundM = 0.5F;
 
-// Seen from above, a face that looks down runs clockwise.
+// A downward face runs clockwise in plan.
 void addIfUnderside(const TriangleMesh& mesh, glm::uvec3 triangle, float highestM,
                     std::vector<Footprint>& contact) {
     const glm::vec3 a = mesh.vertices[triangle.x], b = mesh.vertices[triangle.y],

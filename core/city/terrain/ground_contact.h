@@ -6,12 +6,12 @@
 
 namespace noonmark {
 
-/// Where a part meets the ground, as polygons: nobody stands there. A part that does not hang: its footprint.
-/// A prism that hangs: nothing. A mesh with open air below some of it (eaves, a passage, stilts): those of
-/// its faces that look down and lie within 0.5 m of the ground or below it; where it reaches the ground but
-/// has no such face (it is open below), what its walls enclose. Walls that enclose nothing and stand under
-/// less than walledEnough of its outline (the posts and the back wall of a shelter) leave the ground below
-/// free; else it is the whole footprint. `groundM`: local z.
+/// The area where a part touches the ground, as polygons: no receivers there. For a part that is not an
+/// overhang: its footprint. For an overhanging prism, or a mesh that does not reach the ground: nothing. For
+/// a mesh with open air below some of it (eaves, a passage, stilts): its downward faces that lie within 0.5 m
+/// of the ground or below it. If it has no such face (it is open below): the area that its walls enclose;
+/// else nothing if walls stand under some, but less than walledEnough, of its outline (the posts and the back
+/// wall of a shelter); else the whole footprint. `groundM`: local z.
 std::vector<Footprint> findGroundContact(const Part& part, float groundM);
 
 }  // namespace noonmark

@@ -9,10 +9,10 @@ namespace noonmark {
 
 namespace {
 
-// A place in the variables of the bend.
+// A position in the variables of the bend.
 struct BendPlace {
     double u, v;
-    double perColumn, perRow;  // of u and v
+    double perColumn, perRow;  // derivatives of u and v
     BendPlace(const PostGrid& posts, glm::dvec2 at)
         : perColumn(2.0 / std::max(1, posts.columns - 1)), perRow(2.0 / std::max(1, posts.rows - 1)) {
         u = at.x * perColumn - 1;
@@ -28,7 +28,7 @@ glm::dvec2 bentBy(const PostGrid& posts, const BendPlace& at) {
 
 double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-// How many of each step make up `way`.
+// Expresses the vector `way` in column and row steps.
 glm::dvec2 inSteps(const PostGrid::Steps& steps, glm::dvec2 way) {
     return glm::dvec2(cross(way, steps.row), cross(steps.column, way)) / cross(steps.column, steps.row);
 }
@@ -60,7 +60,7 @@ PostGrid::Steps PostGrid::stepsAt(glm::dvec2 columnRow) const {
 glm::dvec2 PostGrid::columnRowOf(glm::dvec2 point) const {
     glm::dvec2 found = inSteps({columnStep, rowStep}, point - first);
     if (!isBent()) return found;
-    // Newton's method; the bend is small, so that each round squares what is left.
+    // Newton's method; since the bend is small, the error converges quadratically.
     const glm::dvec2 size(columns, rows);
     constexpr int mostRounds = 6;
     for (int round = 0; round < mostRounds; ++round) {

@@ -7,7 +7,7 @@ namespace noonmark {
 
 namespace {
 
-// Position among posts; `post` is the lower neighbour, `share` how far towards the next.
+// Position among posts: `post` is the lower neighbour, `share` the fraction of the way to the next.
 struct Between {
     int post;
     double share;
@@ -18,8 +18,8 @@ Between between(double inside, int count) {
     return {post, inside - post};
 }
 
-// Where a place lies in a cell: in the triangle below the diagonal, (0, 0) (1, 0) (1, 1), or above it; and
-// the shares of its way from the first corner, along that triangle's first side and on along its second.
+// Position of a point in a cell: whether it is in the triangle below the diagonal, (0, 0) (1, 0) (1, 1), or
+// above it; and its coordinates from the first corner along that triangle's first and second side.
 struct InCell {
     bool lower;
     double firstSide, secondSide;
@@ -30,7 +30,7 @@ InCell inSquare(glm::dvec2 shares) {
     return {shares.x >= shares.y, farther, nearer};
 }
 
-// The sides of a bent grid's triangles are straight all the same.
+// The triangles of a bent grid still have straight sides.
 InCell inTriangle(const PostGrid& grid, glm::dvec2 place, int column, int row, bool lower) {
     const glm::dvec2 from = grid.centre(column, row), diagonal = grid.centre(column + 1, row + 1) - from;
     const glm::dvec2 side = (lower ? grid.centre(column + 1, row) : grid.centre(column, row + 1)) - from;

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/city/terrain is the ground of a city. Terrain (this file) holds elevations on a grid of
+// posts (post_grid.h) and their origin (terrain_source.h). It is made of rasters in core/io/terrain, of
+// triangles by tin_terrain.h, or of points by delaunay.h; fill_gaps.h fills missing posts. building_ground.h
+// and ground_contact.h tell where buildings touch the ground.
+
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -9,8 +14,9 @@
 
 namespace noonmark {
 
-/// The ground as elevations of posts. Between posts it is the surface of meshOf's triangles, so that what
-/// stands on the ground and what the ground shades agree; beyond the outer posts the nearest value.
+/// The ground as elevations of posts. Between posts it is the surface of meshOf's triangles, so that the
+/// ground under buildings and the ground that casts shadows agree; beyond the outer posts the nearest value
+/// holds.
 struct Terrain {
     PostGrid grid;
     std::vector<float> elevationM;  ///< local z of each post; all finite
@@ -22,8 +28,8 @@ struct Terrain {
 /// Local z of the ground at a point, metres. Some 15 ns; 0.1 us where the posts' grid is bent.
 float elevationAt(const Terrain& terrain, glm::dvec2 point);
 
-/// Two triangles a cell between posts, outward = up. 2 (columns - 1)(rows - 1) triangles. A cell's diagonal
-/// runs from its first corner to the one in the next column and row.
+/// Two triangles for each cell between posts, facing up: 2 (columns - 1)(rows - 1) triangles. A cell's
+/// diagonal runs from its first corner to the one in the next column and row.
 TriangleMesh meshOf(const Terrain& terrain);
 
 }  // namespace noonmark

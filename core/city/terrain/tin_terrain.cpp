@@ -47,7 +47,7 @@ Grid gridOver(const Coverage& coverage) {
     return grid;
 }
 
-// Where a point lies in a triangle, as the share of each corner; negative outside.
+// Barycentric coordinates of a point in a triangle; negative outside.
 struct Barycentric {
     glm::dvec3 a, b, c;
     double doubledArea;
@@ -61,7 +61,7 @@ struct Barycentric {
     [[nodiscard]] double elevationAt(glm::dvec2 at) const {
         const glm::dvec3 p(at, 0);
         const glm::dvec3 share = glm::dvec3(cross(b, c, p), cross(c, a, p), cross(a, b, p)) / doubledArea;
-        constexpr double edge = -1e-9;  // a centre on a shared edge belongs to both
+        constexpr double edge = -1e-9;  // a centre on a shared edge belongs to both triangles
         const bool inside = share.x >= edge && share.y >= edge && share.z >= edge;
         return inside ? share.x * a.z + share.y * b.z + share.z * c.z
                       : std::numeric_limits<double>::quiet_NaN();
@@ -84,7 +84,7 @@ void rasterize(const Barycentric& triangle, const Grid& grid, std::vector<float>
         }
 }
 
-// How far the grid's surface lies from the triangles' own points.
+// Records how far the grid's surface deviates from the triangles' own points.
 void describe(const Coverage& coverage, const TriangleMesh& tin, TinTerrain& result) {
     TerrainSource& source = result.terrain.source;
     source.method = TerrainMethod::triangulated;

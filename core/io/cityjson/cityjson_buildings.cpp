@@ -30,7 +30,7 @@ struct Group {
 using ById = std::unordered_map<std::string, const CityJsonObject*>;
 
 const CityJsonObject* outermost(const CityJsonObject* object, const ById& byId) {
-    constexpr int deepest = 16;  // parents that go round in a ring end somewhere
+    constexpr int deepest = 16;  // limit for cycles of parents
     for (int i = 0; i < deepest && !object->parent.empty(); ++i) {
         const auto parent = byId.find(object->parent);
         if (parent == byId.end()) break;
@@ -52,23 +52,23 @@ void addGroups(const CityJsonBlock& block, std::vector<Group>& groups) {
     }
 }
 
-// Makes one building of a group, and says what had to be done to it.
+// Makes one building of a group and records the repairs.
 class BuildingMaker {
 public:
     BuildingMaker(const Group& group, const ReadSettings& settings, const Terrain* terrain,
                   const std::string& file)
         : group_(group), settings_(settings), terrain_(terrain), file_(file), root_(*group.objects.front()) {}
     Warnings warnings;
-    HeightOrigins origins;  // of the objects that are extruded
+    HeightOrigins origins;  // origins of the heights of extruded objects
 
-    // Null where nothing of it can be used.
+    // Null if nothing of it can be used.
     std::shared_ptr<const Building> make() {
         Building building{root_.id, root_.name, root_.status, {}};
         for (const CityJsonObject* object : group_.objects) addBodies(*object, building.parts);
         if (building.parts.empty())
             for (const CityJsonObject* object : group_.objects) extrude(*object, building.parts);
         if (building.parts.empty()) {
-            warn(WarningKind::dropped, "has no geometry that can be used", root_);
+            warn(WarningKind::dropped, "has no usable geometry", root_);
             return nullptr;
         }
         markOverhangs(building.parts, findGroundUnder(building.parts));
@@ -106,7 +106,8 @@ private:
             TriangleMesh mesh = meshOf(body[0], object);
             for (std::size_t i = 1; i < body.size(); ++i) {
                 TriangleMesh cavity = meshOf(body[i], object);
-                if (signedVolume(cavity) > 0) turnInsideOut(cavity);  // its faces look into the hollow
+                // The faces of a cavity point into the cavity
+                if (signedVolume(cavity) > 0) turnInsideOut(cavity);
                 append(mesh, cavity);
             }
             MeshParts made = partsOf(mesh, object.id, file_ + ": " + object.id);
@@ -115,13 +116,14 @@ private:
         }
     }
 
-    // An object's own height, else its building's.
+    // The object's own height, else that of its building.
     HeightReading heightOf(const CityJsonObject& object) {
         FeatureValues values = object.values;
         if (&object != &root_) values.insert(values.end(), root_.values.begin(), root_.values.end());
         const HeightRules rules{settings_.metresPerLevel, settings_.defaultHeightM, true};
         HeightReading reading = readHeights(values, rules, false, file_ + ": " + object.id, warnings);
-        if (reading.byDefault) warn(WarningKind::assumed, "no height; the default was taken", object);
+        if (reading.byDefault)
+            warn(WarningKind::assumed, "no height in the data; the default is used", object);
         ++origins[reading.origin];
         return reading;
     }
@@ -146,7 +148,7 @@ private:
     [[nodiscard]] std::function<float(glm::dvec2)> findGroundUnder(const std::vector<Part>& parts) const {
         float lowest = 1e30F;
         for (const Part& part : parts) lowest = std::min(lowest, part.bottomM);
-        // The curvature of the earth is off the terrain, and on the parts still.
+        // The terrain is lowered by the earth's curvature, the parts are not yet.
         return [lowest, terrain = terrain_](glm::dvec2 at) {
             return terrain != nullptr ? std::max(lowest, elevationAt(*terrain, at) + float(earthDropM(at)))
                                       : lowest;
@@ -160,7 +162,7 @@ private:
     const CityJsonObject& root_;
 };
 
-// CityJSON has the ground in the geometry: a building's walls begin on it.
+// CityJSON has the ground in the geometry: the walls of a building begin on it.
 float lowestPoint(const Building& building) {
     float lowest = std::numeric_limits<float>::max();
     for (const Part& part : building.parts) lowest = std::min(lowest, part.bottomM);
@@ -187,7 +189,7 @@ void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece)
     if (made->filled > 0)
         piece.warnings.push_back(
             {WarningKind::mended,
-             "cells that the terrain's triangles do not cover have the nearest elevation",
+             "cells that the terrain's triangles do not cover were filled from the nearest elevation",
              fmt::format("{} ({} of {} cells)", file, made->filled, made->terrain.grid.size())});
     made->terrain.source.file = std::filesystem::path(file).filename().string();
     piece.terrain = std::make_shared<const Terrain>(std::move(made->terrain));

@@ -18,7 +18,7 @@ const Json& member(const Json& object, const char* key) {
 
 std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
 
-// 1.0 has numbers, later versions text.
+// A number in version 1.0, text in later versions.
 std::optional<double> lodOf(const Json& value) {
     if (value.is_number()) return value.get<double>();
     const std::string text = textOf(value);
@@ -27,7 +27,7 @@ std::optional<double> lodOf(const Json& value) {
     return error == std::errc() && end == text.data() + text.size() ? std::optional(lod) : std::nullopt;
 }
 
-// Reads boundaries; what is not as it should be is counted and left out.
+// Reads boundaries; counts and drops malformed ones.
 class BoundaryReader {
 public:
     explicit BoundaryReader(std::size_t vertexCount) : vertexCount_(vertexCount) {}
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    // Nothing to go through where there is no list.
+    // An empty list if the value is not a list.
     const Json& listOf(const Json& value) {
         static const Json empty = Json::array();
         if (value.is_array()) return value;
@@ -101,7 +101,7 @@ CityJsonGeometry parsed(const Json& geometry, double lod, BoundaryReader& reader
     return result;
 }
 
-// One of an object's geometries that can be chosen.
+// A geometry of an object that could be chosen.
 struct Candidate {
     const Json* geometry;
     double lod;
@@ -117,7 +117,7 @@ bool isBetter(const Candidate& a, const Candidate& b, const LodChoice& choice) {
     return a.solid && !b.solid;
 }
 
-// The best body and the best footprint; null where there is none.
+// The best body and the best footprint; null if there is none.
 struct Chosen {
     std::optional<Candidate> body;
     std::optional<Candidate> footprint;
@@ -153,10 +153,11 @@ void chooseGeometry(const Json& geometries, const LodChoice& choice, std::size_t
     if (best.footprint) object.footprint = parsed(*best.footprint->geometry, best.footprint->lod, reader);
     if (best.templates) warnings.push_back({WarningKind::dropped, "geometry templates are not read", where});
     if (best.body && choice.wished && best.body->lod != *choice.wished)
-        warnings.push_back({WarningKind::assumed, "the wished level of detail is missing; the next was taken",
+        warnings.push_back({WarningKind::assumed,
+                            "the wanted level of detail is missing; the next one is used",
                             fmt::format("{} ({:g})", where, best.body->lod)});
     if (reader.broken > 0)
-        warnings.push_back({WarningKind::dropped, "surfaces with vertices that are not there",
+        warnings.push_back({WarningKind::dropped, "surfaces with missing vertices",
                             fmt::format("{} ({})", where, reader.broken)});
 }
 

@@ -8,14 +8,14 @@
 
 namespace noonmark {
 
-/// How to choose among the geometries of an object.
+/// Which geometry of an object to choose.
 struct LodChoice {
-    std::optional<double> wished;  ///< empty: the highest that is there
+    std::optional<double> wished;  ///< the wanted level of detail; empty: the highest that exists
 };
 
-/// Fills `object.body` and `object.footprint` from the object's "geometry". Among levels of detail 1 and up:
-/// the highest that is not above the wished one, else the lowest; solids before surfaces. Surfaces with
-/// indices beyond `vertexCount` are dropped with a warning, `where` the object.
+/// Fills `object.body` and `object.footprint` from the object's "geometry". Of the levels of detail 1 and
+/// above it takes the highest that does not exceed the wanted one, else the lowest; solids before surfaces.
+/// Surfaces with indices beyond `vertexCount` are dropped with a warning, which names the object as `where`.
 void chooseGeometry(const nlohmann::json& geometries, const LodChoice& choice, std::size_t vertexCount,
                     const std::string& where, CityJsonObject& object, Warnings& warnings);
 

@@ -31,7 +31,7 @@ std::string textOf(const Json& value) {
     return value.is_number() ? value.dump() : std::string();
 }
 
-// Whole numbers of the file times scale, plus translate; without a transform the numbers as they are.
+// The file's integers times scale, plus translate; without a transform the numbers unchanged.
 struct Transform {
     glm::dvec3 scale{1};
     glm::dvec3 translate{0};
@@ -50,7 +50,7 @@ Transform transformOf(const Json& root) {
             triple(member(transform, "translate")).value_or(glm::dvec3(0))};
 }
 
-// A vertex that is no place is NaN: the surfaces that use it are dropped later.
+// An invalid vertex becomes NaN: the surfaces that use it are dropped later.
 std::vector<glm::dvec3> verticesOf(const Json& root, const Transform& transform) {
     std::vector<glm::dvec3> vertices;
     const Json& list = member(root, "vertices");
@@ -85,14 +85,14 @@ public:
 
     Result<void> addHeader(const Json& root) {
         if (textOf(member(root, "type")) != "CityJSON")
-            return failure("This is no CityJSON", file_,
+            return failure("This is not CityJSON", file_,
                            "A sequence (CityJSONSeq) must begin with a line of type CityJSON");
         data.version = textOf(member(root, "version"));
         data.crs = crsOf(root);
         data.attribution = textOf(member(member(member(root, "metadata"), "pointOfContact"), "contactName"));
         transform_ = transformOf(root);
         if (!data.version.starts_with("1.") && !data.version.starts_with("2."))
-            warn(WarningKind::assumed, "its version is not known; it was read as 2.0",
+            warn(WarningKind::assumed, "its version is unknown; it was read as 2.0",
                  file_ + " (" + data.version + ")");
         addBlock(root);
         return {};
@@ -104,7 +104,7 @@ public:
             member(feature, "CityObjects").is_object())
             addBlock(feature);
         else
-            warn(WarningKind::dropped, "a line that is no CityJSON feature",
+            warn(WarningKind::dropped, "a line that is not a CityJSON feature",
                  fmt::format("{}: line {}", file_, line));
     }
 
@@ -129,7 +129,7 @@ private:
         if (!isOfBuilding(object.type) && object.type != "TINRelief")
             return warn(
                 WarningKind::leftOut,
-                fmt::format("not a building but {}", object.type.empty() ? "without type" : object.type),
+                fmt::format("not a building but {}", object.type.empty() ? "without a type" : object.type),
                 where);
         const Json& attributes = member(source, "attributes");
         object.name = textOf(member(attributes, "name"));
@@ -140,7 +140,8 @@ private:
         block.objects.push_back(std::move(object));
     }
 
-    // An object may have any attributes: what they mean is settled among its own.
+    // Objects may have different attributes: the meaning of a field is decided among the attributes of the
+    // same object.
     void addValues(const Json& attributes, CityJsonObject& object) {
         if (!attributes.is_object()) return;
         std::vector<std::string> names;
@@ -155,7 +156,7 @@ private:
             if (!findMeaning(name)) addUnknown(name, attributes.at(name));
     }
 
-    // Most objects have the attributes of the one before.
+    // Cached, since most objects have the attributes of the previous one.
     const std::vector<KnownField>& fieldsOf(const std::vector<std::string>& names) {
         if (names == names_) return fields_;
         names_ = names;
@@ -185,13 +186,13 @@ Result<LodChoice> lodChoice(const std::string& lod) {
     double number = 0;
     const auto [end, error] = std::from_chars(lod.data(), lod.data() + lod.size(), number);
     if (error != std::errc() || end != lod.data() + lod.size())
-        return failure("\"" + lod + "\" is no level of detail", {}, "Give a number such as 1.2 or 2.2");
+        return failure("\"" + lod + "\" is not a level of detail", {}, "Give a number such as 1.2 or 2.2");
     return LodChoice{number};
 }
 
 bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r\n") == line.npos; }
 
-// What follows the first value: the features of a sequence. False when stopped.
+// Reads what follows the first value: the features of a sequence. False when stopped.
 bool readSequence(std::istream& stream, double bytes, Loader& loader, Progress& progress,
                   const std::stop_token& stop) {
     std::string line;
@@ -205,7 +206,7 @@ bool readSequence(std::istream& stream, double bytes, Loader& loader, Progress& 
     return true;
 }
 
-// The first value of the file; discarded where it is no JSON.
+// The first value of the file; a discarded value if it is not JSON.
 Json firstValue(std::istream& stream) try {
     Json first;
     stream >> first;
@@ -229,7 +230,7 @@ Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadS
     progress.report(0, "reading the city");
     const Json first = firstValue(stream);
     if (first.is_discarded())
-        return failure("The file is not valid JSON; it may be cut off", file.string(),
+        return failure("The file is not valid JSON; it may be incomplete", file.string(),
                        "Export or download it again");
     Loader loader(file.filename().string(), settings, *choice);
     if (const auto header = loader.addHeader(first); !header) return tl::make_unexpected(header.error());

@@ -10,7 +10,7 @@ namespace noonmark {
 
 /// Reads CityJSON 1.0, 1.1, 2.0 or CityJSONSeq into plain values. The whole file is held in memory while it
 /// is parsed (about ten times its size), a sequence one line at a time. Error: not JSON, not CityJSON, or
-/// nothing in it; a feature that cannot be read is a warning.
+/// empty; a feature that cannot be read gives a warning.
 Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                   Progress& progress, const std::stop_token& stop);
 

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/io/cityjson reads CityJSON and CityJSONSeq. read_cityjson.cpp runs the steps:
+// cityjson_load.h parses the file into the plain values of this file, with cityjson_geometry.h choosing the
+// level of detail; cityjson_place.h transforms them to local metres; cityjson_buildings.h makes buildings and
+// terrain.
+
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -14,16 +19,16 @@
 
 namespace noonmark {
 
-/// What is read of CityJSON before it has a place: plain values, still in the file's coordinates.
+/// CityJSON as plain values, still in the file's coordinates.
 
-/// A solid's shells, the outer one first and cavities after it; or the one shell of a multi-surface, which
-/// may be open.
+/// The shells of a solid: the outer one first, then cavities. For a multi-surface its one shell, which may be
+/// open.
 using CityJsonBody = std::vector<std::vector<Surface>>;
 
 struct CityJsonGeometry {
     double lod = 0;
     bool solid = false;
-    std::vector<CityJsonBody> bodies;  ///< one, or several of a multi- or composite solid
+    std::vector<CityJsonBody> bodies;  ///< one, or several for a multi- or composite solid
 };
 
 struct CityJsonObject {
@@ -32,9 +37,9 @@ struct CityJsonObject {
     std::string parent;  ///< id; empty for none
     std::string name;
     std::string status;
-    FeatureValues values;                       ///< attributes that make a height; see knownFields
-    std::optional<CityJsonGeometry> body;       ///< of the level of detail that was chosen
-    std::optional<CityJsonGeometry> footprint;  ///< of level of detail 0
+    FeatureValues values;                       ///< attributes that determine heights; see knownFields
+    std::optional<CityJsonGeometry> body;       ///< geometry of the chosen level of detail
+    std::optional<CityJsonGeometry> footprint;  ///< geometry of level of detail 0
 };
 
 /// Objects that share vertices: a whole CityJSON file, or one feature of a sequence.
@@ -44,14 +49,14 @@ struct CityJsonBlock {
 };
 
 struct CityJsonData {
-    std::string crs;  ///< empty: none stated
+    std::string crs;  ///< empty: not stated
     std::string version;
     std::string attribution;
     bool sequence = false;
     std::vector<CityJsonBlock> blocks;
-    std::size_t features = 0;        ///< objects read in all, also those left out
+    std::size_t features = 0;        ///< all objects read, including those left out
     std::vector<KnownField> fields;  ///< attributes of buildings, by name
-    UnknownFields unknown;           ///< those that mean nothing to us
+    UnknownFields unknown;           ///< attributes whose names are unknown
     Warnings warnings;
 };
 

@@ -50,8 +50,8 @@ PlaceBox computeBox(const CityJsonObject& object, const std::vector<glm::dvec3>&
     return box;
 }
 
-// From the file's coordinates to longitude, latitude and metres. All longitudes are near the first, so that a
-// city on both sides of 180 degrees stays together.
+// Transforms the file's coordinates to longitude, latitude and metres. All longitudes are taken near the
+// first, so that a city on both sides of 180 degrees stays together.
 void toPlaces(CityJsonData& data, const CrsToLonLat& crs) {
     std::optional<double> nearDeg;
     for (CityJsonBlock& block : data.blocks) {
@@ -65,7 +65,7 @@ void toPlaces(CityJsonData& data, const CrsToLonLat& crs) {
     }
 }
 
-// Every object's box, block by block in order; the empty ones too.
+// The box of every object, in order, including empty boxes.
 std::vector<PlaceBox> boxesOf(const CityJsonData& data) {
     std::vector<PlaceBox> boxes;
     for (const CityJsonBlock& block : data.blocks)
@@ -80,7 +80,7 @@ double quantile(std::vector<double> values, double share) {
     return *at;
 }
 
-// Nothing where no object has a place.
+// Nothing if no object has a position.
 std::optional<LonLat> medianOf(const std::vector<PlaceBox>& boxes) {
     std::vector<double> lons, lats;
     for (const PlaceBox& box : boxes) {
@@ -92,7 +92,7 @@ std::optional<LonLat> medianOf(const std::vector<PlaceBox>& boxes) {
     return LonLat{usualLongitude(quantile(std::move(lons), 0.5)), quantile(std::move(lats), 0.5)};
 }
 
-// Takes far objects out of the data and their boxes out of the list.
+// Removes distant objects from the data and their boxes from the list.
 void leaveOutFar(CityJsonData& data, std::vector<PlaceBox>& boxes, LonLat median, double farAwayM,
                  const std::string& file) {
     std::vector<PlaceBox> kept;
@@ -144,16 +144,16 @@ Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const 
     const Result<CrsToLonLat> crs = CrsToLonLat::of(text);
     if (!crs) return failure(crs.error().what, file, crs.error().advice);
     if (!crs->elevationUnitIsStated() && crs->metresPerElevationUnit() != 1)
-        data.warnings.push_back({WarningKind::assumed,
-                                 "elevations have no unit; they were taken to be in the unit of the map",
-                                 file});
+        data.warnings.push_back(
+            {WarningKind::assumed, "elevations have no unit; the unit of the map is assumed", file});
     toPlaces(data, *crs);
     std::vector<PlaceBox> boxes = boxesOf(data);
     const std::optional<LonLat> median = medianOf(boxes);
     if (!median && boxes.empty())
-        return failure("The file holds no buildings and no terrain", file, "Choose a file that does");
+        return failure("The file holds no buildings and no terrain", file,
+                       "Choose a file that contains some");
     if (!median || !crs->isPlausible(*median))
-        return failure(fmt::format("The coordinates cannot be of {}", crs->name()), file,
+        return failure(fmt::format("The coordinates cannot belong to {}", crs->name()), file,
                        "Check which coordinate reference system they are in");
     leaveOutFar(data, boxes, *median, settings.farAwayM, file);
     const Frame frame = settings.frame ? *settings.frame : chosenFrame(data, boxes);

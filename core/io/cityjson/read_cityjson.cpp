@@ -23,7 +23,7 @@ Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& se
     addTin(*data, name, piece);
     if (!addBuildings(*data, settings, name, piece, progress, stop)) return cancelled();
     if (piece.buildings.empty() && !piece.terrain)
-        return failure("The file holds no building and no terrain that can be used", file.string(),
+        return failure("The file holds no usable building and no usable terrain", file.string(),
                        "Check it with a CityJSON validator");
     return piece;
 }

@@ -17,17 +17,18 @@ namespace fs = std::filesystem;
 
 constexpr const char* anotherName = "Name another file";
 
-// Whether a plain file is there. Error: something else is.
+// True if a plain file exists, false if nothing does. Error: something else exists.
 Result<bool> isPlainFileThere(const fs::path& file) {
     std::error_code ignored;
     if (fs::symlink_status(file, ignored).type() == fs::file_type::not_found) return false;
     switch (fs::status(file, ignored).type()) {
         case fs::file_type::regular:
             return true;
-        case fs::file_type::none:  // who may not look there may not write there: that is heard when writing
+        // Without permission to look there is none to write either; writing then reports it
+        case fs::file_type::none:
             return false;
         case fs::file_type::not_found:
-            return failure("This is a link to a file that is not there", file.string(),
+            return failure("This is a link to a file that does not exist", file.string(),
                            "Remove the link, or name another file");
         case fs::file_type::directory:
             return failure("A folder has this name", file.string(), anotherName);
@@ -75,12 +76,12 @@ Result<void> checkKind(const fs::path& file, OutputKind kind) {
                    file.string(), "Name another file, or remove this one first");
 }
 
-// A journal of the old file would be played back into the new one.
+// SQLite would replay a journal of the old file into the new one.
 Result<void> checkNoJournal(const fs::path& file, OutputKind kind) {
     const bool database = kind == OutputKind::geoPackage || kind == OutputKind::project;
     if (!database || !isBeingWritten(file)) return {};
-    return failure("Another program writes to this file, or was stopped while it did", file.string(),
-                   "Close the file there, or name another file");
+    return failure("Another program is writing to this file, or was stopped while it did", file.string(),
+                   "Close the file in that program, or name another file");
 }
 
 Result<void> checkReplaceable(const fs::path& file, OutputKind kind, const OutputRules& rules) {
@@ -94,9 +95,9 @@ Result<void> areThere(const fs::path& folder, const std::vector<std::string>& na
     if (names.size() == 1)
         return failure("There is a file of this name already", (folder / names.front()).string(),
                        "Add --overwrite to replace it, or name another folder");
-    return failure(fmt::format("{} and {} more of the files to write are there already", names.front(),
-                               names.size() - 1),
-                   folder.string(), "Add --overwrite to replace them, or name another folder");
+    return failure(
+        fmt::format("{} and {} more of the files to write exist already", names.front(), names.size() - 1),
+        folder.string(), "Add --overwrite to replace them, or name another folder");
 }
 
 }  // namespace

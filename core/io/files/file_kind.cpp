@@ -29,7 +29,7 @@ struct Magic {
     FileKind kind;
 };
 
-// The first bytes that formats agree on for telling them apart.
+// Magic bytes by which formats are recognised.
 constexpr std::array magics{
     Magic{"glTF", FileKind::mesh},
     Magic{"ply\n", FileKind::mesh},
@@ -47,7 +47,7 @@ Head kindFromMagic(std::string_view head) {
     return std::nullopt;
 }
 
-// OpenStreetMap: XML says so in its root; PBF begins with the length of a blob header whose type is
+// OpenStreetMap: the root element of XML says so; PBF begins with the length of a blob header whose type is
 // "OSMHeader".
 Head kindOfOpenStreetMap(std::string_view head) {
     const bool pbf = head.size() > 15 && head.substr(4, 11) == "\x0a\x09OSMHeader";
@@ -62,8 +62,8 @@ bool isObjLine(std::string_view line) {
     return false;
 }
 
-// OBJ has no magic: it is text whose first line that is neither blank nor comment is one of its statements,
-// and has vertices.
+// OBJ has no magic bytes: it is text whose first line that is neither blank nor a comment is one of its
+// statements, and it has vertices.
 Head kindOfObj(std::string_view head) {
     if (head.find('\0') != head.npos) return std::nullopt;
     std::istringstream lines{std::string(head)};
@@ -88,7 +88,7 @@ Head kindFromHead(std::string_view head) {
     return kindOfObj(head);
 }
 
-// What JSON turns out to be; nothing where GDAL has to be asked (TopoJSON, ESRI JSON).
+// The kind of a JSON file; nothing if GDAL must decide (TopoJSON, ESRI JSON).
 Head kindFromJson(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     switch (detectJsonKind(stream)) {

@@ -14,14 +14,14 @@ constexpr const char* readFormats =
 }  // namespace
 
 Result<FileKind> detectFileKindWithGdal(const std::filesystem::path& file) {
-    const GdalCalls quiet;  // GDAL's messages are not for the user, who gets ours
+    const GdalCalls quiet;  // hides GDAL's messages from the user, who gets ours
     const auto vectors = openDataset(file, DatasetContent::vectors);
     if (vectors && (*vectors)->GetLayerCount() > 0) return FileKind::footprints;
     const auto raster = openDataset(file, DatasetContent::elevations);
     if (raster && (*raster)->GetRasterCount() > 0) return FileKind::terrain;
     for (const auto* tried : {&vectors, &raster})
         if (!*tried && !isUnknownFormat(tried->error())) return tl::make_unexpected(tried->error());
-    return failure("This is no file that can be read here", file.string(), readFormats);
+    return failure("This file is not in a supported format", file.string(), readFormats);
 }
 
 }  // namespace noonmark

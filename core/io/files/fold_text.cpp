@@ -16,7 +16,7 @@ int continuationBytes(unsigned char lead) {
     return 0;
 }
 
-// The code point at `at`, which moves behind it; behind one byte only where the bytes are not UTF-8.
+// The code point at `at`; advances `at` past it, or by one byte if the bytes are not UTF-8.
 char32_t nextCodePoint(std::string_view text, std::size_t& at) {
     const auto lead = static_cast<unsigned char>(text[at++]);
     if (lead < 0x80) return lead;
@@ -28,7 +28,7 @@ char32_t nextCodePoint(std::string_view text, std::size_t& at) {
         if ((byte & 0xC0U) != 0x80U) return notText;
         point = (point << 6U) | (byte & 0x3FU);
     }
-    constexpr char32_t least[] = {0, 0x80, 0x800, 0x10000};  // a longer form than needed is not UTF-8
+    constexpr char32_t least[] = {0, 0x80, 0x800, 0x10000};  // a form longer than necessary is not UTF-8
     if (point < least[more]) return notText;
     at += more;
     return point;
@@ -40,7 +40,7 @@ bool isBlank(char32_t point) {
            point == 0x3000;
 }
 
-// Marks that stand for an ASCII one; 0 for all others.
+// The ASCII equivalent of a mark; 0 if there is none.
 char asciiMark(char32_t point) {
     switch (point) {
         case 0x2018:
@@ -61,7 +61,7 @@ char asciiMark(char32_t point) {
             return '-';
         case 0x43C:
         case 0x41C:
-            return 'm';  // Cyrillic em, the metre of half of Asia
+            return 'm';  // Cyrillic em, the symbol of the metre in Cyrillic script
         default:
             return 0;
     }

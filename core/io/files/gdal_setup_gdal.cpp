@@ -20,7 +20,7 @@ void registerDrivers() {
     for (const auto& add :
          {GDALRegister_GTiff, GDALRegister_HFA, GDALRegister_AAIGrid, GDALRegister_GRASSASCIIGrid,
           GDALRegister_DTED, GDALRegister_SRTMHGT, GDALRegister_USGSDEM, GDALRegister_EHdr, GDALRegister_XYZ,
-          GDALRegister_MEM, GDALRegister_PNG})  // PNG: tiles of whole numbers in a GeoPackage
+          GDALRegister_MEM, GDALRegister_PNG})  // PNG: tiles of integers in a GeoPackage
         add();
     for (const auto& add :
          {RegisterOGRShape, RegisterOGRGeoJSON, RegisterOGRGeoJSONSeq, RegisterOGRESRIJSON,
@@ -29,8 +29,8 @@ void registerDrivers() {
         add();
 }
 
-// Readers take bands out of rasters through virtual rasters in memory: those are made here, never opened from
-// a file.
+// Readers extract bands of rasters through virtual rasters in memory: those are created here and never opened
+// from a file.
 void registerVirtualRasters() {
     GDALRegister_VRT();
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("VRT");
@@ -38,7 +38,7 @@ void registerVirtualRasters() {
     driver->pfnIdentify = nullptr;
 }
 
-// Options rule over environment variables of the same names.
+// Options take precedence over environment variables of the same names.
 void setOptions() {
     constexpr std::array<std::array<const char*, 2>, 6> options{{
         {"CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "{no file is read from the network}"},

@@ -6,16 +6,16 @@
 
 namespace noonmark {
 
-/// Error where a GeoPackage would have SQL run that its maker wrote: its own tables, or the layers that it
-/// lists, are views or virtual tables. A view may go on for ever. Reads the file and writes nothing. Costs
+/// Error if opening a GeoPackage would run SQL from the file: its system tables, or the layers that it lists,
+/// are views or virtual tables. A view may run without end. Reads the file and writes nothing. Takes
 /// milliseconds. Backend: geopackage_check_sqlite.cpp.
 Result<void> checkGeoPackage(const std::filesystem::path& file);
 
 /// Whether a file is a Noonmark project, whatever its name: an SQLite database with the table `noonmark`.
-/// Error: it is a database, but cannot be read (damaged, locked). Writes nothing.
+/// Error: it is a database that cannot be read (damaged, locked). Writes nothing.
 Result<bool> holdsProject(const std::filesystem::path& file);
 
-/// Whether another program has written to the database and has not finished: what it wrote lies beside it.
+/// Whether another program has unfinished writes to the database: its journal lies beside the file.
 bool isBeingWritten(const std::filesystem::path& database);
 
 }  // namespace noonmark

@@ -28,7 +28,7 @@ bool isDatabase(const std::filesystem::path& file) {
     return stream.read(head.data(), std::streamsize(head.size())) && head == magic;
 }
 
-// In a URI, as SQLite reads it.
+// Escapes a path for a URI, as SQLite parses it.
 std::string escaped(const std::string& path) {
     std::string text;
     for (const char letter : path)
@@ -38,7 +38,7 @@ std::string escaped(const std::string& path) {
     return text;
 }
 
-// Opens without a lock, and leaves no file beside it, unless somebody writes to it.
+// Opens without a lock and leaves no file beside the database, unless another program is writing to it.
 OpenFile opened(const std::filesystem::path& file) {
     const std::string uri = fmt::format("file:{}{}", escaped(std::filesystem::absolute(file).string()),
                                         isBeingWritten(file) ? "" : "?immutable=1");
@@ -64,8 +64,8 @@ std::string firstText(const Query& query) {
     return text != nullptr ? text : "";
 }
 
-// The standard's own tables first: which layers there are is read from them only when they are tables. Views
-// and virtual tables have no root page.
+// The standard's own tables are checked first: the list of layers is read from them only if they are tables.
+// Views and virtual tables have no root page.
 constexpr const char* standardTables =
     "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') "
     "AND (ifnull(rootpage, 0) = 0 OR sql LIKE 'create virtual%') "
@@ -94,7 +94,7 @@ Result<bool> holdsProject(const std::filesystem::path& file) {
     const Query query = database ? prepared(database, projectTable) : Query();
     const int step = query ? sqlite3_step(query.get()) : SQLITE_CANTOPEN;
     if (step == SQLITE_ROW || step == SQLITE_DONE) return step == SQLITE_ROW;
-    return failure(fmt::format("It cannot be told whether this is a Noonmark project ({})",
+    return failure(fmt::format("Whether this is a Noonmark project could not be determined ({})",
                                database ? sqlite3_errmsg(database.get()) : "the database cannot be opened"),
                    file.string(), "Close it in other programs, or name another file");
 }
@@ -109,10 +109,9 @@ Result<void> checkGeoPackage(const std::filesystem::path& file) {
                            file.string(), "Export it again");
         const int step = sqlite3_step(query.get());
         if (step == SQLITE_ROW)
-            return failure(
-                "A layer of the GeoPackage is a view or a virtual table, whose SQL is not run here",
-                fmt::format("{}, '{}'", file.string(), firstText(query)),
-                "Export the layer into a new GeoPackage");
+            return failure("A layer of the GeoPackage is a view or a virtual table, whose SQL is not run",
+                           fmt::format("{}, '{}'", file.string(), firstText(query)),
+                           "Export the layer into a new GeoPackage");
         if (step != SQLITE_DONE)
             return failure(fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(database.get())),
                            file.string(), "Export it again");

@@ -24,7 +24,7 @@ JsonKind kindOfKey(std::string_view key) {
     return JsonKind::other;
 }
 
-// Looks at the outermost object's keys only; every callback says whether to read on.
+// Inspects only the keys of the outermost object; every callback returns whether to read on.
 class KindFinder final : public nlohmann::json_sax<nlohmann::json> {
 public:
     JsonKind kind = JsonKind::other;

@@ -12,29 +12,29 @@ struct GDALDatasetUniquePtrDeleter;
 
 namespace noonmark {
 
-/// What a file is opened for: the formats that may hold it.
+/// The purpose of opening a file, which determines the accepted formats.
 enum class DatasetContent {
     vectors,     ///< footprints, regions, lots
     elevations,  ///< rasters of terrain
-    maps,        ///< GeoTIFF alone: rasters that Noonmark wrote
+    maps,        ///< GeoTIFF only: rasters that Noonmark wrote
 };
 
 /// GDALDatasetUniquePtr, without GDAL's headers.
 using DatasetPointer = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>;
 
-/// Opens a file that a stranger may have made: the only way in this program from a file to GDAL. GDAL may
-/// look at it with the drivers of these formats only, whatever it holds and however it is called; it is
-/// opened for reading, nothing is written beside it, nothing is fetched. Hold a GdalCalls. `osmOptions`:
-/// OPTION=VALUE, where the file is OpenStreetMap. Never returns a null pointer. Error: no plain file (or
-/// folder of Shapefiles or of a file geodatabase), none of these formats, or a virtual dataset, which names
-/// other files, databases or addresses. Backend: open_dataset_gdal.cpp.
+/// Opens an untrusted file. No other code in this program gives a file to GDAL. GDAL may try only the drivers
+/// of the given content's formats, whatever the file holds or is called; it opens the file for reading,
+/// writes nothing beside it and fetches nothing. Hold a GdalCalls. `osmOptions`: OPTION=VALUE, for
+/// OpenStreetMap files. Never returns a null pointer. Error: not a plain file (or a folder of Shapefiles or
+/// of a file geodatabase), not one of these formats, or a virtual dataset, which names other files, databases
+/// or addresses. Backend: open_dataset_gdal.cpp.
 Result<DatasetPointer> openDataset(const std::filesystem::path& file, DatasetContent content,
                                    const std::vector<std::string>& osmOptions = {});
 
-/// Whether openDataset() failed since the content is of another format.
+/// Whether openDataset() failed because the content has another format.
 bool isUnknownFormat(const Error& error);
 
-/// The same of a GeoTIFF in memory, a file of GDAL's /vsimem/.
+/// Opens a GeoTIFF in memory, a file of GDAL's /vsimem/.
 Result<DatasetPointer> openMapInMemory(const std::string& name);
 
 }  // namespace noonmark

@@ -55,7 +55,7 @@ Words driversOf(DatasetContent content) {
     return mapDrivers.data();
 }
 
-constexpr const char* unknownFormat = "It is of no format that is read here";
+constexpr const char* unknownFormat = "Its format is not supported";
 constexpr const char* vectorAdvice =
     "Export it as GeoPackage, GeoJSON, Shapefile, FlatGeobuf, GML or OpenStreetMap";
 constexpr const char* elevationAdvice = "Export it as a GeoTIFF";
@@ -68,7 +68,7 @@ unsigned flagsOf(DatasetContent content) {
     return content == DatasetContent::vectors ? GDAL_OF_VECTOR : GDAL_OF_RASTER;
 }
 
-// Shapefiles and file geodatabases may be folders. A pipe among their files would be read for ever.
+// Shapefiles and file geodatabases may be folders. Reading a pipe among their files would block for ever.
 Result<void> checkFolder(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
@@ -78,7 +78,7 @@ Result<void> checkFolder(const fs::path& folder) {
     return failure("The folder cannot be read: " + error.message(), folder.string());
 }
 
-// Files that formats keep beside theirs, of the same name but for the ending.
+// Companion files of formats: the same name with another extension.
 std::vector<fs::path> companionsOf(const fs::path& file) {
     std::vector<fs::path> companions;
     for (const char* ending : {".dbf", ".DBF", ".shx", ".SHX", ".shp", ".SHP", ".prj", ".PRJ", ".cpg",
@@ -106,7 +106,7 @@ Result<void> checkOnDisk(const fs::path& file, DatasetContent content) {
     return checkPlainFile(file).and_then([&] { return checkCompanions(file); });
 }
 
-// XML by which GDAL finds data elsewhere: in other files, in databases, on servers.
+// XML that refers GDAL to data elsewhere: in other files, in databases, on servers.
 bool isVirtual(const fs::path& file) {
     std::string head(4096, '\0');
     std::ifstream stream(file, std::ios::binary);
@@ -119,15 +119,16 @@ bool isVirtual(const fs::path& file) {
 
 tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, const std::string& why) {
     if (isVirtual(file))
-        return failure("It is a virtual dataset: it holds no data, and names files, databases or addresses",
-                       file.string(), adviceOf(content));
+        return failure(
+            "It is a virtual dataset: it holds no data, but refers to files, databases or addresses",
+            file.string(), adviceOf(content));
     if (why.empty()) return failure(unknownFormat, file.string(), adviceOf(content));
     return failure(fmt::format("It cannot be read ({})", why), file.string(),
-                   "Check that it is whole, or export it again");
+                   "Check that it is complete, or export it again");
 }
 
-// Nothing is written or fetched, no code of the file's runs, a file that nobody writes at the time is not
-// locked.
+// Options so that nothing is written or fetched, no code from the file runs, and a file that nobody is
+// writing to is not locked.
 CPLStringList optionsFor(std::string_view driver, const fs::path& file,
                          const std::vector<std::string>& osmOptions) {
     CPLStringList options;
@@ -149,11 +150,11 @@ CPLStringList optionsFor(std::string_view driver, const fs::path& file,
 
 Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content,
                                    const std::vector<std::string>& osmOptions) {
-    // A whole path cannot be taken for a connection, such as "PG:dbname=..." or "WMS:http://...".
+    // An absolute path cannot be mistaken for a connection, such as "PG:dbname=..." or "WMS:http://...".
     std::error_code error;
     const fs::path file = fs::absolute(given, error);
     if (error || file.native().starts_with("/vsi"))
-        return failure("It is no file that can be opened", given.string());
+        return failure("It is not a file that can be opened", given.string());
     if (auto plain = checkOnDisk(file, content); !plain) return tl::make_unexpected(plain.error());
     CPLErrorReset();
     GDALDriverH found = GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content), nullptr);

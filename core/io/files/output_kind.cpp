@@ -46,7 +46,7 @@ bool beginsWithBracket(std::string_view head) {
     return text.starts_with('{') || text.starts_with('[');
 }
 
-// CSV has no magic: text whose first line has columns, and that is no markup.
+// CSV has no magic bytes: it is text whose first line has columns, and that is not markup.
 bool looksLikeTable(std::string_view head) {
     const std::string_view text = withoutMarkAndBlanks(head);
     const std::string_view line = text.substr(0, text.find('\n'));

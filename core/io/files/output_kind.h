@@ -5,27 +5,28 @@
 
 namespace noonmark {
 
-/// What a file is written as.
+/// The format of an output file.
 enum class OutputKind {
-    geoPackage,  ///< a city, or figures of its buildings; not a project
+    geoPackage,  ///< a city, or numbers per building; not a project
     geoJson,
     geoTiff,
     picture,  ///< PNG or JPEG
     pdf,
     table,    ///< CSV
-    json,     ///< figures: neither GeoJSON nor CityJSON nor glTF
+    json,     ///< numbers; neither GeoJSON nor CityJSON nor glTF
     project,  ///< a Noonmark project
 };
 
 /// "a GeoPackage"
 std::string_view describe(OutputKind kind);
 
-/// The kind of a file that the program names itself, by its ending: "shadow.tif". Other endings: a table.
+/// The kind of a file whose name the program itself chose, by its extension: "shadow.tif". Other extensions:
+/// a table.
 OutputKind detectOutputKind(const std::filesystem::path& name);
 
-/// Whether a plain file that is there has content of a kind; its name does not count. An empty file is of
-/// every kind: it has nothing to lose. A file that cannot be read is of none. Reads the head, of JSON as far
-/// as the first telling key.
+/// Whether an existing plain file has content of this kind; its name does not matter. An empty file is of
+/// every kind, since it has nothing to lose. A file that cannot be read is of none. Reads the beginning; of
+/// JSON as far as the first key that identifies the kind.
 bool isOfKind(const std::filesystem::path& file, OutputKind kind);
 
 }  // namespace noonmark

@@ -29,7 +29,7 @@ Result<void> PendingFile::commit() {
     std::error_code error;
     std::filesystem::rename(path_, target_, error);
     if (!error) return {};
-    return failure("The file could not be given its name: " + error.message(), target_.string(),
+    return failure("The file could not be renamed to its final name: " + error.message(), target_.string(),
                    "Check that the folder can be written to and that no folder has this name");
 }
 

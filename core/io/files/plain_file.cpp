@@ -7,10 +7,12 @@ Result<void> checkPlainFile(const std::filesystem::path& file) {
     const auto status = std::filesystem::status(file, error);
     if (status.type() == std::filesystem::file_type::not_found)
         return failure("There is no such file", file.string());
-    if (error) return failure("The file cannot be opened", file.string(), "Check that you may read it");
+    if (error)
+        return failure("The file cannot be opened", file.string(),
+                       "Check that you have permission to read it");
     if (std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status)) return {};
     return failure("This is a pipe or a device, not a file", file.string(),
-                   "Save what comes from it to a file, and name that");
+                   "Save its output to a file, and name that file");
 }
 
 }  // namespace noonmark

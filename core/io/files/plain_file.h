@@ -6,8 +6,9 @@
 
 namespace noonmark {
 
-/// An input must be a plain file, or a folder that is a data set: whoever opens a pipe waits for ever, and a
-/// device such as /dev/zero has no end. Links are followed. Error: it is not there, or is no such thing.
+/// Checks that an input is a plain file, or a folder that is a data set: opening a pipe can block for ever,
+/// and a device such as /dev/zero has no end. Links are followed. Error: it does not exist, or is something
+/// else.
 Result<void> checkPlainFile(const std::filesystem::path& file);
 
 }  // namespace noonmark

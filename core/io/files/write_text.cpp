@@ -13,7 +13,7 @@ Result<void> writeText(const std::filesystem::path& file, std::string_view text)
     stream.close();
     if (!stream)
         return failure("The file could not be written", file.string(),
-                       "Choose a folder that you may write to, and check that its disk has room");
+                       "Choose a folder that you may write to, and check that the disk has space");
     return pending.commit();
 }
 

@@ -7,8 +7,8 @@
 
 namespace noonmark {
 
-/// The text as a file, whole or not at all: written beside its place and renamed. Error: the folder does not
-/// allow it, or has no room.
+/// Writes a text file completely or not at all: under a temporary name in the same folder, then renamed.
+/// Error: the folder does not allow it, or the disk is full.
 Result<void> writeText(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace noonmark

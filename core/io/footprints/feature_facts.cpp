@@ -24,12 +24,12 @@ double numberOf(std::string_view text) {
 
 enum class Place { surface, underground, contradictory };
 
-// OpenStreetMap's layer is the order in which things lie above each other, in places from the level of a
-// plaza or a deck, and level a floor's number: either alone below 0 tells of something below, unless a
-// height, storeys, an entrance or a location tell of something above.
+// OpenStreetMap's layer is the order of things above each other, in places counted from the level of a plaza
+// or a deck; level is the number of a floor. A value of either below 0 means underground, unless a height,
+// storeys, an entrance or a location indicate a building above ground.
 Place placeOf(const FeatureValues& values, bool tagged) {
     if (isYes(textOf(values, FieldRole::underground))) return Place::underground;
-    if (!tagged) return Place::surface;  // elsewhere fields of these names mean other things
+    if (!tagged) return Place::surface;  // in other data, fields of these names have other meanings
     const std::string_view location = textOf(values, FieldRole::location);
     if (location == "underground") return Place::underground;
     const bool below = numberOf(textOf(values, FieldRole::layer)) < 0 ||
@@ -48,7 +48,7 @@ bool hasShapedRoof(const FeatureValues& values) {
     return !shape.empty() && shape != "flat" && shape != "no";
 }
 
-// Placeholders for "no id" would make one building of many.
+// Placeholders for "no id" would join many buildings into one.
 std::string buildingIdOf(const FeatureValues& values) {
     const std::string_view id = textOf(values, FieldRole::buildingId);
     return id == "0" || id == "-1" ? "" : std::string(id);
@@ -59,7 +59,7 @@ std::string statusOf(const FeatureValues& values) {
     return std::string(textOf(values, FieldRole::status));
 }
 
-// What the feature is; false where it is left out.
+// Classifies the feature; false if it is left out.
 bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules& rules, Warnings& warnings) {
     const std::string_view building = textOf(values, FieldRole::building);
     const std::string_view part = textOf(values, FieldRole::buildingPart);
@@ -67,7 +67,7 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     facts.outline = rules.tagged ? isTagged(building) : !facts.part;
     if (!facts.outline && !facts.part) {
         if (rules.sayNoBuilding || isNo(building) || isNo(part))
-            warnings.push_back({WarningKind::leftOut, "says that it is no building", facts.id});
+            warnings.push_back({WarningKind::leftOut, "is not tagged as a building", facts.id});
         return false;
     }
     const Place place = placeOf(values, rules.tagged);
@@ -75,7 +75,7 @@ bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules
     if (place == Place::contradictory)
         warnings.push_back({WarningKind::assumed,
                             "its layer lies below the ground, but its height, storeys, entrance or location "
-                            "do not; it stands on the ground",
+                            "contradict that; it stands on the ground",
                             facts.id});
     return place != Place::underground;
 }

@@ -9,29 +9,29 @@
 
 namespace noonmark {
 
-/// What a feature is and how high, apart from its shape.
+/// The attributes of a feature: everything except its shape.
 struct FeatureFacts {
     std::string id;  ///< "way 34633854", "feature 12"
     std::string name;
     std::string status;
-    std::string buildingId;  ///< features with the same one are one building; empty: not stated
-    bool outline = true;     ///< the outline of a whole building
-    bool part = false;       ///< building:part; a feature may be both
+    std::string buildingId;  ///< features with the same id are one building; empty: not stated
+    bool outline = true;     ///< it is the outline of a whole building
+    bool part = false;       ///< it is a building:part; a feature may be both
     HeightReading heights;
-    std::optional<bool> isOverhanging;  ///< where the file says it; else it is found by what is below
+    std::optional<bool> isOverhanging;  ///< if the file states it; otherwise settleParts decides
 };
 
-/// How the features of a layer are to be understood.
+/// How to interpret the features of a layer.
 struct LayerRules {
     HeightRules heights;
-    bool tagged = false;  ///< OpenStreetMap tags: only what is tagged building or building:part counts
+    bool tagged = false;  ///< OpenStreetMap tags: only features tagged building or building:part count
     bool sayNoBuilding =
-        false;  ///< warn of features without such a tag (a file of buildings should have none)
+        false;  ///< warn about features without such a tag (in a file that should hold buildings only)
 };
 
-/// Nothing for what is no building (no, or not tagged so) or lies underground: location=underground; a layer
-/// or level below 0 or tunnel=yes where neither a height, storeys, an entrance nor a location say otherwise.
-/// The latter is a warning, as are tags that contradict each other so, and a roof that is not flat (drawn
+/// Nothing for a feature that is not a building (tagged no, or without a building tag) or is underground:
+/// location=underground, or a layer or level below 0 or tunnel=yes unless a height, storeys, an entrance or a
+/// location says otherwise. That contradiction gives a warning, and so does a roof that is not flat (drawn
 /// flat at full height).
 std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const LayerRules& rules, std::string id,
                                          Warnings& warnings);

@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// What a field of a footprint file means to us.
+/// The role of a field of a footprint file.
 enum class FieldRole {
     height,
     levels,
@@ -18,7 +18,7 @@ enum class FieldRole {
     roofLevels,
     roofShape,
     groundElevation,
-    topElevation,  ///< of the roof, above the data's vertical datum
+    topElevation,  ///< elevation of the roof, above the data's vertical datum
     building,
     buildingPart,
     location,
@@ -35,16 +35,16 @@ enum class FieldRole {
     isOverhanging,
 };
 
-/// One filled-in field of one feature. Blank and null fields have none.
+/// One field of one feature that has a value. Blank and null fields are omitted.
 struct FeatureValue {
     FieldRole role = FieldRole::height;
-    std::string field;                     ///< its name in the file, for warnings
-    std::string text;                      ///< as written; a number field's value in decimal
-    std::optional<double> number;          ///< of number fields
-    LengthUnit unit = LengthUnit::metres;  ///< of a length without a unit of its own
+    std::string field;                     ///< the field's name in the file, for warnings
+    std::string text;                      ///< the value as written; for a number field, in decimal
+    std::optional<double> number;          ///< for number fields
+    LengthUnit unit = LengthUnit::metres;  ///< unit of a length that states none
 };
 
-/// All that is known of one feature; of one role the better field comes first.
+/// All known fields of one feature; of several with one role the better field comes first.
 using FeatureValues = std::vector<FeatureValue>;
 
 /// The first value of a role, or null.

@@ -6,8 +6,9 @@ namespace noonmark {
 
 namespace {
 
-// Sources: the producers' own descriptions of the datasets named in the comments. Left out on purpose: z_min
-// and z_max, which in BD TOPO 2 are both elevations of the gutter; story_ht_, one storey's height or all.
+// Sources: the producers' own descriptions of the datasets named in the comments. Omitted on purpose: z_min
+// and z_max, which in BD TOPO 2 are both elevations of the gutter; story_ht_, which is the height of one
+// storey or of all.
 constexpr auto listedFieldNames() {
     using enum FieldRole;
     constexpr auto m = LengthUnit::metres;
@@ -23,7 +24,7 @@ constexpr auto listedFieldNames() {
     constexpr std::string_view p99 = "99th percentile of the roof";
 
     return std::to_array<FieldName>({
-        // Heights above the ground, of nobody in particular.
+        // Heights above the ground that many datasets use.
         {"height", height},
         {"buildingheight", height},
         {"measuredheight", height},
@@ -55,7 +56,7 @@ constexpr auto listedFieldNames() {
         {"korgus", height},
         {"hoogte", height},
 
-        // Statistics of the roof above the ground: the typical ones first.
+        // Statistics of the roof above the ground, typical values first.
         {"hgtmedianm", height, median, m},  // San Francisco
         {"hgtmediancm", height, median, cm},
         {"hgtmincm", other},
@@ -87,9 +88,9 @@ constexpr auto listedFieldNames() {
         {"maxht", height, top},
         {"hmax", height, top},
 
-        // Elevations of roofs: a height is what is left over the ground's elevation.
+        // Elevations of roofs: the height is the difference from the ground's elevation.
         {"b3hdak70p", topElevation, p70,
-         m},  // 3DBAG, Netherlands, above NAP; it extrudes its own blocks to this
+         m},  // 3DBAG, Netherlands, above NAP; its own block models are extruded to this
         {"b3h70p", topElevation, p70, m},
         {"hdak70p", topElevation, p70, m},
         {"b3hdak50p", topElevation, median, m},
@@ -155,7 +156,7 @@ constexpr auto listedFieldNames() {
         {"bldgstoreysbelowground", other},
         {"maxfloorlvl", levels},  // Singapore
         {"grofloco", levels},     // Korea: GRO_FLO_CO, and UND_FLO_CO below the ground
-        {"nbetages", levels},     // BD TOPO: the ground floor counts
+        {"nbetages", levels},     // BD TOPO: includes the ground floor
         {"nombredetages", levels},
         {"nbniveaux", levels},
         {"anzahlgeschosse", levels},
@@ -191,9 +192,9 @@ constexpr auto listedFieldNames() {
         {"pocetnadzemnichpodlazi", levels},
         {"korrustearv", levels},
         {"maxkorrustearv", levels},
-        {"floor", levels},  // outlines of China's and Taiwan's cities
+        {"floor", levels},  // building outlines of cities in China and Taiwan
 
-        // What lies under a part.
+        // The underside of a part.
         {"minheight", minHeight},
         {"buildingminheight", minHeight},
         {"renderminheight", minHeight},
@@ -231,7 +232,7 @@ constexpr auto listedFieldNames() {
         {"baseelev", groundElevation},
         {"baseelevation", groundElevation, "", {}, "Philadelphia"},
 
-        // What a feature is.
+        // What kind of object a feature is.
         {"building", building},
         {"buildingpart", buildingPart},
         {"location", location},

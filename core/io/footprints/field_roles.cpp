@@ -43,7 +43,7 @@ std::optional<FieldMeaning> meaningAt(std::size_t rank) {
     return FieldMeaning{*known.role, int(rank), known.unit, known.meaning, known.inFeetIn};
 }
 
-// The place of a name in the list; its size for a name that is not there.
+// Index of a name in the list; the size of the list if the name is not in it.
 std::size_t rankOf(std::string_view letters) {
     return std::size_t(std::ranges::find(listFieldNames(), letters, &FieldName::name) -
                        listFieldNames().begin());
@@ -84,7 +84,7 @@ bool before(const KnownField& a, const KnownField& b) {
     return std::pair(a.meaning.role, a.meaning.rank) < std::pair(b.meaning.role, b.meaning.rank);
 }
 
-// What fits under it, in OpenStreetMap; others write MAX_HEIGHT.
+// A clearance in OpenStreetMap; other data writes MAX_HEIGHT.
 constexpr std::string_view clearance = "maxheight";
 
 }  // namespace
@@ -116,7 +116,7 @@ bool hasRole(const std::vector<KnownField>& fields, FieldRole role) {
 
 namespace {
 
-// The meanings of a layer's fields, settled in the order of these functions.
+// Determines the meanings of a layer's fields; the functions are called in this order.
 class FieldChooser {
 public:
     FieldChooser(const std::vector<std::string>& names, bool cutShort) {
@@ -140,7 +140,7 @@ public:
             if (isNamed(field, "baseheight")) field.meaning.role = groundElevation;
     }
 
-    // `role`: height or levels. What competes with the user's field for it is left out.
+    // `role`: height or levels. Other fields of that role are dropped in favour of the user's field.
     void take(const std::string& chosen, FieldRole role, const std::vector<std::string>& names) {
         if (chosen.empty()) return;
         const auto isChosen = [&](const std::string& name) { return isSameField(name, chosen); };
@@ -212,14 +212,14 @@ void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::st
     if (inNewYork && field.meaning.role == groundElevation) city = newYork;
     if (!city.empty() && (mapInFeet || (inNewYork && city == newYork)))
         assume(LengthUnit::feet,
-               fmt::format("no unit is stated; taken as feet, as in {}'s building footprints", city));
+               fmt::format("no unit is stated; feet are assumed, as in {}'s building footprints", city));
     else if (!city.empty())
         assume(LengthUnit::metres,
-               fmt::format("no unit is stated; taken as metres, though {}'s field of this name is in feet",
+               fmt::format("no unit is stated; metres are assumed, though {}'s field of this name is in feet",
                            city));
     else if (mapInFeet && (field.meaning.role == height || field.meaning.role == topElevation))
         assume(LengthUnit::metres,
-               "the map is in feet, but its heights are taken as metres: state the unit if they are not");
+               "the map is in feet, but metres are assumed for its heights: state the unit if that is wrong");
 }
 
 std::string_view unitName(LengthUnit unit) {

@@ -17,31 +17,31 @@ class OGRLayer;
 
 namespace noonmark {
 
-/// Whose word counts for a layer, and how to name it.
+/// The source of a layer, which decides how its fields and ids are read.
 struct LayerSource {
-    std::string file;      ///< its name, for messages
+    std::string file;      ///< file name, for messages
     bool fromOsm = false;  ///< GDAL's OpenStreetMap driver
     bool shapefile = false;
-    bool oneOfSeveral = false;  ///< feature ids then name their layer
+    bool oneOfSeveral = false;  ///< feature ids then include their layer
 };
 
-/// Reads the features of one layer: fields, units and coordinate system are settled once. Backend:
+/// Reads the features of one layer; fields, units and coordinate system are settled once. Backend:
 /// footprint_layer_gdal.cpp.
 class FootprintLayer {
 public:
-    /// Error: no coordinate system, or none that is known; the user's height field is not there.
+    /// Error: no coordinate system, or an unknown one; the height field named by the user does not exist.
     static Result<FootprintLayer> of(OGRLayer& layer, const ReadSettings& settings, const LayerSource& source,
                                      Warnings& warnings);
 
-    /// Keeps the feature if it is a building and has a polygon; what cannot be used is a warning.
+    /// Stores the feature if it is a building and has a polygon; what cannot be used gives a warning.
     void read(const OGRFeature& feature, Warnings& warnings);
 
-    /// After all features: adds those that were kept. Error: most coordinates cannot be what the coordinate
-    /// system says.
+    /// After all features: appends the stored ones to `features`. Error: most coordinates cannot belong to
+    /// the coordinate system.
     Result<void> finish(std::vector<UnplacedFeature>& features, Warnings& warnings);
 
-    /// After all features: the fields that heights came from; and, where more than a tenth of the features
-    /// have none, those that could hold them.
+    /// After all features: adds the fields that heights came from and, if more than a tenth of the features
+    /// have no height, unknown fields that could hold heights.
     void addHeightFacts(HeightFacts& facts, Warnings& warnings) const;
 
     [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
@@ -65,16 +65,17 @@ private:
     std::vector<std::pair<int, std::string>> unknownFields_;  // their index and name
     UnknownFields unknown_;
     HeightOrigins origins_;
-    int otherTags_ = -1;  // index of the field; -1 where there is none
+    int otherTags_ = -1;  // index of the field; -1 if there is none
     int osmId_ = -1;
     int osmWayId_ = -1;
     LayerRules rules_;
     CrsToLonLat toLonLat_;
-    bool publishedPlane_ = false;  // a projected system of a register, whose zero no city lies at
+    // A projected system from a register, with no city near its coordinate origin
+    bool publishedPlane_ = false;
     std::vector<Kept> kept_;
     std::size_t polygonFeatures_ = 0;
-    std::size_t broken_ = 0;       // features with points that are nowhere
-    std::size_t implausible_ = 0;  // features outside the area their system is meant for
+    std::size_t broken_ = 0;       // features with points that cannot be transformed
+    std::size_t implausible_ = 0;  // features outside the area of use of their system
     std::size_t nearZero_ = 0;     // features whose coordinates could be degrees
     bool hasZ_ = false;
 };

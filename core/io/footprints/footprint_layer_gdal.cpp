@@ -19,7 +19,7 @@ std::vector<std::string> listFieldNames(const OGRFeatureDefn& definition) {
     return names;
 }
 
-// GeoPackage has systems that are there to say that nothing is known.
+// GeoPackage defines systems that mean "unknown".
 bool isKnown(const OGRSpatialReference* system) {
     if (system == nullptr || system->GetName() == nullptr) return false;
     return !std::string_view(system->GetName()).starts_with("Undefined");
@@ -37,16 +37,16 @@ std::string wktOf(const OGRSpatialReference& system) {
 Result<CrsToLonLat> transformOf(OGRLayer& layer, const ReadSettings& settings, const std::string& where) {
     if (settings.crs) return CrsToLonLat::of(*settings.crs);
     const OGRSpatialReference* system = layer.GetSpatialRef();
-    if (!isKnown(system)) return failure("It does not say where its coordinates lie", where, crsAdvice);
+    if (!isKnown(system))
+        return failure("It does not state its coordinate reference system", where, crsAdvice);
     auto transform = CrsToLonLat::of(wktOf(*system));
     if (!transform)
-        return failure(
-            fmt::format("Its coordinate reference system, {}, is not one that is known", system->GetName()),
-            where, crsAdvice);
+        return failure(fmt::format("Its coordinate reference system, {}, is not known", system->GetName()),
+                       where, crsAdvice);
     return transform;
 }
 
-// The system that counts: the user's, else the layer's.
+// The system to use: the user's, else the layer's.
 OGRSpatialReference systemOf(OGRLayer& layer, const ReadSettings& settings) {
     OGRSpatialReference system;
     if (settings.crs)
@@ -83,7 +83,8 @@ std::optional<FeatureValue> valueOf(const OGRFeature& feature, const KnownField&
     return value;
 }
 
-// What is tagged as OpenStreetMap does: by its own driver, by a converter, or with parts.
+// Whether the layer uses OpenStreetMap's tags: from GDAL's driver, from a converter, or because it has
+// building parts.
 bool isTagged(const std::vector<KnownField>& fields, const LayerSource& source, bool converted) {
     if (source.fromOsm || hasRole(fields, FieldRole::buildingPart)) return true;
     return converted && hasRole(fields, FieldRole::building);
@@ -113,7 +114,7 @@ void warnOfElevationsAlone(const std::vector<std::string>& names, const std::vec
         const auto meaning = findMeaning(names[std::size_t(i)], source.shapefile);
         if (meaning && meaning->role == FieldRole::topElevation && !isKnownField(known, i))
             warnings.push_back({WarningKind::leftOut,
-                                "the roof's elevation, which is no height without the ground's",
+                                "the roof's elevation, which gives no height without the ground's",
                                 source.file + ": " + names[std::size_t(i)]});
     }
 }
@@ -128,7 +129,7 @@ bool couldBeDegrees(const std::vector<CrsPolygon>& polygons) {
 
 bool isSomewhere(LonLat place) { return std::isfinite(place.lonDeg) && std::isfinite(place.latDeg); }
 
-// Takes the next places for the points of the polygons; nothing if one of them lies nowhere.
+// Takes the transformed points of the polygons from `next`; nothing if one of them could not be transformed.
 std::optional<std::vector<LonLatPolygon>> shapedLike(const std::vector<CrsPolygon>& polygons,
                                                      std::vector<LonLat>::const_iterator& next) {
     std::vector<LonLatPolygon> shaped;
@@ -237,11 +238,11 @@ void FootprintLayer::watchUnknown(const OGRFeature& feature) {
 void FootprintLayer::addHeightFacts(HeightFacts& facts, Warnings& warnings) const {
     if (!source_.fromOsm)
         return noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, warnings);
-    Warnings unheard;  // tags are known: a map without heights has none
+    Warnings unheard;  // not reported: tags are known names, and a map without heights has none
     noonmark::addHeightFacts(origins_, fields_, unknown_, source_.file, facts, unheard);
 }
 
-// All points in one call: GDAL spends 0.1 ms on choosing a transformation for each call.
+// Transforms all points in one call: GDAL spends 0.1 ms on choosing a transformation for each call.
 void FootprintLayer::transform(std::vector<UnplacedFeature>& features, Warnings& warnings) {
     std::vector<glm::dvec2> points;
     for (const Kept& kept : kept_)
@@ -254,7 +255,7 @@ void FootprintLayer::transform(std::vector<UnplacedFeature>& features, Warnings&
         if (!polygons) {
             ++broken_;
             warnings.push_back(
-                {WarningKind::dropped, "has coordinates that lie nowhere on the earth", kept.facts.id});
+                {WarningKind::dropped, "has coordinates that are nowhere on the earth", kept.facts.id});
             continue;
         }
         implausible_ += toLonLat_.isPlausible(polygons->front().front().front()) ? 0 : 1;
@@ -271,7 +272,7 @@ Result<void> FootprintLayer::finish(std::vector<UnplacedFeature>& features, Warn
 Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
     const auto most = [&](std::size_t count) { return count > 0 && 2 * count > polygonFeatures_; };
     if (most(broken_))
-        return failure(fmt::format("Its coordinates cannot be {}", toLonLat_.name()), source_.file,
+        return failure(fmt::format("Its coordinates cannot belong to {}", toLonLat_.name()), source_.file,
                        crsAdvice);
     if (publishedPlane_ && most(nearZero_))
         return failure(fmt::format("Its coordinates look like degrees, not like {}", toLonLat_.name()),
@@ -279,10 +280,10 @@ Result<void> FootprintLayer::checkPlace(Warnings& warnings) const {
     if (most(implausible_))
         warnings.push_back(
             {WarningKind::assumed,
-             fmt::format("its place is far outside the area that {} is meant for", toLonLat_.name()),
+             fmt::format("its position is far outside the area of use of {}", toLonLat_.name()),
              source_.file});
     if (hasZ_)
-        warnings.push_back({WarningKind::leftOut, "the elevations in its polygons; only outlines are taken",
+        warnings.push_back({WarningKind::leftOut, "the elevations in its polygons; only outlines are used",
                             source_.oneOfSeveral ? source_.file + ": " + name_ : source_.file});
     return {};
 }

@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// What a remark of GDAL's vector readers means for the city, in a planner's words: the text of a warning.
-/// Empty where nothing happened to the data; the remark itself where it is not known.
+/// Translates a message of GDAL's vector readers into a warning text that a planner understands. Empty if the
+/// message does not concern the data; an unknown message is returned unchanged.
 std::string makeMapRemark(std::string_view words);
 
 }  // namespace noonmark

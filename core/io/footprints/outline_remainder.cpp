@@ -13,7 +13,7 @@ using Parts = std::vector<const PlacedFeature*>;
 
 bool isStated(const HeightReading& heights) { return heights.source != HeightSource::assumed; }
 
-// The parts that take up some of the outline's height.
+// The parts that occupy some of the outline's height.
 Parts replacing(const HeightReading& outline, const Parts& parts) {
     if (!isStated(outline)) return parts;
     Parts found;

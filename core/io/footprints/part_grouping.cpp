@@ -35,7 +35,7 @@ double computeSharedArea(const Box2& a, const Box2& b) {
     return std::max(0.0, size.x) * std::max(0.0, size.y);
 }
 
-// Which outline a part belongs to, the best so far.
+// The best outline so far for a part.
 struct Owner {
     std::size_t outline = none;
     double share = 0.5;
@@ -58,7 +58,7 @@ std::vector<Owner> ownersOf(const Features& features, const Indices& parts, cons
         const auto& outline = features[outlines[o]].pieces;
         const double partArea = computeArea(part);
         if (2 * computeSharedArea(partBoxes[p], outlineBoxes[o]) < partArea)
-            continue;  // cheap, and most pairs
+            continue;  // cheap test that excludes most pairs
         owners[p].offer(outlines[o], computeSharedArea(part, outline) / partArea, computeArea(outline));
     }
     return owners;

@@ -15,16 +15,16 @@ struct PlacedFeature {
     std::vector<Footprint> pieces;  ///< at least one; disjoint
 };
 
-/// The features that make one building, as indices.
+/// The features that make up one building, as indices.
 struct BuildingGroup {
     std::optional<std::size_t> outline;
-    std::vector<std::size_t> parts;  ///< may hold the outline too, where it is tagged as a part itself
+    std::vector<std::size_t> parts;  ///< may include the outline, if it is tagged as a part too
 };
 
-/// Which features make one building: those with the same stated building id; else an outline with the parts
-/// of which it covers more than half (of several such outlines the one that covers most, then the smaller
-/// one). Parts without an outline make one building where they stand over one another. Every feature is in
-/// just one group. Groups are in the order of their first feature.
+/// Groups features into buildings: features with the same stated building id; otherwise an outline with the
+/// parts that it covers by more than half (if several outlines do, the one that covers most, then the smaller
+/// one). Parts without an outline form one building if they overlap in plan. Every feature is in exactly one
+/// group. Groups are in the order of their first feature.
 std::vector<BuildingGroup> groupIntoBuildings(const std::vector<PlacedFeature>& features);
 
 }  // namespace noonmark

@@ -4,16 +4,15 @@
 
 namespace noonmark {
 
-/// What readers advise when a file does not say where on the earth it lies, or says what cannot be. One
-/// wording for all of them, so that a program can offer the setting itself.
-inline constexpr const char* crsAdvice = "State the coordinate reference system it is in: --crs EPSG:number";
+/// Advice for files that do not state their position on earth, or state an impossible one. All readers use
+/// the same wording, so that the window can recognise it and offer the setting.
+inline constexpr const char* crsAdvice = "State its coordinate reference system: --crs EPSG:number";
 inline constexpr const char* anchorAdvice =
     "State the longitude and latitude of the mesh's origin (--mesh-anchor LON,LAT), or open it together with "
-    "a file "
-    "that has a place";
+    "a file that has a position";
 
-/// Whether stating ReadSettings::crs or ReadSettings::meshAnchor may let the files be read: the advice is one
-/// of the two above, or begins with it.
+/// Whether stating ReadSettings::crs or ReadSettings::meshAnchor could resolve the error: its advice is, or
+/// begins with, one of the two above.
 [[nodiscard]] bool asksForPlace(const Error& error);
 
 }  // namespace noonmark

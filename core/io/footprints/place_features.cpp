@@ -19,8 +19,8 @@ double medianOf(std::vector<double>& values) {
     return *middle;
 }
 
-// Of the outer ring's box. Longitudes are counted from `near`, so that data on both sides of 180 degrees
-// stays together.
+// Centre of the outer ring's box. Longitudes are taken near `nearLonDeg`, so that data on both sides of 180
+// degrees stays together.
 LonLat centreOf(const UnplacedFeature& feature, double nearLonDeg) {
     LonLat low{1e9, 1e9};
     LonLat high{-1e9, -1e9};
@@ -55,7 +55,7 @@ double computeArea(const std::vector<Footprint>& pieces) {
     return sum;
 }
 
-// Polygons of one feature may overlap, or share a wall: then they are one.
+// Joins polygons of one feature that overlap or share a wall.
 std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string& id, Warnings& warnings) {
     constexpr double sameAreaM2 = 0.01;
     auto joined = computeUnion(pieces);

@@ -12,18 +12,19 @@ namespace noonmark {
 /// A polygon on the earth: the outer ring, then holes; closed or not.
 using LonLatPolygon = std::vector<std::vector<LonLat>>;
 
-/// A feature as it was read, not yet in a frame.
+/// A feature as read, not yet in a frame.
 struct UnplacedFeature {
     FeatureFacts facts;
-    std::vector<LonLatPolygon> polygons;  ///< none empty
+    std::vector<LonLatPolygon> polygons;  ///< none of them empty
 };
 
-/// The frame at the middle of features: the median of their centres, which a few far away do not move; its
-/// elevation is the median of the stated ground elevations, or 0. `features` is not empty.
+/// The frame at the middle of the features: the median of their centres, which a few distant features do not
+/// move; its elevation is the median of the stated ground elevations, or 0. `features` is not empty.
 Frame frameOf(const std::vector<UnplacedFeature>& features);
 
-/// Features in local metres, their outlines repaired. Left out with a warning: what has a point more than
-/// `farAwayM` from the frame's origin, and what nothing is left of. Ends early when stopped.
+/// Transforms features to local metres and repairs their outlines. Left out with a warning: features with a
+/// point more than `farAwayM` from the frame's origin, and features without a usable outline. Ends early when
+/// stopped.
 std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
                                          double farAwayM, Warnings& warnings,
                                          const std::stop_token& stop = {});

@@ -13,21 +13,21 @@ class OGRSpatialReference;
 
 namespace noonmark {
 
-/// Takes polygons of one coordinate system to local metres. Not for two threads at once. Backend:
+/// Transforms polygons of one coordinate system to local metres. Not thread-safe. Backend:
 /// polygon_layer_gdal.cpp.
 class PolygonLayer {
 public:
-    /// `crs` may be null. `where`: the file, for messages. Error: no system, or none that is known.
+    /// `crs` may be null. `where`: the file, for messages. Error: no system, or an unknown one.
     static Result<PolygonLayer> of(const OGRSpatialReference* crs, const Frame& frame,
                                    const std::string& where);
 
-    /// Every polygon of the geometry, of its collections and curves too, repaired where it is invalid; long
-    /// sides are bent as the projection bends them. Error: a point where the system cannot be, or more than
-    /// 200 km from the frame's origin.
+    /// Every polygon of the geometry, including collections and curves, repaired if invalid; long sides get
+    /// extra points, so that they follow the curves of the projection. Error: a point that the system cannot
+    /// have, or that is more than 200 km from the frame's origin.
     [[nodiscard]] Result<std::vector<Footprint>> polygons(const OGRGeometry& geometry) const;
 
-    /// Whether it can reach into the box, by its envelope; far less work than polygons(). Never says no
-    /// wrongly of a geometry of less than 1 km.
+    /// Whether the geometry may reach into the box, judged by its envelope; much cheaper than polygons().
+    /// Never wrongly false for a geometry smaller than 1 km.
     [[nodiscard]] bool mayReach(const OGRGeometry& geometry, const Box2& box) const;
 
 private:
@@ -38,12 +38,12 @@ private:
 
     CrsToLonLat toLonLat_;
     double longestSide_ = 0;  // in the system's units
-    bool inDegrees_ = false;  // longitudes are unwrapped next to the frame before sides are cut up
+    bool inDegrees_ = false;  // longitudes are unwrapped near the frame's before sides are divided
     Frame frame_;
     std::string where_;
 };
 
-/// Error for a place that no study around the frame's origin can mean: more than 200 km away.
+/// Error for a place more than 200 km from the frame's origin, which no study there can mean.
 Result<void> checkedNear(LonLat place, const Frame& frame, const std::string& where);
 
 }  // namespace noonmark

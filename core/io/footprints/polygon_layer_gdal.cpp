@@ -16,7 +16,7 @@ namespace noonmark {
 namespace {
 
 constexpr double farthestM = 200000;
-constexpr double longestSideM = 500;  // a straight side of this length is off by some 5 mm at most
+constexpr double longestSideM = 500;  // a straight side of this length deviates by some 5 mm at most
 constexpr double metresPerDegree = 111320;
 
 std::vector<glm::dvec2> pointsOf(const OGRLinearRing& ring) {
@@ -25,11 +25,11 @@ std::vector<glm::dvec2> pointsOf(const OGRLinearRing& ring) {
     return points;
 }
 
-// So that no side goes round the globe where a ring crosses the antimeridian.
+// Unwraps longitudes, so that no side goes round the globe where a ring crosses the antimeridian.
 void unwrap(OGRPolygon& polygon, double nearDeg) {
     for (OGRLinearRing* ring : polygon)
         for (int i = 0; i < ring->getNumPoints(); ++i)
-            if (std::abs(ring->getX(i)) <= 360)  // else it is no longitude, which is reported
+            if (std::abs(ring->getX(i)) <= 360)  // otherwise it is not a longitude, which is reported later
                 ring->setPoint(i, longitudeNear(ring->getX(i), nearDeg), ring->getY(i));
 }
 
@@ -43,7 +43,7 @@ bool isInDegrees(const OGRSpatialReference& crs) {
 Result<void> checkedNear(LonLat place, const Frame& frame, const std::string& where) {
     const double metres = greatCircleM(place, frame.origin());
     if (metres <= farthestM) return {};
-    return failure(fmt::format("The place lies {:.0f} km from the city", metres / 1000), where,
+    return failure(fmt::format("The position is {:.0f} km from the city", metres / 1000), where,
                    "Check the order of the numbers (west,south,east,north) and the CRS of the file");
 }
 
@@ -57,7 +57,7 @@ Result<PolygonLayer> PolygonLayer::of(const OGRSpatialReference* crs, const Fram
     const std::string wkt = said ? text : "";
     CPLFree(text);
     if (!said)
-        return failure("The file does not say its coordinate reference system", where,
+        return failure("The file does not state its coordinate reference system", where,
                        "Save it with its CRS, or as GeoJSON");
     auto toLonLat = CrsToLonLat::of(wkt);
     if (!toLonLat) return tl::make_unexpected(Error{toLonLat.error().what, where, toLonLat.error().advice});
@@ -83,7 +83,7 @@ Result<void> PolygonLayer::add(const OGRGeometry& geometry, std::vector<Footprin
     if (type != wkbPolygon) return {};
     OGRPolygon& polygon = *straight->toPolygon();
     if (inDegrees_) unwrap(polygon, frame_.origin().lonDeg);
-    // Looked at before its sides are cut up: a point far off would make millions of pieces.
+    // Checked before its sides are divided: a distant point would give millions of pieces.
     for (const OGRLinearRing* ring : polygon)
         if (const auto near = localRing(pointsOf(*ring)); !near) return tl::make_unexpected(near.error());
     polygon.segmentize(longestSide_);
@@ -102,8 +102,8 @@ Result<PolygonLayer::LocalRing> PolygonLayer::localRing(const std::vector<glm::d
     LocalRing local;
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (std::isnan(places[i].lonDeg) || !toLonLat_.isPlausible(places[i]))
-            return failure(fmt::format("A point at {}, {} is not where {} can be", points[i].x, points[i].y,
-                                       toLonLat_.name()),
+            return failure(fmt::format("A point at {}, {} is outside the range of {}", points[i].x,
+                                       points[i].y, toLonLat_.name()),
                            where_, "Check the CRS of the file");
         if (auto near = checkedNear(places[i], frame_, where_); !near)
             return tl::make_unexpected(near.error());
@@ -113,7 +113,7 @@ Result<PolygonLayer::LocalRing> PolygonLayer::localRing(const std::vector<glm::d
 }
 
 bool PolygonLayer::mayReach(const OGRGeometry& geometry, const Box2& box) const {
-    constexpr float marginM = 1;  // sides bend by less within 1 km
+    constexpr float marginM = 1;  // sides deviate by less within 1 km
     OGREnvelope envelope;
     geometry.getEnvelope(&envelope);
     const std::array corners{

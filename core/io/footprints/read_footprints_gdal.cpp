@@ -51,7 +51,7 @@ bool mayHavePolygons(OGRLayer& layer) {
            type == wkbGeometryCollection;
 }
 
-// What writeCityGeoPackage() makes; other layers of such a file are no buildings.
+// The layer that writeCityGeoPackage() writes; other layers of such a file are not buildings.
 bool isOurOwn(OGRLayer& layer) {
     const OGRFeatureDefn& fields = *layer.GetLayerDefn();
     return std::string_view(layer.GetName()) == "buildings" && fields.GetFieldIndex("building_id") >= 0 &&
@@ -88,19 +88,19 @@ Result<std::vector<OGRLayer*>> chosenLayers(const OpenFile& open, const ReadSett
     if (layers.size() > 1)
         for (OGRLayer* layer : layers)
             warnings.push_back({WarningKind::assumed,
-                                "one of several polygon layers; all are taken as buildings",
+                                "one of several polygon layers; all are read as buildings",
                                 layer->GetName()});
     return layers;
 }
 
-constexpr double shareOfReading = 0.8;  // of the progress; the rest is repair and semantics
+constexpr double shareOfReading = 0.8;  // share of the progress; the rest is repair and semantics
 
-// GDAL asks this between blocks of the file, which may hold no feature of ours.
+// GDAL calls this between blocks of the file, which may contain no usable feature.
 int CPL_STDCALL goOn(double, const char*, void* stop) {
     return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
 }
 
-// What most features suffer from, for an error; empty without warnings.
+// The most frequent warning, for an error; empty without warnings.
 std::string commonest(const Warnings& warnings) {
     const auto groups = grouped(warnings);
     const auto most =
@@ -108,7 +108,7 @@ std::string commonest(const Warnings& warnings) {
     return most == groups.end() ? "" : lineOf(*most);
 }
 
-// A PBF whose nodes do not lie in dense blocks cannot be told from a damaged one here.
+// GDAL reports a PBF whose nodes are not densely stored in the same way as a damaged one.
 std::string adviceFor(const std::filesystem::path& file) {
     if (file.extension() != ".pbf") return "Download or export it again";
     return "Download it again; or, if its nodes are not stored densely, convert it: osmium cat OLD.osm.pbf "
@@ -162,7 +162,7 @@ private:
             const OGRFeatureUniquePtr feature = next(layer);
             if (!feature && stop_.stop_requested()) return cancelled();
             if (!feature && calls.failures() > failures)
-                return failure("It breaks off or is damaged (" + calls.complaints().back() + ")",
+                return failure("It is incomplete or damaged (" + calls.complaints().back() + ")",
                                file_.string(), adviceFor(file_));
             if (!feature) return {};
             reader.read(*feature, warnings);
@@ -192,13 +192,14 @@ private:
     std::stop_token stop_;
     std::vector<UnplacedFeature> found_;
     std::size_t polygons_ = 0;
-    double share_ = 0;      // of the layer that is read
-    double countHere_ = 1;  // its features
+    double share_ = 0;      // share of the current layer
+    double countHere_ = 1;  // number of features of the current layer
     std::size_t readHere_ = 0;
 };
 
-// GDAL does not say whose trouble it was: one warning a kind, with its number. Some drivers go over the whole
-// file when they open it, and say it all again when it is read: `atOpening` remarks came before.
+// GDAL does not name the feature that a message is about: one warning per kind, with its count. Some drivers
+// read the whole file when they open it and repeat their messages when it is read: of the first `atOpening`
+// messages, those that come again later are skipped.
 void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::string& file, Warnings& warnings) {
     const std::span said(calls.complaints());
     const auto later = said.subspan(std::min(atOpening, said.size()));
@@ -225,7 +226,7 @@ void addBuildings(FilePiece& piece, std::vector<AssembledBuilding> buildings, co
     }
 }
 
-// The whole way from features to buildings.
+// Makes buildings from features: all steps after reading.
 Result<void> build(FilePiece& piece, std::vector<UnplacedFeature> features, const ReadSettings& settings,
                    Progress& progress, const std::stop_token& stop) {
     if (!settings.frame) piece.frame = frameOf(features);
@@ -264,7 +265,7 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                    commonest(piece.warnings));
 } catch (const std::exception& exception) {
     return failure(fmt::format("The map cannot be read ({})", exception.what()), file.string(),
-                   "Check that it is whole, or export it again");
+                   "Check that it is complete, or export it again");
 }
 
 }  // namespace noonmark

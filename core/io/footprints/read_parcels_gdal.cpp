@@ -27,7 +27,7 @@ std::vector<std::string> fieldsOf(OGRLayer& layer) {
     return names;
 }
 
-// -1 where the layer has none of the usual ones.
+// -1 if the layer has none of the usual name fields.
 Result<int> nameFieldOf(OGRLayer& layer, const std::string& asked, const std::string& where) {
     if (asked.empty()) {
         for (const char* usual : usualNameFields)
@@ -76,12 +76,12 @@ public:
     Result<std::vector<Parcel>> finish() && {
         for (const std::string& name : settings_.names)
             if (std::ranges::find(parcels_, name, &Parcel::name) == parcels_.end())
-                return failure("No parcel bears this name", fmt::format("{}, '{}'", where_, name),
-                               examples_.empty() ? std::string("State the field of the names")
-                                                 : fmt::format("Names there are, among others: {}",
-                                                               fmt::join(examples_, ", ")));
+                return failure("No parcel has this name", fmt::format("{}, '{}'", where_, name),
+                               examples_.empty()
+                                   ? std::string("State the field that holds the names")
+                                   : fmt::format("Its names include: {}", fmt::join(examples_, ", ")));
         if (parcels_.empty())
-            return failure("No parcel of the file lies there", where_,
+            return failure("No parcel of the file lies in the region", where_,
                            "Check the region, or the CRS of the file");
         return std::move(parcels_);
     }
@@ -95,7 +95,7 @@ private:
         if (pieces->empty() || (settings_.within && !liesIn(*settings_.within, *pieces))) return {};
         if (parcels_.size() == ParcelSettings::mostParcels)
             return failure(fmt::format("There are more than {} parcels", ParcelSettings::mostParcels), where_,
-                           "Name those that you want, or give a smaller region");
+                           "Choose parcels by name, or give a smaller region");
         parcels_.push_back({name, *std::move(pieces)});
         return {};
     }
@@ -111,7 +111,7 @@ private:
     std::string where_;
     const std::stop_token& stop_;
     std::vector<Parcel> parcels_;
-    std::vector<std::string> examples_;  // names of the file, for messages
+    std::vector<std::string> examples_;  // some names from the file, for messages
 };
 
 Result<std::vector<OGRLayer*>> layersOf(GDALDataset& dataset, const std::string& asked,

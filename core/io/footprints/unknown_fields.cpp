@@ -19,7 +19,7 @@ constexpr std::size_t enoughDifferent = 1000;
 constexpr std::size_t fewDifferent = 20;
 constexpr std::size_t mostListed = 8;
 
-// Words of names that hold other things; a name is taken apart where letters and others meet.
+// Words in names of fields that hold something else; a name is split where letters meet other characters.
 constexpr std::array<std::string_view, 40> otherThings{
     "id",        "fid",     "oid",    "gid",        "objectid", "code",       "kod",       "num",
     "year",      "date",    "datum",  "area",       "areal",    "surface",    "shape",     "length",
@@ -53,7 +53,7 @@ void UnknownFields::add(const std::string& field, std::string_view text, std::op
         values.odd = true;
         return;
     }
-    if (!(*number > 0)) return;  // 0 and -9999 stand for nothing
+    if (!(*number > 0)) return;  // 0 and -9999 mean "unknown"
     values.low = values.above0 == 0 ? *number : std::min(values.low, *number);
     values.high = std::max(values.high, *number);
     values.whole = values.whole && *number == std::floor(*number);
@@ -87,10 +87,11 @@ Warning noKnownField(const std::vector<UnknownField>& unknown, const std::string
         return {WarningKind::assumed, fmt::format("{}, and none of its fields could be one", none), file};
     std::vector<std::string> words;
     for (const UnknownField& field : unknown) words.push_back(describe(field));
-    return {WarningKind::assumed,
-            fmt::format("{}; these could be, if you name one as the height field or the storeys field: {}",
-                        none, fmt::join(words, ", ")),
-            file};
+    return {
+        WarningKind::assumed,
+        fmt::format("{}; one of these could be, if you name it as the height field or the storeys field: {}",
+                    none, fmt::join(words, ", ")),
+        file};
 }
 
 }  // namespace noonmark

@@ -4,7 +4,7 @@ namespace noonmark {
 
 namespace {
 
-// Unless most heights are there.
+// False if most heights are present.
 bool manyLackHeights(const HeightOrigins& origins) {
     std::size_t all = 0;
     for (const auto& [origin, features] : origins) all += features;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double mostLevels = 300;
 
-// Reads one feature's values; holds what all of its steps need.
+// Reads the height of one feature; holds the state that its steps share.
 class Reader {
 public:
     Reader(const FeatureValues& values, const HeightRules& rules, const std::string& id, Warnings& warnings)
@@ -59,7 +59,7 @@ private:
         return std::isfinite(*value.number) ? value.number : std::nullopt;
     }
 
-    // The first value of a role that can be read and passes `usable`; what does not is a warning.
+    // The first value of a role that can be read and passes `usable`; warns about the values before it.
     std::optional<Found> first(FieldRole role, Check usable, const char* unreadable, const char* unusable) {
         const bool storeys =
             role == FieldRole::levels || role == FieldRole::minLevel || role == FieldRole::roofLevels;
@@ -75,28 +75,28 @@ private:
     std::optional<Found> measured() {
         return first(
             FieldRole::height, [](double m) { return m >= leastHeightM && m <= tallestBuildingM; },
-            "a height that cannot be read; the next best source stands in",
-            "a height of zero or less, or over 2,000 m; the next best source stands in");
+            "a height that cannot be read; the next best source is used",
+            "a height of zero or less, or over 2,000 m; the next best source is used");
     }
     std::optional<Found> overGround(const std::optional<Found>& groundM) {
         const auto top = first(
             FieldRole::topElevation,
             [](double m) { return m >= lowestLandM && m <= highestLandM + tallestBuildingM; },
-            "a roof's elevation that cannot be read; the next best source stands in",
-            "a roof's elevation below -500 m or over 11,000 m; the next best source stands in");
+            "a roof's elevation that cannot be read; the next best source is used",
+            "a roof's elevation below -500 m or over 11,000 m; the next best source is used");
         if (!top || !groundM) return std::nullopt;
         const double heightM = top->number - groundM->number;
         const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
         if (heightM >= leastHeightM && heightM <= tallestBuildingM) return Found{heightM, origin};
-        warn("a roof that is not above its ground, or over 2,000 m; the next best source stands in",
+        warn("a roof that is not above its ground, or over 2,000 m; the next best source is used",
              fmt::format("{}: {} = {:g} m", id_, origin, heightM));
         return std::nullopt;
     }
     std::optional<Found> levels(FieldRole role) {
         return first(
             role, [](double count) { return count >= 0 && count <= mostLevels; },
-            "a number of storeys that cannot be read; it is left out",
-            "a number of storeys below 0 or over 300; it is left out");
+            "a number of storeys that cannot be read; it is ignored",
+            "a number of storeys below 0 or over 300; it is ignored");
     }
     std::optional<Found> fromLevels() {
         auto storeys = levels(FieldRole::levels);
@@ -105,7 +105,7 @@ private:
         return storeys->number >= leastHeightM ? storeys : std::nullopt;
     }
     double roof() {
-        Warnings unheard;  // a roof's odd height matters to nobody
+        Warnings unheard;  // not reported: an odd roof height has no effect worth a warning
         Reader quiet(values_, rules_, id_, unheard);
         const auto height = quiet.first(
             FieldRole::roofHeight, [](double m) { return m >= 0 && m < tallestBuildingM / 2; }, "", "");
@@ -115,7 +115,8 @@ private:
     }
 
     void readTop(HeightReading& reading, bool canopy, const std::optional<Found>& groundM) {
-        const auto storeys = fromLevels();  // asked first, so that what it cannot read is always said
+        // Always read, so that its warnings appear even if a height exists
+        const auto storeys = fromLevels();
         auto height = measured();
         if (!height) height = overGround(groundM);
         reading.byDefault = !height && !storeys;
@@ -132,8 +133,8 @@ private:
     std::optional<double> underside() {
         const auto height = first(
             FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestBuildingM; },
-            "a min_height that cannot be read; it is left out",
-            "a min_height below the ground or over 2,000 m; it is left out");
+            "a min_height that cannot be read; it is ignored",
+            "a min_height below the ground or over 2,000 m; it is ignored");
         if (height) return height->number;
         const auto storeys = levels(FieldRole::minLevel);
         if (!storeys) return std::nullopt;
@@ -142,7 +143,7 @@ private:
 
     void settle(HeightReading& reading) {
         if (reading.source == HeightSource::measured) {
-            warn("its underside is not below its top; it is drawn from the ground to its top",
+            warn("its underside is not below its top; it is modelled from the ground to its top",
                  fmt::format("{}: {:g} m to {:g} m", id_, reading.bottomM, reading.topM));
             reading.bottomM = 0;
         } else {
@@ -155,7 +156,7 @@ private:
     void makeSlab(HeightReading& reading) {
         reading.bottomM = reading.topM - std::min(canopyThicknessM, reading.topM / 2);
         reading.slab = true;
-        warn(fmt::format("a roof without walls and without min_height; it is a slab {:g} m thick",
+        warn(fmt::format("a roof without walls and without min_height; it is modelled as a slab {:g} m thick",
                          canopyThicknessM),
              id_);
     }
@@ -163,8 +164,8 @@ private:
     std::optional<Found> ground() {
         return first(
             FieldRole::groundElevation, [](double m) { return m >= lowestLandM && m <= highestLandM; },
-            "a ground elevation that cannot be read; it is left out",
-            "a ground elevation below -500 m or over 9,000 m; it is left out");
+            "a ground elevation that cannot be read; it is ignored",
+            "a ground elevation below -500 m or over 9,000 m; it is ignored");
     }
 
     const FeatureValues& values_;

@@ -17,7 +17,7 @@ constexpr double inchM = 0.0254;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Reads a folded text from the left; every function takes what it knows and leaves the rest.
+// Parses a folded text from the left; every function consumes what it recognises and leaves the rest.
 class Reader {
 public:
     explicit Reader(std::string_view text) : rest_(text) {}
@@ -32,7 +32,7 @@ public:
         return true;
     }
 
-    // "12", "12.5", "50.", ".05": no sign, no exponent, no thousands.
+    // "12", "12.5", "50.", ".05": no sign, no exponent, no thousands separators.
     std::optional<double> takeNumber() {
         const std::size_t length = std::min(rest_.find_first_not_of("0123456789."), rest_.size());
         const std::string_view digits = rest_.substr(0, length);
@@ -45,7 +45,7 @@ public:
         return value;
     }
 
-    // The letters or marks of a unit, a closing dot included.
+    // The letters or marks of a unit, with a closing dot.
     std::string_view takeUnit() {
         const auto isUnit = [](char c) { return (c >= 'a' && c <= 'z') || c == '\'' || c == '"'; };
         const auto end = std::find_if_not(rest_.begin(), rest_.end(), isUnit);
@@ -93,7 +93,7 @@ std::optional<double> metresOf(std::string_view unit) {
     return std::nullopt;
 }
 
-// What follows feet: "4\"", "11 in". Nothing there is 0; something else is no height.
+// The inches after feet: "4\"", "11 in". 0 if the text ends; nothing if something else follows.
 std::optional<double> takeInches(Reader& reader) {
     Reader ahead = reader;
     ahead.skipBlanks();
@@ -121,7 +121,7 @@ std::optional<double> takeLength(Reader& reader, double bareUnitM) {
     return negative ? -metres : metres;
 }
 
-// "4.60m (15'1\")": the same height once more in another unit. 5 %: people round to whole feet.
+// "4.60m (15'1\")": the same height repeated in another unit. Tolerance 5 %: people round to whole feet.
 bool repeats(Reader& reader, double metres, double bareUnitM) {
     if (!reader.take("(")) return false;
     const auto again = takeLength(reader, bareUnitM);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float farthestM = 1e6F, deepestM = -2e4F, highestM = 2e4F;
 
-// Nothing where it is plausible.
+// Null if it is plausible.
 const char* whyImplausible(const Building& building) {
     float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
     for (const Part& part : building.parts) {
@@ -50,7 +50,7 @@ Result<void> leaveOutImplausible(const std::string& file, FilePiece& piece) {
         piece.buildings[kept++] = std::move(piece.buildings[i]);
     }
     if (kept == 0 && lastWhy != nullptr)
-        return failure(fmt::format("No building can be used: of each, {}", lastWhy), file,
+        return failure(fmt::format("No building can be used, each because {}", lastWhy), file,
                        "Check the unit of its coordinates and which axis is up");
     piece.buildings.resize(kept);
     if (grounds) piece.groundM.resize(kept);

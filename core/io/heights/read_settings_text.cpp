@@ -83,7 +83,7 @@ std::optional<ReadSettings> readSettingsFrom(const std::string& text) try {
         reading.terrainFromBases = TerrainFromBases(
             std::clamp(wholeNumberFrom<int>(json.at("terrain_from_bases")), 0, int(TerrainFromBases::never)));
     return reading;
-} catch (const std::exception&) {  // no JSON, or of another shape
+} catch (const std::exception&) {  // not JSON, or of another structure
     return std::nullopt;
 }
 

@@ -7,11 +7,11 @@
 
 namespace noonmark {
 
-/// What differs from the defaults of ReadSettings, as JSON of one line; empty where nothing does. `frame` is
-/// left out: it belongs to the city that is open.
+/// The settings that differ from the defaults of ReadSettings, as JSON on one line; empty if none do. `frame`
+/// is omitted: it belongs to the open city.
 std::string textOf(const ReadSettings& reading);
 
-/// What textOf() wrote; nothing for other text.
+/// Parses the output of textOf(); nothing for other text.
 std::optional<ReadSettings> readSettingsFrom(const std::string& text);
 
 }  // namespace noonmark

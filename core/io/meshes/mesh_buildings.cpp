@@ -15,7 +15,7 @@ namespace noonmark {
 
 namespace {
 
-// Puts the units into a piece as buildings.
+// Adds units to a piece as buildings.
 class BuildingAdder {
 public:
     BuildingAdder(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece)
@@ -45,7 +45,7 @@ private:
             std::make_shared<const Building>(Building{id, name, {}, std::move(made.parts)}));
     }
 
-    // A deck: every engine takes it as solid below.
+    // A deck: every engine treats it as solid down to the ground.
     static void closeToTheGround(Part& part) {
         const bool isSlab = !part.mesh && part.topM - part.bottomM < 2 * levelSheetM;
         if (isSlab && !part.isOverhanging && part.bottomM > 0 && part.bottomM <= openAirM) part.bottomM = 0;
@@ -56,14 +56,15 @@ private:
     FilePiece& piece_;
 };
 
-// Meshes in elevations above the sea look so; their shadows would start in the air.
+// Warns if the whole mesh is above z = 0, as with elevations above sea level: its shadows would start in the
+// air.
 void warnIfAloft(const std::string& file, FilePiece& piece) {
     float lowest = 1e30F;
     for (const auto& building : piece.buildings)
         for (const Part& part : building->parts) lowest = std::min(lowest, part.bottomM);
     if (piece.buildings.empty() || lowest <= openAirM) return;
     piece.warnings.push_back({WarningKind::assumed,
-                              "all of it is above the ground, which is at the mesh's zero height",
+                              "the whole mesh is above the ground, which is at its zero height",
                               fmt::format("{} ({:.1f} m)", file, lowest)});
 }
 

@@ -15,20 +15,20 @@ namespace noonmark {
 struct NamedMesh {
     std::string name;
     TriangleMesh mesh;
-    std::string parent = {};   ///< name of the object that holds it; empty for none
-    bool oneBuilding = false;  ///< by its name: not to be cut into several
+    std::string parent = {};   ///< name of the object that contains it; empty for none
+    bool oneBuilding = false;  ///< its name says that it is one building: not to be split
 };
 
-/// Adds the buildings of mesh objects to a piece. An object is one building, or several where its pieces
-/// stand apart, so a whole city in one object becomes buildings; walls and roofs that are objects of their
-/// own are joined (mesh_units.h). Level sheets on which others stand, or at the ground (no more than 0.1 m
-/// above z = 0), are ground and left out; one up to 2 m above z = 0 is solid down to it; others are overhangs
-/// or roofs. False when stopped.
+/// Adds the buildings of mesh objects to a piece. An object is one building, or several if its pieces stand
+/// apart, so that a whole city in one object is split into buildings; walls and roofs that are separate
+/// objects are joined (mesh_units.h). Level sheets that buildings stand on, or at the ground (no more than
+/// 0.1 m above z = 0), are ground and left out; one up to 2 m above z = 0 is solid down to it; others are
+/// overhangs or roofs. False when stopped.
 bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece,
                   Progress& progress, const std::stop_token& stop);
 
-/// What readMesh() makes of the scene that the reader's process handed over, which may hold anything. `file`:
-/// for messages; it is not opened. In read_mesh.cpp.
+/// Makes the result of readMesh() from the scene that the reader process returned; the scene is untrusted.
+/// `file`: for messages; it is not opened. Defined in read_mesh.cpp.
 Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesystem::path& file,
                                      const ReadSettings& settings, Progress& progress,
                                      const std::stop_token& stop);

@@ -1,5 +1,5 @@
-// A process with limits, a pipe from it, and its end by force: the C++ library has none of these, and Qt's
-// are out of reach here. POSIX calls of the program are here only.
+// The C++ library cannot start a process with limits, read from it and kill it, and core does not use Qt. The
+// program's POSIX calls are all in this file.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -55,8 +55,8 @@ struct Pipe {
     }
 };
 
-// Nothing of this process but the pipe is open in the new one; its signals are as at the start of a program.
-// It is in a process group of its own: Ctrl-C is for us, and we end it.
+// The new process inherits only the pipe; its signals have their defaults. It has a process group of its own:
+// Ctrl-C goes to this process, which then ends the reader.
 int spawned(const std::string& program, const std::vector<std::string>& words, int into, pid_t& process) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -83,7 +83,7 @@ int spawned(const std::string& program, const std::vector<std::string>& words, i
     return error;
 }
 
-/// The running reader; ended at the latest when this goes.
+/// The running reader; killed at the latest when this object is destroyed.
 class ReaderProcess {
 public:
     ReaderProcess() = default;
@@ -101,7 +101,7 @@ public:
         }
         process_ = -1;
     }
-    // Its status, once it has closed its pipe; ended by force where it goes on.
+    // Its exit status after it has closed its pipe; killed if it continues to run.
     int status() {
         for (int i = 0; i < 1000 && process_ > 0; ++i) {
             if (::waitpid(process_, &status_, WNOHANG) != 0) process_ = -1;
@@ -130,11 +130,12 @@ tl::unexpected<Error> endedEarly(int status, const std::filesystem::path& file,
     if (exited && WEXITSTATUS(status) == exitOutOfMemory) return readerStopped("ran out of memory", file);
     if (exited) return readerStopped(fmt::format("ended early (code {})", WEXITSTATUS(status)), file);
     if (WTERMSIG(status) == SIGXCPU) return tookTooLong(file, limits.cpuSeconds, " of processor time");
-    if (WTERMSIG(status) == SIGKILL) return readerStopped("was ended (most likely for want of memory)", file);
+    if (WTERMSIG(status) == SIGKILL)
+        return readerStopped("was stopped by the system (most likely for lack of memory)", file);
     return readerStopped(fmt::format("crashed (signal {})", WTERMSIG(status)), file);
 }
 
-// Whatever comes through the pipe until it is closed.
+// Reads everything from the pipe until it is closed.
 Result<std::string> received(int from, const std::filesystem::path& file, const MeshReaderLimits& limits,
                              const std::stop_token& stop) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
@@ -177,7 +178,8 @@ Result<MeshScene> readMeshScene(const std::filesystem::path& file, const MeshRea
         return failure("The program that reads meshes is missing", readerName, "Install Noonmark again");
     Pipe pipe;
     if (pipe.from < 0) return readerStopped("could not be started (too many open files)", file);
-    ::fcntl(pipe.from, F_SETPIPE_SZ, 1 << 20);  // fewer turns; where it is refused, more of them
+    // A larger pipe needs fewer reads; if refused, the default works too
+    ::fcntl(pipe.from, F_SETPIPE_SZ, 1 << 20);
     ReaderProcess reader;
     const std::vector<std::string> words{std::to_string(limits.memoryBytes),
                                          fmt::format("{:.0f}", std::max(1.0, limits.cpuSeconds)),

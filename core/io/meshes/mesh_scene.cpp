@@ -22,7 +22,7 @@ void appendList(std::string& bytes, const Items& items) {
     appendItems(bytes, items.data(), items.size());
 }
 
-/// Takes values off the front; once something is missing, everything is.
+/// Takes values from the front; after a missing value everything fails.
 class SceneBytes {
 public:
     explicit SceneBytes(std::string_view bytes) : rest_(bytes) {}
@@ -40,7 +40,7 @@ public:
         const std::string_view tag = take(1);
         return tag.empty() ? '\0' : tag.front();
     }
-    // How many items of a size follow; 0 where there are not so many.
+    // Number of items of this size that follow; 0 if there are fewer bytes than that.
     std::size_t takeCount(std::size_t itemBytes) {
         std::uint64_t count = 0;
         const std::string_view bytes = take(sizeof count);
@@ -136,7 +136,7 @@ Result<MeshScene> parseScene(std::string_view all, bool& complete) {
     }
     if (tag == endTag && bytes.good() && bytes.left() == 0) return scene;
     complete = false;
-    return failure("What the mesh's reader wrote is not whole");
+    return failure("The output of the mesh reader is incomplete");
 }
 
 }  // namespace noonmark

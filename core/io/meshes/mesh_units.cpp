@@ -48,7 +48,7 @@ private:
     Indices parent_;
 };
 
-// Which building an object's name says it is a surface of; empty: it does not.
+// The building that the object is a surface of, according to its name; empty if the name does not say.
 std::string surfaceKey(const NamedMesh& object) {
     if (isOnlySurfaceName(object.name)) return object.parent.empty() ? "" : "in " + object.parent;
     return stemOfSurfaceName(object.name);
@@ -64,11 +64,11 @@ NamedMesh joinedObject(const std::vector<NamedMesh>& objects, const Indices& mem
     return joined;
 }
 
-// The buildings of one object, and its walls that stand under none of its roofs.
+// The buildings of one object, and its walls that are under none of its roofs.
 struct ObjectPieces {
     std::vector<TriangleMesh> buildings;
     std::vector<TriangleMesh> walls;
-    std::size_t ground = 0, withoutArea = 0;  // sheets and faces left out
+    std::size_t ground = 0, withoutArea = 0;  // sheets and faces that were left out
 };
 
 // Finds the level sheets that are ground.
@@ -93,7 +93,7 @@ private:
         return heightM <= lowestM_ + groundSheetM && standing >= (heightM > openAirM ? 2U : 1U);
     }
 
-    // Of each level mesh how many others begin on it.
+    // For each level mesh, the number of other meshes that begin on it.
     static std::vector<std::size_t> countStanding(const std::vector<TriangleMesh>& meshes) {
         std::vector<Box2> sheets(meshes.size()), middles(meshes.size());
         for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -145,12 +145,12 @@ ObjectPieces splitIntoPieces(const NamedMesh& object, const GroundFinder& ground
     return pieces;
 }
 
-// An edge by the numbers of its welded ends.
+// An edge as the indices of its welded ends.
 std::uint64_t edgeOf(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t(std::min(a, b)) << 32U) | std::max(a, b);
 }
 
-// Roofs without walls, cut where a loose wall ends under them, and joined where they meet in another edge.
+// Divides roof faces into roofs: faces that share an edge belong together, unless a wall ends at that edge.
 class RoofPartition {
 public:
     RoofPartition(const std::vector<MeshUnit>& roofs, const std::vector<MeshUnit>& walls) : roofs_(roofs) {
@@ -188,7 +188,7 @@ private:
             }
     }
 
-    // A dormer over its roof: pieces of one unit that stand over one another.
+    // Joins pieces of one unit that overlap in plan, such as a dormer over its roof.
     void joinWhatOverlaps(Sets& faces) {
         std::size_t first = 0;
         for (const MeshUnit& roof : roofs_) {
@@ -253,7 +253,7 @@ double distanceFrom(const std::vector<Footprint>& outline, glm::dvec2 point) {
     return least;
 }
 
-// Gives the faces of walls to the units that they stand under.
+// Assigns the faces of walls to the units above them.
 class WallTaker {
 public:
     enum class Under { openRoofs, anyRoof };
@@ -272,7 +272,7 @@ public:
         taken_.resize(units.size());
     }
 
-    // What is left of the walls.
+    // The walls that remain.
     std::vector<MeshUnit> take(const std::vector<MeshUnit>& walls) {
         const std::vector<Indices> near = nearEachFace(walls);
         std::vector<MeshUnit> left;
@@ -301,7 +301,7 @@ private:
         }
     }
 
-    // The units whose boxes each face's middle lies in.
+    // For each face, the units whose boxes contain its centre.
     [[nodiscard]] std::vector<Indices> nearEachFace(const std::vector<MeshUnit>& walls) const {
         std::vector<Box2> middles;
         for (const MeshUnit& wall : walls)
@@ -317,7 +317,7 @@ private:
     static glm::dvec2 findMiddle(const TriangleMesh& mesh, glm::uvec3 t) {
         const auto at = [&](std::uint32_t i) { return glm::dvec2(glm::vec2(mesh.vertices[i])); };
         const glm::dvec2 a = at(t.x), b = at(t.y), c = at(t.z);
-        // Of the plan line: the middle between the ends that lie farthest apart.
+        // Midpoint of the line in plan: between the two corners that are farthest apart.
         const double ab = glm::distance(a, b), bc = glm::distance(b, c), ca = glm::distance(c, a);
         if (ab >= bc && ab >= ca) return (a + b) / 2.0;
         return bc >= ca ? (b + c) / 2.0 : (c + a) / 2.0;
@@ -364,7 +364,7 @@ private:
     std::vector<TriangleMesh> taken_;
 };
 
-// The walls of an object under its own roofs first.
+// Assigns the walls of an object to its own roofs first.
 void takeOwnWalls(ObjectPieces& pieces, std::size_t object) {
     if (pieces.walls.empty() || pieces.buildings.empty()) return;
     std::vector<MeshUnit> units, walls;
@@ -385,7 +385,7 @@ void warn(const ObjectPieces& pieces, const std::string& where, Warnings& warnin
     add(WarningKind::mended, "faces without area were left out", pieces.withoutArea);
 }
 
-// A ground that is an object of its own.
+// Removes ground that is an object of its own.
 void removeGround(std::vector<MeshUnit>& units, const GroundFinder& ground, const std::string& file,
                   Warnings& warnings) {
     std::vector<TriangleMesh> meshes;
@@ -409,8 +409,8 @@ std::vector<MeshUnit> withRoofsApart(std::vector<MeshUnit> units, const std::vec
     return units;
 }
 
-// Joins units whose lowest edges lie on the edges of a lower one: a higher roof and the walls that step up to
-// it from the roof around.
+// Joins units whose lowest edges lie on the edges of a lower unit: a higher roof and the walls that rise to
+// it from the surrounding roof.
 class StepJoiner {
 public:
     explicit StepJoiner(const std::vector<MeshUnit>& units) : units_(units), sets_(units.size()) {
@@ -456,7 +456,7 @@ private:
         return edgeOf(point_[firstPoint_[unit] + t[side]], point_[firstPoint_[unit] + t[(side + 1) % 3]]);
     }
 
-    // The unit on which most of a unit's lowest edges lie; itself where none do.
+    // The unit that holds most of a unit's lowest edges; itself if none does.
     [[nodiscard]] std::size_t carrierOf(std::size_t unit) const {
         constexpr float lowestEdgesM = 0.1F, lowerM = 0.5F;
         const TriangleMesh& mesh = units_[unit].mesh;
@@ -476,8 +476,8 @@ private:
         return best;
     }
 
-    // Where edges do not match: what starts in the air and has others, lower and as high as its foot, around
-    // half of its outline.
+    // For edges that do not match: joins a unit that starts above the ground with the lower units around half
+    // of its outline that reach up to its foot.
     void joinSurrounded() {
         std::vector<std::vector<Footprint>> outlines;
         std::vector<Box2> boxes, grown;
@@ -518,10 +518,11 @@ private:
     std::vector<float> lowM_;
     std::vector<std::uint32_t> point_, firstPoint_;
     std::unordered_map<std::uint64_t, std::size_t>
-        lowestOf_;  // unit that reaches lowest, of those at an edge
+        lowestOf_;  // for each edge, the unit with the lowest point
 };
 
-// Walls without a roof: those of the only building of their object, else what shares points is one.
+// Walls without a roof: they join the only building of their object; otherwise each connected set of them is
+// a building.
 void addWalls(const std::vector<MeshUnit>& walls, std::vector<MeshUnit>& units) {
     std::map<std::size_t, Indices> unitsOf;
     for (std::size_t i = 0; i < units.size(); ++i) unitsOf[units[i].object].push_back(i);
@@ -549,7 +550,7 @@ bool isFloorOf(const TriangleMesh& sheet, const std::vector<Footprint>& sheetOut
     return shared >= 0.9 * sheetM2 && shared >= 0.5 * bodyM2;
 }
 
-// Floors and ceilings that are meshes of their own, into the buildings that they lie in.
+// Joins floors and ceilings that are separate meshes with the buildings that contain them.
 void joinFloors(std::vector<MeshUnit>& units) {
     std::vector<std::vector<Footprint>> outlines(units.size());
     std::vector<Box2> sheets(units.size()), bodies(units.size());

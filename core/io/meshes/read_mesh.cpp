@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-// From the mesh's axes and unit to metres east, north and up of its origin.
+// Transforms the mesh's axes and unit to metres east, north and up of its origin.
 class Placement {
 public:
     Placement(const ReadSettings& settings, glm::dvec2 origin)
@@ -27,7 +27,8 @@ public:
         sin_ = std::sin(north);
         cos_ = std::cos(north);
     }
-    // The mesh's north axis runs along its azimuth (sin, cos), its east axis a right angle clockwise of that.
+    // The mesh's north axis points along its azimuth (sin, cos), its east axis is a right angle clockwise of
+    // it.
     [[nodiscard]] glm::dvec3 local(glm::vec3 point) const {
         const double x = double(point.x) * metres_;
         const double y = (yUp_ ? -double(point.z) : double(point.y)) * metres_;
@@ -44,10 +45,9 @@ private:
 };
 
 struct FaceCounts {
-    std::size_t broken =
-        0;  // corners that are not there: what broken files have, and Assimp does not always look
-    std::size_t degenerate = 0;  // no area
-    std::size_t tangled = 0;     // cross themselves too often
+    std::size_t broken = 0;  // corners with invalid indices, as in broken files; Assimp does not always check
+    std::size_t degenerate = 0;  // faces without area
+    std::size_t tangled = 0;     // faces that cross themselves too often
     void add(SurfaceMesher::Outcome outcome) {
         degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
         tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
@@ -87,7 +87,7 @@ struct SceneReader {
         SurfaceMesher mesher(points);
         const FaceCounts counts = addFaces(piece, mesher);
         append(object.mesh, mesher.mesh());
-        warn(WarningKind::dropped, "faces with corners that are not there", object.name, counts.broken);
+        warn(WarningKind::dropped, "faces with missing corners", object.name, counts.broken);
         warn(WarningKind::dropped, "faces that cross themselves too often", object.name, counts.tangled);
         warn(WarningKind::mended, "faces without area were left out", object.name, counts.degenerate);
     }
@@ -97,14 +97,14 @@ struct SceneReader {
     }
 };
 
-// Where the mesh's origin stands: as stated, else at the project's origin.
+// The position of the mesh's origin: as stated, else the project's origin.
 Result<Frame> frameFor(const std::filesystem::path& file, const ReadSettings& settings) {
     if (settings.frame) return *settings.frame;
     if (settings.meshAnchor) return Frame(*settings.meshAnchor);
-    return failure("The mesh has no place", file.string(), anchorAdvice);
+    return failure("The mesh has no position", file.string(), anchorAdvice);
 }
 
-// A mesh whose coordinates are those of a map has lost them: its numbers are float32.
+// A mesh in map coordinates has lost its precision: its numbers are float32.
 Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::filesystem::path& file,
                            glm::dvec2 origin, double farAwayM) {
     std::vector<double> distances;
@@ -123,9 +123,9 @@ Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::fil
         "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
 }
 
-// Single corners that broken files put where no number of ours reaches.
+// Drops triangles with a corner beyond the range of a Frame, as in broken files.
 void dropFarTriangles(SceneReader& reader) {
-    constexpr float mostM = 1e6F;  // what a Frame is meant for
+    constexpr float mostM = 1e6F;  // limit of a Frame
     for (NamedMesh& object : reader.objects) {
         const auto isFar = [&](const glm::uvec3& corners) {
             for (int i = 0; i < 3; ++i)
@@ -170,7 +170,7 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
     if (!settings.frame) result.frame = *frame;
     if (!settings.meshAnchor)
         result.warnings.push_back(
-            {WarningKind::assumed, "the mesh's origin was put at the project's origin", reader.file});
+            {WarningKind::assumed, "the project's origin is used as the mesh's origin", reader.file});
     if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
     if (result.buildings.empty())
         return failure("The file holds no building", file.string(),
@@ -181,12 +181,12 @@ Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesyst
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress, std::stop_token stop) try {
     if (!settings.frame && !settings.meshAnchor)
-        return failure("The mesh has no place", file.string(), anchorAdvice);
+        return failure("The mesh has no position", file.string(), anchorAdvice);
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(file, error);
     if (error)
         return failure("The file cannot be opened", file.string(),
-                       "Check that it is a plain file, and that you may read it");
+                       "Check that it is a plain file, and that you have permission to read it");
     progress.report(0, "reading the mesh");
     const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
     if (!scene) return tl::make_unexpected(scene.error());

@@ -70,7 +70,7 @@ std::string stemOfSurfaceName(std::string_view name) {
     const std::vector<Word> words = describe(name);
     const auto lastSurface = std::find_if(words.rbegin(), words.rend(), isSurface).base();
     if (lastSurface == words.begin()) return {};
-    // Numbers behind the last such word count a building's surfaces, unless a name follows it.
+    // Numbers after the last such word number a building's surfaces, unless a name follows.
     const bool isLast = std::none_of(lastSurface, words.end(), isOther);
     std::string stem;
     for (auto word = words.begin(); word != words.end(); ++word) {

@@ -4,13 +4,13 @@
 
 namespace noonmark {
 
-/// The configuration that GDAL's OpenStreetMap driver asks for, as a file in memory while this lives: closed
-/// ways tagged building or building:part are polygons, and the tags that make heights and parts are columns
-/// under their own names. What the driver puts aside on this thread goes to the folder for temporary files.
-/// Backend: osm_configuration_gdal.cpp.
+/// The configuration file for GDAL's OpenStreetMap driver, in memory for the lifetime of this object. It
+/// makes closed ways tagged building or building:part polygons, and gives the tags for heights and parts
+/// columns of their own. During that time the driver writes its temporary files on this thread to the folder
+/// for temporary files. Backend: osm_configuration_gdal.cpp.
 class OsmConfiguration {
 public:
-    /// `heightTag`, `levelsTag`: the user's own, columns too; may be empty.
+    /// `heightTag`, `levelsTag`: tags that the user named; they become columns too; may be empty.
     OsmConfiguration(const std::string& heightTag, const std::string& levelsTag);
     ~OsmConfiguration();
     OsmConfiguration(const OsmConfiguration&) = delete;

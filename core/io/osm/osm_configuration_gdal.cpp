@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-// Each {}: one more tag, or nothing.
+// Each {} is one more tag, or empty.
 constexpr std::string_view configuration = R"(closed_ways_are_polygons=building,building:part
 attribute_name_laundering=no
 [points]
@@ -33,13 +33,13 @@ osm_id=yes
 other_tags=no
 )";
 
-// Of its own for every reader, so that two can read at a time.
+// A separate path for every reader, so that two can read at the same time.
 std::string freshPath() {
     static std::atomic<unsigned> count = 0;
     return fmt::format("/vsimem/noonmark_osm_{}.ini", ++count);
 }
 
-// What is no plain key could end the list, or the line.
+// A tag that is not a plain key could end the list, or the line.
 std::string columnFor(std::string_view tag) {
     const bool plain = !tag.empty() && tag.find_first_of(",=\r\n[]") == tag.npos;
     return plain ? fmt::format(",{}", tag) : "";

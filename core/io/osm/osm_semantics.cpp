@@ -19,7 +19,7 @@ double computeArea(const PlacedFeature& feature) {
     return sum;
 }
 
-// The feature that names the building: its outline, else its largest part.
+// The feature that gives the building its name: its outline, else its largest part.
 const PlacedFeature& headOf(const BuildingGroup& group, const Features& features) {
     if (group.outline) return features[*group.outline];
     return features[*std::ranges::max_element(group.parts, {},
@@ -30,7 +30,7 @@ void addPieces(Building& building, const PlacedFeature& feature, Warnings& warni
     const HeightReading& heights = feature.facts.heights;
     if (heights.byDefault)
         warnings.push_back({WarningKind::assumed,
-                            fmt::format("no height in the data; {:g} m stand in", heights.topM),
+                            fmt::format("no height in the data; {:g} m is assumed", heights.topM),
                             feature.facts.id});
     for (const Footprint& piece : feature.pieces)
         building.parts.push_back({.sourceId = feature.facts.id,
@@ -46,10 +46,10 @@ void addRemainder(Building& building, const PlacedFeature& outline,
     OutlineRemainder rest = computeRemainder(outline, parts);
     if (rest.pieces.empty()) return;
     if (rest.guessed)
-        warnings.push_back(
-            {WarningKind::assumed,
-             "its parts leave some of its outline uncovered; that is as high as its lowest part",
-             outline.facts.id});
+        warnings.push_back({WarningKind::assumed,
+                            "its parts leave some of its outline uncovered; that area is given the height of "
+                            "its lowest part",
+                            outline.facts.id});
     PlacedFeature feature{outline.facts, std::move(rest.pieces)};
     feature.facts.heights.bottomM = rest.bottomM;
     feature.facts.heights.topM = rest.topM;
@@ -58,7 +58,7 @@ void addRemainder(Building& building, const PlacedFeature& outline,
     addPieces(building, feature, warnings);
 }
 
-// What the features say; else what is found by looking below. Only raised parts are looked at.
+// Uses what the features state about overhangs; otherwise decides by what is below each raised part.
 void settle(Building& building, const BuildingGroup& group, const Features& features, double metresPerLevel,
             Warnings& warnings) {
     const bool stated = std::ranges::any_of(

@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-// Takes a quoted word off the front of `text`; nothing where there is none.
+// Takes a quoted word from the front of `text`; nothing if there is none.
 std::optional<std::string> takeQuoted(std::string_view& text) {
     if (!text.starts_with('"')) return std::nullopt;
     std::string word;

@@ -16,7 +16,7 @@ glm::dvec2 RasterPlace::at(glm::dvec2 pixel) const {
 }
 
 std::vector<glm::dvec2> PixelPlaces::local(const std::vector<glm::dvec2>& pixels) const {
-    constexpr double farthestM = 1e6;  // a plane folds back beyond its horizon
+    constexpr double farthestM = 1e6;  // the projection to a plane folds back beyond its horizon
     std::vector<glm::dvec2> points;
     points.reserve(pixels.size());
     for (const glm::dvec2 pixel : pixels) points.push_back(raster_.at(pixel));
@@ -31,7 +31,7 @@ std::vector<glm::dvec2> PixelPlaces::local(const std::vector<glm::dvec2>& pixels
 
 namespace {
 
-// A window's corners and what lies between, `side` + 1 in each direction; row by row.
+// A lattice of points over a window, corners included, `side` + 1 in each direction; row by row.
 std::vector<glm::dvec2> latticeOver(const PixelWindow& window, int side) {
     std::vector<glm::dvec2> pixels;
     for (int y = 0; y <= side; ++y)
@@ -41,7 +41,7 @@ std::vector<glm::dvec2> latticeOver(const PixelWindow& window, int side) {
     return pixels;
 }
 
-// The box of four corners, a tenth larger: sides that bend reach beyond them.
+// The box of four corners, a tenth larger, since curved sides extend beyond the corners.
 struct QuadBox {
     glm::dvec2 low{1e300}, high{-1e300};
     void add(glm::dvec2 place) {
@@ -57,7 +57,7 @@ struct QuadBox {
     }
 };
 
-// The part of a window in which a lattice's quads overlap the square around the origin.
+// The part of a window in which cells of a lattice overlap the square around the origin.
 std::optional<PixelWindow> shrunk(const PixelWindow& window, const PixelPlaces& places, double farAwayM) {
     constexpr int side = 64;
     const std::vector<glm::dvec2> corners = places.local(latticeOver(window, side));
@@ -83,7 +83,7 @@ std::optional<PixelWindow> shrunk(const PixelWindow& window, const PixelPlaces& 
 
 std::optional<PixelWindow> windowNear(const RasterPlace& raster, const PixelPlaces& places, double farAwayM) {
     std::optional<PixelWindow> window = PixelWindow{0, 0, raster.columns, raster.rows};
-    constexpr int mostRounds = 12;  // each leaves a thirtieth, or nearly the last
+    constexpr int mostRounds = 12;  // each round leaves a thirtieth of the window, or nearly the final one
     for (int round = 0; round < mostRounds; ++round) {
         const auto next = shrunk(*window, places, farAwayM);
         if (!next || *next == *window) return next;
@@ -94,8 +94,8 @@ std::optional<PixelWindow> windowNear(const RasterPlace& raster, const PixelPlac
 
 namespace {
 
-// Values at places that are spread evenly over -1 to 1 in u and v, and the polynomials that are orthogonal
-// over them: 1, u, u2 - m2, u3 - (m4 / m2) u. The best coefficients are then sums of products.
+// Values at points that are spread evenly over -1 to 1 in u and v, and the polynomials that are orthogonal
+// over them: 1, u, u2 - m2, u3 - (m4 / m2) u. The least-squares coefficients are then sums of products.
 class EvenSamples {
 public:
     static constexpr int side = 33;
@@ -108,7 +108,7 @@ public:
     }
     static double at(int i) { return 2.0 * i / (side - 1) - 1; }
 
-    // As the coefficients of 1, u, v, u2, uv, v2, u3, u2v, uv2, v3; of the first three alone.
+    // Coefficients of 1, u, v, u2, uv, v2, u3, u2v, uv2, v3; or of the first three alone.
     using Coefficients = std::array<glm::dvec2, 10>;
     [[nodiscard]] Coefficients plane() const {
         Coefficients c{};
@@ -154,13 +154,13 @@ private:
     double m2_ = 0, m4_ = 0;
 };
 
-// The posts of a window and where they truly lie, at `side` x `side` of them or places between.
+// The true positions of a window's posts, at `side` x `side` of them or of points between.
 class TruePlaces {
 public:
     TruePlaces(const PixelPlaces& places, const PixelWindow& window, bool flipped)
         : places_(places), window_(window), flipped_(flipped) {}
 
-    // Columns and rows of posts.
+    // Columns and rows of these posts.
     [[nodiscard]] std::vector<glm::dvec2> postsOf(int side) const {
         std::vector<glm::dvec2> posts;
         for (int y = 0; y < side; ++y)
@@ -176,7 +176,7 @@ public:
                                 window_.row + (flipped_ ? double(window_.rows - 1) - post.y : post.y) + 0.5);
         return places_.local(pixels);
     }
-    // NaN where a place has none.
+    // NaN if a post has no position.
     [[nodiscard]] double worstOf(const PostGrid& grid) const {
         double worst = 0;
         for (const int side : {EvenSamples::side, 39}) {

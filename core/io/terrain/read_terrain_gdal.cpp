@@ -22,15 +22,15 @@ namespace noonmark {
 
 namespace {
 
-// An open raster and what has to be known of it.
+// An open raster and its properties.
 struct Source {
-    GDALDatasetUniquePtr whole;    // of several bands, if it has them; `dataset` looks into it
+    GDALDatasetUniquePtr whole;    // the whole file if it has several bands; `dataset` then refers to it
     GDALDatasetUniquePtr dataset;  // of one band
     std::string file;
     std::string crs;
     std::array<double, 6> geoTransform{};
     double metresPerValue = 1;
-    std::string noData;  // to be taken as no data though the file does not say so; empty if none
+    std::string noData;  // value to be taken as no data though the file does not say so; empty if none
     Warnings warnings;
 
     [[nodiscard]] GDALRasterBand& band() const { return *dataset->GetRasterBand(1); }
@@ -54,7 +54,7 @@ std::string wktOf(const GDALDataset& dataset) {
 }
 
 void keepFirstBand(Source& source) {
-    source.warn(WarningKind::assumed, "the first of several bands was taken as the elevation");
+    source.warn(WarningKind::assumed, "the first of several bands is used as the elevation");
     char** words = nullptr;
     for (const char* word : {"-of", "VRT", "-b", "1"}) words = CSLAddString(words, word);
     GDALTranslateOptions* options = GDALTranslateOptionsNew(words, nullptr);
@@ -83,13 +83,13 @@ Result<Source> opened(const std::filesystem::path& file, const ReadSettings& set
     if (source.crs.empty())
         return failure("The terrain has no coordinate reference system", source.file, crsAdvice);
     if (source.dataset->GetGeoTransform(source.geoTransform.data()) != CE_None)
-        return failure("The raster does not say where it lies", source.file,
-                       "Export it as a GeoTIFF with its place");
+        return failure("The raster does not state its position", source.file,
+                       "Export it as a georeferenced GeoTIFF");
     return source;
 }
 
-// Grids in text have two bytes a cell at least; one of 500 bytes that claims 10^9 rows keeps GDAL busy for
-// minutes. And no raster may have so many cells that resampling it takes hours.
+// Grids in text have at least two bytes per cell; one of 500 bytes that claims 10^9 rows keeps GDAL busy for
+// minutes. A raster must also not have so many cells that resampling it takes hours.
 Result<void> checkCells(const Source& source) {
     constexpr double mostCells = 2e10;
     const double cells = double(source.band().GetXSize()) * double(source.band().GetYSize());
@@ -118,7 +118,7 @@ double metresOfUnitName(std::string name) {
     return name == "m" || name.starts_with("met") ? 1 : 0;
 }
 
-// The unit by the band, else by the vertical system, else as the user states, else by the horizontal system.
+// The unit stated by the band, else by the vertical system, else by the user, else by the horizontal system.
 void learnUnit(Source& source, const CrsToLonLat& crs, const ReadSettings& settings) {
     const std::string name = source.band().GetUnitType();
     source.metresPerValue = metresOfUnitName(name);
@@ -128,14 +128,13 @@ void learnUnit(Source& source, const CrsToLonLat& crs, const ReadSettings& setti
     if (crs.elevationUnitIsStated()) return;
     if (settings.heightUnit) source.metresPerValue = metresPer(*settings.heightUnit);
     if (!settings.heightUnit && source.metresPerValue != 1)
-        source.warn(
-            WarningKind::assumed,
-            "elevations have no unit; they were taken to be in the unit of the map, which is not metres");
+        source.warn(WarningKind::assumed,
+                    "elevations have no unit; the unit of the map, which is not metres, is assumed");
 }
 
 constexpr int sampleSide = 1000;
 
-// The smallest overview that a sample can be taken from, else the band itself.
+// The smallest overview that is large enough for a sample, else the band itself.
 GDALRasterBand& thinnestBand(GDALRasterBand& band) {
     GDALRasterBand* thinnest = &band;
     for (int i = 0; i < band.GetOverviewCount(); ++i) {
@@ -147,7 +146,7 @@ GDALRasterBand& thinnestBand(GDALRasterBand& band) {
     return *thinnest;
 }
 
-// Row by row, since one call for all of a huge raster cannot be stopped. What could not be read is missing.
+// Row by row, since a single call for a huge raster cannot be stopped. Rows that cannot be read are missing.
 std::vector<float> thinnedCopy(GDALRasterBand& band, const std::stop_token& stop) {
     const int columns = std::min(sampleSide, band.GetXSize());
     const int rows = std::min(sampleSide, band.GetYSize());
@@ -163,8 +162,7 @@ std::vector<float> thinnedCopy(GDALRasterBand& band, const std::stop_token& stop
     return sample;
 }
 
-// Values that stand for "no data" by custom where the file does not say which do. Looked for in a thinned
-// copy.
+// Finds values that commonly mean "no data", in a thinned copy, if the file does not state its value.
 void learnNoData(Source& source, const std::stop_token& stop) {
     int stated = 0;
     source.band().GetNoDataValue(&stated);
@@ -176,7 +174,8 @@ void learnNoData(Source& source, const std::stop_token& stop) {
         source.noData = fmt::format("{:.9g}", custom);
         source.warn(
             WarningKind::assumed,
-            fmt::format("cells of {:g} were taken as empty, though the file does not say so", custom));
+            fmt::format("cells with the value {:g} were taken as empty, though the file does not say so",
+                        custom));
         return;
     }
 }
@@ -186,7 +185,7 @@ using Options = std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptions
 Options warpOptions(const Source& source, const Grid& grid, bool coarser, GDALProgressFunc report,
                     void* reportTo, const std::string& target) {
     const auto number = [](double value) { return fmt::format("{:.6f}", value); };
-    constexpr double offM = 0.05;  // how far GDAL may put a cell beside its true place
+    constexpr double offM = 0.05;  // tolerance for the position of a cell when GDAL resamples
     std::vector<std::string> words{"-of",
                                    "MEM",
                                    "-s_srs",
@@ -232,7 +231,7 @@ struct Watcher {
     }
 };
 
-// Elevations in metres above the datum, grid order; NaN where there are none. Empty when GDAL failed or was
+// Elevations in metres above the datum, grid order; NaN where there are none. Empty if GDAL failed or was
 // stopped.
 std::vector<float> resampled(Source& source, const Grid& grid, bool coarser, const std::string& target,
                              Watcher& watcher) {
@@ -253,7 +252,7 @@ std::vector<float> resampled(Source& source, const Grid& grid, bool coarser, con
     return values;
 }
 
-// Some rows of the raster, NaN where it has no data.
+// Reads some rows of the raster, NaN where it has no data.
 class RowReader {
 public:
     explicit RowReader(Source& source)
@@ -261,7 +260,7 @@ public:
         if (!source.noData.empty()) noData_ = std::strtof(source.noData.c_str(), nullptr);
     }
 
-    // Metres above the datum. False where GDAL failed.
+    // Metres above the datum. False if GDAL failed.
     bool read(const PixelWindow& window, float* values) {
         GDALRasterBand& band = source_.band();
         if (band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows, values,
@@ -285,7 +284,7 @@ private:
     std::vector<unsigned char> mask_;
 };
 
-// The window's pixels in the order of the posts. Empty when GDAL failed or was stopped.
+// The window's pixels in the order of the posts. Empty if GDAL failed or was stopped.
 std::vector<float> savedElevations(Source& source, const TerrainGrid& place, const Watcher& watcher) {
     const PixelWindow& window = place.window;
     const auto columns = std::size_t(window.columns);
@@ -307,7 +306,7 @@ std::vector<float> savedElevations(Source& source, const TerrainGrid& place, con
     return values;
 }
 
-// How far the surface that was resampled lies from the raster's own posts: on up to 200 x 200 of them.
+// Measures how far the resampled surface deviates from the raster's own posts, at up to 200 x 200 of them.
 bool measureResampling(Source& source, const PixelPlaces& places, const Frame& frame,
                        const PixelWindow& window, Terrain& terrain) {
     constexpr int most = 200;

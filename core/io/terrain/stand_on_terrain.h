@@ -7,14 +7,14 @@
 
 namespace noonmark {
 
-/// The lowest ground under a building's outline, local z: at its corners, and at up to 1,024 places inside
+/// The lowest ground under a building's outline, local z: of its corners, and of up to 1,024 points inside
 /// each part.
 float findLowestGround(const Building& building, const Terrain& terrain);
 
-/// The building on the ground. With terrain: one without a ground of its own (`groundM`, local z) is lifted
-/// as a whole by the lowest ground under it; of one that has it the earth's curvature is taken off
-/// (earth_drop.h), and the standing walls go down to the terrain where that is lower (a mesh keeps its
-/// shape). Without terrain the ground is flat at z = 0, and a ground of its own is taken off.
+/// Places a building on the ground. With terrain: a building without a stated ground (`groundM`, local z) is
+/// lifted as a whole by the lowest ground under it. One with a stated ground is lowered by the earth's
+/// curvature (earth_drop.h), and its standing walls are extended down to the terrain where that is lower (a
+/// mesh keeps its shape). Without terrain the ground is flat at z = 0, and a stated ground is subtracted.
 Building standOnTerrain(Building building, std::optional<float> groundM, const Terrain* terrain);
 
 }  // namespace noonmark

@@ -20,7 +20,7 @@ std::vector<glm::vec2> placesOf(const std::vector<glm::vec3>& points) {
     return {points.begin(), points.end()};
 }
 
-// Each pair once, whichever triangles share it.
+// Each pair once, however many triangles share it.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> sidesOf(const std::vector<glm::uvec3>& triangles) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
     for (const glm::uvec3 t : triangles)
@@ -60,15 +60,15 @@ BaseRelief measureRelief(std::span<const BasedBuilding> buildings) {
 
 std::string textOf(const BaseRelief& relief) {
     return fmt::format(
-        "{} of {} pairs of neighbours within {:.0f} m stand more than {:.0f} m apart in height, {:.1f} m at "
-        "most",
+        "{} of {} pairs of neighbours within {:.0f} m differ by more than {:.0f} m in ground elevation, by "
+        "{:.1f} m at most",
         relief.uneven, relief.pairs, BaseRelief::neighboursM, BaseRelief::unevenM, relief.mostM);
 }
 
 std::optional<Terrain> interpolateBases(std::span<const BasedBuilding> buildings) {
     TriangleMesh tin;
     for (const BasedBuilding& based : buildings) addCorners(based, tin.vertices);
-    // Of corners at one place the first is used.
+    // Of coincident corners the first, which is the lowest, is used.
     std::ranges::stable_sort(tin.vertices, {}, &glm::vec3::z);
     tin.triangles = triangulateDelaunay(placesOf(tin.vertices));
     std::optional<TinTerrain> made = rasterizeTin(tin);

@@ -11,31 +11,32 @@
 
 namespace noonmark {
 
-/// A building and local z of the ground that its data says it stands on, the earth's curvature still in it.
+/// A building and the local z of the ground that its data states, not yet lowered by the earth's curvature.
 struct BasedBuilding {
     const Building* building;
     float groundM;
 };
 
-/// How the bases of neighbours differ: of buildings that a Delaunay triangulation of their middles joins, at
-/// most 100 m apart.
+/// Height differences between the bases of neighbours: buildings at most 100 m apart whose middles are joined
+/// by an edge of the Delaunay triangulation.
 struct BaseRelief {
     static constexpr double neighboursM = 100, unevenM = 1, mattersShare = 0.05;
     std::size_t pairs = 0;
-    std::size_t uneven = 0;  ///< that differ by more than 1 m
+    std::size_t uneven = 0;  ///< pairs that differ by more than 1 m
     double mostM = 0;        ///< the largest difference
-    /// Flat ground would move shadows: more than one pair in twenty is uneven.
+    /// Whether flat ground would move shadows: more than one pair in twenty is uneven.
     [[nodiscard]] bool matters() const { return double(uneven) > mattersShare * double(pairs); }
 };
 BaseRelief measureRelief(std::span<const BasedBuilding> buildings);
 
-/// "120 of 400 pairs of neighbours within 100 m stand more than 1 m apart in height, 12.3 m at most"
+/// "120 of 400 pairs of neighbours within 100 m differ by more than 1 m in ground elevation, by 12.3 m at
+/// most"
 std::string textOf(const BaseRelief& relief);
 
-/// A terrain of triangles between the corners of what stands on the ground, each at its building's base (the
-/// lower one where two meet), as a grid over their box: between buildings interpolated, outside the hull the
-/// nearest elevation. The earth's curvature is taken off. Nothing where the corners lie on one line.
-/// O(corners log corners).
+/// A terrain of triangles between the corners of the buildings that stand on the ground, each at its
+/// building's base (the lower one where two meet), as a grid over their box: interpolated between buildings,
+/// the nearest elevation outside the hull. Lowered by the earth's curvature. Nothing if the corners lie on
+/// one line. O(corners log corners).
 std::optional<Terrain> interpolateBases(std::span<const BasedBuilding> buildings);
 
 }  // namespace noonmark

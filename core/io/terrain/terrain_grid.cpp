@@ -36,7 +36,7 @@ double pixelM(const RasterPlace& raster, const CrsToLonLat& crs) {
     return std::sqrt(std::abs(a.x * b.y - a.y * b.x));
 }
 
-// Points along the window's four sides, in order round it; those that have no place are left out.
+// Points along the window's four sides, in order; points that cannot be transformed are left out.
 Ring borderOf(const PixelWindow& window, const PixelPlaces& places) {
     const glm::dvec2 first(window.column, window.row), size(window.columns, window.rows);
     constexpr int perSide = 20;
@@ -52,7 +52,7 @@ Ring borderOf(const PixelWindow& window, const PixelPlaces& places) {
     return border;
 }
 
-// Squares over what is near, not more than can be kept.
+// Chooses squares over the nearby area, at most as many as can be stored.
 void chooseSquares(TerrainGrid& place, double farAwayM) {
     const Box2 box = bounds(place.border);
     const glm::dvec2 low = glm::max(glm::dvec2(box.low), glm::dvec2(-farAwayM));
@@ -69,14 +69,16 @@ void chooseSquares(TerrainGrid& place, double farAwayM) {
 void warnOfSquares(TerrainGrid& place, const std::string& file) {
     place.warnings.push_back(
         place.coarser()
-            ? Warning{WarningKind::clipped, "terrain is too fine to keep whole; its cells were made larger",
+            ? Warning{WarningKind::clipped,
+                      "the terrain is too fine to be used in full; its cells were made larger",
                       fmt::format("{} ({:.2f} m instead of {:.2f} m)", file, place.posts.cellM,
                                   place.source.sourceCellM)}
             : Warning{WarningKind::clipped,
-                      "terrain was resampled: no smooth map places its rows and columns", file});
+                      "the terrain was resampled, since no smooth transformation places its rows and columns",
+                      file});
 }
 
-// Whether the raster's own rows and columns can stay.
+// Whether the raster's own rows and columns can be used.
 bool keptWhole(TerrainGrid& place, const PixelPlaces& places) {
     const PixelWindow& window = place.window;
     if (window.columns < 2 || window.rows < 2 || double(window.size()) > mostPosts) return false;
@@ -99,7 +101,7 @@ std::size_t forgetImpossible(std::vector<float>& elevations) {
     return impossible;
 }
 
-// Of squares, only those whose centres lie in the raster.
+// For squares, counts only those whose centres lie in the raster.
 std::size_t gapsInside(const TerrainGrid& place, const std::vector<float>& elevations) {
     const auto isGap = [](float elevation) { return std::isnan(elevation); };
     if (!place.resampledTo) return std::size_t(std::ranges::count_if(elevations, isGap));
@@ -126,7 +128,7 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
     const LonLat centre = crs.lonLat(middle)[0];
     const double pixel = isFinite(centre) ? pixelM(raster, crs) : 0;
     if (!isFinite(centre) || !crs.isPlausible(centre) || !(pixel > 0))
-        return failure(fmt::format("The raster's coordinates cannot be of {}", crs.name()), file,
+        return failure(fmt::format("The raster's coordinates cannot belong to {}", crs.name()), file,
                        "Check which coordinate reference system it is in");
     TerrainGrid place{.frame = settings.frame.value_or(Frame(centre))};
     place.source = {.file = std::filesystem::path(file).filename().string(),
@@ -136,7 +138,7 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
     const PixelPlaces places(raster, crs, place.frame);
     const auto window = windowNear(raster, places, settings.farAwayM);
     if (!window)
-        return failure("The terrain does not lie where the city is", file, "Choose one of the same place");
+        return failure("The terrain does not cover the city", file, "Choose a terrain of the same area");
     place.window = *window;
     place.source.cut = *window != PixelWindow{0, 0, raster.columns, raster.rows};
     if (place.source.cut)
@@ -144,7 +146,7 @@ Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat
     place.border = borderOf(*window, places);
     if (keptWhole(place, places)) return place;
     if (place.border.size() < 3)
-        return failure("The terrain does not lie where the city is", file, "Choose one of the same place");
+        return failure("The terrain does not cover the city", file, "Choose a terrain of the same area");
     chooseSquares(place, settings.farAwayM);
     warnOfSquares(place, file);
     return place;
@@ -166,7 +168,7 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
     fillFromNearest(elevations, place.posts.columns, place.posts.rows);
     const float lowest = findLowest(elevations);
     if (!std::isfinite(lowest))
-        return failure("The terrain holds no elevation here", file, "Choose one that covers the city");
+        return failure("The terrain has no elevations here", file, "Choose a terrain that covers the city");
     const Frame frame = settings.frame.value_or(Frame(place.frame.origin(), double(lowest)));
     for (int row = 0; row < place.posts.rows; ++row)
         for (int column = 0; column < place.posts.columns; ++column) {

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/io/terrain makes the ground of a city. read_terrain_gdal.cpp reads rasters: raster_place.h
+// transforms pixels to local metres, terrain_grid.h (this file) chooses the posts and finishes the Terrain.
+// terrain_from_bases.h makes a terrain from the ground elevations that buildings state. stand_on_terrain.h
+// places buildings on the terrain.
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,32 +16,33 @@
 
 namespace noonmark {
 
-/// The posts that a terrain raster becomes, before their elevations are known.
+/// The posts of a terrain raster, before their elevations are known.
 struct TerrainGrid {
     Frame frame;
-    PixelWindow window;  ///< the pixels that are used
+    PixelWindow window;  ///< the pixels in use
     PostGrid posts;
-    bool flipped = false;             ///< the posts' row 0 is the window's last; of posts that are kept
+    /// The posts' row 0 is the window's last row; only for posts that are not resampled
+    bool flipped = false;
     std::optional<Grid> resampledTo;  ///< nothing: the posts are the window's pixels
-    Ring border;                      ///< of the window, local metres
+    Ring border;                      ///< border of the window, local metres
     TerrainSource source;
     Warnings warnings;
     [[nodiscard]] bool coarser() const { return source.method == TerrainMethod::averaged; }
 };
 
-/// The raster's own rows and columns as far as `settings.farAwayM` to each side of the frame's origin, each
-/// post in its place (placePosts). Resampled to squares, with a warning, only where there would be more than
-/// 64 million posts (then larger), or where no smooth map places them to within 1 cm or a fiftieth of a
-/// pixel. A frame that is not given has the raster's middle as its origin. Error: no part of it lies there,
-/// or its coordinates cannot be what its system says.
+/// The raster's own rows and columns up to `settings.farAwayM` to each side of the frame's origin, each post
+/// in its place (placePosts). Resampled to squares, with a warning, only if there would be more than 64
+/// million posts (then the squares are larger), or if no smooth map places them to within 1 cm or a fiftieth
+/// of a pixel. Without a given frame the origin is the middle of the raster. Error: no part of the raster
+/// lies there, or its coordinates cannot belong to its system.
 Result<TerrainGrid> makeTerrainGrid(const RasterPlace& raster, const CrsToLonLat& crs,
                                     const ReadSettings& settings, const std::string& file);
 
-/// Puts elevations (metres above the datum, NaN where unknown; one a post) into the piece as its terrain.
-/// Where the frame is not given, local z = 0 is the lowest elevation. The earth's curvature is taken off
-/// (core/geo/earth_drop.h). Impossible elevations (beyond -500 to
-/// 9000 m) and gaps are filled from the nearest post, and counted in a warning if they lie within the
-/// raster's border. Error: no elevation at all.
+/// Makes the terrain of the piece from elevations (metres above the datum, NaN if unknown; one per post).
+/// Without a given frame, local z = 0 is the lowest elevation. Elevations are lowered by the earth's
+/// curvature (core/geo/earth_drop.h). Impossible elevations (beyond -500 to 9000 m) and gaps are filled from
+/// the nearest post, and counted in a warning if they lie within the raster's border. Error: no elevations at
+/// all.
 Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevations,
                            const ReadSettings& settings, const std::string& file, FilePiece& piece);
 

@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-/// Empty where it can't be read to its end.
+/// Empty if the file cannot be read to its end.
 std::string sha256Of(std::istream& file) {
     Sha256 sum;
     std::vector<char> piece(1 << 20);
@@ -26,7 +26,8 @@ Result<InputFile> inputFile(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     const std::string sum = !error && file ? sha256Of(file) : std::string();
     if (sum.empty())
-        return failure("The file cannot be read", path.string(), "Check its name and that you may read it");
+        return failure("The file cannot be read", path.string(),
+                       "Check its name and that you have permission to read it");
     return InputFile{path, bytes, sum};
 }
 

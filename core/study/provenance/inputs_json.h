@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// A list of {path, bytes, sha256}; bytes and sha256 are null for samples, which are made and not read.
+/// A list of {path, bytes, sha256}; bytes and sha256 are null for samples, which are generated.
 nlohmann::ordered_json inputsJson(const std::vector<InputFile>& inputs);
 
 }  // namespace noonmark

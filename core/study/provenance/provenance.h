@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder core/study/provenance records what a result was made from, so that others can check and repeat
+// it: Provenance (this file) with the SHA-256 of its input files (sha256.h); the hash of a city and of a
+// study (study_hash.h); the command line that repeats a result (repeat_command.h); and provenance in JSON
+// (provenance_json.h, inputs_json.h), in tags of raster files (provenance_tags.h) and in columns of tables
+// (source_columns.h).
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,53 +15,55 @@
 
 namespace noonmark {
 
-/// A file that a result rests on, so that a reader can tell that theirs is the same.
+/// A file that a result was made from; its hash lets others check that theirs is the same.
 struct InputFile {
     std::filesystem::path path;
     std::uintmax_t bytes = 0;
-    std::string sha256;  ///< lower-case hex; empty for a sample, which is made and not read
+    std::string sha256;  ///< lower-case hex; empty for a sample, which is generated
 };
 Result<InputFile> inputFile(const std::filesystem::path& path);
 
-/// The file and its companions (companionFiles). Companions that are not there are left out; `path` itself
-/// must be there.
+/// The file and its companions (listCompanionFiles). Missing companions are left out; `path` itself must
+/// exist.
 Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path);
 
-/// The city of a scenario as an output names it: core knows no edits, only their words.
+/// Describes the city of a scenario in outputs, with its edits as text: core does not know edits.
 struct ScenarioRecord {
-    std::string name;                ///< "Existing" for the city as it stands
-    std::vector<std::string> edits;  ///< in the order in which they are made, those of its bases first
-    std::string citySha256;          ///< cityHash(); equal where every shadow is the same
+    std::string name;  ///< "Existing" for the city without edits
+    /// In the order in which they are applied, those of its base scenarios first
+    std::vector<std::string> edits;
+    std::string citySha256;  ///< cityHash(); equal for cities with identical shadows
 };
 
-/// The project that a result was measured in.
+/// The project in which a result was computed.
 struct ProjectRecord {
-    std::string file;           ///< its name without the folder; empty: it was never saved
-    std::string fileSha256;     ///< empty: the file does not hold what was measured
-    std::string contentSha256;  ///< of what the result rests on: see contentHashWords
+    std::string file;           ///< file name without the folder; empty: never saved
+    std::string fileSha256;     ///< empty: the file does not hold the state that was measured
+    std::string contentSha256;  ///< hash of the content that the result depends on: see contentHashWords
     ScenarioRecord scenario;
-    std::optional<ScenarioRecord> baseline;  ///< of a comparison
+    std::optional<ScenarioRecord> baseline;  ///< for a comparison
 
-    /// Whether a command that names the file gives the result again.
+    /// Whether a command that names the file reproduces the result.
     [[nodiscard]] bool saved() const { return !file.empty() && !fileSha256.empty(); }
 };
 
 /// How ProjectRecord::contentSha256 is computed (scenarios/project/project_provenance.cpp).
 inline constexpr const char* contentHashWords =
     "SHA-256 over lines of text that end in a line feed: 'city' and the SHA-256 of the existing city's "
-    "origin, geometry and terrain; 'scenario', and for each of its edits, its bases' first, 'edit', its kind "
-    "and its value as the table edits holds it; likewise 'baseline' of a comparison; 'weights' and the "
-    "weight table of a score. Names, regions, periods, results and the view are not in it.";
+    "origin, geometry and terrain; 'scenario', and for each of its edits, those of its base scenarios first, "
+    "'edit', its kind and its value as stored in the table edits; likewise 'baseline' for a comparison; "
+    "'weights' and the weight table for a score. Names, regions, periods, results and the view are not "
+    "included.";
 
-/// What a result was made from. A value that travels with every answer; outputs state it and the command that
-/// repeats the answer rests on it.
+/// What a result was made from. A value that travels with every result; outputs state it, and the command
+/// that repeats the result is built from it.
 struct Provenance {
     std::vector<InputFile> inputs;  ///< the files that the city was read from
-    /// How they were read; nothing where it is not known, as of a project file of version 1.
+    /// Settings of the readers; nothing if they are not known, as for a project file of version 1.
     std::optional<ReadSettings> reading = ReadSettings{};
     std::string attribution;
-    std::optional<ProjectRecord> project;  ///< none: the city came straight from its files
-    /// The region as a command line names it; empty: not known yet, see regionText().
+    std::optional<ProjectRecord> project;  ///< nothing: the city came directly from its files
+    /// The region in the form of a command line; empty: not known yet, see regionText().
     std::string region;
 };
 

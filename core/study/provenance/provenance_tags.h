@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// What a result was made from, for files that hold no JSON: version, project, scenario, baseline, edits,
-/// input files with their SHA-256, and attribution. What is not known is left out.
+/// What a result was made from, for files that cannot hold JSON: version, project, scenario, baseline, edits,
+/// input files with their SHA-256, and attribution. Unknown values are left out.
 FileTags provenanceTags(const Provenance& provenance);
 
 }  // namespace noonmark

@@ -16,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-/// As it is when a shell can't misread it, else in single quotes.
+/// Unchanged if a shell cannot misread it, else in single quotes.
 std::string quoted(const std::string& text) {
     const auto harmless = [](unsigned char c) {
         return std::isalnum(c) != 0 || c > 127 ||
@@ -28,12 +28,13 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-// "--region=-x": a value that looks like an option is joined to its own; numbers need not be.
+// "--region=-x": a value that looks like an option is joined to its option by =; negative numbers need not
+// be.
 bool looksLikeOption(const std::string& value) {
     return value.size() > 1 && value[0] == '-' && std::isdigit(static_cast<unsigned char>(value[1])) == 0;
 }
 
-/// Collects options; those that equal the default are left out.
+/// Collects options; those with default values are left out.
 class CommandLine {
 public:
     explicit CommandLine(std::string program) : pieces_{std::move(program)} {}
@@ -56,7 +57,7 @@ public:
         if (set) pieces_.emplace_back(name);
     }
 
-    /// Lines end between pieces, with a backslash.
+    /// Breaks lines between options, with a backslash.
     [[nodiscard]] std::string wrapped(std::size_t width) const {
         std::string text;
         std::size_t used = 0;
@@ -142,7 +143,7 @@ void addPeriod(CommandLine& line, const Period& period, const std::string& hourO
     line.flag(!period.refraction, "--no-refraction");
 }
 
-// The one that was picked, unless its options or what is asked of it are not for it.
+// The engine that was picked, unless its options or the requested results need another one.
 std::string engineToName(const RepeatQuestion& question) {
     const StudySettings& settings = question.settings;
     const bool plain = settings.engineSettings.empty() && !settings.byMonth && !settings.contributions;
@@ -166,14 +167,14 @@ void addSettings(CommandLine& line, const RepeatQuestion& question) {
     for (const RepeatOption& option : question.options) line.option(option);
 }
 
-/// Read because another file needs it: not named on the command line.
+/// True for a file that is read because another file needs it: not named on the command line.
 bool goesAlong(const std::filesystem::path& file) {
     static constexpr std::array<std::string_view, 6> extensions{".dbf", ".shx", ".prj",
                                                                 ".cpg", ".bin", ".tfw"};
     return std::ranges::find(extensions, file.extension().string()) != extensions.end();
 }
 
-// Their names, or where two are the same the paths, which do not hold elsewhere but say which is which.
+// File names, or paths if two names are equal: paths do not hold elsewhere, but they distinguish the files.
 void addInputs(CommandLine& line, const std::vector<InputFile>& inputs) {
     std::set<std::filesystem::path> names;
     std::vector<const InputFile*> named;
@@ -186,7 +187,7 @@ void addInputs(CommandLine& line, const std::vector<InputFile>& inputs) {
 
 bool namesProject(const Provenance& provenance) { return provenance.project && provenance.project->saved(); }
 
-// The city as it stands is that of its files, saved or not.
+// The city without edits is that of its files, whether the project is saved or not.
 bool namesInputs(const RepeatQuestion& question) {
     const Provenance& provenance = question.provenance;
     const bool asRead = !provenance.project || provenance.project->scenario.edits.empty();
@@ -195,10 +196,13 @@ bool namesInputs(const RepeatQuestion& question) {
 
 tl::unexpected<Error> notRepeatable(const Provenance& provenance) {
     if (!provenance.project)
-        return failure("No command repeats it: it is not known which files the city was read from", {}, {});
-    return failure("No command repeats it yet: the project has not been saved as it was measured",
-                   fmt::format("scenario '{}'", provenance.project->scenario.name),
-                   "Save the project, then export again: the command names the project file");
+        return failure(
+            "No command can repeat this result: the files that the city was read from are not known", {}, {});
+    return failure(
+        "No command can repeat this result yet: the project has not been saved in the state that was "
+        "measured",
+        fmt::format("scenario '{}'", provenance.project->scenario.name),
+        "Save the project, then export again: the command names the project file");
 }
 
 void addSource(CommandLine& line, const RepeatQuestion& question) {

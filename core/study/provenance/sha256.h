@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// SHA-256 of bytes that come piece by piece. Backend: sha256_openssl.cpp.
+/// SHA-256 of bytes that are added in pieces. Backend: sha256_openssl.cpp.
 class Sha256 {
 public:
     Sha256();
@@ -19,13 +19,13 @@ public:
     void add(const void* bytes, std::size_t count);
     void add(std::string_view text) { add(text.data(), text.size()); }
 
-    /// Numbers and vectors of them, as this machine holds them: same machine, same sum. Types with padding
-    /// are not for it.
+    /// Adds numbers and vectors of them in this machine's representation: the hash is the same only on
+    /// machines with the same representation. Not for types with padding.
     template <class T>
     requires std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>
     void add(const T& value) { add(&value, sizeof value); }
 
-    /// Lower-case; empty when the library failed, for want of memory. Once, at the end.
+    /// Lower-case; empty if the library failed, for lack of memory. Call once, at the end.
     [[nodiscard]] std::string hex();
 
 private:

@@ -6,12 +6,12 @@
 
 namespace noonmark {
 
-/// The last columns of a table: project, scenario, baseline, content_sha256; so that a table that is copied
-/// alone still says what it is of. The values of a line likewise; both begin with a comma.
+/// The last columns of a table: project, scenario, baseline, content_sha256, so that a copied table still
+/// states its origin; and the values of a row. Both begin with a comma.
 inline constexpr const char* sourceColumns = ",project,scenario,baseline,content_sha256";
 std::string sourceFields(const Provenance& provenance);
 
-/// A field of a CSV file (RFC 4180).
+/// Quotes a field of a CSV file (RFC 4180).
 std::string csvField(const std::string& text);
 
 }  // namespace noonmark

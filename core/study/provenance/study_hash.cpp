@@ -10,8 +10,8 @@ namespace noonmark {
 
 namespace {
 
-// To be raised whenever the same study gives other figures, so that tiles of before are not resumed.
-// 2: the sun stands in the frame of the geometry, rays decide longest runs in doubt.
+// Increase this number whenever the same study gives other results, so that older tiles are not resumed. 2:
+// the sun is in the frame of the geometry, and rays decide doubtful longest runs.
 constexpr std::uint32_t methodNumber = 2;
 
 template <class T>
@@ -20,7 +20,7 @@ void addAll(Sha256& sum, const std::vector<T>& values) {
     sum.add(values.data(), values.size() * sizeof(T));
 }
 
-// The number of points parts what follows from what comes next.
+// Hashes the number of points first, so that consecutive rings are delimited.
 void addFootprint(Sha256& sum, const Footprint& footprint) {
     addAll(sum, footprint.outer);
     sum.add(footprint.holes.size());
@@ -38,7 +38,7 @@ void addPart(Sha256& sum, const Part& part) {
     addAll(sum, part.mesh->triangles);
 }
 
-// What places every post.
+// Hashes everything that determines the positions of the posts.
 void addPosts(Sha256& sum, const PostGrid& posts) {
     for (const glm::dvec2 way : {posts.first, posts.columnStep, posts.rowStep}) {
         sum.add(way.x);
@@ -66,7 +66,7 @@ void addCity(Sha256& sum, const City& city) {
     addAll(sum, city.terrain->elevationM);
 }
 
-// As text, in which every setting that matters has its place.
+// Hashes the settings as text with a fixed place for every setting that matters.
 void addSettings(Sha256& sum, const StudySettings& settings) {
     const Period& period = settings.period;
     sum.add(fmt::format("{};{};{};{};{};{};", textOf(period), period.hours, period.stepMinutes,

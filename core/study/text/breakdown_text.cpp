@@ -14,7 +14,7 @@ namespace {
 
 double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-// RFC 4180; spreadsheets take a leading = + - @ for a formula.
+// RFC 4180. A leading = + - @ is escaped, since spreadsheets would take it for a formula.
 std::string cell(const std::string& text) {
     std::string quoted = "\"";
     if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos) quoted += "'";

@@ -6,10 +6,10 @@
 
 namespace noonmark {
 
-/// `error` of study.json: always the same keys, null where nothing was measured; `why_not` says why.
+/// `error` of study.json: always the same keys, null if nothing was measured; `why_not` says why.
 nlohmann::ordered_json errorJson(const Study& study);
 
-/// The figures alone, their places in the frame's local metres and in degrees.
+/// The error alone, with positions in the frame's local metres and in degrees.
 nlohmann::ordered_json errorJson(const SampledError& error, const Frame& frame);
 
 }  // namespace noonmark

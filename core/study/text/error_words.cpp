@@ -38,7 +38,7 @@ std::string sampleWords(const Study& study, const SampledError& error) {
 std::string whyNoError(const Study& study) {
     if (study.error) return {};
     if (study.byReference())
-        return "The engine is the ray reference itself, which others are measured against.";
+        return "The engine is the ray reference itself, against which others are measured.";
     if (study.settings.errorSample.receivers == 0)
         return "The engine's error against the ray reference was not measured: it was switched off.";
     return "The engine's error against the ray reference could not be measured: see the warnings.";

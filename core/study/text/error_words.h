@@ -7,17 +7,17 @@
 
 namespace noonmark {
 
-/// A line of a table: what, and its value with unit.
+/// A row of a table: a name, and a value with its unit.
 struct ErrorLine {
     std::string name;
     std::string value;
 };
 
-/// The study's error against the ray reference, for people: of the area, of the cells, and what it was
-/// measured on; or one line that says why there is none.
+/// The study's error against the ray reference, for display: the error of the area, of the cells, and the
+/// sample; or one row that says why there is none.
 std::vector<ErrorLine> errorLines(const Study& study);
 
-/// Why a study has no measured error, a whole sentence; empty where it has one.
+/// Why a study has no measured error, as a sentence; empty if it has one.
 std::string whyNoError(const Study& study);
 
 }  // namespace noonmark

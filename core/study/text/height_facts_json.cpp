@@ -55,7 +55,7 @@ std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
     };
     if (!std::ranges::all_of(facts.unknown, finite)) return std::nullopt;
     return facts;
-} catch (const std::exception&) {  // no JSON, or of another shape
+} catch (const std::exception&) {  // not JSON, or of another structure
     return std::nullopt;
 }
 

@@ -11,7 +11,7 @@ namespace noonmark {
 /// {fields: [{file, field, meaning, unit, features}], could_be: [{file, field, low, high, whole, features}]}
 nlohmann::ordered_json heightFactsJson(const HeightFacts& facts);
 
-/// The same read back from a text; nothing where it is of another shape, or a number in it is none.
+/// Parses such JSON; nothing if it has another structure or a wrong number.
 std::optional<HeightFacts> parseHeightFacts(const std::string& text);
 
 }  // namespace noonmark

@@ -9,14 +9,15 @@
 
 namespace noonmark {
 
-/// "22,133 of 22,133 heights are assumed (9.6 m)" where more than mostAssumedShare are; else nothing.
+/// "22,133 of 22,133 heights are assumed (9.6 m)" if more than mostAssumedShare are assumed; else nothing.
 std::optional<std::string> assumedHeadline(const HeightCounts& counts);
 
-/// The headline, and the fields that could be named; for a message. Nothing where there is no headline.
+/// The headline, and the fields that the user could choose; for a message. Nothing if there is no headline.
 std::optional<std::string> assumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts);
 
 /// {parts, by_source: {measured: parts, ...}, assumed_share, assumed_m, fields: [{file, field, meaning, unit,
-/// features}], could_be: [{file, field, low, high, whole, features}]}; assumed_m is null without any.
+/// features}], could_be: [{file, field, low, high, whole, features}]}; assumed_m is null if no heights are
+/// assumed.
 nlohmann::ordered_json heightsJson(const HeightCounts& counts, const HeightFacts& facts);
 
 }  // namespace noonmark

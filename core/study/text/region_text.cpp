@@ -25,7 +25,7 @@ struct LonLatBox {
 double rounded(double degrees, int decimals) {
     const double scale = std::pow(10.0, decimals);
     const double value = std::round(degrees * scale) / scale;
-    return value == 0 ? 0.0 : value;  // no -0
+    return value == 0 ? 0.0 : value;  // avoids -0
 }
 
 LonLatBox rounded(const LonLatBox& box, int decimals) {
@@ -33,7 +33,7 @@ LonLatBox rounded(const LonLatBox& box, int decimals) {
             {rounded(box.high.lonDeg, decimals), rounded(box.high.latDeg, decimals)}};
 }
 
-// Longitudes run on across the antimeridian: 179.9, 180.1.
+// Longitudes continue across the antimeridian: 179.9, 180.1.
 LonLat placeOf(glm::dvec2 local, const Frame& frame) {
     const LonLat place = frame.lonLatFromLocal(local);
     return {longitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg};
@@ -45,10 +45,12 @@ bool isBox(const Region& region, const LonLatBox& box, const Frame& frame) {
     return made && made->polygons == region.polygons;
 }
 
-// Degrees that readRegion leaves whole: below the 500 m at which it bends a side (polygon_layer_gdal.cpp).
+// Sides shorter than this are left straight by readRegion, whose limit is 500 m (polygon_layer_gdal.cpp),
+// degrees.
 constexpr double longestSideDeg = 400.0 / 111320;
 
-// Points from one corner to before the next, in the local plane, where the side is straight.
+// Adds points from one corner up to the next (not included), along the side that is straight in the local
+// plane.
 void addSideJson(nlohmann::ordered_json& json, glm::dvec2 from, glm::dvec2 to, const Frame& frame) {
     const LonLat a = placeOf(from, frame), b = placeOf(to, frame);
     const double degrees = std::hypot(b.lonDeg - a.lonDeg, b.latDeg - a.latDeg);

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder core/study/text turns results into text: JSON for study.json and info (error_json.h,
+// height_facts_json.h, warnings_json.h, terrain_text.h), CSV (breakdown_text.h), words for people
+// (error_words.h, height_words.h), and a region as a command line or GeoJSON (this file).
+
 #include <optional>
 #include <string>
 
@@ -9,20 +13,20 @@
 
 namespace noonmark {
 
-/// The name of the region's polygon file, which goes with an answer whose region nothing shorter states.
+/// The name of the region's polygon file, which accompanies a result if no shorter text states its region.
 inline constexpr const char* regionFileName = "region.geojson";
 
-/// "W,S,E,N" in degrees when regionFromLonLatBox makes exactly this region of these four numbers, with no
-/// more digits than that takes; else nothing. Across the antimeridian W is the larger number.
+/// "W,S,E,N" in degrees if makeRegionFromLonLatBox makes exactly this region of these four numbers, with as
+/// few digits as possible; else nothing. Across the antimeridian W is the larger number.
 std::optional<std::string> boxTextOf(const Region& region, const Frame& frame);
 
-/// The region as `--region` of a study takes it: a box, "city" for the box around all buildings, or
+/// The region in the form of a study's `--region`: a box, "city" for the box around all buildings, or
 /// regionFileName.
 std::string regionText(const Region& region, const City& city);
 
-/// The region as GeoJSON (RFC 7946): a feature whose geometry is a MultiPolygon in degrees, in all digits.
-/// Straight sides that are long get points between, as many as readRegion would bend them at: it reads the
-/// same outline, to float32's last bit. Across the antimeridian its longitudes run on past 180, so that it
+/// The region as GeoJSON (RFC 7946): a feature whose geometry is a MultiPolygon in degrees, in full
+/// precision. Long straight sides get as many points as readRegion would add, so that it reads the same
+/// outline, to float32's last bit. Across the antimeridian longitudes continue beyond 180, so that the region
 /// stays in one piece.
 std::string regionGeoJson(const Region& region, const Frame& frame);
 

@@ -52,19 +52,18 @@ std::string rasterText(const TerrainSource& source) {
 }
 
 std::string heightText(const TerrainSource& source, const char* points) {
-    return fmt::format("; its surface lies off {} by {:.2g} m (root mean square), {:.2g} m at most", points,
-                       source.heightRmsM, source.heightMaxM);
+    return fmt::format("; its surface deviates from {} by {:.2g} m (root mean square), {:.2g} m at most",
+                       points, source.heightRmsM, source.heightMaxM);
 }
 
 std::string methodText(const Terrain& terrain) {
     const TerrainSource& source = terrain.source;
     switch (source.method) {
         case TerrainMethod::asGiven:
-            return fmt::format("{}; where they come from is not known", postsText(terrain));
+            return fmt::format("{}; its source is not known", postsText(terrain));
         case TerrainMethod::kept:
             return fmt::format(
-                "{}: the raster's own rows and columns are kept ({}), each post within {:.2g} m of its "
-                "place; "
+                "{}: the raster's own rows and columns ({}), each post within {:.2g} m of its true position; "
                 "nothing was resampled",
                 rasterText(source), source.cut ? "those near the city" : "all of them",
                 std::max(source.misplacedM, 0.0001));
@@ -72,15 +71,16 @@ std::string methodText(const Terrain& terrain) {
             return fmt::format("{}, resampled bilinearly to {}{}", rasterText(source), postsText(terrain),
                                heightText(source, "the raster's own posts"));
         case TerrainMethod::averaged:
-            return fmt::format("{}, made coarser to {} by their mean{}", rasterText(source),
+            return fmt::format("{}, averaged to a coarser grid of {}{}", rasterText(source),
                                postsText(terrain), heightText(source, "the raster's own posts"));
         case TerrainMethod::triangulated:
-            return fmt::format("{}: triangles between {} points, as a grid of {}{}", source.file,
+            return fmt::format("{}: triangles between {} points, rasterised to a grid of {}{}", source.file,
                                source.sourcePoints, postsText(terrain), heightText(source, "these points"));
         case TerrainMethod::fromBases:
             return fmt::format(
-                "made from the bases of the buildings, for want of a terrain: triangles between {} points of "
-                "their outlines, as a grid of {}{}; between buildings the true ground is not known",
+                "interpolated from the bases of the buildings, since there is no terrain: triangles between "
+                "{} points of their outlines, rasterised to a grid of {}{}; the true ground between the "
+                "buildings is not known",
                 source.sourcePoints, postsText(terrain), heightText(source, "these points"));
     }
     return postsText(terrain);
@@ -95,7 +95,7 @@ Json sourceJson(const TerrainSource& source) {
             {"impossible_posts", source.impossible},  {"cut_to_what_is_near", source.cut}};
 }
 
-// x and y of the first post, the step to the next column, to the next row, and of the bend's terms.
+// Coordinates of the first post, of the steps to the next column and row, and of the bend's terms.
 Json postsJson(const PostGrid& grid) {
     Json numbers = Json::array();
     const auto add = [&](glm::dvec2 pair) {
@@ -124,7 +124,7 @@ bool takePosts(const Json& json, PostGrid& grid) {
     return sound && a.x * b.y - a.y * b.x > 0;
 }
 
-// Nothing is known of it where the text is of something else.
+// An unknown source if the text is something else.
 TerrainSource sourceFrom(const Json& json) {
     if (!json.is_object()) return {};
     try {
@@ -140,7 +140,7 @@ TerrainSource sourceFrom(const Json& json) {
                 .filled = wholeNumberIn(json, "filled_posts", std::size_t(0)),
                 .impossible = wholeNumberIn(json, "impossible_posts", std::size_t(0)),
                 .cut = json.value("cut_to_what_is_near", false)};
-    } catch (const std::exception&) {  // of another shape, or numbers out of range
+    } catch (const std::exception&) {  // of another structure, or numbers out of range
         return {};
     }
 }
@@ -156,7 +156,7 @@ std::string textOf(const Terrain& terrain) {
     const TerrainSource& source = terrain.source;
     std::string text = methodText(terrain);
     if (source.filled > 0)
-        text += fmt::format("; {} posts without elevation have the nearest one's", source.filled);
+        text += fmt::format("; {} posts without elevation were filled from the nearest post", source.filled);
     return text;
 }
 
@@ -188,12 +188,12 @@ Json coverageJson(const TerrainCoverage& coverage) {
     const auto share = [](const TerrainCoverage::Share& of) -> Json {
         return {{"all", of.all}, {"off", of.off}, {"far_off", of.farOff}, {"farthest_m", of.farthestM}};
     };
-    return {{"receivers", share(coverage.receivers)},
-            {"buildings_in_reach", share(coverage.casters)},
-            {"off",
-             "beyond the terrain's outer posts by more than half a cell; they are at the nearest post's "
-             "elevation"},
-            {"far_off", "of these, farther from the terrain than its shorter side"}};
+    return {
+        {"receivers", share(coverage.receivers)},
+        {"buildings_in_reach", share(coverage.casters)},
+        {"off",
+         "more than half a cell beyond the terrain's outer posts; placed at the nearest post's elevation"},
+        {"far_off", "how many of them are farther from the terrain than its shorter side"}};
 }
 
 std::string sourceText(const Terrain& terrain) {

@@ -7,10 +7,10 @@
 
 namespace noonmark {
 
-/// Groups of warnings: [{"kind", "what", "count", "where": [every place]}].
+/// Groups of warnings: [{"kind", "what", "count", "where": [every location]}].
 nlohmann::ordered_json warningsJson(const Warnings& warnings);
 
-/// Indented text. Names from files may hold bytes that are no UTF-8: those become U+FFFD.
+/// Indented JSON. Names from files may contain bytes that are not UTF-8: these become U+FFFD.
 std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace noonmark

@@ -11,15 +11,15 @@
 
 namespace noonmark {
 
-/// The map that a tiled study writes.
+/// The map of a tiled study.
 struct MapFile {
     std::filesystem::path path;
     FileTags tags;
 };
 
-/// One GeoTIFF with overviews from the finished tiles of a journal, NaN in empty ones; continuous shadow is
-/// in it with `runs`. Holds one tile in memory. Error: a tile that can't be read, a map that can't be
-/// written; cancelled().
+/// Writes one GeoTIFF with overviews from the finished tiles of a journal, NaN in empty ones; includes
+/// continuous shadow if `runs`. Holds one tile in memory. Error: a tile that cannot be read, a map that
+/// cannot be written; cancelled().
 Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
                          const MapFile& file, bool runs, Progress& progress, const std::stop_token& stop);
 

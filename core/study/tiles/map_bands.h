@@ -7,8 +7,8 @@
 
 namespace noonmark {
 
-/// The bands of a study's map, gross and, with `runs`, continuous shadow. They hold pointers to the field's
-/// arrays: it outlives them.
+/// The bands of a study's map: gross and, if `runs`, continuous shadow. They hold pointers to the field's
+/// arrays, which must outlive them.
 inline std::vector<RasterBand> mapBands(const ShadowField& field, bool runs) {
     std::vector<RasterBand> bands{{"gross shadow", "min/day", &field.grossMin}};
     if (runs) bands.push_back({"continuous shadow", "min", &field.continuousMin});

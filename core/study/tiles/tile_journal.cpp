@@ -19,9 +19,9 @@ using Json = nlohmann::json;
 namespace {
 
 tl::unexpected<Error> notSaved(const std::filesystem::path& folder) {
-    return failure("What is finished can't be kept: " + std::system_category().message(errno),
+    return failure("Finished tiles cannot be stored: " + std::system_category().message(errno),
                    folder.string(),
-                   "Choose a folder that you may write to, and check that its disk has room");
+                   "Choose a folder that you may write to, and check that the disk has space");
 }
 
 std::string firstLine(const std::string& studyHash, const TilePlan& plan) {
@@ -29,7 +29,7 @@ std::string firstLine(const std::string& studyHash, const TilePlan& plan) {
         .dump();
 }
 
-/// All lines that end; what a kill cut off is not among them.
+/// All complete lines; a line that a kill truncated is dropped.
 std::string wholeLines(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(stream), {});
@@ -58,7 +58,7 @@ Result<TileJournal> TileJournal::open(const std::filesystem::path& folder, const
     TileJournal journal(folder, ::open(file.c_str(), O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC, 0644));
     if (journal.file_ < 0) return notSaved(folder);
     if (::flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
-        return failure("Another Noonmark is at work on these tiles", folder.string(),
+        return failure("Another Noonmark process is working on these tiles", folder.string(),
                        "Wait until it has finished, or choose another folder");
     const std::string kept = wholeLines(file), first = firstLine(studyHash, plan);
     if (auto read = journal.read(kept, first, plan); !read) return tl::make_unexpected(read.error());
@@ -73,7 +73,7 @@ Result<void> TileJournal::read(const std::string& text, const std::string& first
     std::string line;
     if (std::getline(lines, line) && line != first)
         return failure(
-            "The finished tiles here are of another study: its city, region, period or settings differ",
+            "The finished tiles here belong to another study: its city, region, period or settings differ",
             folder_.string(), "Choose another folder, or remove this one");
     while (std::getline(lines, line)) take(line, plan);
     return {};
@@ -96,7 +96,7 @@ Result<void> TileJournal::add(TileResult result) {
     return {};
 }
 
-// In one call as a rule: a line is there whole, or a kill cut it off and it is not read again.
+// Written in one call as a rule: a line is complete, or a kill truncated it and it is not read again.
 Result<void> TileJournal::append(const std::string& line) {
     const std::string text = line + '\n';
     for (std::size_t done = 0; done < text.size();) {

@@ -10,29 +10,29 @@
 
 namespace noonmark {
 
-/// The finished tiles of a study in a folder: journal.jsonl, whose first line names the study by its hash and
-/// each other line is one TileResult, and a GeoTIFF a tile. Who opens it again after a kill finds what was
-/// finished; a line or a file that was cut off counts as not there. One process at a time.
+/// The finished tiles of a study, stored in a folder: journal.jsonl, whose first line identifies the study by
+/// its hash and whose other lines are one TileResult each, and a GeoTIFF per tile. If the process is killed,
+/// the next one finds the finished tiles; a truncated line or file counts as missing. One process at a time.
 class TileJournal {
 public:
-    /// Makes the folder or opens the one that is there. Error: it belongs to another study, another process
-    /// works on it, or it can't be written.
+    /// Creates the folder or opens an existing one. Error: it belongs to another study, another process works
+    /// on it, or it cannot be written.
     static Result<TileJournal> open(const std::filesystem::path& folder, const std::string& studyHash,
                                     const TilePlan& plan);
     TileJournal(TileJournal&& other) noexcept;
     TileJournal& operator=(TileJournal&& other) noexcept = delete;
     ~TileJournal();
 
-    /// By number.
+    /// By tile number.
     [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
 
-    /// Where the cells of a tile are kept: two bands, gross and continuous minutes. Empty tiles have none.
+    /// The file with the cells of a tile: two bands, gross and continuous minutes. Empty tiles have none.
     [[nodiscard]] std::filesystem::path fileOf(std::size_t tile) const;
 
-    /// The tile's file is there; from now on it counts as finished.
+    /// Marks a tile as finished; its file must exist.
     Result<void> add(TileResult result);
 
-    /// Removes the folder and all that is in it.
+    /// Removes the folder and its content.
     void remove();
 
 private:

@@ -15,7 +15,7 @@ Json toJson(const ComparedCell& cell) {
             cell.referenceGrossMin, cell.continuousMin, cell.referenceContinuousMin};
 }
 
-// NaN, what was not counted, is null in JSON.
+// NaN (not counted) is null in JSON.
 double minutesFrom(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
@@ -62,7 +62,7 @@ Json toJson(const TileResult& result) {
 
 std::optional<TileResult> tileResultFrom(const Json& json) try {
     return resultFrom(json);
-} catch (const std::exception&) {  // of another shape, or numbers out of range
+} catch (const std::exception&) {  // of another structure, or numbers out of range
     return std::nullopt;
 }
 

@@ -10,23 +10,23 @@
 
 namespace noonmark {
 
-/// What is kept of one tile of a study, beside its cells in a raster file.
+/// The stored result of one tile of a study, except for its cells, which are in a raster file.
 struct TileResult {
-    std::size_t number = 0;  ///< in the TilePlan
+    std::size_t number = 0;  ///< tile number in the TilePlan
     ShadowSums sums;
     Cost cost;
-    std::string engineKey;               ///< of the engine that did it; empty where there was nothing to do
-    std::string engine;                  ///< in words
-    std::vector<ComparedCell> compared;  ///< with the ray reference
+    std::string engineKey;  ///< key of the engine that computed it; empty if there was nothing to do
+    std::string engine;     ///< its name for display
+    std::vector<ComparedCell> compared;  ///< cells compared with the ray reference
     double seconds = 0;
-    double errorSeconds = 0;  ///< of those, for `compared`
+    double errorSeconds = 0;  ///< the part of `seconds` spent on `compared`
 
     [[nodiscard]] bool empty() const { return sums.receivers == 0; }
 };
 
-/// One line of a journal: the same value comes back, to the last bit.
+/// One line of a journal, from which the same value is read back, to the last bit.
 nlohmann::json toJson(const TileResult& result);
-/// Nothing where the JSON is not one.
+/// Nothing if the JSON is not a TileResult.
 std::optional<TileResult> tileResultFrom(const nlohmann::json& json);
 
 }  // namespace noonmark

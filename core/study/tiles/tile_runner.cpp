@@ -11,10 +11,10 @@ namespace noonmark {
 
 namespace {
 
-// Of a city's box some 40 to 80 % are receivers: so many places for each that is wanted.
+// Some 40 to 80 % of a city's box are receivers: twice as many sample points as receivers wanted.
 constexpr std::size_t placesAReceiver = 2;
 
-// Both bands in every tile, whatever was counted: that is asked of all of them together.
+// Writes both bands in every tile: whether runs were counted is decided for all tiles together.
 Result<void> writeTile(const std::filesystem::path& file, const Frame& frame, const ShadowField& field) {
     auto writer = GeoTiffWriter::create(file, frame, field.grid, mapBands(field, true));
     if (!writer) return tl::make_unexpected(writer.error());

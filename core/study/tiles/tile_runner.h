@@ -10,13 +10,14 @@
 
 namespace noonmark {
 
-/// Computes one tile after the other of a study and keeps it in a journal. Holds references; all outlive it.
+/// Computes the tiles of a study one by one and stores them in a journal. Holds references to its arguments,
+/// which must outlive it.
 class TileRunner {
 public:
     TileRunner(const City& city, const StudySettings& settings, const SunSteps& sun, const Engine& engine,
                const TilePlan& plan, TileJournal& journal);
 
-    /// The tile's cells go into its file, its figures into the journal.
+    /// Writes the tile's cells to its file and its numbers to the journal.
     Result<void> run(std::size_t tile, Progress& progress, const std::stop_token& stop);
 
 private:
@@ -31,7 +32,7 @@ private:
     const Engine& engine_;
     const TilePlan& plan_;
     TileJournal& journal_;
-    std::optional<RayScene> scene_;  ///< of the whole city, from the first tile that is compared on
+    std::optional<RayScene> scene_;  ///< of the whole city; made when the first tile is compared
 };
 
 }  // namespace noonmark

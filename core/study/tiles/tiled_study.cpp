@@ -21,7 +21,7 @@ namespace {
 
 Result<void> checkQuestion(const StudySettings& settings) {
     if (settings.byMonth || settings.contributions)
-        return failure("Months and contributions are not worked out in tiles", "study",
+        return failure("Months and contributions are not available for tiled studies", "study",
                        "Leave them out, or choose a region that fits into memory");
     return checked(settings.period).map([](const Period&) {});
 }
@@ -32,7 +32,7 @@ Result<void> checkTileSide(int cells) {
                    "Choose 64 to 4096 cells");
 }
 
-// One tile at a time: the region's size does not count.
+// Checks the memory of one tile: the size of the region does not matter.
 Result<void> checkTileMemory(const City& city, const TilePlan& plan, StudySettings settings,
                              const EngineList& engines) {
     const auto cellM = float(plan.whole.cellM);
@@ -83,7 +83,7 @@ std::uint32_t buildingsUsed(const City& city, const Region& region, const SunSte
     }));
 }
 
-// Each tile left others out: what counts is what no tile needed.
+// Every tile skipped other buildings: only those that no tile needed count as skipped.
 void countBuildings(Study& study) {
     const auto skipped = study.field.cost.skipped.find("buildings whose shadow cannot reach a receiver");
     if (skipped != study.field.cost.skipped.end())
@@ -94,7 +94,7 @@ std::string engineWords(const TiledStudy& tiled, const std::string& first) {
     std::string keys;
     for (const auto& [key, count] : tiled.tilesByEngine)
         keys += fmt::format("{}{} in {}", keys.empty() ? "" : ", ", key, count);
-    return fmt::format("{}; {} tiles of {} cells a side: {}", first, tiled.plan.count(), tiled.plan.side,
+    return fmt::format("{}; {} tiles of {} cells per side: {}", first, tiled.plan.count(), tiled.plan.side,
                        keys);
 }
 

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
+// divides the region (core/receivers/tile_plan.h); tile_runner.h computes one tile into a TileResult
+// (tile_result.h) and a raster file; tile_journal.h stores finished tiles, so that a killed run can be
+// resumed; assemble_map.h joins the tiles into one GeoTIFF, with the bands of map_bands.h.
+
 #include <filesystem>
 #include <map>
 #include <stop_token>
@@ -12,44 +17,45 @@
 namespace noonmark {
 
 struct TiledStudySettings {
-    /// What the horizon sweep takes in one piece for a year, and whole blocks of the file.
+    /// As many cells as the horizon sweep computes in one piece for a year, and whole blocks of the file.
     static constexpr int usualTileCells = 768;
     static constexpr int minTileCells = 64;
     static constexpr int maxTileCells = 4096;
 
     StudySettings study;
-    int tileCells = usualTileCells;  ///< along a side
-    FileTags tags = {};              ///< of the map: provenanceTags()
+    int tileCells = usualTileCells;  ///< cells along a side
+    FileTags tags = {};              ///< tags of the map: provenanceTags()
 };
 
-/// A study whose cells never were in memory at once.
+/// A study whose cells were never in memory all at once.
 struct TiledStudy {
-    /// The study as runStudy would give it, but without cells: `receivers` and `field` hold the grid and no
-    /// arrays, Cost the sums over the tiles.
+    /// The study as by runStudy, but without cells: `receivers` and `field` hold the grid and no arrays, Cost
+    /// the sums over the tiles.
     Study study;
     TilePlan plan;
-    std::map<std::string, std::size_t> tilesByEngine;  ///< keys of the engines that did them
-    std::size_t emptyTiles = 0;                        ///< without a receiver
-    std::size_t resumedTiles = 0;                      ///< found finished by a run before this one
+    /// Number of tiles by the key of the engine that computed them
+    std::map<std::string, std::size_t> tilesByEngine;
+    std::size_t emptyTiles = 0;    ///< tiles without a receiver
+    std::size_t resumedTiles = 0;  ///< tiles that an earlier run had finished
 };
 
-/// The shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross and, where
-/// every tile counted them, continuous minutes, NaN where there is no receiver. Cells and figures are those
-/// of runStudy over the whole region, where the engine's cells do not depend on what is around them (sums in
-/// another order: 1e-12).
+/// Computes the shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross
+/// and, if every tile counted them, continuous minutes; NaN where there is no receiver. If the engine's cells
+/// do not depend on their surroundings, cells and statistics equal those of runStudy over the whole region
+/// (sums are added in another order: 1e-12).
 ///
-/// What is finished lies in the folder `file` + ".tiles" until all is done (TileJournal): who runs the same
-/// study again after a kill goes on there. Another engine may be picked for each tile by `auto`;
-/// tilesByEngine says which. The error is measured on a sample in each tile and stated for all.
+/// Finished tiles are stored in the folder `file` + ".tiles" until all are done (TileJournal): running the
+/// same study again after a kill resumes there. The engine `auto` may pick a different engine for each tile;
+/// tilesByEngine says which. The error is measured on a sample in each tile and stated for the whole region.
 ///
-/// Memory: the city, its ray scene where rays are traced, and one tile; not the region. Errors: as runStudy,
-/// and what TileJournal and GeoTiffWriter say. Reports progress with the time that is left; cancelled()
-/// within 0.2 s, what is finished stays.
+/// Memory: the city, its ray scene if rays are traced, and one tile; not the region. Errors: as runStudy,
+/// TileJournal and GeoTiffWriter. Reports progress with the remaining time; cancelled() within 0.2 s,
+/// finished tiles remain.
 Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& settings,
                                  const std::filesystem::path& file, Progress& progress, std::stop_token stop,
                                  const EngineList& engines = coreEngines());
 
-/// studyJson, and `tiles`: side_cells, count, empty, resumed, by_engine.
+/// studyJson, plus `tiles`: side_cells, count, empty, resumed, by_engine.
 std::string tiledStudyJson(const TiledStudy& tiled);
 
 }  // namespace noonmark

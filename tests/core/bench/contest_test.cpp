@@ -13,7 +13,7 @@
 namespace noonmark::bench {
 namespace {
 
-/// The ray reference with minutes added, after a while; or a refusal.
+/// Returns the ray reference's field with minutes added, after a delay; or refuses.
 class Made final : public Engine {
 public:
     Made(double addedMin, double seconds, bool refuses = false)
@@ -95,7 +95,7 @@ TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
     EXPECT_TRUE(isHopeless(6, 0.1, 20));
     EXPECT_FALSE(isHopeless(4, 0.1, 20));   // too early to tell
     EXPECT_FALSE(isHopeless(6, 0.25, 20));  // it may end in time
-    EXPECT_FALSE(isHopeless(6, 0, 20));     // it does not say how far it is
+    EXPECT_FALSE(isHopeless(6, 0, 20));     // it reports no progress
     EXPECT_FALSE(isHopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
 }
 

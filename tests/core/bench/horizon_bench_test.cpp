@@ -41,7 +41,7 @@ TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
 TEST_F(HorizonBenchTest, widerBinsAreFartherOff) {
     const Finding& year = report().findings.front();
     ASSERT_EQ(year.key, "horizon_year") << year.text;
-    ASSERT_EQ(year.table.rows.size(), 4U);  // the first two: as the error target asks
+    ASSERT_EQ(year.table.rows.size(), 4U);  // the first two use the error target
     EXPECT_LT(std::get<double>(year.table.rows[2][2]), std::get<double>(year.table.rows[3][2]));
 }
 

@@ -57,7 +57,7 @@ TEST_F(PaperBenchTest, theSummaryHasTheKeysThatOthersRead) {
     EXPECT_GT(json["iam_vs_ray"].get<double>(), 0);
     EXPECT_EQ(json["graph_intervals"], 2190);
     EXPECT_TRUE(json["sam_vs_shadow_map"].is_null());   // core has no OpenGL
-    EXPECT_TRUE(json["year_graph_speedup"].is_null());  // three days are no year
+    EXPECT_TRUE(json["year_graph_speedup"].is_null());  // three days are not a year
 }
 
 TEST_F(PaperBenchTest, theRayReferenceHasNoErrorAnywhere) {
@@ -84,7 +84,7 @@ TEST_F(PaperBenchTest, errorFallsWithTheLevels) {
 
 constexpr const char* noTime = "left out: there was no time for it";
 
-// Rows that say so.
+// Number of rows marked as left out.
 std::size_t leftOut(const std::string& key, const BenchReport& report) {
     std::size_t count = 0;
     for (const Finding& finding : report.findings)
@@ -94,7 +94,7 @@ std::size_t leftOut(const std::string& key, const BenchReport& report) {
     return count;
 }
 
-// On a machine so slow that there is time for nothing.
+// As on a machine that is too slow for any optional experiment.
 TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
     NoProgress silent;
     Extent extent = tests::leastExtent();

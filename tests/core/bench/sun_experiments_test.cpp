@@ -17,8 +17,7 @@ double numberIn(const Finding& finding, std::size_t row, std::size_t column) {
     return std::get<double>(finding.table.rows.at(row).at(column));
 }
 
-// Table 1 has five digits of the mean cosine, and deviations that from an hour on are those of the sun's
-// path.
+// Table 1 has five digits of the mean cosine; its deviations from an hour on are those of the sun's path.
 TEST(SunLinearity, agreesWithThePapersTable) {
     NoProgress silent;
     const Finding finding = benchSunLinearity(tests::tinySite(), {}, {silent, {}}).value();
@@ -26,13 +25,13 @@ TEST(SunLinearity, agreesWithThePapersTable) {
     for (std::size_t row = 0; row < 6; ++row) {
         EXPECT_NEAR(numberIn(finding, row, 1), numberIn(finding, row, 6), 1e-4);
     }
-    for (std::size_t row = 1; row < 6; ++row)  // the longer, the farther off
+    for (std::size_t row = 1; row < 6; ++row)  // longer intervals have larger differences
         EXPECT_GT(numberIn(finding, row, 4), numberIn(finding, row - 1, 4));
     EXPECT_NEAR(numberIn(finding, 4, 2), 25.5e-6, 5e-6);
     EXPECT_NEAR(numberIn(finding, 5, 2), 415e-6, 60e-6);
 }
 
-// The graph's edges are the different pairs of bins of the year's hours.
+// The graph's edges are the distinct pairs of bins of the year's hours.
 TEST(GraphBound, edgesAreThoseCountedOneByOne) {
     const BenchSite site = tests::tinySite();
     const SunSteps year = computeYearSun(site).value();
@@ -50,14 +49,14 @@ TEST(GraphBound, edgesAreThoseCountedOneByOne) {
     EXPECT_EQ(finding.summary.at("graph_intervals"), 365.0 * 6);
 }
 
-// Half of a bin's width is the farthest that its mean can be: cos(5 deg / sqrt 2) = 0.9981.
+// A direction is at most half a bin's width from the bin's mean: cos(5 deg / sqrt 2) = 0.9981.
 TEST(GraphBound, directionsAreAlikeWithinTheBound) {
     NoProgress silent;
     const Finding finding = benchGraphBound(tests::tinySite(), {}, {silent, {}}).value();
     EXPECT_GT(numberIn(finding, 2, 3), 0.999);
     EXPECT_LT(numberIn(finding, 2, 3), 1);
-    EXPECT_GT(numberIn(finding, 2, 6), numberIn(finding, 2, 3));  // an edge is nearer than a bin
-    EXPECT_GT(numberIn(finding, 0, 3), numberIn(finding, 4, 3));  // small bins are nearer than large ones
+    EXPECT_GT(numberIn(finding, 2, 6), numberIn(finding, 2, 3));  // an edge is closer than a bin
+    EXPECT_GT(numberIn(finding, 0, 3), numberIn(finding, 4, 3));  // small bins are closer than large ones
 }
 
 TEST(GraphError, areaErrorIsNeverMoreThanWhatIsMistagged) {

@@ -33,7 +33,7 @@ TEST(TimeByDays, whoWasTooSlowIsWorkedOutInProportionAndMarked) {
 TEST(TimeByDays, whoRefusedHasNoTime) {
     const Finding finding =
         benchTimeByDays({runOf(1, 1, {.refusal = "terrain"}), runOf(365, 365, {.refusal = "terrain"})}, {});
-    EXPECT_EQ(finding.table.rows.size(), 2U);  // the rays'
+    EXPECT_EQ(finding.table.rows.size(), 2U);  // those of the rays
     EXPECT_FALSE(finding.summary.contains("year_graph_speedup"));
 }
 

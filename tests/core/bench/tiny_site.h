@@ -6,7 +6,7 @@
 
 namespace noonmark::bench::tests {
 
-/// 100 buildings, squares of 60 m: seconds for all experiments together.
+/// 100 buildings, squares of 60 m: all experiments together take seconds.
 inline BenchSite tinySite() {
     BenchSite site;
     site.city = makeGridSample({.buildings = 100}).value();
@@ -15,7 +15,7 @@ inline BenchSite tinySite() {
     return site;
 }
 
-/// One of everything.
+/// One of each quantity.
 inline Extent leastExtent() {
     Extent extent;
     extent.sunTimes = 100;

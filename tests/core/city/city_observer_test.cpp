@@ -22,7 +22,7 @@ City cityAt(LonLat origin, bool terrain) {
     return city;
 }
 
-// A little way from the observer towards (east, north, up), as reading places what stands there.
+// A point near the observer, offset by (east, north, up), transformed as readers transform geometry.
 glm::dvec3 placedAt(const City& city, LonLat observer, glm::dvec3 eastNorthUp) {
     const Geodetic at = displaced({observer.lonDeg, observer.latDeg}, eastNorthUp.x, eastNorthUp.y);
     const glm::dvec2 local = city.frame.localFromLonLat({at.lonDeg, at.latDeg});
@@ -52,7 +52,7 @@ TEST(CityObserver, directionsRunAsTheGeometryDoes) {
             }
 }
 
-// d_lon sin(lat), and 0.87 of the angle at the earth's centre: 27.5 km to the east in 62 deg north.
+// d_lon sin(lat), and 0.87 of the angle at the earth's centre: 27.5 km east at 62 deg north.
 TEST(CityObserver, turnsByTheConvergenceAndTheSlopeOfTheDrop) {
     const Observer observer = placeObserver(cityAt({10, 62}, true), {27.5e3, 0});
     const double convergence = (observer.place.lonDeg - 10) * std::sin(62 / toDegrees);

@@ -20,7 +20,7 @@ Building buildingOfMesh(const TriangleMesh& mesh) {
     return building;
 }
 
-// A square of 2 x `baseM` that shrinks to 2 x `topM` at `heightM`.
+// A solid with a square of side 2 x `baseM` at the bottom and 2 x `topM` at `heightM`.
 TriangleMesh taper(float baseM, float topM, float heightM) {
     TriangleMesh mesh = box({-baseM, -baseM, 0}, {baseM, baseM, heightM});
     for (int i = 4; i < 8; ++i) {
@@ -37,8 +37,8 @@ double computeArea(const std::vector<Footprint>& pieces) {
     return sum;
 }
 
-// 40 x 40 m tapering to 20 x 20 at 40 m, 3.2 m a storey: a base on every storey would be 12.5 -> 13 x 1600
-// m2.
+// 40 x 40 m tapering to 20 x 20 at 40 m, storeys of 3.2 m: with the base on every storey it would be 12.5 ->
+// 13 x 1600 m2.
 TEST(FloorArea, ofATaperIsTheSumOfItsSections) {
     double expected = 0;
     int storeys = 0;
@@ -58,7 +58,8 @@ TEST(FloorArea, ofATaperIsTheSumOfItsSections) {
 TEST(FloorArea, ofAPyramidIsWorkedOut) {
     const FloorArea floors = computeFloorArea(buildingOfMesh(taper(15, 0.0005F, 30)), 0, 3);
     EXPECT_EQ(floors.storeys, 10);
-    EXPECT_NEAR(floors.grossM2, 3465, 4);  // 1 cm above the floor takes 2 x 0.01 x 165 off
+    // Sections 1 cm above the floor are smaller by 2 x 0.01 x 165 in all
+    EXPECT_NEAR(floors.grossM2, 3465, 4);
     EXPECT_NEAR(floors.grossM2, 3465 - 2 * 0.01 * 165, 0.05);
 }
 
@@ -74,7 +75,7 @@ TEST(FloorArea, aBoxOfTrianglesIsThatPrism) {
 }
 
 // A podium of 40 x 40 to 12 m and a tower of 20 x 20 from 12 to 52 m, as prisms and as meshes; and the same
-// tower drawn from the ground up, inside the podium: its floors there count once.
+// tower from the ground up, inside the podium: its floors there count once.
 TEST(FloorArea, partsAtSeveralHeightsAreEachCountedOnce) {
     const double expected = 3 * 1600 + 10 * 400;
     const auto prism = [](float low, float high, float bottom, float top) {
@@ -121,7 +122,8 @@ TEST(FloorArea, aCourtyardIsNoFloor) {
     EXPECT_EQ(floors.estimatedStoreys, 0);
 }
 
-// Open below, a court all the same; without one outer wall too, it is closed by a line, and that is stated.
+// Without a floor it still has a court; without one outer wall too, a line closes the gap, and the result
+// states that.
 TEST(FloorArea, openMeshesAreMeasuredAndAMissingWallIsStated) {
     TriangleMesh open = courtyardBlock();
     std::erase_if(open.triangles, [&](glm::uvec3 t) {

@@ -72,7 +72,7 @@ TEST(Extrude, isClosedAndOriented) {
         closure += normal;
         volume += (a.x * normal.x + a.y * normal.y + a.z * normal.z) / 6;
     }
-    EXPECT_NEAR(volume, 91 * 4, 1e-3);  // outward normals give a positive volume
+    EXPECT_NEAR(volume, 91 * 4, 1e-3);  // a positive volume means outward normals
     EXPECT_NEAR(closure.x, 0, 1e-6);
     EXPECT_NEAR(closure.y, 0, 1e-6);
     EXPECT_NEAR(closure.z, 0, 1e-6);

@@ -15,7 +15,7 @@ Part prism(Ring ring, float bottomM, float topM, bool isOverhanging) {
         .footprint = {std::move(ring), {}}, .bottomM = bottomM, .topM = topM, .isOverhanging = isOverhanging};
 }
 
-// A body on the ground from 2 to 8 and a slab of eaves from 0 to 10 on top of it, as one mesh.
+// A body on the ground from 2 to 8, with a slab of eaves from 0 to 10 on top, as one mesh.
 Part houseWithEaves(float liftM) {
     const TriangleMesh body = meshOf(prism(square(2, 8), liftM, liftM + 6, false));
     TriangleMesh all = meshOf(prism(square(0, 10), liftM + 6, liftM + 7, false));
@@ -41,7 +41,7 @@ TEST(GroundContact, aStandingPartIsItsFootprintAndAHangingPrismNothing) {
 TEST(GroundContact, eavesDoNotTakeTheGroundBelowThem) {
     EXPECT_NEAR(computeArea(findGroundContact(houseWithEaves(0), 0)), 36, 1e-4);
     EXPECT_NEAR(computeArea(findGroundContact(houseWithEaves(20), 20)), 36, 1e-4);
-    EXPECT_TRUE(findGroundContact(houseWithEaves(4), 0).empty());  // all of it in the air
+    EXPECT_TRUE(findGroundContact(houseWithEaves(4), 0).empty());  // all of it above the ground
 }
 
 TEST(GroundContact, aShellOpenBelowTakesWhatItsWallsEnclose) {

@@ -36,7 +36,8 @@ TEST(MeshOutline, farFromTheOriginStaysSimple) {
     EXPECT_NEAR(area(outline.pieces[0]), 10.1 * 9.7, 0.1);
 }
 
-// A fan of triangles in float32 far out, where their corners fall between millimetres: still one outline.
+// A fan of triangles in float32 far from the origin, where corners fall between millimetres, still has one
+// outline.
 TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> place(-4000, 4000), radius(10, 20);
@@ -67,7 +68,7 @@ TEST(MeshOutline, aHairlineGapDoesNotPartABuilding) {
         2U);
 }
 
-// Without floor and roof.
+// A box without floor and roof.
 TriangleMesh wallsOf(glm::vec3 low, glm::vec3 high) {
     TriangleMesh walls = box(low, high);
     walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 4);
@@ -81,7 +82,7 @@ TEST(MeshOutline, ofWallsAloneIsWhatTheyEnclose) {
     EXPECT_NEAR(area(outline.pieces[0]), 100, 1e-6);
 }
 
-// An L, which a hull would fill, and a courtyard in a block of 30 m.
+// An L, which a convex hull would fill, and a courtyard in a block of 30 m.
 TEST(MeshOutline, wallsAreNoHull) {
     const Ring corners{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 20}, {0, 20}};
     TriangleMesh walls;
@@ -149,7 +150,7 @@ TEST(MeshParts, overhangIsSeenAndCavityIsNot) {
     TriangleMesh cavity = box({2, 2, 3}, {8, 8, 9});
     turnInsideOut(cavity);
     EXPECT_FALSE(hasOpenAirBelow(tests::joined(box({0, 0, 0}, {10, 10, 12}), cavity)));
-    EXPECT_FALSE(hasOpenAirBelow(box({0, 0, 50}, {10, 10, 60})));  // that is for markHanging
+    EXPECT_FALSE(hasOpenAirBelow(box({0, 0, 50}, {10, 10, 60})));  // markOverhangs handles this case
 }
 
 TEST(MeshParts, leaningWallIsAnOverhang) {
@@ -178,7 +179,8 @@ TEST(MeshParts, anUprightSheetIsAStrip) {
     EXPECT_TRUE(made.warnings.empty());
     EXPECT_EQ(made.parts[0].topM, 1);
     EXPECT_EQ(made.parts[0].mesh->triangles.size(), 1U);
-    EXPECT_NEAR(area(made.parts[0].footprint), 1.01 * 0.02, 1e-5);  // narrower it would be a sliver
+    // A narrower one would be dropped as a sliver
+    EXPECT_NEAR(area(made.parts[0].footprint), 1.01 * 0.02, 1e-5);
     EXPECT_EQ(bounds(made.parts[0].footprint).high.x, 1.005F);
 }
 
@@ -189,7 +191,7 @@ TEST(MeshParts, whatHasNoAreaIsReported) {
     EXPECT_TRUE(warns(partsOf(line, "", "").warnings, "no area"));
 }
 
-// A roof that looks down and four thin posts: open below, whichever way it looks. Walls along its two long
+// A roof that faces down and four thin posts: open below, whichever way it faces. Walls along its two long
 // sides carry it.
 TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
     const TriangleMesh roof{{{0, 0, 4}, {10, 0, 4}, {10, 8, 4.5F}, {0, 8, 4.5F}}, {{0, 2, 1}, {0, 3, 2}}};

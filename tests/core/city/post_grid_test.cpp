@@ -11,7 +11,8 @@
 namespace noonmark {
 namespace {
 
-// Turned by 20 degrees, cells of 2 by 3 m that are not quite rectangles, and bent by up to some decimetres.
+// Turned by 20 degrees, with cells of 2 by 3 m that are not quite rectangles, and bent by up to some
+// decimetres.
 PostGrid askew() {
     PostGrid posts;
     posts.columns = 30;
@@ -76,7 +77,7 @@ TEST(PostGrid, boundsHoldEveryPost) {
 TEST(PostGrid, distancesBeyondItCountFromTheOuterPosts) {
     const PostGrid posts(0, 0, 10, 5, 4);  // posts from (5, 5) to (45, 35)
     EXPECT_EQ(beyondM(posts, {20, 20}), 0);
-    EXPECT_EQ(beyondM(posts, {49.9, 0.1}), 0);  // half a cell belongs to it
+    EXPECT_EQ(beyondM(posts, {49.9, 0.1}), 0);  // half a cell counts as covered
     EXPECT_DOUBLE_EQ(beyondM(posts, {55, 20}), 10);
     EXPECT_DOUBLE_EQ(beyondM(posts, {75, -35}), 50);
     EXPECT_NEAR(beyondM(askew(), askew().centre(40, 5)),

@@ -36,7 +36,7 @@ double largestCoordinate(const std::vector<RawRing>& rings) {
     return largest;
 }
 
-// What rounding to float32 may move, and the slivers that may be left out.
+// The area that rounding to float32 may change, plus the slivers that may be dropped.
 double areaTolerance(const std::vector<RawRing>& rings) {
     return perimeter(rings) * largestCoordinate(rings) * 0x1p-23 + 0.011 * double(rings.size());
 }
@@ -156,7 +156,7 @@ TEST(RepairFootprint, holesThatAreNoneAreLeftOutAndSaid) {
 }
 
 TEST(RepairFootprint, pointsThatFallTogetherInFloatAreMerged) {
-    // At 10 km float32 steps are 1 mm: the first two points are one, and the slit has no width.
+    // At 10 km float32 steps are 1 mm: the first two points coincide, and the slit has no width.
     const auto repaired = repairFootprint({{{10000, 0},
                                             {10000.0001, 0},
                                             {10010, 0},
@@ -186,7 +186,7 @@ TEST(RepairFootprint, sharedPointsOfNeighboursStayShared) {
     }
 }
 
-// Scribbles: every kind of crossing at once.
+// Random scribbles contain every kind of crossing.
 TEST(RepairFootprint, randomScribbles) {
     std::mt19937 random(4);
     for (int i = 0; i < 300; ++i) {

@@ -36,7 +36,7 @@ TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
         const glm::dvec3 u = glm::normalize(glm::cross(normal, glm::dvec3(0.3, 0.5, 0.8)));
         const glm::dvec3 v = glm::cross(normal, u);
         const glm::dvec3 at(place(random) * 1000, place(random) * 1000, place(random) * 100);
-        std::vector<glm::dvec3> points;  // a star: concave, and simple
+        std::vector<glm::dvec3> points;  // a star: concave but simple
         const int corners = 4 + trial % 12;
         for (int i = 0; i < corners; ++i) {
             const double angle = 2 * 3.14159265358979 * i / corners;

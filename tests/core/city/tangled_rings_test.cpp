@@ -27,7 +27,7 @@ RawRing randomRing(int points) {
 
 Ring inFloat(const RawRing& ring) { return {ring.begin(), ring.end()}; }
 
-// A ring of teeth, long and close together.
+// A ring with long teeth close together.
 RawRing combRing(int teeth) {
     RawRing ring{{0, 0}};
     for (int i = 0; i < teeth; ++i)
@@ -60,7 +60,7 @@ TEST(TangledRings, randomPointsAreAndCombsAreNot) {
     EXPECT_FALSE(areTangled({turned(combRing(12500))}));
 }
 
-// k bars across k bars, as rings of their own: k by k times four crossings.
+// k bars across k bars, each a separate ring: k x k times four crossings.
 TEST(TangledRings, crossingsAreCounted) {
     const auto bars = [](int count) {
         std::vector<RawRing> rings;
@@ -83,7 +83,7 @@ TEST(TangledRings, areDroppedWithTheLimitStated) {
     EXPECT_FALSE(repairFootprint({randomRing(60)}).pieces.empty());
 }
 
-// Twice the area of the triangles is the footprint's, all run the same way, and there are v + 2 h - 2.
+// The triangles' areas add up to the footprint's, all have the same orientation, and there are v + 2 h - 2.
 void expectTriangulated(const Footprint& footprint) {
     const Triangulation made = triangulate(footprint);
     std::size_t points = footprint.outer.size();
@@ -102,7 +102,7 @@ void expectTriangulated(const Footprint& footprint) {
 
 TEST(Triangulated, largeRingsAndManyHoles) {
     expectTriangulated({starRing(50000), {}});
-    expectTriangulated({starRing(200), {}});  // the last that is inserted in its own order
+    expectTriangulated({starRing(200), {}});  // the largest ring that is inserted in its own order
     expectTriangulated({starRing(202), {}});
     Footprint grid{{{-1, -1}, {200, -1}, {200, 200}, {-1, 200}}, {}};
     for (float x = 0; x < 190; x += 3)

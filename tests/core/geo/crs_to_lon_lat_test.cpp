@@ -57,8 +57,8 @@ TEST(CrsToLonLat, knowsWhereItIsUsed) {
     EXPECT_FALSE(dutch->isPlausible({-73.98, 40.75}));
     EXPECT_FALSE(dutch->isPlausible({std::nan(""), std::nan("")}));
     EXPECT_TRUE(CrsToLonLat::of("EPSG:4326")->isPlausible({179, -80}));
-    EXPECT_TRUE(
-        CrsToLonLat::of("EPSG:2193")->isPlausible({-179, -40}));  // New Zealand's crosses the date line
+    // New Zealand's area of use crosses the date line
+    EXPECT_TRUE(CrsToLonLat::of("EPSG:2193")->isPlausible({-179, -40}));
 }
 
 TEST(CrsToLonLat, whatIsNoSystemIsAnError) {

@@ -9,10 +9,11 @@
 namespace noonmark {
 namespace {
 
-constexpr double degreeOfLatitudeM = 111132;  // near 45 deg; good to 1 %
+constexpr double degreeOfLatitudeM = 111132;  // near 45 deg; accurate to 1 %
 
 double metresBetween(LonLat a, LonLat b) {
-    const double east = (a.lonDeg - b.lonDeg) * degreeOfLatitudeM * std::cos(Degrees{a.latDeg}.radians().value);
+    const double east =
+        (a.lonDeg - b.lonDeg) * degreeOfLatitudeM * std::cos(Degrees{a.latDeg}.radians().value);
     return std::hypot(east, (a.latDeg - b.latDeg) * degreeOfLatitudeM);
 }
 
@@ -30,7 +31,8 @@ TEST(Frame, northIsPositiveYAndEastPositiveX) {
 TEST(Frame, roundTripUnderOneMillimetreWithin50Km) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(-50000, 50000);
-    for (const LonLat origin : {LonLat{-73.98, 40.75}, LonLat{179.99, -16.8}, LonLat{15.6, 78.2}, LonLat{0, 0}, LonLat{30, -77.8}}) {
+    for (const LonLat origin : {LonLat{-73.98, 40.75}, LonLat{179.99, -16.8}, LonLat{15.6, 78.2},
+                                LonLat{0, 0}, LonLat{30, -77.8}}) {
         const Frame frame(origin);
         for (int i = 0; i < 500; ++i) {
             const glm::dvec2 local{offset(random), offset(random)};

@@ -71,7 +71,7 @@ struct Published {
     std::optional<LengthUnit> unit;
 };
 
-// As their producers publish them.
+// Field names as their producers publish them.
 TEST(FieldRoles, knowsThePublishedDatasets) {
     constexpr auto m = LengthUnit::metres;
     const Published fields[] = {
@@ -125,11 +125,11 @@ TEST(FieldRoles, knowsThePublishedDatasets) {
 }
 
 TEST(FieldRoles, falseFriendsAreNotTaken) {
-    // A vehicle's clearance; elevations of the gutter; one storey's height or all; storeys under the ground.
+    // A clearance; elevations of the gutter; the height of one storey or of all; storeys below the ground.
     for (const char* name : {"maxheight", "Z_MIN", "Z_MAX", "story_ht_", "numberOfFloorsBelowGround",
                              "heightBelowGround", "hgt_mincm", "b3_h_dak_min", "storeysBelowGround"})
         EXPECT_EQ(roleOf(name), std::nullopt) << name;
-    // Cut short, above and below the ground are the same, and so are metres and centimetres.
+    // Truncated, names for above and below the ground are equal, and so are metres and centimetres.
     EXPECT_EQ(roleOf("numberOfFl", true), std::nullopt);
     EXPECT_EQ(roleOf("hgt_median", true), std::nullopt);
     EXPECT_EQ(roleOf("BLDG_HGT_2", true), FieldRole::height);
@@ -161,7 +161,7 @@ TEST(FieldRoles, aTypicalHeightComesBeforeTheHighestPoint) {
 
 TEST(FieldRoles, neighboursSettleWhatANameMeans) {
     using enum FieldRole;
-    // Toronto: the lowest roof, not the underside.
+    // Toronto: the lowest point of the roof, not the underside.
     const auto toronto = knownFields({"MIN_HEIGHT", "MAX_HEIGHT", "AVG_HEIGHT"}, {}, false);
     EXPECT_FALSE(hasRole(toronto, minHeight));
     EXPECT_THAT(namesOf(toronto, height), ElementsAre("AVG_HEIGHT", "MAX_HEIGHT"));
@@ -171,7 +171,7 @@ TEST(FieldRoles, neighboursSettleWhatANameMeans) {
     EXPECT_THAT(namesOf(hongKong, groundElevation), ElementsAre("BASEHEIGHT"));
     EXPECT_FALSE(hasRole(hongKong, minHeight));
     EXPECT_TRUE(hasRole(knownFields({"height", "base_height"}, {}, false), minHeight));
-    // An elevation of the roof alone is no height.
+    // An elevation of the roof alone gives no height.
     EXPECT_TRUE(knownFields({"AbsHMax"}, {}, false).empty());
 }
 

@@ -95,7 +95,7 @@ TEST_F(HeightReadingTest, anUndersideAboveTheTopIsSaid) {
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-// Where the ground is high, float32 would take top and underside for the same.
+// On high ground, top and underside would be equal in float32.
 TEST_F(HeightReadingTest, hardlyAnyHeightIsNone) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "19.9999999")}).bottomM, 0);
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "0.0000001")}).bottomM, 0);

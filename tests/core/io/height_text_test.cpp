@@ -152,7 +152,7 @@ TEST(HeightText, levels) {
         EXPECT_FALSE(parseLevels(text)) << text;
 }
 
-// Bytes of height texts in random order reach deeper than random bytes do.
+// Bytes of height texts in random order get further into the parser than random bytes.
 TEST(HeightText, anyBytesGiveAFiniteNumberOrNothing) {
     const std::string_view likely = "0123456789..'\"'\" -+()mcftinse,;\xE2\x80\x99\xEF\xBC\x94\xC2\xA0\0\xFF";
     std::mt19937 random(20260321);

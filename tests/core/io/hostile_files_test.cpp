@@ -1,5 +1,6 @@
-// Files from strangers that try to reach the network, other files, or the folder they lie in. Each is read in
-// every way that this program reads files; each must be an error or harmless, and leave no trace.
+// Untrusted files that try to reach the network, other files, or the folder they lie in. Each is read in
+// every way that this program reads files; the result must be an error or harmless, and nothing may be
+// written.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ std::string bytesIn(const fs::path& file) {
     return bytes.str();
 }
 
-// What lies in a folder, with content; pipes without.
+// The files in a folder with their content; for pipes without content.
 std::map<std::string, std::string> contentOf(const fs::path& folder) {
     std::map<std::string, std::string> content;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -40,7 +41,7 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
     return content;
 }
 
-// An SQLite file from statements; an empty one where they are wrong.
+// Makes an SQLite file from statements; an empty one if they are wrong.
 void runSql(const fs::path& file, const std::string& statements) {
     sqlite3* database = nullptr;
     sqlite3_open(file.c_str(), &database);
@@ -65,7 +66,7 @@ protected:
         return folder.path("canary/" + name).string();
     }
 
-    /// Reads the file in every way and returns the errors, one a line; "read" for a way that worked.
+    /// Reads the file in every way and returns the errors, one per line; "read" for a way that succeeded.
     static std::string readEveryWay(const fs::path& file) {
         NoProgress quiet;
         const ReadSettings settings{.crs = "EPSG:4326"};
@@ -82,7 +83,7 @@ protected:
         return said;
     }
 
-    /// Nothing was asked of the network, nothing written; returns what readEveryWay() does.
+    /// Expects that no network request was made and nothing written; returns what readEveryWay() does.
     std::string expectNothingHappens(const fs::path& file) const {
         const auto before = contentOf(folder.path(""));
         const auto start = std::chrono::steady_clock::now();
@@ -98,7 +99,7 @@ protected:
         return said;
     }
 
-    /// And no way worked.
+    /// Expects in addition that no way succeeded.
     void expectRefused(const fs::path& file) const {
         EXPECT_EQ(expectNothingHappens(file).find("read\n"), std::string::npos) << file;
     }

@@ -26,7 +26,7 @@ Result<FilePiece> readMeshFile(const std::filesystem::path& file) {
     return readMesh(file, settings, progress, {});
 }
 
-// The error of a mesh file that cannot be read; empty where it can.
+// The error of a mesh file that cannot be read; empty if it can.
 std::string meshError(const std::filesystem::path& file) {
     const auto piece = readMeshFile(file);
     return piece ? "" : piece.error().text();
@@ -38,7 +38,7 @@ std::string gltfText(const std::string& accessor, const std::string& more = "") 
            accessor + "]" + more + "}";
 }
 
-// A glTF whose points lie in another file.
+// A glTF whose points are in another file.
 std::string gltfWithUri(const std::string& uri) {
     return gltfText(R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"})",
                     R"(,"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],)"
@@ -51,8 +51,7 @@ void put(std::string& bytes, std::initializer_list<T> values) {
     for (const T value : values) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// One upright triangle; its count of corners is of the type `countType`, and follows the header's end as
-// given.
+// One upright triangle; its corner count has the type `countType`. `headerEnd` is used unchanged.
 std::string binaryPly(const std::string& headerEnd, const std::string& countType, const std::string& count) {
     std::string bytes =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -165,7 +164,7 @@ TEST(HostileMesh, pipesAndFoldersAreNoMeshes) {
     EXPECT_NE(meshError("/dev/zero"), "");
 }
 
-// Another format by content or name, of the fifty that the library knows: COLLADA, STL, a zip.
+// Formats that the library supports but Noonmark does not, by content or name: COLLADA, STL, a zip.
 TEST(HostileMesh, otherFormatsOfTheLibraryAreNotRead) {
     const tests::TemporaryFolder folder;
     const std::string stl =
@@ -201,7 +200,7 @@ TEST(MeshReaderProcess, saysWhichLimitEndedIt) {
     EXPECT_TRUE(hasNoChild());
 }
 
-// The process that this one started, by looking through all of them.
+// The child process of this one, found by searching all processes.
 pid_t meshReaderChild() {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         std::ifstream stat(entry.path() / "stat");
@@ -271,7 +270,7 @@ TEST(MeshReaderProcess, handsOverWhatTheFileHoldsToTheBit) {
     EXPECT_EQ(scene->front().pieces.front(), expected);
 }
 
-// --- What the reader process writes is not trusted either.
+// --- The output of the reader process is untrusted too.
 
 std::string sceneBytes(const MeshScene& scene) {
     std::string bytes;

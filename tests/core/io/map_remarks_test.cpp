@@ -13,9 +13,9 @@ namespace {
 
 TEST(MapRemarks, areInAPlannersWords) {
     EXPECT_THAT(makeMapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
-                testing::HasSubstr("did not close"));
+                testing::HasSubstr("were not closed"));
     EXPECT_THAT(makeMapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
-                testing::HasSubstr("could not be told apart"));
+                testing::HasSubstr("could not be distinguished"));
     EXPECT_EQ(
         makeMapRemark("organizePolygons() received a polygon with more than 100 parts. The processing may be "
                       "really slow."),
@@ -39,7 +39,7 @@ TEST(MapRemarks, anOutlineThatDoesNotCloseIsReadAndSaid) {
     const auto said = std::ranges::find(piece->warnings, "a.geojson (1)", &Warning::where);
     ASSERT_NE(said, piece->warnings.end());
     EXPECT_EQ(said->kind, WarningKind::mended);
-    EXPECT_THAT(said->what, testing::HasSubstr("did not close"));
+    EXPECT_THAT(said->what, testing::HasSubstr("were not closed"));
 }
 
 }  // namespace

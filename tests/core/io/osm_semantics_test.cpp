@@ -218,7 +218,7 @@ TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
     EXPECT_THAT(placesOf("low gap"), ElementsAre(upper));
 }
 
-// Chicago's Marina City stands on a deck, and its towers are mapped below the street's layer.
+// Chicago's Marina City stands on a deck, and its towers are mapped below the layer of the street.
 TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
     const auto marinaCity = osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"},
                                                                    {"building:levels", "61"},
@@ -282,7 +282,7 @@ TEST_F(OsmSemantics, noMeansNo) {
     const auto no = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "no"}});
     const auto noPart = osm.way(sizedRectangle(40, 0, 10, 10), {{"building:part", "no"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(yes));
-    EXPECT_THAT(placesOf("no building"), ElementsAre(no, noPart));
+    EXPECT_THAT(placesOf("not tagged as a building"), ElementsAre(no, noPart));
 }
 
 TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {

@@ -22,7 +22,7 @@ inline Ring sizedRectangle(float west, float south, float width, float height) {
 /// relations too.
 class OsmText {
 public:
-    /// Returns the id that readers give it.
+    /// Returns the id that readers give the feature.
     std::string way(const Ring& ring, const Tags& tags) {
         std::string members;
         for (const glm::vec2 point : ring)

@@ -15,7 +15,7 @@ inline bool warns(const FilePiece& piece, std::string_view what) {
                        [&](const Warning& warning) { return warning.what.find(what) != std::string::npos; });
 }
 
-/// The part has a closed mesh with outward faces and this volume, m3, and its footprint and heights bound it.
+/// Expects a closed mesh with outward faces and this volume, m3, bounded by the part's footprint and heights.
 inline void expectClosedSolid(const Part& part, double volume) {
     ASSERT_NE(part.mesh, nullptr);
     EXPECT_EQ(findOpenEdges(*part.mesh), 0U);

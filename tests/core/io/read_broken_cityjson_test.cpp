@@ -30,8 +30,8 @@ TEST(ReadCityJson, oneBadObjectIsAWarning) {
     document["vertices"].push_back({"a", nullptr, 1});
     const auto piece = read(document);
     ASSERT_TRUE(piece) << piece.error().text();
-    EXPECT_EQ(piece->buildings.size(), 8U);  // the bad ones lost one face
-    EXPECT_TRUE(warns(*piece, "vertices that are not there"));
+    EXPECT_EQ(piece->buildings.size(), 8U);  // the broken ones lost one face
+    EXPECT_TRUE(warns(*piece, "surfaces with missing vertices"));
     EXPECT_TRUE(warns(*piece, "not closed"));
 }
 
@@ -60,7 +60,7 @@ TEST(ReadCityJson, filesWithoutAPlaceAreErrors) {
     EXPECT_FALSE(read(maker.document("2.0", "EPSG:999999")));
     const auto elsewhere = read(maker.document("2.0", "EPSG:2193"));  // New Zealand
     ASSERT_FALSE(elsewhere);
-    EXPECT_NE(elsewhere.error().what.find("cannot be of"), std::string::npos);
+    EXPECT_NE(elsewhere.error().what.find("cannot belong to"), std::string::npos);
     EXPECT_FALSE(read(maker.document("2.0", "EPSG:4326")));
 }
 

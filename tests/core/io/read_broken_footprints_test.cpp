@@ -13,7 +13,7 @@
 namespace noonmark {
 namespace {
 
-// Whatever a file holds, reading it ends with a city or with an error that says something.
+// Whatever a file holds, reading it gives a city or an error with a message.
 void readAndJudge(const std::filesystem::path& file) {
     NoProgress quiet;
     const auto result = readFootprints(file, {}, quiet, {});

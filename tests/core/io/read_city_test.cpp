@@ -40,7 +40,7 @@ protected:
         osm.way(sizedRectangle(west, 0, 20, 20), {{"building", "yes"}, {"height", "30"}});
         return folder.file(name, osm.xml());
     }
-    // Ground that lies 5 m high in the west and 25 m in the east of 40.75 N 73.98 W.
+    // Ground at 5 m in the west and 25 m in the east of 40.75 N 73.98 W.
     std::filesystem::path terrainFile() {
         const GdalCalls calls;
         auto path = folder.path("ground.tif");
@@ -93,7 +93,7 @@ TEST_F(ReadCity, buildingsStandOnTheTerrainWhereverItIsNamed) {
         const float low = read.city.buildings[0]->parts[0].bottomM;
         EXPECT_NEAR(read.city.frame.originElevationM() + double(low), 5, 0.01);
         EXPECT_NEAR(read.city.buildings[0]->parts[0].topM - low, 30, 0.01);
-        // 600 m on, the earth's curvature has lowered the ground by 2.5 cm.
+        // 600 m away, the earth's curvature has lowered the ground by 2.5 cm.
         EXPECT_NEAR(read.city.buildings[1]->parts[0].bottomM - low, 20 - 0.025, 0.01);
     }
 }
@@ -196,7 +196,7 @@ TEST_F(ReadCity, canBeStopped) {
     EXPECT_TRUE(isCancelled(result.error()));
 }
 
-// One limit for what has a shape of its own, whatever file it comes in.
+// The same limits apply to meshes of every file format.
 TEST_F(ReadCity, LeavesOutShapesThatNoBuildingCanHave) {
     tests::CityJsonMaker maker;
     maker.addBuilding("tower", maker.boxSolid({0, 0, 0}, {30, 30, 1990}));

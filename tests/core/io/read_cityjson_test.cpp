@@ -44,7 +44,7 @@ TEST(ReadCityJson, aCubeInEveryVersion) {
             EXPECT_EQ(part.footprint.outer.size(), 4U);
             EXPECT_EQ(part.heightSource, HeightSource::mesh);
             EXPECT_FALSE(part.isOverhanging);
-            // By the approximation of Schreutelkamp and Strang van Hees, good to a metre.
+            // By the approximation of Schreutelkamp and Strang van Hees, accurate to a metre.
             EXPECT_NEAR(piece->frame->origin().lonDeg, 4.888046, 2e-5);
             EXPECT_NEAR(piece->frame->origin().latDeg, 52.369918, 2e-5);
             EXPECT_NEAR(piece->frame->originElevationM(), 2, 1e-6);
@@ -66,8 +66,8 @@ TEST(ReadCityJson, oldVersionWithoutTransform) {
 }
 
 TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
-    // On a hillside: without terrain readCity() takes these elevations off, or light would shine through
-    // under the buildings.
+    // On a hillside: without terrain readCity() subtracts these elevations, otherwise light would pass under
+    // the buildings.
     CityJsonMaker maker;
     maker.addBuilding("low", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
     maker.addBuilding("high", maker.boxSolid({50, 0, 12}, {60, 20, 40}));
@@ -79,8 +79,8 @@ TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
 }
 
 TEST(ReadCityJson, trueNorthIsUpAndMetresAreMetres) {
-    // RD's north is 24' east of true north at Amsterdam's longitude west of the centre: a wall along it leans
-    // by that much.
+    // RD's north is 24' east of true north at Amsterdam's longitude west of the centre: a wall along it
+    // deviates by that angle.
     CityJsonMaker maker;
     maker.addBuilding("wall", maker.boxSolid({0, 0, 0}, {1, 1000, 30}));
     const Part part = onlyPart(read(maker.document()));
@@ -96,7 +96,7 @@ TEST(ReadCityJson, aShaftThroughATower) {
     const int inner = maker.addBox({3, 3, 0}, {7, 7, 30});
     Json shell = CityJsonMaker::boxShell(outer);
     const Json hole = CityJsonMaker::boxShell(inner, true);
-    shell[0].push_back(hole[0][0]);  // the bottom and the top have holes; the shaft's walls look inward
+    shell[0].push_back(hole[0][0]);  // the bottom and the top have holes; the shaft's walls face inward
     shell[1].push_back(hole[1][0]);
     for (std::size_t i = 2; i < 6; ++i) shell.push_back(hole[i]);
     maker.addBuilding("shaft", CityJsonMaker::solid(Json::array({shell})));
@@ -127,7 +127,7 @@ TEST(ReadCityJson, anLShapeKeepsItsNotch) {
 }
 
 TEST(ReadCityJson, aCavityIsHollowButDoesNotHang) {
-    for (const bool inward : {true, false}) {  // some files turn inner shells the wrong way
+    for (const bool inward : {true, false}) {  // some files orient inner shells the wrong way
         CityJsonMaker maker;
         const int outer = maker.addBox({0, 0, 0}, {10, 10, 30});
         const int inner = maker.addBox({2, 2, 5}, {8, 8, 25});
@@ -231,10 +231,10 @@ TEST(ReadCityJson, footprintsAreExtruded) {
         EXPECT_NEAR(area(part.footprint), 100, 0.1);
     }
     EXPECT_TRUE(warns(*piece, "a height of zero or less"));
-    EXPECT_TRUE(warns(*piece, "the default was taken"));
+    EXPECT_TRUE(warns(*piece, "the default is used"));
 }
 
-// The elevations of 3DBAG's LoD 0 lie above NAP: the height is what is left over the ground.
+// The elevations of 3DBAG's LoD 0 are above NAP: the height is the difference from the ground.
 TEST(ReadCityJson, heightsOverTheGroundsElevation) {
     CityJsonMaker maker;
     const int first = maker.addBox({0, 0, 0}, {10, 10, 1});
@@ -276,7 +276,7 @@ TEST(ReadCityJson, aTinBecomesTheTerrain) {
     EXPECT_EQ(piece->buildings.size(), 1U);
     EXPECT_NEAR(piece->terrain->grid.cellM, 2.4, 0.2);
     for (const float z : piece->terrain->elevationM) EXPECT_TRUE(std::isfinite(z));
-    // The slope is 1 in 10 along x; local z is 0 where the only building begins.
+    // The slope is 1 in 10 along x; local z is 0 at the base of the only building.
     const glm::dvec2 middle =
         (glm::dvec2(bounds(*piece->buildings[0]).low) + glm::dvec2(bounds(*piece->buildings[0]).high)) / 2.0;
     EXPECT_NEAR(elevationAt(*piece->terrain, middle), 0.5, 0.1);
@@ -339,7 +339,7 @@ TEST(ReadCityJson, whatIsLeftOutIsSaid) {
     EXPECT_EQ(piece->buildings.size(), 2U);
     EXPECT_EQ(piece->features, 7U);
     for (const char* what : {"far from the middle", "SolitaryVegetationObject", "geometry templates",
-                             "no geometry that can be used", "without type"})
+                             "no usable geometry", "without a type"})
         EXPECT_TRUE(warns(*piece, what)) << what;
 }
 

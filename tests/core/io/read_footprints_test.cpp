@@ -71,7 +71,7 @@ std::vector<std::string> whats(const Warnings& warnings) {
     return texts;
 }
 
-// Writes one rectangle in a system of its own, as a driver does it.
+// Writes one rectangle in the given system with a GDAL driver.
 void writeRectangle(const std::filesystem::path& file, const char* driver, const char* crs,
                     const std::vector<std::pair<std::string, double>>& fields) {
     const GdalCalls calls;
@@ -203,7 +203,7 @@ TEST_F(ReadFootprints, everySystemIsReprojected) {
         writeRectangle(file, "GPKG", crs, {{"height", 12}});
         const FilePiece piece = read(file);
         ASSERT_EQ(piece.buildings.size(), 1U) << crs;
-        // Never measured in Web Mercator, where this would be 1,394 m2, nor in feet.
+        // The area must not be measured in Web Mercator, where it would be 1,394 m2, or in feet.
         EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 800, 0.1) << crs;
         EXPECT_NEAR(piece.frame->origin().latDeg, manhattan.latDeg, 2e-5) << crs;
     }
@@ -218,7 +218,8 @@ TEST_F(ReadFootprints, newYorksShapefileIsInFeet) {
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_NEAR(piece.buildings[0]->parts[0].topM, 30.48, 1e-3);
     EXPECT_NEAR(piece.frame->originElevationM(), 15.24, 1e-3);
-    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("taken as feet"), HasSubstr("taken as feet")));
+    EXPECT_THAT(whats(piece.warnings),
+                ElementsAre(HasSubstr("feet are assumed"), HasSubstr("feet are assumed")));
 }
 
 TEST_F(ReadFootprints, theUserNamesFieldAndUnit) {
@@ -268,7 +269,7 @@ TEST_F(ReadFootprints, tagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_EQ(piece.buildings[0]->parts.size(), 1U);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 20);
-    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("no building")));
+    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("not tagged as a building")));
 }
 
 TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {

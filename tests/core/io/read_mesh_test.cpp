@@ -51,7 +51,7 @@ std::string chunk(std::string content, const char* type, char padding) {
     return bytesOf(&length, 1) + std::string(type, 4) + content;
 }
 
-// Binary glTF: a node that lifts the mesh by 5 along y, its up axis.
+// Binary glTF with a node that lifts the mesh by 5 along y, its up axis.
 std::string glbBytes(const TriangleMesh& mesh) {
     const std::string points = bytesOf(mesh.vertices.data(), mesh.vertices.size());
     const std::string faces = bytesOf(mesh.triangles.data(), mesh.triangles.size());
@@ -164,7 +164,7 @@ TEST(ReadMesh, glbWithANodeTransform) {
     const Part& part = piece->buildings[0]->parts.at(0);
     EXPECT_NEAR(part.bottomM, 5, 1e-5);
     EXPECT_NEAR(part.topM, 35, 1e-5);
-    EXPECT_TRUE(part.isOverhanging);  // 5 m above the ground, and nothing carries it
+    EXPECT_TRUE(part.isOverhanging);  // 5 m above the ground, not carried
     tests::expectClosedSolid(part, 6000);
 }
 
@@ -224,7 +224,7 @@ TEST(ReadMesh, wrongIndicesAndNumbersNeverCrash) {
           "v nan nan nan\nf 9 1 2\n", "v 1e99 0 0\nf 9 1 2\n", "o\n", "f 99999999999999999999 1 2\n"}) {
         SCOPED_TRACE(bad);
         const auto piece = read("bad.obj", good + bad, placed());
-        if (!piece) continue;  // the library may refuse the file; it must say so
+        if (!piece) continue;  // the library may refuse the file, with an error
         for (const auto& building : piece->buildings)
             for (const Part& part : building->parts) EXPECT_LE(part.topM, 1e6F) << bad;
     }

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The known facts of the shared extract of Midtown Manhattan; read once for all tests.
+// Known facts about the shared extract of Midtown Manhattan, which is read once for all tests.
 class ReadMidtown : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -107,7 +107,7 @@ TEST_F(ReadMidtown, courtyardsAreOpen) {
     for (const auto& building : piece->buildings)
         for (const Part& part : building->parts)
             if (!part.footprint.holes.empty()) open.insert(part.sourceId);
-    EXPECT_GE(open.size(), 30U);  // of the 39 with holes some are outlines that their parts replace
+    EXPECT_GE(open.size(), 30U);  // of the 39 with holes some are outlines that were replaced by their parts
 }
 
 TEST_F(ReadMidtown, heightsSayWhereTheyComeFrom) {

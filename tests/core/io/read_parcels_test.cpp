@@ -47,7 +47,7 @@ protected:
 TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
     const Region here = makeRegionFromLocalBox({{-1000, -1000}, {1000, 1000}});
     const auto usual = read({.within = here}).value();
-    ASSERT_EQ(usual.size(), 2U);  // the third lies in another city
+    ASSERT_EQ(usual.size(), 2U);  // the third is in another city
     EXPECT_EQ(usual[0].name, "7");
     EXPECT_NEAR(area(usual[0].polygons[0]), 84.45 * 111.04, 20);
     EXPECT_EQ(read({.nameField = "OWNER", .within = here}).value()[1].name, "b");
@@ -82,7 +82,7 @@ TEST_F(ReadParcels, aRegisterOfAWholeCityIsRefusedAndStops) {
     EXPECT_TRUE(isCancelled(read({}).error()));
 }
 
-// As New York's register comes: NAD83, Long Island, US survey feet.
+// In the system of New York's register: NAD83, Long Island, US survey feet.
 void writeFeetShapefile(const std::filesystem::path& file, double eastFt, double northFt, double sideFt) {
     const GdalCalls calls;
     const GDALDatasetUniquePtr made(GetGDALDriverManager()
@@ -112,7 +112,7 @@ TEST_F(ReadParcels, aShapefileInFeetIsInMetres) {
     EXPECT_EQ(plots[0].name, "1010290027");
     EXPECT_NEAR(area(plots[0].polygons[0]), 200 * 200 * 0.3048 * 0.3048, 0.5)
         << "scale of the projection: 1e-4";
-    // As gdaltransform has the corner.
+    // The corner as computed by gdaltransform.
     const Box2 box = bounds(plots[0].polygons[0]);
     const LonLat corner = frame.lonLatFromLocal(glm::dvec2(box.low));
     EXPECT_NEAR(corner.lonDeg, -73.9792435, 1e-6);

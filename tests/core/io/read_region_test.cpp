@@ -46,7 +46,7 @@ TEST(ReadRegion, acrossTheAntimeridian) {
     const auto box = readRegion("179.99,-16.86,-179.99,-16.84", taveuni);
     ASSERT_TRUE(box) << errorOf(box);
     EXPECT_NEAR(computeArea(*box), 2130.4 * 2213.1, 0.002 * 2130.4 * 2213.1);
-    // As people write it, and as regionGeoJson does.
+    // In the form that people write and in that of regionGeoJson.
     for (const char* east : {"-179.99", "180.01"}) {
         const std::string ring = std::string("((179.99 -16.86, ") + east + " -16.86, " + east +
                                  " -16.84, 179.99 -16.84, 179.99 -16.86))";
@@ -176,7 +176,7 @@ TEST(ReadRegion, aPointFarOffIsSaidAtOnce) {
         "far.geojson",
         collection(
             feature("Polygon", "[[[-73.98,40.75],[1e9,40.75],[1e9,40.76],[-73.98,40.76],[-73.98,40.75]]]")));
-    EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("is not where"));
+    EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("is outside the range of"));
 }
 
 TEST(ReadRegion, fileWithoutCrs) {

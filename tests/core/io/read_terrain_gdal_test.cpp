@@ -17,8 +17,8 @@ namespace {
 
 using tests::warns;
 
-// A raster in UTM zone 18 north around Midtown Manhattan, whose values are a function of the easting and
-// northing there.
+// A raster in UTM zone 18 north around Midtown Manhattan with values that are a function of easting and
+// northing.
 struct Raster {
     int size = 60;
     double pixelM = 10;
@@ -75,7 +75,7 @@ Result<FilePiece> read(const Raster& raster, const ReadSettings& settings = {}) 
     return readTerrain(written(folder, raster), settings, progress, {});
 }
 
-// Easting and northing in the raster's system of a local point, by PROJ alone.
+// Easting and northing of a local point in the raster's system, by PROJ alone.
 class ToUtm {
 public:
     ToUtm() {
@@ -96,7 +96,7 @@ private:
     std::unique_ptr<OGRCoordinateTransformation> transformation_;
 };
 
-// Differences in metres between the terrain and the raster's plane, over cells well inside.
+// Largest difference in metres between the terrain and the raster's plane, over cells well inside.
 double worstError(const FilePiece& piece, const Frame& frame, const Raster& raster,
                   double metresPerValue = 1) {
     const ToUtm toUtm;
@@ -114,7 +114,7 @@ double worstError(const FilePiece& piece, const Frame& frame, const Raster& rast
 }
 
 TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
-    const Raster raster;  // as steep as 1.1 : 1, so that an error of place is one of height
+    const Raster raster;  // steep, 1.1 : 1, so that an error of position shows as an error of height
     const auto piece = read(raster);
     ASSERT_TRUE(piece) << piece.error().text();
     ASSERT_TRUE(piece->frame && piece->terrain);
@@ -126,7 +126,7 @@ TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
     EXPECT_LT(worstError(*piece, *piece->frame, raster), 0.1);
     const auto lowest =
         std::min_element(piece->terrain->elevationM.begin(), piece->terrain->elevationM.end());
-    EXPECT_NEAR(*lowest, 0, 0.02);  // it lies in a corner, so far below the plane
+    EXPECT_NEAR(*lowest, 0, 0.02);  // in a corner, far below the middle of the plane
     EXPECT_TRUE(piece->warnings.empty()) << piece->warnings[0].what;
 }
 
@@ -145,7 +145,7 @@ TEST(ReadTerrain, largePixelsKeepTheirPlace) {
     raster.pixelM = 500;  // 30 km
     const auto piece = read(raster);
     ASSERT_TRUE(piece) << piece.error().text();
-    EXPECT_TRUE(warns(*piece, "impossible"));  // the slope goes below the sea and above the mountains
+    EXPECT_TRUE(warns(*piece, "impossible"));  // the slope extends below and above all possible elevations
     raster.value = [](double e, double n) { return 2000 + 0.02 * ((e - 600000) + 0.5 * (n - 4497000)); };
     const auto gentle = read(raster);
     ASSERT_TRUE(gentle);

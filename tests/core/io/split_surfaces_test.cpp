@@ -1,4 +1,4 @@
-// Walls and roofs as meshes of their own: one building each, as if they were joined.
+// Walls and roofs as separate meshes must give one building each, as if they were joined.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ FilePiece pieceOf(const std::vector<NamedMesh>& objects) {
 
 enum class Surface { wall, roof, floor };
 
-// By their slopes; `lowM`: of the building.
+// The surface of a triangle by its slope; `lowM`: bottom of the building.
 Surface surfaceOf(const TriangleMesh& mesh, glm::uvec3 t, float lowM) {
     const glm::dvec3 a(mesh.vertices[t.x]), b(mesh.vertices[t.y]), c(mesh.vertices[t.z]);
     const glm::dvec3 doubled = glm::cross(b - a, c - a);
@@ -54,7 +54,7 @@ SplitMesh split(const TriangleMesh& mesh) {
     return parts;
 }
 
-// A house of 8 m depth from `west` to `east` with walls of 6 m and a ridge along x at 9 m: closed.
+// A closed house, 8 m deep, from `west` to `east`, with walls of 6 m and a ridge along x at 9 m.
 TriangleMesh house(float west, float east) {
     TriangleMesh mesh{{{west, 0, 0},
                        {east, 0, 0},
@@ -121,7 +121,7 @@ TEST(SplitSurfaces, aParentNamesItsSurfaces) {
     expectHouse(*piece.buildings[1], 10, 18);
 }
 
-// Without names that help: by geometry. Three houses in a row whose party walls are there twice.
+// By geometry, without helpful names. Three houses in a row whose party walls exist twice.
 TEST(SplitSurfaces, neighboursWithAPartyWallStayThemselves) {
     const std::vector<std::pair<float, float>> row{{0, 10}, {10, 18}, {18, 30}};
     std::vector<NamedMesh> each, layers{{"mesh_0", {}}, {"mesh_1", {}}};
@@ -139,7 +139,7 @@ TEST(SplitSurfaces, neighboursWithAPartyWallStayThemselves) {
     }
 }
 
-// Two planes of one roof, each an object: their ridge stands on no wall.
+// Two planes of one roof, each an object: no wall is under their ridge.
 TEST(SplitSurfaces, roofsThatMeetInARidgeAreOneBuilding) {
     const SplitMesh parts = split(house(0, 10));
     NamedMesh south{"a", {parts.roof.vertices, {}}}, north{"b", {parts.roof.vertices, {}}};
@@ -154,8 +154,8 @@ TEST(SplitSurfaces, roofsThatMeetInARidgeAreOneBuilding) {
     expectHouse(*piece.buildings[0], 0, 10);
 }
 
-// A roof of 20 x 20 m at 6 m, and out of its middle a house of 8 x 8 m to 12 m. `halved`: its walls are in
-// halves, so that their edges are not those of the roof.
+// A roof of 20 x 20 m at 6 m, with a house of 8 x 8 m rising from its middle to 12 m. `halved`: its walls are
+// divided into halves, so that their edges are not those of the roof.
 std::vector<NamedMesh> penthouse(bool halved) {
     NamedMesh roofs{"mesh_0", {}}, walls{"mesh_1", {}};
     const auto corner = [](float half, std::uint32_t i, float z) {
@@ -232,14 +232,14 @@ TEST(SplitSurfaces, aDeckIsSolidAndPavementIsGround) {
     const FilePiece pavement = pieceOf({{"street", level(0.05F)}, {"house", house(20, 30)}});
     EXPECT_EQ(pavement.buildings.size(), 1U);
     EXPECT_TRUE(tests::warns(pavement, "flat ground"));
-    // At elevations above the sea: what two houses stand on is ground.
+    // At elevations above sea level the surface under two houses is ground.
     TriangleMesh houses = tests::joined(house(1, 4), house(6, 9)), plane = level(0);
     for (TriangleMesh* mesh : {&houses, &plane})
         for (glm::vec3& vertex : mesh->vertices) vertex.z += 515;
     EXPECT_EQ(pieceOf({{"plane", plane}, {"houses", houses}}).buildings.size(), 2U);
 }
 
-// Delfshaven's CityJSON, and the same with walls and roofs apart.
+// Delfshaven's CityJSON, as it is and with separate walls and roofs.
 class SplitDelfshaven : public testing::Test {
 protected:
     void SetUp() override {
@@ -251,7 +251,7 @@ protected:
         joined = std::move(read->city);
     }
 
-    // `key`: the names of objects by building and surface; the same name: one object.
+    // `key`: the name of an object by building and surface; equal names: one object.
     City splitBy(const std::function<std::string(std::size_t building, Surface)>& key) const {
         std::map<std::string, NamedMesh> objects;
         for (std::size_t i = 0; i < joined.buildings.size(); ++i)
@@ -277,7 +277,7 @@ protected:
         return receiversIn(city, makeRegionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
     }
 
-    // Cells of another kind, per cent; and roofs that lie elsewhere by more than 1 cm.
+    // Cells of another kind, per cent; and roofs whose height differs by more than 1 cm.
     struct Difference {
         double kindPercent = 0;
         double roofPercent = 0;
@@ -339,7 +339,7 @@ TEST_F(SplitDelfshaven, byMaterialIsTheSameCity) {
         constexpr const char* names[] = {"mesh_0", "mesh_1", "mesh_2"};
         return std::string(names[int(surface)]);
     });
-    // Roofs of one house at several heights, which nothing but names could join, are buildings of their own.
+    // Roofs of one house at several heights, which only names could join, are separate buildings.
     EXPECT_GT(city.buildings.size(), joined.buildings.size());
     expectSame(city, 0.7);
 }

@@ -8,7 +8,7 @@
 namespace noonmark {
 namespace {
 
-// A slope that rises one metre in ten to the east, with a pit in the middle of the map.
+// A slope that rises by one metre in ten towards the east, with a pit in the middle of the map.
 Terrain slope() {
     Terrain terrain{{-100, -100, 2, 100, 100}, {}};
     for (int row = 0; row < 100; ++row)
@@ -44,7 +44,7 @@ TEST(StandOnTerrain, aGroundOfItsOwnStaysAndWallsGoDown) {
     const Terrain terrain = slope();
     const Building placed = standOnTerrain(tower(40, 7, 37), 7.0F, &terrain);
     EXPECT_NEAR(placed.parts[0].bottomM, 4, 1e-3);
-    EXPECT_NEAR(placed.parts[0].topM, 37, 1e-3);  // less a hair for the earth's curvature
+    EXPECT_NEAR(placed.parts[0].topM, 37, 1e-3);  // minus a little for the earth's curvature
     Building overhanging = tower(40, 12, 37);
     overhanging.parts[0].isOverhanging = true;
     EXPECT_NEAR(standOnTerrain(overhanging, 7.0F, &terrain).parts[0].bottomM, 12, 1e-3);
@@ -73,7 +73,7 @@ TEST(StandOnTerrain, aMeshMovesWithItsPart) {
     EXPECT_FLOAT_EQ(onFlat.bottomM, 0);
     for (const glm::vec3 vertex : onFlat.mesh->vertices)
         EXPECT_TRUE(vertex.z == 0 || vertex.z == 30) << vertex.z;
-    // On terrain it keeps its own elevations: its walls cannot be drawn out.
+    // On terrain it keeps its own elevations: the walls of a mesh cannot be extended.
     const Part onTerrain = standOnTerrain(building, 7.0F, &terrain).parts[0];
     EXPECT_NEAR(onTerrain.bottomM, 7, 1e-3);
     for (const glm::vec3 vertex : onTerrain.mesh->vertices)

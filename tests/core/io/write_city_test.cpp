@@ -78,7 +78,7 @@ TEST_F(WriteCity, everyPartIsAFeatureWithHeightsAboveTheGround) {
 }
 
 TEST_F(WriteCity, aCityThatKnowsNoElevationStatesNone) {
-    // A stated 0 would bury the buildings of a flat sample when a terrain is opened beside it.
+    // A stated 0 would bury the buildings of a flat sample when a terrain is opened with it.
     City city{Frame({-73.98, 40.75}), {towerOnPodium()}, nullptr};
     Building onGround = *city.buildings[0];
     for (Part& part : onGround.parts) part.bottomM -= 3, part.topM -= 3;

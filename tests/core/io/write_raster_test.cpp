@@ -101,7 +101,7 @@ TEST_F(WriteRaster, isTiledCompressedAndHasOverviews) {
     EXPECT_EQ(valueAt(*band.GetOverview(2), 40, 60), 5);
 }
 
-// What GIS programs make of the file's CRS against the house's own frame.
+// The file's CRS, as GIS programs interpret it, against the project's own frame.
 class WriteRasterCrs : public WriteRaster, public testing::WithParamInterface<LonLat> {};
 
 TEST_P(WriteRasterCrs, pixelsLieWhereTheFrameSaysTo1Centimetre) {

@@ -94,7 +94,7 @@ TEST(ErrorSample, stopsWhenAsked) {
     EXPECT_TRUE(isCancelled(error.error()));
 }
 
-/// Would show every running result.
+/// A viewer that accepts every partial result.
 struct Onlooker final : Progress, PartialSink {
     void report(double, std::string_view) override {}
     PartialSink* partials() override { return this; }

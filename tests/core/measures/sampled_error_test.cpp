@@ -10,7 +10,8 @@
 namespace noonmark {
 namespace {
 
-// A hundred cells: cell i is i minutes of gross too high, cell 7 is an hour of continuous too low.
+// A hundred cells: in cell i gross shadow is i minutes too high, in cell 7 continuous shadow is an hour too
+// low.
 std::vector<ComparedCell> hundredCells() {
     std::vector<ComparedCell> cells;
     for (int i = 1; i <= 100; ++i)
@@ -27,7 +28,7 @@ TEST(SampledError, knownFigures) {
     EXPECT_EQ(error.gross.worstM, glm::dvec2(100, 0.5));
     EXPECT_DOUBLE_EQ(error.gross.percent(error.gross.maxMin), 10);
     EXPECT_NEAR(error.areaPct, 5.05, 1e-12);
-    // Spread of 1 .. 100 minutes: sqrt(101 * 100 / 12) = 29.01; over sqrt(100), of 1000.
+    // Standard deviation of 1 .. 100 minutes: sqrt(101 * 100 / 12) = 29.01; over sqrt(100), of 1000.
     EXPECT_NEAR(error.areaStandardErrorPct, 0.290115, 1e-6);
     EXPECT_DOUBLE_EQ(error.continuous.meanMin, 0.6);
     EXPECT_DOUBLE_EQ(error.continuous.p99Min, 0);

@@ -17,7 +17,7 @@ std::vector<int> coversOf(const std::vector<Footprint>& footprints, const Grid& 
     return covers;
 }
 
-// Steps of a half put points and whole edges exactly on cell centres and on cell edges.
+// Steps of one half place points and whole edges exactly on cell centres and cell edges.
 glm::vec2 randomPoint(std::mt19937& random, float step) {
     return {float(random() % 60) * step - 5, float(random() % 60) * step - 5};
 }
@@ -57,7 +57,7 @@ TEST(Rasterize, agreesWithContainsFarFromTheOrigin) {
     }
 }
 
-// A jittered net of four-sided lots fills a block: every cell belongs to exactly one of them.
+// An irregular net of four-sided lots fills a block: every cell belongs to exactly one of them.
 TEST(Rasterize, partyWallsShareNoCellAndLeaveNoneOut) {
     constexpr int lots = 12;
     std::mt19937 random(3);

@@ -17,7 +17,7 @@ TEST(Region, lonLatBoxFollowsTheParallels) {
     ASSERT_EQ(region->polygons.size(), 1U);
     const Footprint& polygon = region->polygons[0];
     EXPECT_GT(signedArea(polygon.outer), 0);
-    // Known lengths at 40.75 N: 111,049 m a degree of latitude, 84,443 m a degree of longitude.
+    // Known lengths at 40.75 N: 111,049 m per degree of latitude, 84,443 m per degree of longitude.
     EXPECT_NEAR(area(polygon), 0.02 * 111049 * 0.04 * 84443, 0.02 * 111049 * 0.04 * 84443 * 1e-3);
     EXPECT_TRUE(contains(polygon, {0, 0}));
     for (const glm::vec2 point : polygon.outer) {
@@ -28,7 +28,7 @@ TEST(Region, lonLatBoxFollowsTheParallels) {
     }
 }
 
-// Taveuni, Fiji: the meridian of 180 degrees runs through its middle.
+// Taveuni, Fiji: the 180th meridian runs through its middle.
 TEST(Region, aBoxMayLieAcrossTheAntimeridian) {
     const Frame taveuni({180, -16.85});
     const Region across = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();

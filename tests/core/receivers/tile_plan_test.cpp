@@ -12,7 +12,7 @@ namespace {
 
 using namespace tests;
 
-/// Where a tile's cells lie in the whole, by its own coordinates.
+/// The index in the whole grid of a tile's cell.
 std::size_t cellOfWhole(const TilePlan& plan, const Grid& tile, int column, int row) {
     const glm::dvec2 centre = tile.centre(column, row);
     return plan.whole.index(int((centre.x - plan.whole.westM) / plan.whole.cellM),

@@ -29,7 +29,7 @@ struct Known {
     LonLat place;
 };
 
-// Public figures, written here once more.
+// Published figures, repeated here independently.
 const std::vector<Known> known{
     {"432 Park Avenue", "built", 425.7, 28.5 * 28.5, {-73.9719, 40.7616}},
     {"One57", "built", 306, 1000, {-73.9791, 40.7655}},

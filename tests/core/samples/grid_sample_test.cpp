@@ -28,8 +28,8 @@ TEST(GridSample, isTheSameForASeedAndAnotherForAnother) {
     EXPECT_NE(fingerprint, fingerprintOf(grid({.buildings = 300, .seed = 8, .roundness = 3})));
 }
 
-// A number from another machine. It changes when the sample does, and published figures that use it are then
-// of another city.
+// A fingerprint computed on another machine. It changes when the sample does; published results that use the
+// sample are then for another city.
 TEST(GridSample, isTheSameOnEveryMachine) {
     EXPECT_EQ(fingerprintOf(grid({.buildings = 300, .seed = 7, .roundness = 3})), 3856521339984108734ULL);
 }

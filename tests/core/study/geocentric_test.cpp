@@ -10,7 +10,7 @@
 #include "core/study/study.h"
 #include "tests/core/study/geocentric_reference_erfa.h"
 
-/// Districts far from the middle of their city, held against shadow worked out on the ellipsoid.
+/// Compares districts far from the middle of their city with shadow computed on the ellipsoid.
 namespace noonmark::tests {
 namespace {
 
@@ -20,8 +20,8 @@ constexpr double sideM = 240, cellM = 10, stepMinutes = 2;
 
 struct Place {
     const char* name;
-    Geodetic origin;  ///< of the city: the middle between its districts
-    double eastM;     ///< of the district
+    Geodetic origin;  ///< origin of the city: the middle between its districts
+    double eastM;     ///< position of the district
     double northM;
     sys_days date;
     int fromHour;  ///< UTC
@@ -47,9 +47,9 @@ std::vector<GeoBox> blocksAround(Geodetic middle) {
 
 float dropAt(const Place& place, glm::dvec2 local) { return place.terrain ? -float(earthDropM(local)) : 0; }
 
-// Roofs level in the frame of the city, as those of footprints are: 45 km off on terrain they lean by 0.35
-// deg against the local level, 0.1 m at the edge of a block. Near noon, when a shadow's end stands still,
-// single cells at that end are off by half an hour for it.
+// Makes roofs level in the frame of the city, as those of footprints are: 45 km away on terrain they are
+// inclined by 0.35 deg to the local level, 0.1 m at the edge of a block. Near noon, when the end of a shadow
+// stands still, this changes single cells at that end by half an hour.
 std::vector<GeoBox> levelInFrame(const Place& place, std::vector<GeoBox> blocks) {
     const Frame frame({place.origin.lonDeg, place.origin.latDeg});
     for (GeoBox& block : blocks) {
@@ -72,7 +72,7 @@ std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& fram
         part.footprint.outer.push_back(glm::vec2(local));
         middle += local / 4.0;
     }
-    constexpr float intoTheGround = 1;  // the sea slopes against the frame
+    constexpr float intoTheGround = 1;  // the sea slopes in the frame
     part.topM = dropAt(place, middle) + float(box.heightsM[0]);
     part.bottomM = dropAt(place, middle) - (place.terrain ? intoTheGround : 0);
     Building building;
@@ -80,7 +80,8 @@ std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& fram
     return std::make_shared<const Building>(std::move(building));
 }
 
-// The sea around the origin as far as both districts, in squares so small that none sags by a millimetre.
+// The sea around the origin, including both districts, in squares so small that none deviates by a
+// millimetre.
 std::shared_ptr<const Terrain> seaOf(const Place& place) {
     constexpr int cells = 880;
     constexpr double cellM = 125;
@@ -169,8 +170,8 @@ std::vector<GeoMinutes> computeTruth(const Place& place, const Receivers& receiv
 
 class Geocentric : public testing::TestWithParam<Place> {};
 
-// Tolerance: a step, for the moment that an edge passes falls on either side of one; a few cells see a corner
-// graze the sun.
+// Tolerance: a step, since the moment that an edge passes falls on either side of one; in a few cells the sun
+// grazes a corner.
 TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
     const Place& place = GetParam();
     const std::vector<GeoBox> blocks = blocksAround(districtOf(place));
@@ -202,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(Places, Geocentric,
                                          Place{"before_180_degrees", fiji, -27e3, 5e3, fijiMarch, 18, 11}),
                          [](const auto& place) { return std::string(place.param.name); });
 
-// Open sea from sunrise to sunset, rising and setting behind the sea's own curve.
+// Open sea from sunrise to sunset; the sun rises and sets at the horizon of the curved sea.
 TEST(GeocentricSea, liesInTheSunAllDayFarFromTheMiddleOfTheTerrain) {
     for (const glm::dvec2 off : {glm::dvec2(45e3, 0), glm::dvec2(-45e3, 0), glm::dvec2(0, 45e3)}) {
         const Place place{"sea", north62, off.x, off.y, march, 0, 24, true};

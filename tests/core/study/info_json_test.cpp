@@ -48,7 +48,7 @@ TEST(InfoJson, countsWhatIsThere) {
         info["height_sources"],
         (nlohmann::json{
             {"measured", 2}, {"levels", 1}, {"assumed", 0}, {"mesh", 0}, {"designed", 0}, {"made up", 0}}));
-    EXPECT_EQ(info["tallest_m"], 40.0);  // above its own ground
+    EXPECT_EQ(info["tallest_m"], 40.0);  // above the building's own ground
     EXPECT_EQ(info["features"], 5);
     ASSERT_EQ(info["warnings"].size(), 1U);
     EXPECT_EQ(info["warnings"][0]["count"], 2);

@@ -22,7 +22,7 @@ TEST(MemoryNeed, growsWithTheCells) {
     const double coarse = double(memoryNeed({}, over(10000, 2)));
     const double fine = double(memoryNeed({}, over(10000, 1)));
     EXPECT_NEAR(fine / coarse, 4, 0.01);
-    EXPECT_GT(fine, 1e8 * 21);  // what Receivers and ShadowField hold of 10^8 cells
+    EXPECT_GT(fine, 1e8 * 21);  // size of Receivers and ShadowField for 10^8 cells
 }
 
 TEST(MemoryNeed, anEnginesOwnMemoryCounts) {

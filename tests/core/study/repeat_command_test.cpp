@@ -45,7 +45,7 @@ TEST(RegionText, WhatIsNoBoxIsNotCalledOne) {
     EXPECT_FALSE(boxTextOf({"holed", {{square, {hole}}}}, frame));
 }
 
-// Down to a millimetre: finer digits may be lost in the corners' float32, and then the region has a file.
+// Down to a millimetre: finer digits may be lost in the corners' float32; the region then needs a file.
 TEST(RegionText, ABoxIsStatedWithAsManyDigitsAsItTakes) {
     const Frame frame(LonLat{-73.99, 40.74});
     for (const double west : {-73.9873, -73.98731234, -74.00000001}) {
@@ -57,8 +57,7 @@ TEST(RegionText, ABoxIsStatedWithAsManyDigitsAsItTakes) {
               "-73.99,40.7,-73.9,40.757");
 }
 
-// Corners a few kilometres off, sides of more than 500 m: as they are drawn in the window and read from a
-// file.
+// Corners a few kilometres away, sides of more than 500 m: as drawn in the window and as read from a file.
 TEST(RegionText, AnOutlineComesBackFromItsFileToTheLastBit) {
     const tests::TemporaryFolder folder;
     const Frame frame(LonLat{7.4216, 43.7333}, 61.5);

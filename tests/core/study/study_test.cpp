@@ -16,7 +16,7 @@ Ring square(float x, float y, float side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
-// One tower of 30 m and, 5 km to the north, one that cannot matter.
+// One tower of 30 m and, 5 km to the north, one that cannot affect the result.
 City towers() {
     City city{.frame = Frame({-73.98, 40.75})};
     Building near{.sourceId = "near"};
@@ -92,7 +92,7 @@ TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
     const auto study = runStudy(city, settings, progress, {});
     ASSERT_TRUE(study) << study.error().text();
     const auto json = nlohmann::json::parse(studyJson(*study))["sun_frame"];
-    // East of the origin north leans to the west, by d_lon sin(lat): 20.01 km at 40.75 deg north.
+    // East of the origin, north turns to the west by d_lon sin(lat): 20.01 km at 40.75 deg north.
     const double convergence = 20010 / (6378137 * std::cos(40.75 / 57.29578)) * std::sin(40.75 / 57.29578);
     EXPECT_NEAR(json["north_turned_deg"], -convergence * 57.29578, 0.001);
     EXPECT_EQ(json["vertical_turned_deg"], 0);

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A terrain from -50 to 50 to each side, and houses along y = 0 every 40 m from x = -40 to 760.
+// A terrain from -50 to 50 on each axis, and houses along y = 0 every 40 m from x = -40 to 760.
 City halfCovered() {
     City city{.frame = Frame({11.96, 57.7})};
     city.terrain = std::make_shared<const Terrain>(
@@ -54,7 +54,7 @@ TEST(TerrainCoverage, aRegionOnTheTerrainHasNothingToState) {
     EXPECT_EQ(nlohmann::json::parse(studyJson(study))["beyond_terrain"]["receivers"]["off"], 0);
 }
 
-// 180 m wide, 80 of them beyond.
+// The region is 180 m wide; 80 m of it are beyond the terrain.
 TEST(TerrainCoverage, whatLiesBeyondIsCountedAndStated) {
     const Study study = studied(130).value();
     const auto& share = study.terrainCoverage.receivers;
@@ -97,7 +97,8 @@ TEST(TerrainCoverage, tilesCountTheRegionsCells) {
     EXPECT_FALSE(tiled.study.warnings.empty());
 }
 
-// Low suns from the east reach far: most houses that can shade lie farther away than the terrain is wide.
+// Low suns from the east: most houses whose shadow can reach the region are farther away than the terrain is
+// wide.
 TEST(TerrainCoverage, housesInReachFarFromItAreRefused) {
     StudySettings settings = over(40);
     settings.period.from = std::chrono::minutes(5 * 60 + 10);

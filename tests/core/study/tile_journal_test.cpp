@@ -116,7 +116,7 @@ TEST_F(TileJournalTest, oneProcessAtATime) {
     const auto first = opened();
     const auto second = opened();
     ASSERT_FALSE(second);
-    EXPECT_THAT(second.error().text(), HasSubstr("at work"));
+    EXPECT_THAT(second.error().text(), HasSubstr("is working"));
 }
 
 TEST_F(TileJournalTest, isGoneWhenRemoved) {

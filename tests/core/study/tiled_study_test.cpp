@@ -136,10 +136,10 @@ TEST_F(TiledStudyTest, jsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
     EXPECT_EQ(tiled["tiles"]["count"], 20);
     EXPECT_EQ(tiled["engine_used"], "ray");
     EXPECT_THAT(tiled["repeat"].get<std::string>(), HasSubstr("noonmark-cli city-study city.gpkg"));
-    EXPECT_EQ(whole["repeat_note"].get<std::string>().rfind("No command repeats it", 0), 0U);
+    EXPECT_EQ(whole["repeat_note"].get<std::string>().rfind("No command can repeat this result", 0), 0U);
 }
 
-/// Asks for a stop when so many tiles have been begun, and keeps what it was told.
+/// Requests a stop when a number of tiles have begun, and records the progress.
 struct StopAtTile final : Progress {
     explicit StopAtTile(int tile) : name(fmt::format("tile {} of", tile)) {}
     void report(double fraction, std::string_view stage) override {

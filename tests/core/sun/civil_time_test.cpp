@@ -40,7 +40,7 @@ TEST(Zone, suggestsNamesThatAreNear) {
     EXPECT_THAT(Zone::named("new york").error().text(), HasSubstr("America/New_York"));
     EXPECT_THAT(Zone::named("Europe/Berlni").error().text(), HasSubstr("Europe/Berlin"));
     EXPECT_THAT(Zone::named("europe/oslo").error().text(), HasSubstr("Europe/Oslo"));
-    EXPECT_THAT(Zone::named("").error().text(), HasSubstr("is no time zone"));
+    EXPECT_THAT(Zone::named("").error().text(), HasSubstr("is not a time zone"));
     EXPECT_THAT(Zone::named("../../etc/passwd").error().text(), HasSubstr("such as America/New_York"));
     EXPECT_FALSE(Zone::named(std::string(100000, 'x')));
 }
@@ -133,8 +133,8 @@ TEST(Zone, wallClockOfEveryInstantReadsBack) {
         const auto at = floor<seconds>(first + hours{hour(random)});
         const seconds clock = zone.offsetAt(at);
         const Instant back = zone.instantOf(local_seconds{at.time_since_epoch() + clock});
-        const bool second =
-            zone.offsetAt(floor<seconds>(back)) != clock;  // the hour that occurs twice, its second time
+        // The second occurrence of the hour that occurs twice
+        const bool second = zone.offsetAt(floor<seconds>(back)) != clock;
         EXPECT_TRUE(back == at || (second && back < at)) << zone.name() << ' ' << zone.text(at);
     }
 }
@@ -149,7 +149,7 @@ TEST(PosixRule, agreesWithTheListedChangesOfItsFile) {
     }
 }
 
-/// The last line of the zone's file, where this machine has it.
+/// The last line of the zone's file, if this machine has it.
 std::string lastLineOf(const std::string& zone) {
     std::ifstream file("/usr/share/zoneinfo/" + zone, std::ios::binary);
     std::string last;
@@ -158,7 +158,7 @@ std::string lastLineOf(const std::string& zone) {
 }
 
 TEST(PosixRule, agreesWithEveryZoneOfThisMachine) {
-    // These list each Ramadan's change for decades; their rule holds after that.
+    // These zones list each Ramadan's change for decades; their rule applies after that.
     constexpr std::string_view listRamadan[] = {"Africa/Casablanca", "Africa/El_Aaiun", "Asia/Gaza",
                                                 "Asia/Hebron"};
     int compared = 0;
@@ -184,7 +184,7 @@ TEST(PosixRule, readsEveryForm) {
     const auto lordHowe = PosixRule::parsed("<+1030>-10:30<+11>-11,M10.1.0,M4.1.0");
     EXPECT_EQ(lordHowe->offsetAt(january), 11h);
     EXPECT_EQ(lordHowe->offsetAt(july), 10h + 30min);
-    const auto dublin = PosixRule::parsed("IST-1GMT0,M10.5.0,M3.5.0/1");  // its winter is the exception
+    const auto dublin = PosixRule::parsed("IST-1GMT0,M10.5.0,M3.5.0/1");  // its winter time is the exception
     EXPECT_EQ(dublin->offsetAt(january), 0h);
     EXPECT_EQ(dublin->offsetAt(july), 1h);
     const auto byDay = PosixRule::parsed("AAA0BBB,J60/0,J300/-1");

@@ -17,7 +17,7 @@ Period newYork() {
     return period;
 }
 
-/// The field that `checked` complains of; empty if it doesn't.
+/// The field that `checked` reports; empty if it accepts the period.
 template <class Change>
 std::string fieldOfError(Change change) {
     Period period = newYork();

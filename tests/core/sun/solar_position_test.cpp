@@ -45,7 +45,7 @@ TEST(SolarPosition, standsInTheNorthAtNoonSouthOfIt) {
 }
 
 TEST(SolarPosition, azimuthPassesNorthWithoutA360) {
-    // Sydney around noon: from the north-east over north to the north-west.
+    // In Sydney around noon the sun moves from north-east over north to north-west.
     const Observer sydney = observerAt(-33.87, 151.21);
     bool east = false;
     bool west = false;
@@ -69,7 +69,7 @@ TEST(SolarPosition, earthTurnsFifteenDegreesAnHour) {
 }
 
 TEST(SolarPosition, parallaxLowersTheSunAtTheHorizonOnly) {
-    // 8.8 arc seconds at the horizon: the sun seen from 9000 m higher up shifts by 9000 / 1 au.
+    // 8.8 arc seconds at the horizon: seen from 9000 m higher the sun shifts by 9000 / 1 au.
     Observer low = observerAt(40, 0);
     Observer high = low;
     high.elevationM = 9000;

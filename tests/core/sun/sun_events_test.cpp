@@ -94,8 +94,8 @@ TEST(SunEvents, polarDayAndNight) {
     EXPECT_EQ(eventsAt(observerAt(-78, 166.7), utc(2026, 6, 20, 12)).kind, DayKind::polarNight);
 }
 
-// From the first sunrise after midnight sun begins to its end, the days go: rises and sets, perhaps one half,
-// then neither.
+// The kinds of day in order from the first sunrise after midnight sun: days with sunrise and sunset, perhaps
+// one with only one of them, then neither.
 TEST(SunEvents, kindsChangeInOrderThroughThePolarYear) {
     int changes = 0;
     DayKind last = eventsAt(tromso, utc(2026, 1, 1)).kind;

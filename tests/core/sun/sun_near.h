@@ -22,7 +22,7 @@ inline Observer observerAt(double latDeg, double lonDeg) {
     return observer;
 }
 
-/// Difference of two azimuths, degrees, whichever side of north they lie.
+/// Difference of two azimuths, degrees, also across north.
 inline double azimuthDifference(Degrees a, Degrees b) {
     return std::abs(std::remainder(a.value - b.value, 360.0));
 }

@@ -12,7 +12,7 @@
 #include "tests/core/sun/sun_near.h"
 #include "tests/shared/shared_data.h"
 
-// Against tables of others: NREL SPA, JPL Horizons, USNO.
+// Compares with published tables: NREL SPA, JPL Horizons, USNO.
 namespace noonmark {
 namespace {
 
@@ -41,7 +41,7 @@ std::vector<std::map<std::string, std::string>> makeRows(const std::filesystem::
     return rows;
 }
 
-/// "2026-01-03T06:00:00Z", with the time left out at will.
+/// "2026-01-03T06:00:00Z"; the time is optional.
 Instant instantOf(const std::string& text) {
     int year = 0;
     unsigned month = 0;
@@ -76,8 +76,8 @@ TEST(SunReference, nrelSpaPositions) {
         observer.pressureHPa = number(row["pressure_mbar"], observer.pressureHPa);
         observer.temperatureC = number(row["temp_C"], observer.temperatureC);
         const SolarPosition sun = computeSolarPosition(observer, instantOf(row["time_utc"]));
-        // The row that isn't SPA's comes from NOAA's short formulas, good to some 0.003 deg; its refraction
-        // is another one.
+        // The row that is not SPA's comes from NOAA's short formulas, accurate to some 0.003 deg; its
+        // refraction formula differs.
         const double allowed = spa ? tolerance : 0.003;
         EXPECT_LT(azimuthDifference(sun.azimuth, {number(row["azimuth_deg_N_cw"])}), allowed) << row["case"];
         EXPECT_NEAR(sun.altitude.value, number(row["elevation_true_deg"]), allowed) << row["case"];
@@ -89,8 +89,8 @@ TEST(SunReference, nrelSpaPositions) {
     EXPECT_GE(compared, 2);
 }
 
-/// SPA's calculator gives the sunset of the day in UTC, in local time: in the summer of Colorado that is the
-/// evening before.
+/// SPA's calculator gives the sunset of the day in UTC, as local time: in Colorado's summer that is the
+/// previous evening.
 Instant sunsetOfUtcDay(const Observer& observer, Instant localMidnight, Instant utcMidnight) {
     const Instant sunset = computeSunEvents(observer, localMidnight, SunriseRule::upperLimb).sunset.value();
     if (sunset < utcMidnight + std::chrono::days{1}) return sunset;
@@ -98,7 +98,7 @@ Instant sunsetOfUtcDay(const Observer& observer, Instant localMidnight, Instant 
         .sunset.value();
 }
 
-/// Distance of an event from that time of day, on whichever day.
+/// Difference between an event and a time of day, on any day.
 double secondsOfDayBetween(Instant event, Instant midnight, std::chrono::seconds time) {
     return std::abs(std::remainder(std::chrono::duration<double>(event - midnight - time).count(), 86400.0));
 }
@@ -140,8 +140,8 @@ protected:
 };
 
 // Horizons gives refracted altitudes, for 1010 hPa and 10 deg C: the observer's defaults. Azimuth and
-// altitude are compared as a direction on the sky; azimuth by itself too, but where the sun is so high that
-// the same error on the sky turns it by more.
+// altitude are compared as a direction on the sky; azimuth also separately, except with the sun so high that
+// the same error on the sky is a larger error of azimuth.
 TEST_F(JplUsno, everyPositionAboveTwoDegrees) {
     int compared = 0;
     for (const auto& [name, bodies] : tables["positions"].items()) {
@@ -162,7 +162,7 @@ TEST_F(JplUsno, everyPositionAboveTwoDegrees) {
     EXPECT_EQ(compared, 352);
 }
 
-/// USNO's minute of a phenomenon of that day in UTC, where there is one.
+/// USNO's minute of a phenomenon of that day in UTC, if it occurs.
 std::optional<std::chrono::seconds> usnoTime(const nlohmann::json& day, const std::string& phenomenon) {
     for (const auto& entry : day["sundata"]) {
         if (entry["phen"] == phenomenon && entry["time"].is_string()) return timeOfDay(entry["time"]);
@@ -170,9 +170,9 @@ std::optional<std::chrono::seconds> usnoTime(const nlohmann::json& day, const st
     return std::nullopt;
 }
 
-// USNO's times are rounded to the minute. Its days are those of UTC, ours those around the local noon: an
-// event that falls on the other side of midnight is compared with the neighbour's, a day apart (up to 4
-// minutes at high latitudes).
+// USNO's times are rounded to the minute. Its days are those of UTC, ours those around local noon: an event
+// on the other side of midnight is compared with that of the neighbouring day (up to 4 minutes apart at high
+// latitudes).
 TEST_F(JplUsno, riseTransitAndSetWithinAMinute) {
     int compared = 0;
     for (const auto& [name, dates] : tables["times"].items()) {

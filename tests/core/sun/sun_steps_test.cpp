@@ -23,7 +23,7 @@ Period periodIn(const std::string& zone, CivilDate start) {
     return period;
 }
 
-/// What holds for every result, whatever the period.
+/// Properties of every result, whatever the period.
 void expectSound(const SunSteps& sun) {
     std::size_t next = 0;
     std::size_t below = 0;
@@ -112,7 +112,7 @@ TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
     }
 }
 
-// Sunrise to sunset, worked out here from the two events.
+// Sunrise to sunset, computed here from the two events.
 TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
     const CivilDate date = 2026y / December / 21;
     const Instant midnight = Zone::named("America/New_York")->instantAt(date, 0min);
@@ -197,7 +197,7 @@ TEST(SunSteps, midnightSunFillsTheWholeDay) {
     const SunSteps sun = stepsOf(period, longyearbyen);
     EXPECT_EQ(sun.steps.size(), 1440);
     EXPECT_EQ(sun.belowHorizon, 0);
-    period.from = 20h;  // over midnight
+    period.from = 20h;  // across midnight
     period.hours = 8;
     EXPECT_EQ(stepsOf(period, longyearbyen).steps.size(), 480);
 }
@@ -237,7 +237,7 @@ TEST(SunSteps, refractionLengthensTheDay) {
     const std::size_t seen = stepsOf(period, newYork).steps.size();
     period.refraction = false;
     const std::size_t geometric = stepsOf(period, newYork).steps.size();
-    // 29' of refraction, twice, where the sun climbs 15 cos 40.75 deg an hour.
+    // 29' of refraction, twice, with the sun rising by 15 cos 40.75 deg per hour.
     EXPECT_NEAR(double(seen - geometric), 2 * 60 * (29.0 / 60) / (15 * 0.7576), 2);
     EXPECT_NEAR(double(geometric), 12 * 60 + 4, 6);
 }
@@ -286,7 +286,7 @@ TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
 }
 
 TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
-    // Tromso in May: the days from the first night that stays bright.
+    // Tromso in May: the days from the first night without sunset.
     Period period = periodIn("Europe/Oslo", 2026y / May / 10);
     period.days = 20;
     period.window = SolarWindow{90min, 90min};
