@@ -160,7 +160,7 @@ TEST_F(ProjectEdits, MistakesSayWhatWhereAndWhatToDo) {
     EXPECT_THAT(refused("rename-scenario", {"A", "Existing"}), HasSubstr("Existing"));
     EXPECT_THAT(refused("rename-scenario", {"C", "D"}), HasSubstr("The scenarios are: Existing, A"));
     EXPECT_THAT(refused("duplicate-scenario", {"A", "A"}), HasSubstr("Two scenarios"));
-    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("name of its own"));
+    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("another name"));
     EXPECT_TRUE(kinds().empty());
 }
 

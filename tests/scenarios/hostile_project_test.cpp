@@ -157,12 +157,12 @@ TEST_F(HostileProject, ViewsInPlaceOfTablesAreRefusedAtOnce) {
         "damaged");
     expectRefused("DROP TABLE noonmark; CREATE VIEW noonmark" + endless +
                       "'schema_version' AS key, '1' AS value FROM n;",
-                  "no Noonmark project");
+                  "not a Noonmark project");
     expectRefused("DROP TABLE result_1_1; CREATE VIEW result_1_1" + endless +
                       "0 AS zoom_level, 0 AS tile_column, 0 AS tile_row, x'' AS tile_data FROM n;",
                   "damaged");
     expectRefused("DROP TABLE inputs; CREATE VIRTUAL TABLE inputs USING fts5(id, path, bytes, sha256)",
-                  "no table");
+                  "not a table");
     expectRefused(
         "DROP TABLE inputs; CREATE TABLE inputs (id INTEGER PRIMARY KEY, path AS (hex(randomblob(9))), "
         "bytes, "
@@ -175,7 +175,7 @@ TEST_F(HostileProject, AResultNamesNoTableOfTheProject) {
     for (const char* table :
          {"buildings", "result_1_1; DROP TABLE edits", "result_", "result_1_", "result__1", "noonmark"})
         expectRefused(std::string("UPDATE result_layers SET tiles = '") + table + "' WHERE id = 1",
-                      "no table of a result");
+                      "not a table of a result");
 }
 
 TEST_F(HostileProject, LongChainsOfScenariosAreRefusedAtOnce) {

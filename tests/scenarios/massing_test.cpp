@@ -149,7 +149,7 @@ TEST(Massing, ATowerIsTurnedOnItsLot) {
 TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     const Footprint lot = box(0, 0, 40, 20);
     EXPECT_THAT(refusal(lot, {}), HasSubstr("either storeys or a total height"));
-    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("stated twice"));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("given twice"));
     EXPECT_THAT(refusal(lot, {.heightM = -20}), HasSubstr("at most 2000 m"));
     EXPECT_THAT(refusal(lot, {.storeys = -1}), HasSubstr("1 to 500"));
     EXPECT_THAT(refusal(lot, {.storeyHeightM = 1, .storeys = 5}), HasSubstr("2 to 10"));
@@ -165,7 +165,7 @@ TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     MassingSettings podium{.storeys = 3, .podium = Podium{.storeys = 3}};
     EXPECT_THAT(refusal(lot, podium), HasSubstr("not lower than the whole"));
     podium = {.storeys = 9, .podium = Podium{.storeys = 3, .plate = {.shareOfLot = 0.5}}};
-    EXPECT_THAT(refusal(lot, podium), HasSubstr("stands out over its podium"));
+    EXPECT_THAT(refusal(lot, podium), HasSubstr("extends beyond its podium"));
     EXPECT_THAT(refusal(box(0, 0, 2, 2), {.storeys = 5}), HasSubstr("too small"));
 }
 

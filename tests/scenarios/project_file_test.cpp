@@ -275,7 +275,7 @@ TEST_F(ProjectFileTest, DamagedFilesGetAWordAndStayAsTheyAre) {
         const std::string cut = whole.substr(0, std::size_t(share * double(whole.size())));
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << cut;
         EXPECT_THAT(troubleOfOpening(),
-                    testing::AnyOf(HasSubstr("damaged"), HasSubstr("no Noonmark project")))
+                    testing::AnyOf(HasSubstr("damaged"), HasSubstr("not a Noonmark project")))
             << share;
         EXPECT_EQ(bytesOf(file()), cut);
     }
@@ -313,7 +313,7 @@ TEST_F(ProjectFileTest, NewerAndForeignFilesAreSaid) {
     EXPECT_EQ(bytesOf(file()), before);
     fs::remove(file());
     Database(file(), Database::Access::create).execute("CREATE TABLE t (x)");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("no Noonmark project"));
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("not a Noonmark project"));
     EXPECT_THAT(ProjectFile::open(folder_.path("gone")).error().text(), HasSubstr("no such file"));
 }
 
@@ -345,7 +345,7 @@ TEST_F(ProjectFileTest, AReadOnlyFileIsReadAndNotSaved) {
     ProjectFile disk = made();
     fs::permissions(file(), fs::perms::owner_read);
     EXPECT_TRUE(ProjectFile::open(file()));
-    EXPECT_THAT(disk.save(sampleProject()).error().text(), HasSubstr("may only be read"));
+    EXPECT_THAT(disk.save(sampleProject()).error().text(), HasSubstr("is read-only"));
     fs::permissions(file(), fs::perms::owner_all);
 }
 

@@ -225,7 +225,7 @@ TEST(SavedAnswers, settingsOfAnotherShapeAreAnError) {
     SavedResult result = *addResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
     SavedResult broken = result;
     broken.settings = "{";
-    EXPECT_THAT(readSavedAnswer(broken).error().text(), HasSubstr("June: The kept result cannot be shown"));
+    EXPECT_THAT(readSavedAnswer(broken).error().text(), HasSubstr("June: The saved result cannot be shown"));
     broken.settings = R"({"engine": "ray"})";
     EXPECT_FALSE(readSavedAnswer(broken));
     broken = result;

@@ -58,7 +58,7 @@ TEST(TimeWeights, WhatMakesNoSenseIsRefused) {
     table.intervals[0].weight = 1;
     EXPECT_TRUE(checked(table));
     table.intervals.push_back({.name = "winter", .first = December / 1, .last = February / 1, .weight = -1});
-    EXPECT_THAT(checked(table).error().text(), HasSubstr("'all' and 'winter' hold the same time"));
+    EXPECT_THAT(checked(table).error().text(), HasSubstr("'all' and 'winter' overlap"));
     EXPECT_FALSE(checked(TimeWeights{"", {{.weight = 1}}}));
     EXPECT_FALSE(checked(TimeWeights{"none", {}}));
     EXPECT_FALSE(checked(TimeWeights{"backwards", {{.from = 12h, .to = 9h, .weight = 1}}}));
