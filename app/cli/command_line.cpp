@@ -18,10 +18,10 @@ void say(const Console& console, std::string text) {
     console.err << "noonmark-cli: " << text << '\n';
 }
 
-// Groups of options are commands without a name to the parser.
+// For the parser, groups of options are commands without a name.
 bool isCommand(const CLI::App* app) { return !app->get_name().empty(); }
 
-// The parser only misses a command; a person wants to hear which word was none.
+// The parser only reports that a command is missing; this names the unknown word.
 std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc, const char* const* argv) {
     std::string words;
     const CLI::App* last = &app;
@@ -35,7 +35,7 @@ std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc
     return "There is no command '" + words + argv[next] + "'";
 }
 
-// The parser would take the next word for the value.
+// The parser would take the next word as the value.
 std::string emptyOption(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i)
         if (const std::string_view word = argv[i]; word.starts_with("--") && word.ends_with('='))
@@ -59,7 +59,7 @@ int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv
     return run(console);
 }
 
-// What could not be written must not look like success to a script.
+// A script must not take incompletely written output for success.
 int checkWritten(const Console& console, int code) {
     console.out.flush();
     if (console.out || code != exitOk) return code;

@@ -49,7 +49,7 @@ std::string WallClock::text(Instant at) const {
     const Instant rounded = std::chrono::round<std::chrono::seconds>(at);
     if (zone_) return zone_->text(rounded);
     const std::string there =
-        Zone::utc().text(rounded + offset_);  // "2003-10-17T12:30:30" and UTC's own offset
+        Zone::utc().text(rounded + offset_);  // "2003-10-17T12:30:30" followed by UTC's offset
     const auto size = std::chrono::abs(offset_);
     return fmt::format("{}{}{:02}:{:02}", there.substr(0, 19), offset_.count() < 0 ? '-' : '+',
                        size.count() / 60, size.count() % 60);

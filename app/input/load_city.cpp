@@ -96,7 +96,7 @@ Region firstRegion(const LoadedCity& loaded, float mostM) {
     Box2 box = bounds(loaded.read.city);
     if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
     const glm::vec2 centre = (box.low + box.high) / 2.0F;
-    // Some open ground around, or a single building would leave nothing to shade.
+    // The border leaves some open ground even around a single building.
     constexpr float borderM = 50;
     const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(mostM / 2));
     Region region = makeRegionFromLocalBox({centre - half, centre + half});

@@ -26,8 +26,8 @@ EngineList found() {
     const GlLimits& limits = (*context)->limits();
     return {
         engineOf({"shadow-map-gl", "Shadow maps (OpenGL)",
-                  "Draws one depth map per step and tests every cell against it: the paper's baseline for "
-                  "accrual maps"},
+                  "Draws one depth map per step and tests every cell against it: the method that the paper "
+                  "compares accrual maps with"},
                  GlPasses::oneAStep, limits),
         engineOf({"sam-gl", "Shadow accrual map (OpenGL)",
                   "One draw on the graphics device fills the depth maps of all steps of an hour"},

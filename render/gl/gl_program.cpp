@@ -42,7 +42,7 @@ Result<GlProgram> GlProgram::make(const std::string& head, const std::vector<Sta
         const auto shader = compiled(head, stage);
         if (!shader) return tl::make_unexpected(shader.error());
         glAttachShader(program.name_, *shader);
-        glDeleteShader(*shader);  // lives as long as the program
+        glDeleteShader(*shader);  // deleted together with the program
     }
     glLinkProgram(program.name_);
     GLint done = GL_FALSE;

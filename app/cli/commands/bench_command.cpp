@@ -36,7 +36,7 @@ struct BenchOptions {
     bool json = false;
 };
 
-// As many buildings as the paper's Manhattan, and a million triangles.
+// As many buildings as the paper's Manhattan, with a million triangles.
 constexpr GridSampleSettings largeGrid{.buildings = 43'000, .roundness = 7};
 
 Result<City> cityOf(const BenchOptions& options, Progress& progress, const std::stop_token& stop) {
@@ -85,7 +85,7 @@ void print(const bench::BenchReport& report, const std::vector<std::filesystem::
 struct Bench {
     Result<bench::BenchReport> (*run)(const bench::BenchSite&, const bench::Extent&, const EngineList&,
                                       Progress&, const std::stop_token&);
-    std::span<const char* const> keys;  // of its findings
+    std::span<const char* const> keys;  // keys of its findings
 };
 
 int runBench(const Bench& bench, const BenchOptions& options, const Console& console) {

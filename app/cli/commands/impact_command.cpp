@@ -24,7 +24,7 @@ struct ImpactOptions {
     std::string to;
     std::vector<double> thresholds{30, 60};
     bool byBuilding = false;
-    std::string scale;  // empty: the project's
+    std::string scale;  // empty: the project's scale
 };
 
 Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& disk, const Console& console) {
@@ -49,7 +49,7 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& d
     return answer;
 }
 
-// The scale that was asked for, else that of the project.
+// The scale given by the user, otherwise that of the project.
 ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
     return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
 }

@@ -29,7 +29,7 @@ std::string sourceWords(const nlohmann::ordered_json& sources) {
     return text.empty() ? "none" : text;
 }
 
-// What rests on a guess, and what to do about it.
+// Warns of assumed heights and names the fields that may hold heights.
 void printHeights(std::ostream& out, const CityRead& read) {
     if (const auto headline = assumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
     if (read.heights.unknown.empty()) return;
@@ -38,7 +38,7 @@ void printHeights(std::ostream& out, const CityRead& read) {
         out << "  " << (field.whole ? "--levels-field " : "--height-field ") << describe(field) << '\n';
 }
 
-// For people; the figures are those of the JSON.
+// Prints the figures of the JSON as text.
 void print(const CityRead& read, std::ostream& out) {
     const auto info = nlohmann::ordered_json::parse(infoJson(read));
     const auto number = [&](const char* key) { return withCommas(info[key].get<std::size_t>()); };

@@ -26,7 +26,7 @@ struct SunOptions {
     bool json = false;
 };
 
-// What the sun does at a place on one day.
+// The sun at a place: its position, and the events of one day.
 struct SunReport {
     SolarPosition position;
     SunEvents events;

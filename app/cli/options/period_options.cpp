@@ -7,7 +7,8 @@ namespace noonmark::cli {
 namespace {
 
 Result<std::string> zoneFrom(const PeriodOptions& options) {
-    if (options.zone.empty() && !options.window.empty()) return std::string("UTC");  // only names the days
+    if (options.zone.empty() && !options.window.empty())
+        return std::string("UTC");  // the zone only defines the dates
     if (options.zone.empty())
         return failure("The hours need a zone to be hours of", "period",
                        "State --zone, for example --zone America/New_York");

@@ -8,7 +8,7 @@ namespace noonmark::cli {
 
 namespace {
 
-// Itself, or any of those that it starts from, bears the name. The project's scenarios are sound.
+// Whether the scenario or one of its bases has this name. The project's scenarios are valid.
 bool startsFrom(const Project& project, const Scenario* scenario, const std::string& name) {
     for (; scenario != nullptr; scenario = findScenario(project.scenarios, scenario->base))
         if (scenario->name == name) return true;

@@ -18,15 +18,15 @@ namespace {
 
 struct ExtrudeOptions : EditOptions {
     std::string lot;
-    std::string on;  // a building, whose footprint is the lot
+    std::string on;  // a building whose footprint is the lot
     std::string id;
     bool clear = false;
     MassingSettings massing;
-    double sharePercent = 0;  // 0: not stated
+    double sharePercent = 0;  // 0: not given
     double areaM2 = 0;
     int podiumStoreys = 0;
     double podiumPercent = 100;
-    double podiumM2 = 0;                // 0: not stated
+    double podiumM2 = 0;                // 0: not given
     std::vector<std::string> setbacks;  // HEIGHT:INSET
 };
 
@@ -63,11 +63,11 @@ Result<MassingSettings> settingsFrom(const ExtrudeOptions& options) {
     return settings;
 }
 
-// The lot, and the edits that make it free.
+// The lot, and the edits that clear it.
 struct Site {
     Footprint lot;
     std::vector<Edit> edits;
-    std::string note;  // what the user may not have seen
+    std::string note;  // hint for the user
 };
 
 Site siteOn(const Footprint& lot, const City& city, bool clear) {
@@ -78,7 +78,7 @@ Site siteOn(const Footprint& lot, const City& city, bool clear) {
     return {lot, {}, fmt::format("  Stays on the lot without --clear: {}\n", fmt::join(staying, ", "))};
 }
 
-// Of a building that stands in several pieces the largest.
+// The largest piece of a building that stands in several pieces.
 Footprint groundOf(const Building& building) {
     std::vector<Footprint> pieces = computeOutline(building);
     if (pieces.empty()) return building.parts.front().footprint;

@@ -18,24 +18,24 @@ namespace noonmark::cli {
 
 namespace {
 
-// A building's shape from a file, and where it is put.
+// A building's shape from a file, and its placement.
 struct ShapeOptions : EditOptions {
     std::string mesh;
     std::string id;
     ReadSettings read;
-    std::optional<LonLat> at;        // the middle of its outline
+    std::optional<LonLat> at;        // centre of its outline
     std::optional<LonLat> originAt;  // the mesh's own origin
     double eastM = 0;
     double northM = 0;
     double scale = 1;
     double clockwiseDeg = 0;
-    std::string replaced;  // a building that makes room
+    std::string replaced;  // the building to replace
 };
 
 struct Shape {
     ImportMesh import;
     Warnings warnings;
-    bool hasPlace = false;  // CityJSON comes at its own
+    bool hasPlace = false;  // CityJSON contains its position
 };
 
 Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, const Frame& frame) {
@@ -54,7 +54,7 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     return shape;
 }
 
-// `usual`: where the middle goes when nothing is said.
+// `usual`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> usual) {
     Placement placement{.scale = options.scale, .clockwiseDeg = options.clockwiseDeg};
@@ -70,7 +70,7 @@ Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, c
     return placement;
 }
 
-// The shape where it is put.
+// The shape at its placement.
 Result<Building> standOnTerrain(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
     Building building = placed(*shape.import.shape, placement);
     if (topM(building) > 0) return building;

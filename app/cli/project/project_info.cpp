@@ -78,7 +78,7 @@ void print(const Json& info, std::ostream& out) {
     for (const Json& scenario : info["scenarios"]) {
         out << fmt::format("\n{} (from {})\n", scenario["name"].get<std::string>(),
                            scenario["base"].get<std::string>());
-        int number = 0;  // of `remove-edit`
+        int number = 0;  // the number that `remove-edit` takes
         for (const Json& edit : scenario["edits"])
             out << fmt::format("{:4} {}\n", ++number, edit.get<std::string>());
     }

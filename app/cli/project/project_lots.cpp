@@ -20,8 +20,8 @@ struct AddOptions {
     ChangeOptions change;
     std::string name;
     std::string place;
-    std::string building;  // whose outline is the lot
-    std::string scenario;  // that it stands in
+    std::string building;  // its outline is the lot
+    std::string scenario;  // the scenario of the building
 };
 
 struct ImportOptions {
@@ -47,7 +47,7 @@ Result<std::vector<Footprint>> outlinesOf(const AddOptions& options, const Proje
     });
 }
 
-// Several polygons are several lots.
+// Each polygon becomes a lot.
 Result<std::string> addLots(Project& project, const std::string& name,
                             const std::vector<Footprint>& outlines) {
     std::string words;
@@ -68,7 +68,7 @@ Result<std::string> add(const AddOptions& options, Project& project) {
     return addLots(project, options.name, *outlines);
 }
 
-// A name that no lot has yet: those without one are counted, a second of a name gets a number.
+// A name that no lot has yet: unnamed lots are numbered, and repeated names get a number.
 std::string freeName(const Project& project, const std::string& name) {
     const std::string own = name.empty() ? "lot" : name;
     return findFreeName(own, [&](const std::string& wanted) { return findLot(project, wanted).has_value(); });

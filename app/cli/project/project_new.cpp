@@ -23,7 +23,7 @@ struct NewOptions {
     bool overwrite = false;
 };
 
-// "Park=park.geojson" as a region of that name.
+// Parses "Park=park.geojson" as a region of that name.
 Result<Region> placeFrom(const std::string& text, const Frame& frame) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -43,7 +43,7 @@ Result<void> addRegions(Project& project, const std::vector<std::string>& texts)
     return {};
 }
 
-// Several polygons are several lots.
+// Each polygon becomes a lot.
 Result<void> addLots(Project& project, const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
         const auto place = placeFrom(text, project.city->frame);
@@ -62,7 +62,7 @@ Result<Project> projectFrom(const NewOptions& options, const LoadedCity& loaded)
         .map([&] { return std::move(project); });
 }
 
-// The city's files, and those of the places: "Park=park.geojson".
+// Protects the city's files and those of the places: "Park=park.geojson".
 OutputRules rulesOf(const NewOptions& options) {
     OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
     for (const auto* places : {&options.regions, &options.lots})

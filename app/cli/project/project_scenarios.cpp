@@ -24,7 +24,7 @@ struct RenameOptions : NameOptions {
 };
 
 struct RemoveEditOptions : EditOptions {
-    std::vector<std::size_t> numbers;  // from 1, as `info` counts them
+    std::vector<std::size_t> numbers;  // from 1, as listed by `info`
 };
 
 Result<std::string> add(const AddOptions& options, Project& project) {

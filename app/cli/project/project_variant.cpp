@@ -26,7 +26,7 @@ Result<double> factorFrom(const std::string& text) {
     return failure("It is no size of a floor plate", text, "Give a factor such as 2 or 0.5, or `largest`");
 }
 
-// The lot of the building's own name, else the one that its middle lies on.
+// The lot with the building's name, otherwise the lot that contains the building's centroid.
 Result<Footprint> lotOf(const Project& project, const Building& building) {
     for (const NamedLot& lot : project.lots)
         if (lot.name == building.sourceId || lot.name == building.name) return lot.outline;

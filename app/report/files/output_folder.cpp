@@ -11,7 +11,7 @@ Result<void> notWritten(const std::filesystem::path& file, const QString& why) {
                    "Choose a folder that you may write to, and check that its disk has room");
 }
 
-// Writers of pictures and pages fail without a word of their own.
+// Writers of pictures and pages may fail without an error message.
 QString reasonOf(const QFile& device) {
     return device.error() == QFileDevice::NoError ? QStringLiteral("not all of it could be written")
                                                   : device.errorString();
@@ -64,7 +64,7 @@ void OutputFolder::add(const std::string& name,
 }
 
 Result<std::vector<std::filesystem::path>> OutputFolder::result() && {
-    const auto finished = std::move(pending_);  // what gets no name is removed here
+    const auto finished = std::move(pending_);  // files that get no name are removed here
     for (const auto& file : finished)
         if (state_) state_ = file->commit();
     if (!state_) return tl::make_unexpected(std::move(state_).error());

@@ -75,7 +75,8 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
                  .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)))};
 }
 
-// What the sections of a study's report say holds of both fields: they are told of the city after.
+// The city after the change as a study, for the sections of a study's report. Their statements hold for both
+// fields.
 Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
     Study study;
     study.city = source.city;
@@ -89,7 +90,7 @@ Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
     return study;
 }
 
-// One line for each new building, where the comparison has them.
+// One line per new building, if the comparison measured them.
 void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& figures) {
     if (figures.byBuilding.empty()) return;
     TextBlocks blocks{heading(QStringLiteral("What each new building does by itself"))};

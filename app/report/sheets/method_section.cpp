@@ -42,7 +42,7 @@ QString terrainWords(const Study& study) {
     return words;
 }
 
-// Where whole steps of the length asked for do not fill the hours.
+// States that the step length was adjusted so that whole steps fill the hours.
 QString roundingWords(const Study& study) {
     const Period& period = study.settings.period;
     const double asked = period.stepMinutes;

@@ -59,7 +59,7 @@ TextBlocks methodOf(const ScoreAnswer& answer) {
                           QString::fromUtf8(describe(answer.settings.receivers.places))))};
 }
 
-// Those without a step of the sun have neither area nor score.
+// Intervals without a sun step have neither area nor score and are skipped.
 TextBlocks weightsOf(const ScoreAnswer& answer) {
     TextBlocks blocks{
         heading(QStringLiteral("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
@@ -72,7 +72,7 @@ TextBlocks weightsOf(const ScoreAnswer& answer) {
     return blocks;
 }
 
-// The sections of a study's report that do not look at its field.
+// The sections of a study's report that do not depend on its field.
 std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource& source) {
     Study study;
     study.city = source.city;
@@ -80,7 +80,7 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     study.warnings = answer.score.warnings;
     study.provenance = answer.provenance;
     std::vector<TextBlocks> sections = sourceSections(study);
-    sections.pop_back();  // what was computed and left undone: of a field
+    sections.pop_back();  // cost and skipped work belong to a field
     sections.push_back(
         repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;

@@ -38,7 +38,7 @@ TextBlocks inputsOf(const Study& study) {
 
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
-// The last edits change what those before them left: each counts.
+// Lists the first edits and the number of the others.
 void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
     const std::size_t shown = std::min(mostEdits, scenario.edits.size());
     for (std::size_t i = 0; i < shown; ++i)
@@ -65,7 +65,7 @@ QString fileWords(const ProjectRecord& project) {
     return QStringLiteral("%1, SHA-256 of the file:").arg(textOf(project.file));
 }
 
-/// Nothing for a city that came straight from its files.
+/// Empty for a city read directly from its files.
 TextBlocks projectOf(const Study& study) {
     const auto& project = study.provenance.project;
     if (!project) return {};
@@ -117,7 +117,7 @@ QString groupWords(const WarningGroup& group) {
              QString::fromStdString(group.what));
 }
 
-/// The most frequent kinds, one a line.
+/// The most frequent kinds, one per line.
 TextBlocks warningsOf(const Study& study) {
     TextBlocks blocks{heading(QStringLiteral("Warnings"))};
     std::vector<WarningGroup> groups = grouped(study.warnings);
