@@ -63,7 +63,7 @@ int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv
 int checkWritten(const Console& console, int code) {
     console.out.flush();
     if (console.out || code != exitOk) return code;
-    say(console, "The output could not be written to its end. Check that its disk has room");
+    say(console, "The output could not be written completely. Check that the disk has free space");
     return exitFailed;
 }
 
@@ -76,7 +76,7 @@ int fail(const Console& console, const Error& error, ExitCode code) {
 
 int runCommandLine(int argc, const char* const* argv, const Console& console) {
     try {
-        CLI::App app("Measures the shadows of buildings on a city.", "noonmark-cli");
+        CLI::App app("Measures the shadows that buildings cast on a city.", "noonmark-cli");
         app.set_version_flag("--version", "Noonmark " + std::string(version()));
         app.require_subcommand(1);
         Run run;

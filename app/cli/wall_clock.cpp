@@ -30,8 +30,8 @@ Result<WallClock> WallClock::from(const std::string& zone, const std::string& at
     }
     const auto offset = offsetOf(at);
     if (!offset)
-        return failure("The time does not say its offset from UTC", at,
-                       "Add it (2026-03-21T09:00:00-04:00), or state --zone America/New_York");
+        return failure("The time has no offset from UTC", at,
+                       "Add it (2026-03-21T09:00:00-04:00), or give --zone America/New_York");
     clock.offset_ = *offset;
     return clock;
 }

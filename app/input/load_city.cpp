@@ -28,8 +28,8 @@ Result<CityRead> readOrMake(const std::vector<std::string>& files, const ReadSet
     if (std::ranges::none_of(files, isSample))
         return readCity({files.begin(), files.end()}, settings, progress, std::move(stop));
     if (files.size() == 1) return sampleRead(files.front());
-    return failure("A sample stands alone", files.front(),
-                   "Write it to a file with `noonmark-cli sample` and read that with the others");
+    return failure("A sample cannot be combined with other files", files.front(),
+                   "Write it to a file with `noonmark-cli sample` and read that file with the others");
 }
 
 Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {

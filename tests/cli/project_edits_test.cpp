@@ -99,7 +99,7 @@ TEST_F(ProjectEdits, AMeshTakesTheReplacedBuildingsPlaceAndName) {
 TEST_F(ProjectEdits, ADryRunSavesNothing) {
     const auto saves = ProjectFile::open(file_).value().saves();
     EXPECT_THAT(done("demolish", {"One57", "--scenario", "A", "--dry-run"}),
-                AllOf(HasSubstr("Demolish One57"), HasSubstr("Nothing was saved")));
+                AllOf(HasSubstr("Demolish One57"), HasSubstr("nothing was saved")));
     EXPECT_THAT(refused("demolish", {"One58", "--scenario", "A", "--dry-run"}), HasSubstr("'One57'"));
     EXPECT_EQ(ProjectFile::open(file_).value().saves(), saves);
 }

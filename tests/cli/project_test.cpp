@@ -63,9 +63,10 @@ TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
     EXPECT_EQ(info.json()["format"], "Noonmark project");
     EXPECT_EQ(info.json()["buildings"], opened().city->buildings.size());
     EXPECT_THAT(noonmarkCli({"info", file_}).out, HasSubstr("noonmark-cli project info"));
-    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err, HasSubstr("is read already"));
+    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err,
+                HasSubstr("has already been read"));
     EXPECT_THAT(noonmarkCli({"info", file_, folder_.path("dem.tif").string()}).err,
-                HasSubstr("stands alone"));
+                HasSubstr("cannot be combined"));
 }
 
 TEST_F(ProjectCommand, TablesNameTheProject) {
@@ -111,7 +112,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
 TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
     EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 2);
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
-                HasSubstr("The existing city is not changed"));
+                HasSubstr("The existing city cannot be changed"));
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
                 HasSubstr("The project has no scenario yet"));
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);

@@ -325,8 +325,8 @@ TEST_F(Repeat, WhatDoesNotGoTogetherIsRefused) {
     };
     EXPECT_THAT(refused({"study", city().string(), "--scenario", "A"}), HasSubstr("Only a project"));
     EXPECT_THAT(refused({"study", file.string(), "--scenario", "A"}), HasSubstr("no such scenario"));
-    EXPECT_THAT(refused({"study", file.string(), city().string()}), HasSubstr("stands alone"));
-    EXPECT_THAT(refused({"study", file.string(), "--height-unit", "ft"}), HasSubstr("options of reading"));
+    EXPECT_THAT(refused({"study", file.string(), city().string()}), HasSubstr("cannot be combined"));
+    EXPECT_THAT(refused({"study", file.string(), "--height-unit", "ft"}), HasSubstr("reading options"));
 }
 
 }  // namespace

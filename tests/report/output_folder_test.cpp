@@ -30,7 +30,7 @@ TEST(OutputFolder, writesAllOrNothing) {
     const auto written = std::move(files).result();
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().where, folder.path("out") / "b.txt");
-    EXPECT_THAT(written.error().text(), HasSubstr("not all of it could be written"));
+    EXPECT_THAT(written.error().text(), HasSubstr("it could not be written completely"));
     OutputFolder again(folder.path("out"));
     again.add("d.txt", textContent("d"));
     EXPECT_TRUE(std::move(again).result());

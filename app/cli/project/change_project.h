@@ -31,7 +31,7 @@ CLI::App* addChangeCommand(CLI::App& group, const char* name, const char* about,
                            Result<std::string> (*change)(const Options&, Project&), Run& run) {
     CLI::App* command = group.add_subcommand(name, about);
     addProjectFile(*command, options->change.file);
-    command->add_flag("--dry-run", options->change.dryRun, "Say what would come of it; save nothing");
+    command->add_flag("--dry-run", options->change.dryRun, "Report the changes without saving them");
     command->callback([options, change, &run] {
         run = [options, change](const Console& console) {
             return changeProject(options->change, console,

@@ -92,14 +92,14 @@ int runNew(const NewOptions& options, const Console& console) {
 
 void addProjectNew(CLI::App& project, Run& run) {
     const auto options = std::make_shared<NewOptions>();
-    CLI::App* command = project.add_subcommand("new", "Begin a project with a city");
-    command->add_option("project", options->file, "The file to make")
+    CLI::App* command = project.add_subcommand("new", "Create a project from a city");
+    command->add_option("project", options->file, "The project file to create")
         ->required()
         ->type_name("NAME.noonmark.gpkg");
     addReadOptions(*command, options->read);
-    command->add_option("--region", options->regions, "Where shadow is measured; any number")
+    command->add_option("--region", options->regions, "Region where shadow is measured; may be repeated")
         ->type_name("NAME=W,S,E,N|FILE");
-    command->add_option("--lot", options->lots, "Ground to build on; any number")
+    command->add_option("--lot", options->lots, "Lot to build on; may be repeated")
         ->type_name("NAME=W,S,E,N|FILE");
     command->add_flag(
         "--overwrite,--replace", options->overwrite,

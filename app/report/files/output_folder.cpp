@@ -8,12 +8,12 @@ namespace {
 
 Result<void> notWritten(const std::filesystem::path& file, const QString& why) {
     return failure("The file could not be written: " + why.toStdString(), file.string(),
-                   "Choose a folder that you may write to, and check that its disk has room");
+                   "Choose a writable folder, and check that its disk has free space");
 }
 
 // Writers of pictures and pages may fail without an error message.
 QString reasonOf(const QFile& device) {
-    return device.error() == QFileDevice::NoError ? QStringLiteral("not all of it could be written")
+    return device.error() == QFileDevice::NoError ? QStringLiteral("it could not be written completely")
                                                   : device.errorString();
 }
 
@@ -37,8 +37,8 @@ Result<void> prepareFolder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder, error))
-        return failure("The folder could not be made" + (error ? ": " + error.message() : std::string()),
-                       folder.string(), "Choose a folder that you may write to");
+        return failure("The folder could not be created" + (error ? ": " + error.message() : std::string()),
+                       folder.string(), "Choose a writable folder");
     const PendingFile trial(folder / "trial");  // removed again
     if (QFile file(trial.path()); !file.open(QIODevice::WriteOnly))
         return notWritten(folder, file.errorString());

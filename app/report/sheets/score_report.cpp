@@ -35,7 +35,7 @@ std::vector<Figure> figuresOfSheet(const Score& score) {
     const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
     std::vector<Figure> figures{
         {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
-        {QStringLiteral("a m² of ground"), QString::number(perArea, 'f', 3)},
+        {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
         {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
     for (const MonthFigures& month : score.months)
         figures.push_back({monthName(month.month) + QStringLiteral(", score"), signedArea(month.scoreM2)});
@@ -45,10 +45,8 @@ std::vector<Figure> figuresOfSheet(const Score& score) {
 TextBlocks definitions() {
     return {body(QStringLiteral(
         "Score: sum over the intervals of the weight table of weight × share of the interval's sunlit time "
-        "in "
-        "shadow; over the region times the cell area. Above 0 shade is wanted more than shadow is "
-        "unwanted. "
-        "The score of a month is what it adds to the whole; months add up to it."))};
+        "in shadow; over the region times the cell area. Positive means that wanted shade outweighs unwanted "
+        "shadow. The scores of the months add up to the total."))};
 }
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
