@@ -25,10 +25,9 @@ enum class CellChange : std::uint8_t {
 /// The change that a scenario causes: after minus before, on cells that are receivers in both cities.
 struct Impact {
     Grid grid;
-    std::vector<float> grossMin;  ///< minutes a day, grid order; NaN unless a receiver in both cities
-    std::vector<float>
-        continuousMin;               ///< minutes; likewise; all NaN where continuous shadow was not computed
-    std::vector<CellChange> change;  ///< one per cell, grid order
+    std::vector<float> grossMin;       ///< minutes a day, grid order; NaN unless a receiver in both cities
+    std::vector<float> continuousMin;  ///< minutes; likewise; all NaN if not computed
+    std::vector<CellChange> change;    ///< one per cell, grid order
     double sunlitMinutesPerDay = 0;
     double stepMinutes = 1;
     std::string engine;  ///< of both fields: name and settings, as text

@@ -21,9 +21,8 @@ struct ImpactFigures {
     double thresholdMin = 30;
     double receiverAreaM2 = 0;  ///< area of the receivers common to both cities
     ChangeFigures gross;
-    ChangeFigures continuous;  ///< all NaN where continuous shadow was not computed
-    double shadowAreaChangeM2 =
-        0;  ///< change of the sum over receivers of share of sunlit time in shadow x cell area
+    ChangeFigures continuous;       ///< all NaN where continuous shadow was not computed
+    double shadowAreaChangeM2 = 0;  ///< sum of (share of sunlit time in shadow x cell area)
     double becameBuildingM2 = 0;
     double becameGroundM2 = 0;
 };

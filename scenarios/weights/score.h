@@ -13,9 +13,8 @@ namespace noonmark {
 /// One month of the period.
 struct MonthFigures {
     std::chrono::year_month month;
-    double shadowAreaM2 =
-        0;               ///< sum over receivers of share of the month's sunlit time in shadow x cell area
-    double scoreM2 = 0;  ///< the month's part of the score; the months add up to it
+    double shadowAreaM2 = 0;  ///< sum of (share of the month's sunlit time in shadow x cell area)
+    double scoreM2 = 0;       ///< the month's part of the score; the months add up to it
     double sunlitMinutes = 0;
 };
 

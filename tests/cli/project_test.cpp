@@ -43,7 +43,7 @@ TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
     EXPECT_THAT(built.out, HasSubstr("New tower: 40 storeys, 160.0 m"));
     ASSERT_EQ(project("add-scenario", {"B", "--base", "A"}).code, 0);
     const Spoken wider = project("variant", {"One57", "520 Park Avenue", "--scenario", "B"});
-    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue is gone
+    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue was demolished
     EXPECT_THAT(wider.err, HasSubstr("There is no such building"));
     const Spoken variant = project("variant", {"One57", "--scenario", "B"});
     ASSERT_EQ(variant.code, 0) << variant.err;
@@ -104,7 +104,7 @@ TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
 TEST_F(ProjectCommand, ScoresAYear) {
     const Spoken score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
-    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: two of it
+    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: December appears twice
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
     EXPECT_THAT(textOf(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
 }

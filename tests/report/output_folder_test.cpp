@@ -37,7 +37,7 @@ TEST(OutputFolder, writesAllOrNothing) {
     EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"d.txt"});
 }
 
-// As on a disk that is full: no file may grow beyond 64 KiB.
+// Simulates a full disk: no file may grow beyond 64 KiB.
 TEST(OutputFolderDeathTest, aFullDiskIsSaidAndLeavesNothing) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const tests::TemporaryFolder folder;

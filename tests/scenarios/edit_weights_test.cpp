@@ -79,7 +79,7 @@ TEST(EditedWeights, anIntervalIsReadFromItsTexts) {
     EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6: '1.5' is not a weight"));
     texts["weight"] = "1";
     texts["last"] = "Fe";
-    EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6, last: 'Fe' is no day"));
+    EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6, last: 'Fe' is not a day"));
 }
 
 }  // namespace

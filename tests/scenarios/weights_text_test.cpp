@@ -25,7 +25,7 @@ std::vector<std::vector<std::string>> fieldsOf(std::string_view text) {
     return fields;
 }
 
-// Empty lines count, and those within quotes, as an editor counts them.
+// Line numbers count empty lines and line breaks within quotes, as an editor does.
 TEST(CsvRows, KnowTheirLines) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         std::string text;
@@ -66,7 +66,7 @@ TEST(WeightsText, NeedsOnlyDaysAndAWeight) {
 TEST(WeightsText, SaysTheLineAndWhatIsWrongWithIt) {
     EXPECT_THAT(whyNot(""), HasSubstr("empty"));
     EXPECT_THAT(whyNot("first,last,weight\n"), HasSubstr("no intervals"));
-    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31\n"), HasSubstr("line 2: It has 2 fields"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31\n"), HasSubstr("line 2: The row has 2 fields"));
     EXPECT_THAT(whyNot("first,last,wieght\n01-01,12-31,1\n"), HasSubstr("no column 'wieght'"));
     EXPECT_THAT(whyNot("first,last,weight\n01-01,02-30,1\n"), HasSubstr("line 2, last: '02-30'"));
     EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1.5\n"), HasSubstr("'1.5' is not a weight"));

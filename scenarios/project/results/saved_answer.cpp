@@ -103,7 +103,7 @@ void compareCity(std::vector<std::string>& changes, const Project& project, cons
     if (!city)
         changes.push_back(fmt::format("The scenario '{}' no longer exists.", scenario));
     else if (!hash.empty() && cityHash(city->city) != hash)
-        changes.push_back(fmt::format("The buildings or the terrain of '{}' have changed since.", scenario));
+        changes.push_back(fmt::format("'{}' has changed since: its buildings or its terrain.", scenario));
 }
 
 }  // namespace
