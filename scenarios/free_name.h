@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-/// The name, or "name (2)", "name (3)"...: the first for which `isTaken(name)` is false.
+/// Returns `name`, or else the first of "name (2)", "name (3)"... for which `isTaken` is false.
 template <class IsTaken>
 std::string findFreeName(const std::string& name, IsTaken&& isTaken) {
     std::string free = name;

@@ -26,7 +26,7 @@ ByName byName(const std::vector<Scenario>& scenarios) {
     return found;
 }
 
-// From the scenario down to the one that starts from the existing city.
+// The chain of bases, from the scenario down to the one that starts from the existing city.
 Result<std::vector<const Scenario*>> lineage(const std::vector<Scenario>& scenarios, const ByName& named,
                                              std::string_view name) {
     std::vector<const Scenario*> line;
@@ -75,12 +75,12 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
 Result<void> checked(const std::vector<Scenario>& scenarios) {
     if (scenarios.size() > mostScenarios)
         return failure(fmt::format("There are more than {} scenarios", mostScenarios), "scenarios",
-                       "Keep some in another project");
+                       "Move some to another project");
     const ByName named = byName(scenarios);
     for (const Scenario& scenario : scenarios) {
         if (scenario.name.empty() || scenario.name == existingCity)
             return failure(fmt::format("A scenario cannot be called '{}'", scenario.name), "scenarios",
-                           "Give it a name of its own");
+                           "Give it another name");
         if (named.at(scenario.name) != &scenario)
             return failure("Two scenarios have this name", scenario.name, "Rename one");
         if (const auto line = lineage(scenarios, named, scenario.name); !line)

@@ -21,7 +21,7 @@ constexpr double extentPt = 7;
 constexpr double gapPt = 18;  // between the blocks of a page
 constexpr double highestChartPt = 330;
 
-/// The pages of one report, one after the other.
+/// The pages of one report.
 class BenchPages {
 public:
     BenchPages(QPdfWriter& writer, QPainter& painter, const bench::BenchReport& report)
@@ -60,7 +60,7 @@ private:
                     fmt::format("{}; measured in {:.0f} s", report_.machine, report_.seconds))};
     }
 
-    /// Findings [first, last) below `topPoints`; their charts share what height is left.
+    /// Findings [first, last) below `topPoints`; their charts share the remaining height.
     void paintBlocks(std::size_t first, std::size_t last, double topPoints) {
         std::vector<FindingBlock> blocks;
         double fixed = double(last - first - 1) * gapPt * canvas_.point;

@@ -7,7 +7,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double rowHeight = 1.62;  // of the size of the letters
+constexpr double rowHeight = 1.62;  // times the font size
 constexpr double columnGap = 1.1;
 constexpr double mostSpare = 3;
 
@@ -25,8 +25,8 @@ double widthOf(const bench::Comparison& comparison, std::size_t column, const QF
     return width;
 }
 
-// What is left over goes to all columns alike, but not so much that the eye loses the line; what is missing
-// comes from the first.
+// Spare width is shared equally among the columns, up to a limit that keeps rows readable; missing width is
+// taken from the first column.
 std::vector<double> columnWidths(const Canvas& canvas, const bench::Comparison& comparison, double width,
                                  double points) {
     const QFontMetricsF bold(textFont(canvas, points, QFont::Bold)), plain(textFont(canvas, points));

@@ -15,7 +15,7 @@ constexpr double textPt = 7.8;
 constexpr double tablePt = 7;
 constexpr double gapPt = 7;         // between the parts of a block
 constexpr double gutterPt = 16;     // between columns
-constexpr double chartShare = 0.6;  // of the width, where tables stand at the chart's side
+constexpr double chartShare = 0.6;  // share of the width where tables stand beside the chart
 constexpr std::size_t mostRemarks = 4;
 
 }  // namespace
@@ -47,7 +47,7 @@ double FindingBlock::tablesHeight() const {
     return height > 0 ? height + gapPt * canvas_.point : 0;
 }
 
-// Two charts have their own; more of them share one.
+// Two charts have one legend each; other numbers of charts share one.
 double FindingBlock::legendsHeight() const {
     const std::span<const bench::Chart> charts = finding_.charts;
     if (charts.size() != 2) return makeLegend(canvas_, {0, 0, width_, 0}, charts, inks_, false);

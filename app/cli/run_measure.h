@@ -10,7 +10,7 @@
 
 namespace noonmark::cli {
 
-/// What differs between the measures of a project. `Answer` has a addResult() (save_result.h).
+/// The parts that differ between impact and score. addResult() (save_result.h) must accept an `Answer`.
 template <class Answer>
 struct Measure {
     std::function<Result<Answer>(const ProjectFile&)> answer;
@@ -19,13 +19,14 @@ struct Measure {
     void (*print)(const Answer&, std::ostream&);
 };
 
-/// Opens the project, measures, writes the files, keeps the result in the project where that is asked for,
-/// and says it. Returns the exit code.
+/// Opens the project, measures, writes the files, saves the result in the project if requested, and prints
+/// it. Returns the exit code.
 template <class Answer>
 int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, const Console& console) {
     auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
-    const Result<Answer> answer = measure.answer(*disk);  // states the file as it is before --keep
+    const Result<Answer> answer =
+        measure.answer(*disk);  // records the state of the file before --keep changes it
     if (!answer) return fail(console, answer.error(), exitUsage);
     const auto written = measure.writeFiles(*answer, disk->project());
     if (!written) return fail(console, written.error(), exitFailed);

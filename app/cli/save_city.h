@@ -8,7 +8,7 @@
 
 namespace noonmark::cli {
 
-/// Writes a city as a GeoPackage and says so, for `sample` and `import`. Returns an ExitCode.
+/// Writes a city as a GeoPackage and reports it, for `sample` and `import`. Returns an ExitCode.
 int saveCity(const City& city, const std::filesystem::path& file, bool json, const Console& console,
              const Warnings& ofReading = {});
 

@@ -20,7 +20,7 @@ Result<Region> regionFrom(const std::string& text, const City& city) {
 
 Result<Period> periodOfFiles(const StudyOptions& options) {
     if (options.period.start.empty() && options.periodName.empty())
-        return failure("It is not stated when", "period", "Give --start DATE");
+        return failure("The start date is missing", "period", "Give --start DATE");
     if (options.periodName.empty()) return periodFrom(options.period);
     return failure("Only a project has periods by name", "--period " + options.periodName,
                    "Give --start DATE, or a project file");

@@ -13,7 +13,7 @@
 
 namespace noonmark::cli {
 
-/// An error with the code that it ends the program with.
+/// An error and the exit code of the program.
 struct Failure {
     Error error;
     ExitCode code = exitFailed;
@@ -24,25 +24,25 @@ tl::expected<T, Failure> orCode(Result<T> result, ExitCode code) {
     return std::move(result).map_error([code](Error error) { return Failure{std::move(error), code}; });
 }
 
-/// What the options ask, of which city.
+/// The settings and the city that the options ask for.
 struct StudyRequest {
     LoadedCity loaded;
     StudySettings settings;
-    std::optional<Provenance> provenance;  ///< of a project's scenario
+    std::optional<Provenance> provenance;  ///< for a scenario of a project
 };
 
 Provenance provenanceOf(const StudyRequest& asked);
 
-/// Adds what reading took and found, and what the city came from.
+/// Adds the time and warnings of reading, and the provenance of the city.
 void addSource(Study& study, const StudyRequest& asked);
 
-/// Reads the city and the region and tries the folder: all that can be wrong before the work begins. `files`:
-/// the names of what will be written there, but for region.geojson.
+/// Reads the city and the region and checks the output folder, so that all errors in the input appear before
+/// the computation. `files`: names of the output files, except region.geojson.
 tl::expected<StudyRequest, Failure> parseStudyRequest(const StudyOptions& options,
                                                       std::vector<std::string> files, Progress& progress,
                                                       const std::stop_token& stop);
 
-/// What the outputs may be written over. `inputs`: what the city was read from, as far as it is known.
+/// Which files the outputs may replace. `inputs`: the files from which the city was read, as far as known.
 OutputRules outputRulesOf(const StudyOptions& options, const std::vector<InputFile>& inputs);
 
 }  // namespace noonmark::cli

@@ -53,7 +53,7 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     table.add("shadow area",
               fmt::format("{:.1f} m2 (share of the sunlit time x area)", figures.shadowAreaM2));
     table.add("gross shadow",
-              fmt::format("mean {:.1f}, most {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
+              fmt::format("mean {:.1f}, largest {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
                           figures.maxGrossMin, study.field.sunlitMinutesPerDay));
     table.add("continuous shadow", hasRuns(figures)
                                        ? fmt::format("mean {:.1f}, longest {:.1f} min",

@@ -21,7 +21,8 @@ std::string withCommas(std::size_t number) {
 
 void printWarnings(std::ostream& out, const Warnings& warnings) {
     if (warnings.empty()) return;
-    out << "\nWarnings (--json lists every one)\n";
+    out << "\n"
+           "Warnings (--json lists all of them)\n";
     for (const WarningGroup& group : grouped(warnings)) out << "  " << lineOf(group) << '\n';
 }
 

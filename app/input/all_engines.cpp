@@ -18,7 +18,7 @@ const EngineList& enginesWith(std::string_view key) {
     return findEngine(coreEngines(), key) != nullptr ? coreEngines() : allEngines();
 }
 
-// All maps of OpenGL lie on the level.
+// All OpenGL engines require level ground.
 bool isOnLevelGroundOnly(std::string_view key) {
     return onLevelGroundOnly(key) || findEngine(coreEngines(), key) == nullptr;
 }

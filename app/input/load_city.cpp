@@ -28,8 +28,8 @@ Result<CityRead> readOrMake(const std::vector<std::string>& files, const ReadSet
     if (std::ranges::none_of(files, isSample))
         return readCity({files.begin(), files.end()}, settings, progress, std::move(stop));
     if (files.size() == 1) return sampleRead(files.front());
-    return failure("A sample stands alone", files.front(),
-                   "Write it to a file with `noonmark-cli sample` and read that with the others");
+    return failure("A sample cannot be combined with other files", files.front(),
+                   "Write it to a file with `noonmark-cli sample` and read that file with the others");
 }
 
 Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
@@ -96,7 +96,7 @@ Region firstRegion(const LoadedCity& loaded, float mostM) {
     Box2 box = bounds(loaded.read.city);
     if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
     const glm::vec2 centre = (box.low + box.high) / 2.0F;
-    // Some open ground around, or a single building would leave nothing to shade.
+    // The border leaves some open ground even around a single building.
     constexpr float borderM = 50;
     const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(mostM / 2));
     Region region = makeRegionFromLocalBox({centre - half, centre + half});

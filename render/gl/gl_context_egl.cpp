@@ -34,7 +34,7 @@ Function functionOf(const char* name) {
     return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-// Every device's display, graphics cards first; then Mesa's own without a surface.
+// The displays of all devices, graphics cards first, then Mesa's surfaceless display.
 std::vector<EGLDisplay> displays() {
     const auto query = functionOf<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     const auto text = functionOf<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
@@ -116,7 +116,7 @@ Result<std::shared_ptr<const GlContext>> GlContext::make() {
                    "Choose an engine that runs on the processor, or install the graphics card's driver");
 }
 
-// The display stays open: a process has one of each, and others may be using it.
+// The display stays open: a process has one per device, and other code may be using it.
 GlContext::~GlContext() { eglDestroyContext(handles_->display, handles_->context); }
 
 GlContext::Current::Current(const GlContext& context) {

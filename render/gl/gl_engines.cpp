@@ -24,13 +24,14 @@ EngineList found() {
     const auto context = GlContext::make();
     if (!context) return {};
     const GlLimits& limits = (*context)->limits();
-    return {engineOf({"shadow-map-gl", "Shadow maps (OpenGL)",
-                      "A depth map drawn for each step, all cells tested against it: the baseline of the "
-                      "accrual maps"},
-                     GlPasses::oneAStep, limits),
-            engineOf({"sam-gl", "Shadow accrual map (OpenGL)",
-                      "One draw on the graphics device fills the depth maps of all steps of an hour"},
-                     GlPasses::oneAnInterval, limits)};
+    return {
+        engineOf({"shadow-map-gl", "Shadow maps (OpenGL)",
+                  "Draws one depth map per step and tests every cell against it: the method that the paper "
+                  "compares accrual maps with"},
+                 GlPasses::oneAStep, limits),
+        engineOf({"sam-gl", "Shadow accrual map (OpenGL)",
+                  "One draw on the graphics device fills the depth maps of all steps of an hour"},
+                 GlPasses::oneAnInterval, limits)};
 }
 
 }  // namespace

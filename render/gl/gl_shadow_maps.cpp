@@ -21,7 +21,7 @@ SurfacePoints cellsOf(const Receivers& receivers) {
     return points;
 }
 
-// Software OpenGL takes seconds for an hour's maps, and no stop request reaches it within a draw.
+// Software OpenGL takes seconds for the maps of an hour and cannot be interrupted within a draw.
 constexpr int layersInSoftware = 4;
 
 int layersADraw(GlPasses passes, const GlLimits& limits, int steps) {

@@ -13,7 +13,7 @@ class QBuffer;
 
 namespace noonmark {
 
-/// Names and arrays of one geometry; copied into buffers of Qt3D.
+/// The arrays of one geometry by attribute name, copied into Qt3D buffers.
 class ArrayGeometry final : public Qt3DRender::QGeometryRenderer {
     Q_OBJECT
 public:
@@ -23,7 +23,7 @@ public:
     void addPoints(const QString& attribute, const std::vector<glm::vec3>& values);
     void addNumbers(const QString& attribute, const std::vector<float>& values);
     void setIndices(const std::vector<std::uint32_t>& indices);
-    /// Some of the indices anew, from position `first` on; as many as there are. Only they are sent again.
+    /// Replaces indices from position `first` on; the number of indices stays. Uploads only these.
     void changeIndices(std::size_t first, std::span<const std::uint32_t> indices);
 
 private:

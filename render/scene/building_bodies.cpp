@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-// Triangles and lines whose ends are one point are not drawn.
+// Shows a building, or hides it by making its triangles and lines degenerate, so that they are not drawn.
 void change(ArrayGeometry* geometry, const std::vector<std::uint32_t>& indices,
             const std::vector<std::size_t>& starts, std::uint32_t building, bool shown) {
     if (!geometry) return;

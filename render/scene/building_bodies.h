@@ -17,12 +17,12 @@ namespace noonmark {
 class ArrayGeometry;
 class ShaderMaterial;
 
-/// Faces and edges of many buildings in one array each. Single ones are left out and come back without the
-/// others being sent to the graphics card again.
+/// Faces and edges of many buildings in one array each. Single buildings can be hidden and shown without
+/// uploading the others again.
 class BuildingBodies {
 public:
-    /// `arrays` not null; all outlive it. Nothing of an empty array is drawn. The edges lie in `blended`, the
-    /// layer of what is drawn after all faces.
+    /// `arrays` is not null; all arguments outlive this object. Empty arrays are not drawn. The edges belong
+    /// to `blended`, the layer drawn after all faces.
     BuildingBodies(std::shared_ptr<const CityArrays> arrays, ShaderMaterial& faces, ShaderMaterial& edges,
                    Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
     ~BuildingBodies();
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] const std::shared_ptr<const CityArrays>& arrays() const { return arrays_; }
 
-    /// Exactly these are left out: indices in CityArrays::buildings, ascending. Cost: those that change.
+    /// Hides exactly these buildings: ascending indices into CityArrays::buildings. Costs only what changes.
     void leaveOut(const std::vector<std::uint32_t>& buildings);
 
     void showFaces(bool shown);

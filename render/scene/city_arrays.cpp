@@ -9,8 +9,8 @@ namespace noonmark {
 
 namespace {
 
-// Where each building's entries begin in `entries`, which lie building after building, and where the last
-// end.
+// The index in `entries` where each building's entries begin, plus the end of the last building. Entries are
+// sorted by building.
 std::vector<std::size_t> startsOf(const CityArrays& arrays, const std::vector<std::uint32_t>& entries) {
     std::vector<std::size_t> starts(arrays.buildings.size() + 1, 0);
     for (const std::uint32_t point : entries) ++starts[std::size_t(arrays.buildingOfPoint[point]) + 1];
@@ -45,7 +45,7 @@ void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTria
     arrays.edgeStart = startsOf(arrays, arrays.edges);
 }
 
-// Beyond the city the ground goes on until it fades into the background.
+// The ground continues beyond the city until it fades into the background.
 Box2 groundBox(const ViewBounds& bounds) {
     const glm::vec2 centre(bounds.centre());
     const glm::vec2 reach(float(20 * bounds.radiusM()));
@@ -94,7 +94,7 @@ CityArrays makeArrays(const City& city, std::size_t mostEdgeTriangles) {
     CityArrays arrays = makeBuildingArrays(city, mostEdgeTriangles);
     arrays.bounds = computeViewBounds(city);
     if (city.terrain) addTerrain(arrays, *city.terrain);
-    // Below a terrain the square only closes the view towards the horizon.
+    // Below a terrain the square only fills the view up to the horizon.
     const float below = city.terrain ? 0.5F + float(arrays.bounds.radiusM()) * 1e-3F : 0;
     addSquare(arrays, groundBox(arrays.bounds), arrays.bounds.groundM - below);
     return arrays;

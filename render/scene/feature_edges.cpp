@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-// One side of a triangle, named by the smaller and the larger index of its ends.
+// One side of a triangle, identified by the smaller and the larger of its vertex indices.
 struct Side {
     std::uint64_t ends;
     std::uint32_t triangle;
@@ -37,7 +37,7 @@ glm::vec3 normalOf(const TriangleMesh& mesh, std::uint32_t triangle) {
     return length > 0 ? normal / length : glm::vec3(0);
 }
 
-// Two faces that lie in one plane, or nearly so, show no edge between them.
+// Whether two faces are nearly coplanar and so show no edge between them.
 bool isSmooth(const TriangleMesh& mesh, const Side* first, std::size_t faces, float cosine) {
     return faces == 2 &&
            glm::dot(normalOf(mesh, first[0].triangle), normalOf(mesh, first[1].triangle)) > cosine;

@@ -7,9 +7,9 @@
 
 namespace noonmark {
 
-/// The edges that a draughtsman would draw: those where two faces meet at more than `angleDeg`, and borders.
-/// Two indices of vertices an edge, each edge once. Faces share an edge when they share its vertices by
-/// index. O(triangles log triangles).
+/// The edges of a line drawing: those where two faces meet at more than `angleDeg`, and borders. Two vertex
+/// indices per edge, each edge once. Faces share an edge if they share its vertices by index. O(triangles log
+/// triangles).
 std::vector<std::uint32_t> findFeatureEdges(const TriangleMesh& mesh, double angleDeg = 20);
 
 }  // namespace noonmark

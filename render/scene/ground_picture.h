@@ -7,10 +7,10 @@
 
 namespace noonmark {
 
-/// A picture that lies on the ground: one pixel a cell of `grid`, row 0 the southernmost.
+/// A picture on the ground: one pixel per cell of `grid`, row 0 the southernmost.
 struct GroundPicture {
-    /// Red, green, blue, alpha, each 0 to 255; colours multiplied by alpha. Transparent: the ground's own
-    /// colour shows.
+    /// Red, green, blue, alpha, each 0 to 255, colours premultiplied by alpha. Where transparent, the
+    /// ground's own colour shows.
     struct Pixel {
         std::uint8_t r = 0, g = 0, b = 0, a = 0;
         bool operator==(const Pixel&) const = default;
@@ -18,11 +18,11 @@ struct GroundPicture {
     Grid grid;
     std::vector<Pixel> pixels;  ///< grid order
 
-    /// Most pixels along a side that every graphics card takes.
+    /// Texture size per side that every graphics card supports.
     static constexpr int mostPixels = 8192;
 };
 
-/// The picture, or where a side is longer than `most`, one with k x k pixels averaged into one.
+/// The picture itself, or one in which k x k pixels are averaged where a side is longer than `most`.
 GroundPicture fitted(GroundPicture picture, int most = GroundPicture::mostPixels);
 
 }  // namespace noonmark

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int sides = 24;
 
-// A surface of revolution about the z axis through points (radius, z) from below upwards.
+// A surface of revolution about the z axis, through points (radius, z) from bottom to top.
 void addTurned(TriangleMesh& mesh, const std::vector<glm::vec2>& profile) {
     const auto first = std::uint32_t(mesh.vertices.size());
     const auto ring = std::uint32_t(sides);
@@ -30,7 +30,7 @@ void addTurned(TriangleMesh& mesh, const std::vector<glm::vec2>& profile) {
 }  // namespace
 
 TriangleMesh makeDoubleArrow(float height) {
-    const float neck = height * 0.34F;  // where a tip begins, from its end
+    const float neck = height * 0.34F;  // length of an arrowhead
     const float wide = height * 0.17F, thin = height * 0.06F;
     TriangleMesh mesh;
     addTurned(

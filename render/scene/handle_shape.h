@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-/// An arrow that points up and down, from the origin to `height` above it.
+/// A vertical double arrow from the origin up to `height`.
 TriangleMesh makeDoubleArrow(float height);
 
 }  // namespace noonmark

@@ -11,7 +11,7 @@ struct Ribbon {
     std::vector<std::uint32_t> triangles;
 };
 
-// Seen from an end, left and right change places: so do the signs.
+// Seen from the other end left and right swap, and so do the signs.
 void addPiece(Ribbon& ribbon, glm::vec3 a, glm::vec3 b) {
     const auto first = std::uint32_t(ribbon.points.size());
     ribbon.points.insert(ribbon.points.end(), {a, a, b, b});

@@ -6,13 +6,13 @@
 
 namespace noonmark {
 
-/// Points of a line on the ground, joined in order.
+/// A polyline on the ground.
 struct GroundLine {
     std::vector<glm::vec3> points;
     bool closed = false;
 };
 
-/// The lines for the shader `ribbon`: four points a piece.
+/// The lines for the shader `ribbon`: four points per segment.
 ArrayGeometry* makeOutlineGeometry(const std::vector<GroundLine>& lines);
 
 }  // namespace noonmark

@@ -20,32 +20,32 @@ namespace noonmark {
 
 class ShaderMaterial;
 
-/// What a user works at, drawn over the city: tinted buildings, a proposed one, lines, and a handle to drag.
-/// Each is replaced by itself, many times a second; the city's arrays are not touched.
+/// What the user is editing, drawn over the city: tinted buildings, a proposed building, lines, and a drag
+/// handle. Each can be replaced on its own many times a second; the city's arrays do not change.
 class OverlayBodies {
 public:
     enum class Tint { hovered, selected, proposed };
     static constexpr double handlePx = 48;  ///< height of the handle on the screen, device-independent pixels
 
-    /// `parent` owns this one's nodes. What is seen through, edges and lines lie in `blended`, too.
+    /// `parent` owns the nodes of this object. Translucent faces, edges and lines also belong to `blended`.
     OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent);
     ~OverlayBodies();
     OverlayBodies(const OverlayBodies&) = delete;
     OverlayBodies& operator=(const OverlayBodies&) = delete;
 
-    /// The buildings of `some`; none: nothing. Some 0.1 ms a building.
+    /// Shows the buildings of `some`, or none if it is empty. About 0.1 ms per building.
     void show(Tint tint, const City& some);
     void showLines(const std::vector<GroundLine>& lines);
-    /// An arrow up and down, upright on the screen, that stands on this point; its size in pixels stays.
+    /// Shows a vertical double arrow at this point, with a constant size in pixels.
     void showHandle(std::optional<glm::dvec3> foot);
     void lightHandle(bool lit);  ///< under the cursor
 
-    /// Where the handle's middle is seen; none without a handle, or behind the eye.
+    /// The pixel of the handle's centre; empty without a handle, or where it is behind the eye.
     [[nodiscard]] std::optional<glm::dvec2> handlePixel(const CameraPose& pose, const ViewLens& lens) const;
 
     void setLens(const ViewLens& lens);  ///< device-independent pixels
 
-    /// All of it lies in this layer, which the view draws last.
+    /// The layer of all these nodes, which the view draws last.
     [[nodiscard]] Qt3DRender::QLayer* layer() const { return layer_; }
 
 private:

@@ -7,13 +7,14 @@
 
 namespace noonmark {
 
-/// A new texture of a picture; its first row is at v = 0. Near by, cells are crisp; far away, averaged.
+/// Makes a texture of a picture; its first row is at v = 0. Cells are sharp at close range and averaged at a
+/// distance.
 Qt3DRender::QAbstractTexture* makeTexture(const GroundPicture& picture, Qt3DCore::QNode* parent);
 
-/// Samples as they are, for the shaders to look up one by one.
+/// A texture of unfiltered samples, which the shaders look up one by one.
 Qt3DRender::QAbstractTexture* makeTexture(const SurfacePicture& picture, Qt3DCore::QNode* parent);
 
-/// Colours in one row.
+/// A texture of one row of colours.
 Qt3DRender::QAbstractTexture* makeTexture(const std::vector<GroundPicture::Pixel>& palette,
                                           Qt3DCore::QNode* parent);
 

@@ -28,7 +28,7 @@ Qt3DRender::QShaderProgram* programOf(const QString& vertex, const QString& frag
     return program;
 }
 
-// What the frame graph's technique filter looks for.
+// The filter key that the frame graph's technique filter expects.
 Qt3DRender::QTechnique* forwardTechnique(Qt3DRender::QRenderPass* pass) {
     auto* technique = new Qt3DRender::QTechnique;
     auto* key = new Qt3DRender::QFilterKey(technique);

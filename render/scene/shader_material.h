@@ -9,8 +9,8 @@ class QRenderPass;
 
 namespace noonmark {
 
-/// The shaders `vertex`.vert and `fragment`.frag of resources/shaders, drawn by the window's own frame graph.
-/// Values of uniforms are set by name.
+/// A material of the shaders `vertex`.vert and `fragment`.frag in resources/shaders, drawn by the window's
+/// own frame graph. Uniforms are set by name.
 class ShaderMaterial final : public Qt3DRender::QMaterial {
     Q_OBJECT
 public:
@@ -20,9 +20,9 @@ public:
 
     void set(const QString& uniform, const QVariant& value);
 
-    void blend();          ///< by alpha, without writing depth
-    void alwaysVisible();  ///< drawn over what stands before it
-    void bothSides();      ///< faces are not culled
+    void blend();          ///< alpha blending, without writing depth
+    void alwaysVisible();  ///< ignores depth: drawn over nearer objects
+    void bothSides();      ///< disables culling
 
 private:
     Qt3DRender::QRenderPass* pass_;

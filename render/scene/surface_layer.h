@@ -15,13 +15,13 @@ namespace noonmark {
 
 class ShaderMaterial;
 
-/// The SurfacePicture in the shaders of ground and buildings (resources/shaders/explored.inc).
+/// Passes a SurfacePicture to the shaders of ground and buildings (resources/shaders/explored.inc).
 class SurfaceLayer {
 public:
-    /// All outlive it; textures become children of `parent`.
+    /// All arguments outlive this object; textures become children of `parent`.
     SurfaceLayer(std::vector<ShaderMaterial*> materials, Qt3DCore::QNode* parent);
 
-    void setPalette(const std::vector<GroundPicture::Pixel>& colours);  ///< from share 0 to 1
+    void setPalette(const std::vector<GroundPicture::Pixel>& colours);  ///< for shares 0 to 1
     void show(const SurfacePicture& picture);
     void clear();
 

@@ -7,14 +7,14 @@
 
 namespace noonmark {
 
-/// What a camera saw of the surfaces, drawn onto the surfaces themselves: it stays there while the view moves
-/// on, and covers nothing that this camera did not see.
+/// The surfaces that a camera saw, with a value per pixel, drawn onto the surfaces themselves. The picture
+/// stays in place while the view moves; it does not cover what this camera did not see.
 struct SurfacePicture {
     PixelCamera camera;
-    /// One a pixel of the camera, row 0 the TOP: place in local metres, and share of the palette, 0 to 1;
-    /// below 0: nothing is known there.
+    /// One per pixel of the camera, row 0 the TOP: position in local metres and share of the palette, 0 to 1;
+    /// below 0: unknown.
     std::vector<glm::vec4> samples;
-    bool soFar = false;  ///< true for a part of the period only: shown with stripes
+    bool soFar = false;  ///< covers only a part of the period: shown with stripes
 };
 
 }  // namespace noonmark

@@ -10,7 +10,8 @@ namespace {
 
 int bytesAPixel(PixelKind kind) { return kind == PixelKind::bytes ? 4 : 16; }
 
-// Hands the pixels to Qt3D, which asks from its own thread. Two are the same when they share their bytes.
+// Supplies the pixels to Qt3D, which asks for them from its own thread. Two sources are equal if they share
+// their bytes.
 class PixelSource final : public Qt3DRender::QTextureImageDataGenerator {
 public:
     PixelSource(QByteArray bytes, PixelKind kind, int columns, int rows)

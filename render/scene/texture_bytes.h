@@ -5,11 +5,11 @@
 
 namespace noonmark {
 
-/// Four numbers a pixel.
+/// Four numbers per pixel.
 enum class PixelKind { bytes, floats };
 
-/// A new texture of `columns` x `rows` pixels, row by row; the first row is at v = 0. Filters are the
-/// caller's to set.
+/// A texture of `columns` x `rows` pixels, row by row; the first row is at v = 0. The caller sets the
+/// filters.
 Qt3DRender::QAbstractTexture* makeByteTexture(const QByteArray& pixels, PixelKind kind, int columns, int rows,
                                               Qt3DCore::QNode* parent);
 

@@ -21,7 +21,7 @@ double tanHalfWidth(const ViewLens& lens) {
 
 double wrapped(double degrees) { return degrees - 360 * std::floor(degrees / 360); }
 
-// Few buildings of a city are as high as its highest: a part of that height is what the picture must hold.
+// Few buildings are as high as the tallest one, so the view need only contain a part of that height.
 std::array<glm::dvec3, 8> cornersOf(const ViewBounds& bounds) {
     std::array<glm::dvec3, 8> corners{};
     const double highM = bounds.groundM + 0.35 * double(bounds.topM - bounds.groundM);
@@ -31,7 +31,7 @@ std::array<glm::dvec3, 8> cornersOf(const ViewBounds& bounds) {
     return corners;
 }
 
-// One step towards a picture that the points fill: their middle to its middle, their extent to its size.
+// One iteration towards a view that the points fill: centres them and zooms to their extent.
 CameraPose framed(const CameraPose& pose, const std::array<glm::dvec3, 8>& points, const ViewLens& lens) {
     glm::dvec2 low(1e30);
     glm::dvec2 high(-1e30);
@@ -94,7 +94,8 @@ CameraPose pan(const CameraPose& pose, glm::dvec2 fromPx, glm::dvec2 toPx, const
     const auto to = findPlaneHit(makeRayThrough(pose, lens, toPx), pose.target.z);
     if (!from || !to) return pose;
     glm::dvec3 step = *from - *to;
-    // Near the horizon a pixel is kilometres of ground: no more than a distance at a time.
+    // Near the horizon a pixel covers kilometres of ground: the step is limited to the distance to the
+    // target.
     const double length = glm::length(step);
     if (length > pose.distanceM) step *= pose.distanceM / length;
     CameraPose there = pose;

@@ -37,7 +37,7 @@ double ViewBounds::radiusM() const {
 
 ClipRange computeClipRange(const CameraPose& pose, const ViewBounds& bounds) {
     const double toCentre = glm::length(bounds.centre() - computeEye(pose));
-    // The ground reaches beyond the city, so that its end fades out of sight instead of showing an edge.
+    // The ground extends beyond the city so that it fades out instead of showing an edge.
     const double farM = toCentre + 6 * bounds.radiusM();
     const double fromCity = toCentre - bounds.radiusM();
     return {std::max({0.5, fromCity * 0.5, pose.distanceM * 0.01}), farM};

@@ -7,31 +7,32 @@
 
 namespace noonmark {
 
-/// Where the camera is and looks. Local metres; a value.
+/// Position and direction of the camera in local metres. A value.
 struct CameraPose {
-    glm::dvec3 target{0};     ///< what it looks at and turns around, on the ground
+    glm::dvec3 target{0};     ///< point that the camera looks at and rotates around, on the ground
     double distanceM = 1000;  ///< from the eye to the target, > 0
     double headingDeg = 0;    ///< azimuth of the view, clockwise from true north
-    double pitchDeg = 45;     ///< how far it looks down: 0 level, 90 straight down
+    double pitchDeg = 45;     ///< angle below the horizontal: 0 level, 90 straight down
     bool operator==(const CameraPose&) const = default;
 };
 
 glm::dvec3 computeForward(const CameraPose& pose);  ///< unit vector from eye to target
 glm::dvec3 computeUp(
-    const CameraPose& pose);  ///< unit vector, up on the screen; well-defined straight down too
+    const CameraPose& pose);  ///< unit vector, up on the screen; also defined when looking straight down
 glm::dvec3 computeRight(const CameraPose& pose);
 glm::dvec3 computeEye(const CameraPose& pose);
 
-/// What the camera must show: the box of a city on the ground, and how high it stands.
+/// The extent that the camera must show: the bounding box of a city and its heights.
 struct ViewBounds {
     Box2 box;
     float topM = 0;
     float groundM = 0;  ///< lowest ground
     [[nodiscard]] glm::dvec3 centre() const;
-    [[nodiscard]] double radiusM() const;  ///< of the ball around it, >= 1
+    [[nodiscard]] double radiusM() const;  ///< radius of the bounding sphere, >= 1
 };
 
-/// Distances of the near and far plane: nothing of `bounds` is cut off, and depth keeps its precision.
+/// Distances of the near and far planes, chosen so that nothing of `bounds` is clipped and depth stays
+/// precise.
 struct ClipRange {
     double nearM = 1;
     double farM = 10000;

@@ -53,7 +53,7 @@ GroundPicture noPicture() {
     return nothing;
 }
 
-// `texture` is the one that is laid there now; the one before goes.
+// Puts a picture onto a material. `texture` is replaced by the new one; the old one is deleted.
 void lay(const GroundPicture& given, bool soFar, ShaderMaterial& material, Qt3DCore::QNode*& texture,
          Qt3DCore::QNode* parent) {
     const GroundPicture picture = fitted(given);
@@ -103,9 +103,9 @@ void CityView::makeFrameGraph() {
     setActiveFrameGraph(surface);
 }
 
-// One branch of the frame graph: the city or what is drawn over it; of that the faces, or what is blended
-// into them. Within a branch Qt3D draws in an order of its own, which changes from city to city: what is
-// blended writes no depth, so that faces that were drawn after it would cover it.
+// One branch of the frame graph: the city or the overlay, and within it the faces or the blended nodes.
+// Within a branch Qt3D draws in an order of its own, which varies between cities. Blended nodes do not write
+// depth, so faces drawn later would cover them.
 Qt3DRender::QLayerFilter* CityView::drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent) {
     for (const auto& [layer, wanted] : {std::pair(overlay_->layer(), overlay), {blended_, blended}}) {
         auto* filter = new Qt3DRender::QLayerFilter(parent);
@@ -201,7 +201,7 @@ void CityView::showFaces(bool shown) {
 
 void CityView::showPicture(const GroundPicture& picture, bool soFar) {
     lay(picture, soFar, *ground_, texture_, root_);
-    building_->set(QStringLiteral("pictureBox"), QVector4D());  // the texture stays until another comes
+    building_->set(QStringLiteral("pictureBox"), QVector4D());  // the texture stays until the next picture
 }
 
 void CityView::showRoofPicture(const GroundPicture& picture) {
@@ -219,7 +219,7 @@ void CityView::showLines(const std::vector<GroundLine>& lines) {
 void CityView::setPose(const CameraPose& pose) {
     pose_ = pose;
     applyCamera();
-    // Lines are what costs most in software: a large city moves without them.
+    // In software rendering lines cost most, so a large city hides them while the camera moves.
     if (manyEdges_ && facesShown_) {
         showEdges(false);
         rest_->start();
@@ -254,8 +254,8 @@ void CityView::resizeEvent(QResizeEvent* event) {
     Q_EMIT poseChanged();
 }
 
-// Where another window lay over this one, only a new frame brings the picture back. One comes when something
-// changed: this does, though no shader looks at it.
+// After another window covered this one, only a new frame restores the picture. A frame is drawn only after a
+// change, so this sets a property that no shader reads.
 void CityView::exposeEvent(QExposeEvent* event) {
     Qt3DWindow::exposeEvent(event);
     exposed_ = !exposed_;

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder render/view/ shows a city on the screen. city_view.h is the Qt3D window, view_navigator.h moves
+// its camera with mouse and keys, camera_pose.h and camera_control.h are the camera as a value and its
+// movements, view_ray.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on
+// the surfaces that a camera sees.
+
 #include <QImage>
 #include <Qt3DExtras/Qt3DWindow>
 #include <functional>
@@ -24,32 +29,32 @@ namespace noonmark {
 
 class ShaderMaterial;
 
-/// The city on the screen: buildings, ground and lines over it. Draws only when something changed. Put it
-/// into a window with QWidget::createWindowContainer. Works with the OpenGL renderer of Qt3D: set
-/// QT3D_RENDERER=opengl before the application is made.
+/// The city on the screen: buildings, ground and lines over it. Draws only after a change. Embed it with
+/// QWidget::createWindowContainer. Requires the OpenGL renderer of Qt3D: set QT3D_RENDERER=opengl before
+/// creating the application.
 class CityView final : public Qt3DExtras::Qt3DWindow {
     Q_OBJECT
 public:
     CityView();
     ~CityView() override;
 
-    /// Replaces the city (not null); pictures and lines go, and all of it is in sight.
+    /// Replaces the city (not null), removes pictures and lines, and shows the whole city.
     void showCity(std::shared_ptr<const CityArrays> arrays);
-    /// What is different from the city's arrays, in place of what was before; camera, pictures and lines
-    /// stay. Cost: of what changed.
+    /// Shows the differences from the arrays of showCity(), replacing earlier differences; camera, pictures
+    /// and lines stay. Costs only what changed.
     void showChanges(const ArrayDifference& changes);
-    /// The arrays of showCity; null before the first.
+    /// The arrays of showCity(); null before its first call.
     [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const;
     [[nodiscard]] OverlayBodies& overlay() { return *overlay_; }
-    /// On the ground. `soFar`: it shows a part of the period or region only, which stripes say.
+    /// Shows a picture on the ground. `soFar`: it covers only a part of the period or region and is striped.
     void showPicture(const GroundPicture& picture, bool soFar = false);
-    /// On what looks up of the buildings, with showPicture()'s on the ground; goes with clearPicture() and
-    /// the next showPicture().
+    /// Shows a picture on the roofs, in addition to showPicture(). clearPicture() and the next showPicture()
+    /// remove it.
     void showRoofPicture(const GroundPicture& picture);
     void clearPicture();
-    /// On ground, roofs and facades; over the ground's picture.
+    /// Pictures on ground, roofs and facades; they cover the picture on the ground.
     [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
-    /// Faces can be left out, so that only their edges stand before the ground.
+    /// Shows or hides the faces; without them only the buildings' edges cover the ground.
     void showFaces(bool shown);
     void showLines(const std::vector<GroundLine>& lines);
 
@@ -58,11 +63,11 @@ public:
     [[nodiscard]] const ViewBounds& viewBounds() const { return bounds_; }
     [[nodiscard]] ViewLens lens() const;
 
-    /// The next frame as an image, in device pixels; called back in this thread.
+    /// Captures the next frame in device pixels; calls back in this thread.
     void capture(std::function<void(QImage)> done);
 
 Q_SIGNALS:
-    void poseChanged();  ///< or the size of the picture
+    void poseChanged();  ///< also emitted when the size of the view changes
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -81,7 +86,7 @@ private:
     CameraPose pose_;
     ViewBounds bounds_;
     Qt3DCore::QEntity* root_;
-    Qt3DRender::QLayer* blended_;  ///< edges, lines and what is seen through
+    Qt3DRender::QLayer* blended_;  ///< edges, lines and translucent faces
     Qt3DCore::QEntity* groundEntity_ = nullptr;
     std::unique_ptr<BuildingBodies> city_;
     std::unique_ptr<BuildingBodies> added_;

@@ -11,9 +11,9 @@ namespace {
 
 // As in resources/shaders/explored.inc.
 constexpr double samePlaneM = 0.03;
-constexpr double samePlaneShare = 0.25;  // of the distance between samples
+constexpr double samePlaneShare = 0.25;  // share of the distance between samples
 
-// Pixels a metre at one metre from the eye.
+// Pixels per metre at one metre from the eye.
 double scaleOf(const PixelCamera& camera) {
     return camera.heightPx / (2 * std::tan(glm::radians(camera.verticalDeg) / 2));
 }

@@ -10,30 +10,31 @@
 
 namespace noonmark {
 
-/// Shadow on everything that a camera sees: ground, roofs and facades, one sample every `spacingPx` pixels of
-/// the view.
+/// Shadow on all surfaces that a camera sees (ground, roofs and facades), one sample every `spacingPx`
+/// pixels.
 struct ExploredView {
-    PixelCamera camera;                             ///< its pixels are the samples
-    int spacingPx = 1;                              ///< device pixels of the view from sample to sample
-    std::shared_ptr<const VisibleSurface> surface;  ///< where the samples lie; not null
-    /// One a point of `surface`: over the days done, or, of points that wait for their turn, what is known of
-    /// their surroundings so far; NaN: nothing.
+    PixelCamera camera;                             ///< one sample per pixel of this camera
+    int spacingPx = 1;                              ///< device pixels of the view between samples
+    std::shared_ptr<const VisibleSurface> surface;  ///< positions of the samples; not null
+    /// One value per point of `surface`, over the days done. Points that are still waiting have the value
+    /// known from their surroundings so far; NaN: none.
     SurfaceShadow shadow;
-    int daysDone = 0;            ///< of every point
-    std::size_t pointsDone = 0;  ///< the first ones, of the days that follow
-    int daysShown = 0;           ///< behind every value of `shadow`, at least
+    int daysDone = 0;            ///< for every point
+    std::size_t pointsDone = 0;  ///< number of points done for the next days, from the first point on
+    int daysShown = 0;           ///< minimum number of days behind every value of `shadow`
     int days = 1;                ///< of the period
-    std::string running;         ///< what of the period `shadow` tells instead, while it is found; else empty
+    std::string running;         ///< text on the part of the period that `shadow` shows during a computation;
+                                 ///< otherwise empty
 
-    /// How far samples lie apart at the camera's `distanceM`, metres across the line of sight.
+    /// Distance between samples at `distanceM` from the camera, metres perpendicular to the line of sight.
     [[nodiscard]] double sampleM(double distanceM) const;
 
-    /// The point of `surface` at the pixel of this place; none where that pixel saw another surface, or none.
-    /// O(log points).
+    /// The point of `surface` at the pixel that shows `place`; empty where that pixel saw another surface or
+    /// none. O(log points).
     [[nodiscard]] std::optional<std::size_t> pointAt(glm::dvec3 place) const;
 };
 
-/// The camera of a view with one pixel every `spacingPx`; it sees as much as the view, or a little more to
+/// A camera for a view with one pixel every `spacingPx`. It sees the same as the view, or slightly more at
 /// the sides. `lens` in device pixels.
 PixelCamera makeExploredCamera(const CameraPose& pose, const ViewLens& lens, int spacingPx);
 

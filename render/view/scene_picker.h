@@ -5,27 +5,27 @@
 
 namespace noonmark {
 
-/// What lies under a pixel.
+/// The object under a pixel.
 struct Pick {
     glm::dvec3 position{0};
-    std::optional<std::uint32_t> building;  ///< index in City::buildings; none: the ground
+    std::optional<std::uint32_t> building;  ///< index into City::buildings; empty: the ground
 };
 
-/// Rays of the view against a city. Immutable, cheap to copy; a pick takes microseconds.
+/// Intersects rays of the view with a city. Immutable, cheap to copy; a pick takes microseconds.
 class ScenePicker {
 public:
-    ScenePicker() = default;  ///< a flat ground without buildings
+    ScenePicker() = default;  ///< flat ground without buildings
     ScenePicker(City city, RayScene scene);
 
-    /// The first thing on the ray: a building, or the ground. None above the horizon.
+    /// The first hit of the ray: a building or the ground. Empty above the horizon.
     [[nodiscard]] std::optional<Pick> pick(const ViewRay& ray) const;
 
-    /// The ground on the ray, as if no building stood before it.
+    /// Where the ray hits the ground, ignoring buildings.
     [[nodiscard]] std::optional<glm::dvec3> ground(const ViewRay& ray) const;
 
     [[nodiscard]] double groundAt(glm::dvec2 point) const;
 
-    /// All of the city, ready for rays; none without a city.
+    /// The whole city, ready for rays; empty without a city.
     [[nodiscard]] const std::optional<RayScene>& scene() const { return scene_; }
 
 private:

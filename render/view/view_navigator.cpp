@@ -13,7 +13,7 @@ namespace {
 
 constexpr double dragThresholdPx = 4;
 constexpr double zoomPerNotch = 0.82;
-constexpr double keyStep = 0.08;  // of the distance to the target
+constexpr double keyStep = 0.08;  // share of the distance to the target
 
 glm::dvec2 of(QPointF point) { return {point.x(), point.y()}; }
 

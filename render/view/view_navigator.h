@@ -14,18 +14,18 @@ class QWheelEvent;
 
 namespace noonmark {
 
-/// Something in the view that a drag with the left button takes hold of, instead of the camera.
+/// Something in the view that a left-button drag can grab instead of the camera.
 class DragTarget {
 public:
     virtual ~DragTarget() = default;
-    virtual bool grab(QPointF pixel) = 0;  ///< true: it is taken, and the drag is its own
+    virtual bool grab(QPointF pixel) = 0;  ///< true: grabbed; the target receives the rest of the drag
     virtual void dragTo(QPointF pixel) = 0;
     virtual void drop() = 0;
 };
 
-/// Mouse and keys of a CityView. Left or middle drag turns, right drag (or shift) moves, the wheel zooms to
-/// the cursor; arrow keys move, + and - zoom, Home shows the whole city, N turns north up, T looks from
-/// above. Never below the ground.
+/// Mouse and keyboard control of a CityView. Left or middle drag rotates, right drag (or shift) moves, the
+/// wheel zooms at the cursor; arrow keys move, + and - zoom, Home shows the whole city, N turns north up, T
+/// looks from above. The eye never goes below the ground.
 class ViewNavigator final : public QObject {
     Q_OBJECT
 public:
@@ -34,11 +34,11 @@ public:
     void setScene(ScenePicker scene) { scene_ = std::move(scene); }
     [[nodiscard]] const ScenePicker& scene() const { return scene_; }
 
-    /// Asked in this order at the beginning of a drag; each outlives the navigator or takes itself out.
+    /// Targets are tried in this order when a drag starts. A target outlives the navigator or removes itself.
     void addTarget(DragTarget& target) { targets_.push_back(&target); }
     void removeTarget(DragTarget& target);
 
-    /// What lies under a pixel of the view; device-independent pixels from the top left corner.
+    /// The object under a pixel of the view; device-independent pixels from the top left corner.
     [[nodiscard]] std::optional<Pick> pickAt(QPointF pixel) const;
     [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF pixel) const;
 
@@ -47,7 +47,7 @@ public Q_SLOTS:
     void turnNorthUp();
     void lookFromAbove();
     void show(const Box2& box);          ///< from above
-    void showSlanting(const Box2& box);  ///< as the whole city, but this part of it
+    void showSlanting(const Box2& box);  ///< like the whole city, but for this part
 
 Q_SIGNALS:
     void hovered(QPointF pixel);
@@ -76,7 +76,7 @@ private:
     std::vector<DragTarget*> targets_;
     DragTarget* held_ = nullptr;
     bool dragging_ = false;
-    bool doubled_ = false;  // the release that follows belongs to a double click
+    bool doubled_ = false;  // the next release belongs to a double click
 };
 
 }  // namespace noonmark

@@ -9,9 +9,9 @@
 
 namespace noonmark {
 
-/// The picture that a camera makes: pixels from the top left corner.
+/// The image of a camera; pixels count from the top left corner.
 struct ViewLens {
-    double verticalDeg = 40;  ///< angle of view from the bottom to the top edge
+    double verticalDeg = 40;  ///< vertical field of view
     double widthPx = 1;
     double heightPx = 1;
     bool operator==(const ViewLens&) const = default;
@@ -26,17 +26,17 @@ struct ViewRay {
 /// The ray from the eye through a pixel.
 ViewRay makeRayThrough(const CameraPose& pose, const ViewLens& lens, glm::dvec2 pixel);
 
-/// Where a point appears; none when it lies behind the eye.
+/// The pixel of a point; empty if the point is behind the eye.
 std::optional<glm::dvec2> pixelOf(const CameraPose& pose, const ViewLens& lens, glm::dvec3 point);
 
 /// Local z of the ground at a point.
 using GroundHeight = std::function<double(glm::dvec2)>;
 
-/// Where a ray first meets the level plane at `z`; none when it does not go down to it.
+/// First intersection with the level plane at `z`; empty if the ray does not descend to it.
 std::optional<glm::dvec3> findPlaneHit(const ViewRay& ray, double z);
 
-/// Where a ray first meets the ground, which lies between `lowM` and `highM`: marched in steps of about a
-/// cell of terrain, then bisected. Exact where the ground is flat.
+/// First intersection with the ground, which lies between `lowM` and `highM`. Marches in steps of about one
+/// terrain cell, then bisects. Exact for flat ground.
 std::optional<glm::dvec3> findGroundHit(const ViewRay& ray, const GroundHeight& ground, double lowM,
                                         double highM);
 

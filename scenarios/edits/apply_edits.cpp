@@ -19,7 +19,7 @@ double lowestGround(const Building& building, const City& city) {
     return city.terrain ? double(findLowestGround(building, *city.terrain)) : 0.0;
 }
 
-// A city while edits are made to it; it keeps the account of what came and went.
+// A city while edits are applied to it; records which buildings were removed and added.
 class CityInWork {
 public:
     explicit CityInWork(const City& city) : edited_{city, {}} {}
@@ -83,11 +83,11 @@ private:
         if (found == buildings().end())
             return failure("There is no such building", id, "It may have been demolished by an earlier edit");
         if (std::find_if(found + 1, buildings().end(), is) != buildings().end())
-            return failure("Two buildings have this id", id, "Give every building an id of its own");
+            return failure("Two buildings have this id", id, "Give every building a unique id");
         return change(std::size_t(found - buildings().begin()));
     }
 
-    // A new building on its ground; `leaving` is the id that becomes free.
+    // A copy of `shape` on its ground. `leaving`: the id that the edit frees.
     Result<Building> fresh(const Building& shape, const std::string& leaving) {
         if (shape.parts.empty()) return failure("The new building has no parts", shape.sourceId);
         if (shape.sourceId.empty()) return failure("The new building has no id", shape.name);
@@ -109,7 +109,8 @@ private:
     Result<void> relocate(const std::string& id, const Placement& placement) {
         const auto finite = [](double value) { return std::abs(value) <= 1e6; };
         if (!finite(placement.byM.x) || !finite(placement.byM.y) || !finite(placement.clockwiseDeg))
-            return failure("It cannot be moved that far", id, "Give metres, or degrees");
+            return failure("The building cannot be moved or turned that far", id,
+                           "Give at most 1,000,000 metres or degrees");
         return with(id, [&](std::size_t i) -> Result<void> {
             const Building& old = *buildings()[i];
             const Building there = placed(old, placement);

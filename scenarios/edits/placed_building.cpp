@@ -55,7 +55,7 @@ std::shared_ptr<const TriangleMesh> moved(const TriangleMesh& mesh, const Motion
     return result;
 }
 
-// A mesh stays with the first piece of its outline: it is one solid.
+// A mesh is one solid, so it stays with the first piece of its outline.
 void addMoved(const Part& part, const Motion& motion, std::vector<Part>& parts) {
     for (Footprint& piece : moved(part.footprint, motion)) {
         Part copy = part;
@@ -130,7 +130,7 @@ Result<Building> withHeight(const Building& building, double groundM, double hei
     if (hasMesh(building)) return stretched(building, groundM, heightM / (double(oldTop) - groundM));
     Building changed = cutOrRaised(building, oldTop, newTop);
     if (!changed.parts.empty()) return changed;
-    return failure(fmt::format("Nothing of it stands lower than {:g} m", heightM), building.sourceId,
+    return failure(fmt::format("No part of the building begins below {:g} m", heightM), building.sourceId,
                    "Choose a greater height, or demolish it");
 }
 

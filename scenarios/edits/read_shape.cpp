@@ -36,7 +36,8 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     std::ranges::move(read->warnings, std::back_inserter(warnings));
     Building whole = joined(read->city, id);
     if (whole.parts.empty())
-        return failure("It holds no building", file.string(), "Export the building as a closed solid");
+        return failure("The file contains no building", file.string(),
+                       "Export the building as a closed solid");
     if (*kind != FileKind::mesh) whole = lifted(std::move(whole), -lowestM(whole));
     return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
 }

@@ -30,7 +30,7 @@ CellChange changeOf(CellKind before, CellKind after) {
     return CellChange::none;
 }
 
-// Where the buildings of `after` lie that `before` does not share.
+// Indices of the buildings of `after` that `before` does not share.
 std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     std::unordered_set<const Building*> known;
     for (const auto& building : before.buildings) known.insert(building.get());
@@ -40,13 +40,13 @@ std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     return fresh;
 }
 
-// Whether an engine gives a receiver the same minutes whichever others there are; those with maps of the
-// whole region may not, and on terrain the sweep rounds heights from the lowest receiver up.
+// Whether the minutes of a receiver do not depend on the other receivers. With engines that use maps of the
+// whole region they may; on terrain the horizon sweep rounds heights relative to the lowest receiver.
 bool looksAtEachReceiverAlone(std::string_view engineKey, bool flat) {
     return engineKey == referenceEngine || engineKey == "projected" || (engineKey == "horizon" && flat);
 }
 
-// One question asked of several cities.
+// Computes the same study for several cities.
 class Comparison {
 public:
     Comparison(const ImpactSettings& settings, const EngineList& engines, Progress& progress,
@@ -65,7 +65,7 @@ private:
     Result<ImpactStudy> compare(const City& before, const City& after) {
         done_ = 0;
         const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};
-        fields_ = 3 + fresh.size();  // and the error
+        fields_ = 3 + fresh.size();  // two fields, their error, and one field per new building
         ImpactStudy study{.sun = sun_, .frame = after.frame};
         auto first = fieldOf(before);
         if (!first) return tl::make_unexpected(first.error());
@@ -82,7 +82,7 @@ private:
         return study;
     }
 
-    // A comparison is not lost for want of its error: only a stop request ends it.
+    // A missing error only adds a warning to the comparison; only a stop request ends it.
     Result<void> measureError(const City& before, const City& after, ImpactStudy& study) {
         const ErrorSampleSettings& sample = settings_.study.errorSample;
         if (sample.receivers == 0 || study.after.engineKey == referenceEngine) return {};
@@ -121,7 +121,8 @@ private:
         });
     }
 
-    // Left to itself `auto` would choose for every city anew, and the fields would differ by the engines too.
+    // Otherwise `auto` would choose an engine for each city, and the difference would include that of the
+    // engines.
     void chooseOnce(const City& before, const City& after) {
         const auto* automatic = dynamic_cast<const AutoEngine*>(engine_.get());
         if (automatic == nullptr) return;
@@ -155,7 +156,7 @@ private:
         return {};
     }
 
-    // Looks only where the building's shadow can fall: elsewhere the field is as it is with the building.
+    // Computes only where the building's shadow can fall; elsewhere the field with the building is the same.
     Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
         if (!looksAtEachReceiverAlone(with.engineKey, common_.receivers.flat())) return fieldOf(without);
         if (!reach_) reach_.emplace(sun_);
@@ -174,10 +175,10 @@ private:
     Progress& progress_;
     std::stop_token stop_;
     std::unique_ptr<Engine> engine_;
-    std::optional<EngineChoice> choice_;  // by the engine auto, for all fields
+    std::optional<EngineChoice> choice_;  // of the engine auto, for all fields
     CommonReceivers common_;
     SunSteps sun_;
-    std::optional<ShadowReach> reach_;  // of the sun, once it is asked for
+    std::optional<ShadowReach> reach_;  // created on first use
     std::size_t fields_ = 2;
     std::size_t done_ = 0;
 };

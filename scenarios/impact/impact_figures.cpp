@@ -15,7 +15,7 @@ constexpr double noChangeMin = 1e-3;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr ChangeFigures notCounted{unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 
-// Cells counted and minutes summed of one measure.
+// Counts cells and sums minutes of one measure.
 class Sum {
 public:
     explicit Sum(double thresholdMin) : thresholdMin_(std::max(noChangeMin, thresholdMin)) {}
@@ -41,7 +41,7 @@ public:
 
 private:
     double thresholdMin_;
-    ChangeFigures figures_;  // areas in cells until figures()
+    ChangeFigures figures_;  // areas count cells until figures()
 };
 
 template <class IsCounted>

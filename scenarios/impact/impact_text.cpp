@@ -41,17 +41,17 @@ Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
 }
 
 Json definitions() {
-    return {{"change", "the field of `to` less the field of `from`, same engine, steps and receivers"},
-            {"error", "of the change on a sample of receivers, in both cities traced by the ray reference"},
+    return {{"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
+            {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
             {"gained_m2", "area where the minutes rose by more than the threshold"},
             {"touched_m2", "area where they rose at all"},
             {"shadow_area_change_m2",
              "change of the sum over receivers of (share of the sunlit time in shadow x cell area)"},
-            {"by_building", "`to` less `to` without this building: what it shades alone"},
+            {"by_building", "`to` minus `to` without this building: its sole contribution"},
             {"became_building_m2", "open ground in `from`, under a building in `to`: no receiver"}};
 }
 
-// Gained and lost; empty fields where it was not counted.
+// Area gained and lost; empty fields where the measure was not computed.
 std::string areasText(const ChangeFigures& figures) {
     return std::isnan(figures.meanMin) ? "," : fmt::format("{:.1f},{:.1f}", figures.gainedM2, figures.lostM2);
 }

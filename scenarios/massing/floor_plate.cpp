@@ -31,7 +31,7 @@ Plate moved(const Plate& plate, Placement placement) {
     return result;
 }
 
-// The argument at which `areaAt` falls (or rises) through `areaM2`.
+// The argument at which the monotonic `areaAt` crosses `areaM2`, by bisection.
 template <class AreaAt>
 double argumentOf(double areaM2, double low, double high, bool rising, AreaAt&& areaAt) {
     for (int i = 0; i < halvings; ++i) {
@@ -105,7 +105,7 @@ Plate resized(const Plate& plate, const Footprint& lot, double areaM2) {
     };
     const double even = std::sqrt(areaM2 / computeArea(plate));
     if (even <= 1) return at(even);
-    // Large enough that even a corner of the lot is reached from the plate's middle.
+    // Factor at which the scaled plate covers even the farthest corner of the lot.
     const Box2 lotBox = bounds(lot), box = bounds(plate.front());
     const double reach = 4 * double(glm::length(lotBox.high - lotBox.low) / glm::length(box.high - box.low));
     return at(argumentOf(areaM2, 1, std::max(even, reach) * 10, true,

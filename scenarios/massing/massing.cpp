@@ -45,7 +45,7 @@ Result<Heights> heightsOf(const MassingSettings& settings) {
     if (settings.storeys < 0 || settings.storeys > 500)
         return outOfRange("The number of storeys", settings.storeys, "Give 1 to 500");
     if ((settings.storeys > 0) == (settings.heightM != 0))
-        return failure("The height is stated twice or not at all", "massing",
+        return failure("The height is given twice or not at all", "massing",
                        "Give either storeys or a total height");
     Heights heights{0, settings.storeys > 0 ? settings.storeys * settings.storeyHeightM : settings.heightM};
     if (!(heights.topM >= settings.storeyHeightM && heights.topM <= tallestBuildingM))
@@ -54,11 +54,11 @@ Result<Heights> heightsOf(const MassingSettings& settings) {
     heights.podiumM = settings.podium->storeys * settings.storeyHeightM;
     if (settings.podium->storeys >= 1 && heights.podiumM < heights.topM) return heights;
     return failure(
-        fmt::format("A podium of {} storeys is not lower than the whole", settings.podium->storeys),
+        fmt::format("A podium of {} storeys is not lower than the whole building", settings.podium->storeys),
         "massing", fmt::format("Give 1 storey or more, below {:g} m", heights.topM));
 }
 
-// The plate's size in words, the largest share of the lot that can be turned so.
+// An Error that states the largest share of the lot that can be turned this far.
 tl::unexpected<Error> doesNotTurn(const Footprint& lot, double degrees) {
     double fits = 0, tooLarge = 1;
     for (int i = 0; i < 10; ++i) {
@@ -77,7 +77,7 @@ Result<Plate> towerPlate(const Footprint& lot, const MassingSettings& settings, 
     const Plate there = turned(*plate, settings.clockwiseDeg);
     if (settings.clockwiseDeg != 0 && !liesOn(there, {lot})) return doesNotTurn(lot, settings.clockwiseDeg);
     if (liesOn(there, ground)) return there;
-    return failure(fmt::format("The tower's plate of {:.0f} m2 stands out over its podium of {:.0f} m2",
+    return failure(fmt::format("The tower's plate of {:.0f} m2 extends beyond its podium of {:.0f} m2",
                                computeArea(there), computeArea(ground)),
                    "massing", "Make the podium's plate larger, or the tower's smaller");
 }

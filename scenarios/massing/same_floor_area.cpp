@@ -28,11 +28,11 @@ Result<void> checked(const Footprint& lot, const GivenMass& given, double plateF
 
 int storeysFor(double grossFloorM2, double plateM2, bool wider) {
     const double storeys = grossFloorM2 / plateM2;
-    // A wider plate must not outgrow its limit, so storeys are rounded up.
+    // Rounding up keeps a wider plate within its limit.
     return std::max(1, int(wider ? std::ceil(storeys - 1e-6) : std::round(storeys)));
 }
 
-// Where a mesh leans out above its foot, the foot counts.
+// For a mesh that leans outwards above its base, the base counts.
 Plate plateOf(const Building& building, double groundM, double storeyHeightM) {
     const bool anyMesh =
         std::ranges::any_of(building.parts, [](const Part& part) { return part.mesh != nullptr; });
@@ -60,7 +60,7 @@ Result<GivenMass> givenBy(const Building& building, double groundM, double store
                     .storeyHeightM = storeyHeightM,
                     .estimatedStoreys = floors.estimatedStoreys};
     if (given.grossFloorM2 > 0 && !given.plate.empty()) return given;
-    return failure("The building has not one storey", building.sourceId, "Choose another building");
+    return failure("The building has less than one storey", building.sourceId, "Choose another building");
 }
 
 Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, double plateFactor) {

@@ -32,7 +32,7 @@ std::shared_ptr<const TriangleMesh> meshOf(const Json& json) {
                                  wholeNumberFrom<unsigned>(at.at(2))};
         for (int i = 0; i < 3; ++i)
             if (corners[i] >= mesh->vertices.size())
-                throw std::invalid_argument("a corner that is not there");
+                throw std::invalid_argument("a triangle names a vertex that does not exist");
         mesh->triangles.push_back(corners);
     }
     return mesh;
@@ -132,7 +132,7 @@ Edit read(const std::string& kind, const Json& json) {
 
 }  // namespace
 
-// Names from files may hold bytes that are no UTF-8.
+// Invalid UTF-8 is replaced: names read from files may contain it.
 std::string toJson(const Edit& edit) {
     return std::visit(Writer{}, edit).dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -7,10 +7,10 @@
 
 namespace noonmark {
 
-/// An edit as the JSON of the project file (docs/project-file.md). Coordinates come back to the last bit.
+/// The JSON of an edit in the project file (docs/project-file.md). Coordinates round-trip exactly.
 std::string toJson(const Edit& edit);
 
-/// `kind`: of getKind(). Error: JSON that is not that of an edit.
+/// `kind`: as returned by getKind(). Error: the JSON is not that of an edit.
 Result<Edit> parseEdit(const std::string& kind, const std::string& json);
 
 }  // namespace noonmark

@@ -51,7 +51,7 @@ Result<NamedPeriod> findPeriod(const Project& project, const std::string& name) 
     return named(project.periods, ownName, name, "period");
 }
 Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name) {
-    return named(project.results, sharedName, name, "kept result");
+    return named(project.results, sharedName, name, "saved result");
 }
 Result<Scenario> findScenarioByName(const Project& project, const std::string& name) {
     return named(project.scenarios, ownName, name, "scenario");

@@ -25,7 +25,7 @@ std::string newId() {
     return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
 }
 
-// Turns what SQLite and the readers throw into an Error; no exception leaves this file.
+// Turns exceptions of SQLite and of the readers into an Error; no exception leaves this file.
 template <class Work>
 auto guarded(const fs::path& file, Work&& work) -> decltype(work()) try {
     return work();
@@ -33,7 +33,7 @@ auto guarded(const fs::path& file, Work&& work) -> decltype(work()) try {
     return tl::make_unexpected(errorOf(trouble, file));
 } catch (const std::exception& trouble) {
     return failure(fmt::format("The project file cannot be used ({})", trouble.what()), file.string(),
-                   "Check that there is memory and room on the disk");
+                   "Check that there is enough memory and disk space");
 }
 
 void prepareToWrite(Database& database) {
@@ -52,13 +52,13 @@ Result<void> checkVersion(Database& database, const fs::path& file) {
     const int version = versionOf(database);
     if (version == schemaVersion || (version > 0 && version < schemaVersion)) return {};
     if (version == 0)
-        return failure("It is a GeoPackage, but no Noonmark project", file.string(),
-                       "To begin a project with its buildings: noonmark-cli project new");
+        return failure("It is a GeoPackage, but not a Noonmark project", file.string(),
+                       "To start a project with its buildings: noonmark-cli project new");
     return failure(
         fmt::format(
             "The project was written by a newer Noonmark (version {} of the file; this program knows {})",
             version, schemaVersion),
-        file.string(), "Install the newer program; the file was left as it is");
+        file.string(), "Install the newer program; the file was not changed");
 }
 
 void writeNew(const fs::path& file, const Project& project, const std::string& id) {
@@ -77,7 +77,7 @@ Project readChecked(Database& database) {
     return readProject(database);
 }
 
-// An older file is brought to this version in a copy, so that a file that may only be read is opened too.
+// An older file is migrated in a copy in memory, so that a read-only file can be opened, too.
 Project readAnyVersion(Database& database) {
     if (versionOf(database) == schemaVersion) return readChecked(database);
     Database copy(Database::InMemory{}, database);
@@ -115,7 +115,7 @@ Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& pro
 Result<ProjectFile> ProjectFile::open(const fs::path& file) {
     if (auto whole = checkWhole(file); !whole) return tl::make_unexpected(whole.error());
     return guarded(file, [&]() -> Result<ProjectFile> {
-        // What a killed process left half done is rolled back, which needs the right to write.
+        // Rolling back an unfinished transaction of a killed process needs write access.
         const bool writable = bool(checkWritable(file));
         Database database(file, writable ? Database::Access::write : Database::Access::read);
         const Transaction transaction(database, false);

@@ -19,7 +19,7 @@ Result<void> addEdits(Sha256& sum, const Project& project, const char* role, con
     });
 }
 
-// `citySha256`: of the existing city, which takes longest.
+// `citySha256`: hash of the existing city, which takes longest to compute.
 Result<std::string> hashContent(const Project& project, const std::string& citySha256,
                                 const MeasuredPart& part) {
     Sha256 sum;
@@ -31,7 +31,7 @@ Result<std::string> hashContent(const Project& project, const std::string& cityS
     return sum.hex();
 }
 
-// The part as another version of the project has it: its own weight table of that name.
+// The same part in another version of the project, with that version's weight table of the same name.
 MeasuredPart asIn(const Project& project, MeasuredPart part) {
     if (!part.weights) return part;
     const auto table = findWeights(project, part.weights->name);
@@ -69,7 +69,7 @@ ProjectRecord recordOf(const Project& project, const ProjectFile* onDisk, const 
     return record;
 }
 
-// A region of the saved project by its name, which names it to the last bit.
+// A region of the saved project is given by its name, which identifies it exactly.
 std::string regionTextOf(const Project& project, const ProjectFile* onDisk, const ProjectRecord& record,
                          const Region& region) {
     if (!record.saved()) return regionText(region, *project.city);

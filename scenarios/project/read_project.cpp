@@ -23,13 +23,13 @@ std::vector<InputFile> readInputs(Database& database) {
     return inputs;
 }
 
-// Lots may be drawn in a GIS: a polygon in several pieces is several lots.
+// A lot drawn in a GIS program may have several pieces; each piece becomes a lot.
 std::vector<NamedLot> readLots(Database& database) {
     std::vector<NamedLot> lots;
     Statement row = database.prepare("SELECT fid, geom, name FROM lots ORDER BY fid");
     while (row.step()) {
         const auto polygons = toPolygons(row.blob(1));
-        if (!polygons) throwDamaged("the outline of a lot");
+        if (!polygons) throwDamaged("a lot has an invalid outline");
         const std::string name = row.isNull(2) ? fmt::format("lot {}", row.integer(0)) : row.text(2);
         for (std::size_t i = 0; i < polygons->size(); ++i)
             lots.push_back({i == 0 ? name : fmt::format("{} ({})", name, i + 1), (*polygons)[i]});
@@ -42,7 +42,7 @@ std::vector<Region> readRegions(Database& database) {
     Statement row = database.prepare("SELECT fid, geom, name FROM regions ORDER BY fid");
     while (row.step()) {
         auto polygons = toPolygons(row.blob(1));
-        if (!polygons) throwDamaged("the outline of a region");
+        if (!polygons) throwDamaged("a region has an invalid outline");
         const std::string name = row.isNull(2) ? fmt::format("region {}", row.integer(0)) : row.text(2);
         regions.push_back({name, *std::move(polygons)});
     }
@@ -73,7 +73,7 @@ std::chrono::month_day dayOf(const CheckedRow& row, int column) {
 }
 
 constexpr NumberLimits dayMinutes{0, 24 * 60};
-constexpr std::size_t mostIntervals = 1000;  // each is compared with each
+constexpr std::size_t mostIntervals = 1000;  // checked pairwise for overlap
 
 std::vector<TimeWeights> readWeights(Database& database) {
     std::vector<TimeWeights> tables;
@@ -99,7 +99,7 @@ constexpr NumberLimits windowMinutes{-12 * 60, 12 * 60};
 Period periodOf(const Statement& row) {
     Period period;
     const auto start = parseDate(row.text(1));
-    if (!start) throwDamaged("the date of a period");
+    if (!start) throwDamaged("a period has an invalid date");
     period.start = *start;
     const CheckedRow checked(row, "periods", 11);
     period.days = checked.integer(2, "days", {1, 3660});
@@ -133,8 +133,8 @@ std::map<std::string, std::string> readView(Database& database) {
     return view;
 }
 
-// What a result's layers are called in write_results.cpp: no other table may be read, or dropped with the
-// result.
+// Whether a name is one that write_results.cpp gives to a result's layers. No other table may be read, or
+// dropped with the result.
 bool isTileTable(std::string_view name) {
     constexpr std::string_view start = "result_";
     if (!name.starts_with(start)) return false;
@@ -148,7 +148,7 @@ SavedLayer readLayer(Database& database, const Statement& row, const Grid& grid)
     SavedLayer layer{row.text(0), row.text(1), {}};
     layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     const std::string table = row.text(2);
-    if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is no table of a result", table));
+    if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is not a table of a result", table));
     checkTable(database, table, {"id", "zoom_level", "tile_column", "tile_row", "tile_data"});
     Statement tile = database.prepare("SELECT id, tile_column, tile_row, tile_data FROM " + table +
                                       " WHERE zoom_level = 0");

@@ -8,16 +8,16 @@
 
 namespace noonmark {
 
-/// Where the unsaved work of a project file is kept: a hidden project file beside it.
+/// The recovery file of a project file: a hidden project file beside it.
 std::filesystem::path recoveryPath(const std::filesystem::path& file);
 
-/// Keeps unsaved work. The first time it writes a whole file, then what changed.
+/// Saves unsaved work to the recovery file: the whole project at first, then only changes.
 class Autosave {
 public:
     explicit Autosave(const std::filesystem::path& file) : path_(recoveryPath(file)) {}
 
     Result<void> keep(const Project& project);
-    /// After a save, or when the user discards the work.
+    /// Deletes the recovery file, after a save or when the user discards the work.
     void discard();
 
 private:
@@ -25,13 +25,13 @@ private:
     std::optional<ProjectFile> saved_;
 };
 
-/// Work that was not saved when the program ended.
+/// A recovery file that an earlier run left behind.
 struct Recovery {
     std::filesystem::path path;
-    std::filesystem::file_time_type at;  ///< when it was kept
+    std::filesystem::file_time_type at;  ///< when it was written
 };
 
-/// Nothing where there is none, or where the file was saved later than it.
+/// Empty where there is no recovery file, or where the project file was saved after it.
 std::optional<Recovery> recoveryOf(const std::filesystem::path& file);
 
 }  // namespace noonmark

@@ -43,7 +43,7 @@ public:
 
 private:
     void add(std::size_t index, const Building& building, const Part& part, float ground) {
-        // A flat city at 0 knows no elevation.
+        // In a flat city at 0 the elevation is unknown.
         const double elevation = city_.frame.originElevationM() + double(ground);
         std::optional<double> stated;
         if (city_.terrain || elevation != 0) stated.emplace(elevation);

@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-// What an edit builds, for the layer of proposals; heights from the ground.
+// The building that an edit adds, for the layer of proposals; heights are above the ground.
 struct BuiltBy {
     NewShape operator()(const Replace& edit) const { return edit.with; }
     NewShape operator()(const AddBuilding& edit) const { return edit.building; }
@@ -31,7 +31,7 @@ public:
               "INSERT INTO proposals (geom, scenario, building_id, name, height, min_height, edit) "
               "VALUES (?, ?, ?, ?, ?, ?, ?)")) {}
 
-    // Edits before `first` are in the tables already.
+    // Edits before `first` are already in the tables.
     void write(std::size_t id, const Scenario& scenario, std::size_t first) {
         cut(id, first);
         database_.prepare("INSERT OR REPLACE INTO scenarios (id, name, base) VALUES (?, ?, ?)")
@@ -69,7 +69,7 @@ private:
     Statement addEdit_, addProposal_;
 };
 
-// How many edits at the beginning are the same and need not be written.
+// Number of equal edits at the start of both lists, which need not be written.
 std::size_t sharedEdits(const Scenario& before, const Scenario& after) {
     if (before.name != after.name) return 0;
     const auto [old, made] = std::ranges::mismatch(before.edits, after.edits);

@@ -20,11 +20,11 @@ namespace noonmark {
 
 namespace {
 
-// Beyond it the maps of all pieces take more memory (4 bytes a cell and piece) than it is worth.
+// Above these limits the maps of all pieces (4 bytes per cell and piece) need too much memory.
 constexpr std::size_t mostCellsAtOnce = std::size_t{1} << 27U;
 constexpr std::size_t mostPiecesAtOnce = 40;
 
-// The same steps, added up with weights.
+// Scores one set of steps with a weight table.
 class Scoring {
 public:
     Scoring(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
@@ -60,7 +60,7 @@ private:
         return pieceByPiece(engine);
     }
 
-    // Nothing: by an engine that knows no pieces.
+    // Empty where the engine cannot process step sets.
     std::optional<Result<Score>> atOnce(const Engine& engine) {
         const StepSets sets = makeSets(pieces_, sun_);
         if (const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine))

@@ -27,7 +27,7 @@ Result<void> checked(const WeightedInterval& interval) {
     if (!interval.first.ok() || !interval.last.ok())
         return failure("A date is not in the calendar", interval.name, "Give a month and a day of it");
     if (interval.from < minutes(0) || interval.to > hours(24) || interval.from >= interval.to)
-        return failure("The hours are none", interval.name,
+        return failure("The hours are not a valid range", interval.name,
                        "Give an earlier and a later hour, 0:00 to 24:00");
     return {};
 }
@@ -63,9 +63,9 @@ Result<void> checked(const TimeWeights& weights) {
         if (const auto sound = checked(weights.intervals[i]); !sound) return sound;
         for (std::size_t j = 0; j < i; ++j)
             if (overlap(weights.intervals[j], weights.intervals[i]))
-                return failure(fmt::format("'{}' and '{}' hold the same time", weights.intervals[j].name,
+                return failure(fmt::format("'{}' and '{}' overlap", weights.intervals[j].name,
                                            weights.intervals[i].name),
-                               weights.name, "Let every time have one weight");
+                               weights.name, "Give every time only one weight");
     }
     return {};
 }

@@ -1,5 +1,5 @@
-// The error of shadow accrual maps against the rays: by map size, side, bias and warp; on the ground, and on
-// what a camera sees.
+// The error of shadow accrual maps against rays, by map size, side, bias and warp, on the ground and on the
+// surfaces that a camera sees.
 //
 //     accrual_error_bench [FILE or number of buildings]
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ void print(const std::string& name, const MinuteError& error, const Seconds& sec
         name, error.area, error.mean, error.p99, error.worst, seconds.processor);
 }
 
-/// A name and what it stands for.
+/// Settings with a name.
 struct Choice {
     std::string name;
     AccrualSettings settings;
@@ -66,10 +66,10 @@ void onTheGround(const HourScene& scene) {
     }
 }
 
-/// A camera above the middle of a city.
+/// A camera above the centre of a city.
 struct View {
     std::string name;
-    glm::dvec3 eye;  ///< from the middle
+    glm::dvec3 eye;  ///< relative to the centre
 };
 
 std::vector<Choice> viewChoices() {

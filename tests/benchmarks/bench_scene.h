@@ -13,10 +13,10 @@
 #include "core/receivers/region.h"
 #include "core/samples/sample_city.h"
 
-/// What the benchmarks share: a city, the middle of it, and a clock.
+/// Shared by the benchmarks: a city, its central region, and a clock.
 namespace noonmark::bench {
 
-/// Wall time, and processor time of all threads: the one to look at where other programs run too.
+/// Wall time, and processor time of all threads; the latter is more reliable where other programs run.
 struct Seconds {
     double wall = 1e9;
     double processor = 1e9;
@@ -40,7 +40,7 @@ City taken(auto made, auto cityIn) {
     std::exit(EXIT_FAILURE);
 }
 
-/// A file of buildings, or the grid sample with so many.
+/// Reads a file of buildings, or makes the grid sample with this number of buildings.
 inline City cityFrom(const std::string& argument) {
     NoProgress progress;
     if (std::filesystem::exists(argument))
@@ -50,7 +50,7 @@ inline City cityFrom(const std::string& argument) {
                  [](City&& city) { return std::move(city); });
 }
 
-/// 800 m square around the middle.
+/// A square of 800 m around the centre.
 inline Region findMiddle(const City& city) {
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F;

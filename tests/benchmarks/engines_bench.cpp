@@ -1,5 +1,5 @@
-// Every engine of core against the ray reference on some hours of one day: the error first, then the time, in
-// turn in one run.
+// Every engine of core against the ray reference over some hours of one day: first the error, then the time
+// in alternating runs.
 //
 //     engines_bench [FILE or number of buildings] [rounds] [hours] [engines other than ray, all if none]
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ struct Scene {
     SunSteps sun;
 };
 
-/// 800 x 800 cells of 1 m in the middle of a city; 21 March 2026, from 9:00 in New York, every minute.
+/// 800 x 800 cells of 1 m in the centre of a city; 21 March 2026, from 9:00 in New York, every minute.
 Scene dayScene(const std::string& cityName, double hours) {
     Scene scene;
     scene.city = cityFrom(cityName);
@@ -44,8 +44,8 @@ ShadowField run(const Scene& scene, std::string_view engine) {
 }
 
 struct CellError {
-    double areaPct = 0;   ///< difference of the shadow area over the receivers' area
-    double meanPct = 0;   ///< mean difference of gross minutes over the period
+    double areaPct = 0;   ///< difference of the shadow area / area of the receivers
+    double meanPct = 0;   ///< mean difference of gross minutes / period
     double worstMin = 0;  ///< largest difference of gross minutes
 };
 
@@ -62,7 +62,7 @@ CellError errorOf(const Scene& scene, const ShadowField& field, const ShadowFiel
     return error;
 }
 
-/// The ray reference, and those engines that were asked for.
+/// The ray reference and the requested engines.
 std::vector<std::string_view> engineKeys(std::span<char*> asked) {
     std::vector<std::string_view> keys;
     for (const auto& [engine, make] : coreEngines())

@@ -1,7 +1,8 @@
-// The horizon sweep on a year of 8 h days at one minute, over 800 x 800 m in the middle of the grid sample
-// with a million triangles. First cells are compared with the ray reference on a sample of receivers, then
-// the sweep is timed, by processor time shared by the cores; the ray reference's time for all receivers is
-// worked out from the sample's. Then kept horizons: retimed, and a tower moved.
+// The horizon sweep over a year of 8 h days at one minute, over 800 x 800 m in the centre of the grid sample
+// with a million triangles. First cells are compared with the ray reference on a sample of receivers. Then
+// the sweep is timed, as processor time divided by the number of cores; the ray reference's time for all
+// receivers is extrapolated from the sample. Last come cached horizons: with other times, and after moving a
+// tower.
 //
 //     horizon_bench [bin width in deg] [receivers in the sample] [rounds]
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ T taken(Result<T> made) {
     std::exit(EXIT_FAILURE);
 }
 
-/// Processor time of all threads, shared by the cores: other programs don't count.
+/// Processor time of all threads divided by the number of cores, so that other programs do not count.
 double secondsOf(const auto& work) {
     const std::clock_t start = std::clock();
     work();
@@ -68,7 +69,7 @@ SunSteps year(const City& city) {
     return taken(computeSunSteps(period, {place.lonDeg, place.latDeg}));
 }
 
-/// The same receivers, but for all that are not in the sample.
+/// The same receivers, reduced to a random sample.
 Receivers sampleOf(Receivers receivers, std::size_t count) {
     std::mt19937 random(7);
     std::shuffle(receivers.cells.begin(), receivers.cells.end(), random);
@@ -104,7 +105,7 @@ double medianOf(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// The city with a tower of 40 x 40 x 200 m whose corner is this far from the middle.
+/// The city with a tower of 40 x 40 x 200 m whose centre lies `eastM` east of `middle`.
 City withTower(City city, glm::vec2 middle, float eastM) {
     const glm::vec2 a = middle + glm::vec2(eastM - 20, -20), b = a + 40.0F;
     Building tower;
@@ -113,7 +114,7 @@ City withTower(City city, glm::vec2 middle, float eastM) {
     return city;
 }
 
-/// Kept horizons, gross shadow: the year again, one day of it, and a tower of 200 m that is moved by 10 m.
+/// Cached horizons, gross shadow: the same year again, one day of it, and a tower of 200 m moved by 10 m.
 void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, double binDeg, int rounds) {
     NoProgress progress;
     const Box2 box = bounds(city);
@@ -163,7 +164,7 @@ void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, d
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const double binDeg =
-        argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;  // 0: by error target
+        argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;  // 0: chosen by the error target
     const std::size_t sampleSize = argc > 2 ? std::stoul(argv[2]) : 300;
     const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
     const City city = taken(makeGridSample({.buildings = 43'000, .roundness = 7}));

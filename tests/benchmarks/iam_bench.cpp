@@ -1,5 +1,5 @@
 // Inverse accrual maps against the ray reference over random intervals and places: area error by source
-// level, worst cells, time.
+// level, largest cell errors, time.
 //
 //     iam_bench [FILE or number of buildings] [intervals] [minutes] [nearest hit, m] [margin, m]
 #include <fmt/format.h>
@@ -24,8 +24,8 @@ struct Interval {
     SunSteps sun;
 };
 
-/// A square of 400 m somewhere in the city, on some day at some hour with the sun up: dawn and dusk as likely
-/// as noon.
+/// A square of 400 m at a random place in the city, on a random day and hour with the sun up; dawn and dusk
+/// are as likely as noon.
 Interval randomInterval(const City& city, double minutes, std::mt19937& random) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);

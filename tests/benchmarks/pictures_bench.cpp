@@ -1,9 +1,10 @@
-// Pictures while long work runs: how many a second, and the longest pause between two, over the first seconds
-// of a study of a year and of the exploration of a view at every pixel; and what watching a day costs.
+// Intermediate pictures during long computations: their number per second and the longest pause between two,
+// in the first seconds of a study of a year and of the exploration of a view at every pixel; and the cost of
+// the pictures for a study of a day.
 //
 //     pictures_bench [FILE or number of buildings] [seconds for each] [engine]
 //
-// Where other programs run, the pauses are theirs.
+// Other running programs lengthen the pauses.
 #include <fmt/format.h>
 
 #include <ctime>
@@ -25,7 +26,7 @@ using namespace noonmark::bench;
 
 namespace {
 
-/// Takes the pictures that a window would, and ends the work after a while.
+/// Receives the pictures as a window would, and stops the work after a while.
 class Onlooker final : public Progress, public PartialSink {
 public:
     explicit Onlooker(double seconds) : seconds_(seconds) {}
@@ -44,7 +45,7 @@ public:
         const std::scoped_lock lock(mutex_);
         pace_.taken(watch_.seconds());
     }
-    std::function<bool(const PartialField&)> shows;  ///< whether the window would; null: all
+    std::function<bool(const PartialField&)> shows;  ///< whether the window would show it; null: always
 
     void seen() {
         const std::scoped_lock lock(mutex_);
@@ -76,7 +77,7 @@ private:
     int pictures_ = 0;
 };
 
-/// A study of the middle, days of 6 h.
+/// A study of the central region with days of 6 h.
 struct Question {
     Receivers receivers;
     SunSteps sun;
@@ -94,7 +95,7 @@ void picturesOf(const City& city, const Question& asked, const Engine& engine, s
     onlooker.print(fmt::format("{}, a year", name));
 }
 
-// The same work with and without an onlooker, in turn.
+// The same work with and without receiving pictures, alternately.
 void watchingCost(const City& city, const Question& asked, const Engine& engine, std::string_view name) {
     Seconds watched, alone;
     for (int round = 0; round < 3; ++round) {
@@ -120,7 +121,7 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const ViewEn
                           {.place = city->city().frame.origin()},
                           nullptr};
     Onlooker onlooker(seconds);
-    onlooker.shows = [](const PartialField&) { return false; };  // before anything is known of the view
+    onlooker.shows = [](const PartialField&) { return false; };  // nothing is known of the view yet
     auto answer = refined(question, nullptr, engine, onlooker, onlooker.token());
     while (answer && !onlooker.tired()) {
         onlooker.seen();

@@ -1,6 +1,7 @@
-// A project of the grid sample with 43,000 buildings and a million triangles: opened up to the arrays of its
-// first picture (asked: under 1 s), and saved with one edit more (asked: under 0.2 s). First what comes back
-// is compared with what was saved. The best of some rounds; processor time is that of all threads.
+// A project of the grid sample with 43,000 buildings and a million triangles: opened, up to the arrays of its
+// first picture (target: under 1 s), and saved with one more edit (target: under 0.2 s). First the loaded
+// project is compared with the saved one. Reports the best of several rounds; processor time is that of all
+// threads.
 //
 //     project_bench [city file] [rounds]
 #include <cstdio>
@@ -27,7 +28,7 @@ void must(const Result<void>& done) {
     std::exit(EXIT_FAILURE);
 }
 
-// A project with all that a study leaves in it.
+// A project with everything that a study adds to it.
 Project projectOf(City city) {
     Project project;
     const Box2 box = bounds(city);
@@ -62,7 +63,8 @@ struct Rounds {
     std::size_t triangles = 0;
 };
 
-// Opens, makes the first picture's arrays, and saves one demolition more; each is checked after it is timed.
+// Opens the project, makes the arrays of the first picture, and saves one more demolition. Each step is
+// checked after it is timed.
 void round(const std::filesystem::path& file, const Project& truth, Rounds& best) {
     ProjectFile disk;
     best.open.keepBest(secondsOf([&] { disk = must(ProjectFile::open(file)); }));

@@ -1,6 +1,6 @@
-// Projected shadows on one day of 6 h: 800 x 800 m in the middle of a city, by processor time. Where cells
-// differ from rays (with "check") each is told with what each engine says; with "edit" a tower is moved on
-// kept shadows.
+// Projected shadows on one day of 6 h: 800 x 800 m in the centre of a city, in processor time. With "check"
+// it lists each cell that differs from rays with the values of both engines; with "edit" it moves a tower
+// with cached shadows.
 //
 //     projected_bench [FILE or number of buildings] [rounds] [check|edit]
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ ShadowField fieldOf(const Engine& engine, const City& city, const Receivers& rec
     return engine.accumulate(city, receivers, sun, progress, {}).value();
 }
 
-// The same for the same bits of all cells: to hold one version of the engine against another.
+// A checksum over the bits of all cells, to compare versions of the engine.
 std::uint64_t checksum(const ShadowField& field) {
     std::uint64_t sum = 0;
     for (const auto* minutes : {&field.grossMin, &field.continuousMin})
@@ -43,7 +43,7 @@ double median(std::vector<double> values) {
 }
 
 std::uint32_t compare(const Receivers& receivers, const ShadowField& field, const ShadowField& truth) {
-    std::map<int, int> counts;  // cells by minutes that differ
+    std::map<int, int> counts;  // number of cells by difference in minutes
     std::uint32_t worst = 0;
     const auto off = [&](std::uint32_t cell) {
         return int(std::abs(field.grossMin[cell] - truth.grossMin[cell]));
@@ -59,7 +59,7 @@ std::uint32_t compare(const Receivers& receivers, const ShadowField& field, cons
     return worst;
 }
 
-// What both say at one cell, step by step where they differ, and what stands around it.
+// Prints the values of both engines at one cell, the steps at which they differ, and the surroundings.
 void explain(const City& city, const Receivers& receivers, const SunSteps& sun, std::uint32_t cell) {
     const auto rasters = computeShadowRasters(city, receivers, sun).value();
     const BitLayout layout(receivers.grid);

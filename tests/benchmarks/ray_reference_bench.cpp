@@ -1,6 +1,6 @@
-// The ray reference against a bare Embree loop: same triangles, same flags, same packets, in turn in one run.
-// First the answers are compared, then the speeds; the engine must reach 80 % of the bare loop's rays a
-// second.
+// The ray reference against a bare Embree loop with the same triangles, flags and packets, in alternating
+// runs. First the results are compared, then the speeds; the engine must reach 80 % of the bare loop's rays
+// per second.
 //
 //     ray_reference_bench [FILE or number of buildings] [rounds]
 #include <embree3/rtcore.h>
@@ -42,7 +42,7 @@ SunSteps sixHours() {
     return sun;
 }
 
-/// What anyone would write first: the same triangles, flags and packets, and nothing else.
+/// The most direct implementation: the same triangles, flags and packets, and nothing else.
 class BareLoop {
 public:
     BareLoop(const City& city, const Receivers& receivers, const SunSteps& sun)
@@ -71,7 +71,7 @@ public:
         rtcReleaseDevice(device_);
     }
 
-    /// Rays in shadow.
+    /// Number of rays in shadow.
     std::uint64_t trace() const {
         std::atomic<std::uint64_t> blocked{0};
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers_.cells.size(), 64),
@@ -122,14 +122,14 @@ std::uint64_t blockedIn(const ShadowField& field) {
     return std::uint64_t(std::llround(minutes));
 }
 
-/// Best of each so far; the engine's wall time is that of its stage "trace", its processor time has the
-/// building of the tree in it.
+/// The best times so far. The engine's wall time is that of its stage "trace"; its processor time includes
+/// building the tree.
 struct Best {
     Seconds bare;
     Seconds engine;
 };
 
-/// One round of both; false when they disagree on the number of rays in shadow.
+/// Runs both once; false if they disagree on the number of rays in shadow.
 bool race(const BareLoop& bare, const City& city, const Receivers& receivers, const SunSteps& sun,
           Best& best) {
     std::uint64_t expected = 0;

@@ -1,6 +1,6 @@
 #include "tests/cli/project_command.h"
 
-// No command writes over what it reads, over a project, or over a file of another kind.
+// No command overwrites its input, a project, or a file of another kind.
 namespace noonmark::cli::tests {
 namespace {
 
@@ -28,7 +28,8 @@ Words plus(Words words, const Words& more) {
 
 class OutputGuard : public ProjectCommand {
 protected:
-    /// Why a command is refused, which must leave `victim` and the folder as they were.
+    /// Runs a command that must be refused and must leave `victim` and the folder unchanged. Returns the
+    /// error.
     std::string saved(const fs::path& victim, const Words& words) {
         const std::string before = bytesOf(victim);
         const auto names = folder_.names();
@@ -39,7 +40,7 @@ protected:
         return spoken.err;
     }
 
-    /// The same with --overwrite, which must not help.
+    /// The same, also with --overwrite, which must make no difference.
     std::string keptAlways(const fs::path& victim, const Words& words) {
         std::string why = saved(victim, plus(words, {"--overwrite"}));
         EXPECT_EQ(saved(victim, words), why);
@@ -122,7 +123,7 @@ TEST_F(OutputGuard, AStudyIsNotReplacedUnasked) {
     ASSERT_EQ(noonmarkCli(studyOf(box_)).code, exitOk);
     const Words again = studyOf(box_);
     EXPECT_THAT(saved(out_ / "study.json", again), HasSubstr("shadow.tif and 3 more of the files to write"));
-    // Before the city is read: this one is not there.
+    // The check precedes reading the city, which does not exist here.
     EXPECT_THAT(saved(out_ / "study.json", atNine({"study", "/no/such.geojson", "--region", box_}, out_)),
                 HasSubstr("--overwrite"));
     EXPECT_EQ(noonmarkCli(plus(again, {"--overwrite"})).code, exitOk);

@@ -19,7 +19,7 @@ protected:
         done("add-scenario", {"A"});
     }
 
-    /// As the scenario leaves it in the file.
+    /// A building after the scenario's edits, read from the file.
     [[nodiscard]] Building building(const std::string& name, const std::string& scenario = "A") const {
         const City city = cityOf(opened(), scenario).value().city;
         return *city.buildings[findBuilding(city, name).value()];
@@ -65,7 +65,7 @@ TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
     EXPECT_NEAR(findMiddle(building("middle")).x, place.x + 5, 0.01);
     EXPECT_NEAR(findMiddle(building("middle")).y, place.y, 0.01);
     const Box2 box = bounds(building("middle"));
-    EXPECT_NEAR(box.high.x - box.low.x, 60, 0.01);  // 30 m from south to north, doubled and turned
+    EXPECT_NEAR(box.high.x - box.low.x, 60, 0.01);  // 30 m from south to north, scaled by 2 and turned
     EXPECT_NEAR(topM(building("middle")), 200, 0.01);
     done("import", {mesh_, "--scenario", "A", "--id", "origin", "--origin-at", "-73.975,40.77"});
     EXPECT_NEAR(bounds(building("origin")).low.x, place.x, 0.01);
@@ -99,7 +99,7 @@ TEST_F(ProjectEdits, AMeshTakesTheReplacedBuildingsPlaceAndName) {
 TEST_F(ProjectEdits, ADryRunSavesNothing) {
     const auto saves = ProjectFile::open(file_).value().saves();
     EXPECT_THAT(done("demolish", {"One57", "--scenario", "A", "--dry-run"}),
-                AllOf(HasSubstr("Demolish One57"), HasSubstr("Nothing was saved")));
+                AllOf(HasSubstr("Demolish One57"), HasSubstr("nothing was saved")));
     EXPECT_THAT(refused("demolish", {"One58", "--scenario", "A", "--dry-run"}), HasSubstr("'One57'"));
     EXPECT_EQ(ProjectFile::open(file_).value().saves(), saves);
 }
@@ -160,11 +160,11 @@ TEST_F(ProjectEdits, MistakesSayWhatWhereAndWhatToDo) {
     EXPECT_THAT(refused("rename-scenario", {"A", "Existing"}), HasSubstr("Existing"));
     EXPECT_THAT(refused("rename-scenario", {"C", "D"}), HasSubstr("The scenarios are: Existing, A"));
     EXPECT_THAT(refused("duplicate-scenario", {"A", "A"}), HasSubstr("Two scenarios"));
-    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("name of its own"));
+    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("another name"));
     EXPECT_TRUE(kinds().empty());
 }
 
-// Each setting by hand: a lot of 40 x 30 m, storeys of 4 m.
+// Checks each setting by hand calculation: a lot of 40 x 30 m, storeys of 4 m.
 TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
     const Frame frame = opened().city->frame;
     std::string wkt = "POLYGON ((";
@@ -196,7 +196,7 @@ TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
     EXPECT_THAT(
         built("g", {"--storeys", "10", "--plate-area", "300", "--podium", "2", "--podium-area", "900"}),
         AllOf(HasSubstr("gross floor area 4,200 m2"), HasSubstr("coverage 75 %")));
-    // Above 20 m 5 m from every wall: 30 x 20 m; above 32 m another 5 m: 20 x 10 m.
+    // Above 20 m inset by 5 m: 30 x 20 m; above 32 m by another 5 m: 20 x 10 m.
     EXPECT_THAT(built("h", {"--storeys", "10", "--setback", "20:5", "--setback", "32:5"}),
                 HasSubstr("gross floor area 8,200 m2"));
     EXPECT_THAT(built("i", {"--storeys", "10", "--plate-share", "25", "--turn", "90"}),

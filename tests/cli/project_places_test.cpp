@@ -11,7 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// Squares of some 84 x 111 m side by side, with a field of their names.
+// Squares of about 84 x 111 m side by side, with a field for their names.
 std::string parcelsFile() {
     std::string features;
     for (int i = 0; i < 3; ++i)

@@ -43,7 +43,7 @@ TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
     EXPECT_THAT(built.out, HasSubstr("New tower: 40 storeys, 160.0 m"));
     ASSERT_EQ(project("add-scenario", {"B", "--base", "A"}).code, 0);
     const Spoken wider = project("variant", {"One57", "520 Park Avenue", "--scenario", "B"});
-    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue is gone
+    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue was demolished
     EXPECT_THAT(wider.err, HasSubstr("There is no such building"));
     const Spoken variant = project("variant", {"One57", "--scenario", "B"});
     ASSERT_EQ(variant.code, 0) << variant.err;
@@ -63,9 +63,10 @@ TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
     EXPECT_EQ(info.json()["format"], "Noonmark project");
     EXPECT_EQ(info.json()["buildings"], opened().city->buildings.size());
     EXPECT_THAT(noonmarkCli({"info", file_}).out, HasSubstr("noonmark-cli project info"));
-    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err, HasSubstr("is read already"));
+    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err,
+                HasSubstr("has already been read"));
     EXPECT_THAT(noonmarkCli({"info", file_, folder_.path("dem.tif").string()}).err,
-                HasSubstr("stands alone"));
+                HasSubstr("cannot be combined"));
 }
 
 TEST_F(ProjectCommand, TablesNameTheProject) {
@@ -103,7 +104,7 @@ TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
 TEST_F(ProjectCommand, ScoresAYear) {
     const Spoken score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
-    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: two of it
+    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: December appears twice
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
     EXPECT_THAT(textOf(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
 }
@@ -111,7 +112,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
 TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
     EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 2);
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
-                HasSubstr("The existing city is not changed"));
+                HasSubstr("The existing city cannot be changed"));
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
                 HasSubstr("The project has no scenario yet"));
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Two houses of 20 m and 30 m near Bryant Park; one says its height in feet.
+// Two houses of 20 m and 30 m near Bryant Park; the height of one is in feet.
 constexpr const char* twoHouses = R"({"type":"FeatureCollection","features":[
 {"type":"Feature","id":1,"properties":{"name":"A","height":"20"},"geometry":{"type":"Polygon","coordinates":
  [[[-73.9840,40.7530],[-73.9837,40.7530],[-73.9837,40.7532],[-73.9840,40.7532],[-73.9840,40.7530]]]}},
@@ -114,7 +114,7 @@ TEST_F(StudyCommand, theErrorIsMeasuredUnlessItIsSwitchedOff) {
 
 TEST_F(StudyCommand, grossShadowAloneIsSaidAsSuchInEveryFile) {
     for (const char* engine : {"horizon", "auto"}) {
-        // Automatic: projected shadows, which count both anyway.
+        // auto chooses projected shadows, which compute continuous shadow in any case.
         const Spoken both = study({"--days", "30", "--engine", engine, "--json"});
         const Spoken spoken =
             study({"--days", "30", "--engine", engine, "--option", "runs=0", "--cells-csv"});
@@ -155,7 +155,7 @@ TEST_F(StudyCommand, solarWindowNeedsNoZone) {
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
     EXPECT_EQ(spoken.json()["period"]["window"]["after_sunrise_min"], 90);
     EXPECT_EQ(spoken.json()["period"]["window"]["sunrise_altitude_deg"], -0.833);
-    // All of the window's minutes, 12 h 10 min of daylight less 3 h: at 30 min a step 18 steps.
+    // The whole window: 12 h 10 min of daylight minus 3 h, that is 18 steps of about 30 min.
     const double minutes = spoken.json()["period"]["hours_min_per_day"];
     EXPECT_NEAR(minutes, 550, 3);
     EXPECT_EQ(spoken.json()["steps"], 18);
@@ -183,7 +183,7 @@ TEST_F(StudyCommand, aFolderThatCannotBeMadeIsAFailure) {
 
 TEST_F(StudyCommand, theFolderIsTriedBeforeTheWork) {
     out = folder.file("in the way", "a file");
-    // At night the work itself would fail: the folder is what must be heard of.
+    // The study would fail as well, because it is night: the error must be about the folder.
     const Spoken spoken = noonmarkCli({"study", city.string(), "--start", "2026-03-21", "--from", "22:00",
                                        "--zone", "America/New_York", "--region",
                                        "-73.9845,40.7527,-73.9826,40.7537", "--out", out.string()});

@@ -29,8 +29,8 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
     return arguments;
 }
 
-// The example of the SPA report (NREL/TP-560-34302, table A5.1). Its day is UT's: the sunset that it prints,
-// 17:20:19, is the evening before; the one that follows this transit comes 87 s earlier.
+// The example of the SPA report (NREL/TP-560-34302, table A5.1). Its day is that of UT: the sunset that it
+// prints, 17:20:19, belongs to the evening before; the sunset after this transit is 87 s earlier.
 TEST(Sun, exampleOfTheSpaReport) {
     const Spoken spoken = noonmarkCli(with(golden, {"--json"}));
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;

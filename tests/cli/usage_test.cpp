@@ -49,7 +49,7 @@ TEST(Usage, anEmptyValueDoesNotTakeTheNextWord) {
     expectUsageError(study({"--name=", "--json"}), "--name= has no value");
 }
 
-// As where the disk that standard output goes to is full.
+// Simulates a full disk behind standard output.
 TEST(Usage, outputThatCannotBeWrittenIsNoSuccess) {
     struct Full : std::streambuf {
         int_type overflow(int_type) override { return traits_type::eof(); }
@@ -117,7 +117,8 @@ TEST(Usage, filesThatCannotBeRead) {
     expectUsageError({"info", folder.path("missing.gpkg").string()}, "missing.gpkg");
     expectUsageError({"info", folder.file("words.geojson", "hello").string()}, "words.geojson");
     expectUsageError({"info", "sample:atlantis"}, "atlantis");
-    expectUsageError({"info", "sample:grid", folder.file("empty.geojson", "").string()}, "alone");
+    expectUsageError({"info", "sample:grid", folder.file("empty.geojson", "").string()},
+                     "cannot be combined");
     expectUsageError({"study", "sample:grid", "--start", "2026-03-21", "--zone", "UTC", "--region",
                       folder.path("none.geojson").string(), "--out", folder.path("out").string()},
                      "none.geojson");

@@ -1,4 +1,4 @@
-// An edit of a scenario. The first byte chooses its kind.
+// An edit of a scenario. The first byte selects its kind.
 #include <span>
 
 #include "scenarios/edits/apply_edits.h"

@@ -1,4 +1,4 @@
-// Heights, storeys and lists of tags as fields of a map give them.
+// Heights, storeys and lists of tags, as found in fields of a map.
 #include <cmath>
 
 #include "core/io/files/fold_text.h"

@@ -1,4 +1,4 @@
-// What kind of file it is, by its head and, of JSON, its first telling key.
+// Detection of the file kind from the first bytes and, for JSON, the first distinctive key.
 #include "core/io/files/file_kind.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"

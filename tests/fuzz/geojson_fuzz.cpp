@@ -1,4 +1,4 @@
-// Footprints as GeoJSON, TopoJSON or ESRI JSON: the content decides.
+// Footprints as GeoJSON, TopoJSON or ESRI JSON, detected by content.
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

@@ -1,4 +1,4 @@
-// Footprints as GeoPackage: any bytes of the file may differ.
+// Footprints as GeoPackage with arbitrary bytes of the file changed.
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

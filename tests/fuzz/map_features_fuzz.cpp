@@ -1,6 +1,6 @@
-// What becomes of the features of a map once GDAL has read them: their tags, their outlines, and buildings
-// of outlines and parts. Much faster than the formats of OpenStreetMap. A line is a feature: its corners in
-// metres, of several rings with ";" between, then its tags, all with "|" between:
+// Processing of a map's features after GDAL has read them: their tags, their outlines, and buildings from
+// outlines and parts. Much faster than the formats of OpenStreetMap. Each line is a feature with fields
+// separated by "|": first its corners in metres, rings separated by ";", then its tags:
 //   0 0 40 0 40 20 0 20;9 9 9 12 12 9|building=yes|height=12 m
 #include <cstdlib>
 #include <sstream>

@@ -1,4 +1,4 @@
-// A map that a study saved: a tile of a journal.
+// A map saved by a study: a tile of a journal.
 #include "core/io/write_raster.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"

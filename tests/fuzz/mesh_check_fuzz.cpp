@@ -1,4 +1,4 @@
-// The check of a mesh file before the mesh library sees it.
+// The check of a mesh file before the mesh library reads it.
 #include "core/mesh_reader/mesh_file_check.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"

@@ -1,4 +1,5 @@
-// PLY, in this process: what it finds in the mesh library is shut up in a process of its own in the product.
+// PLY, read in this process. In the product the mesh library runs in a process of its own, which contains its
+// faults.
 #include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/read_scene.h"
 #include "tests/fuzz/fuzz_file.h"

@@ -1,4 +1,4 @@
-// What the mesh reader's process hands over, as a process gone wrong might, and the buildings in it.
+// The output of the mesh reader's process, possibly corrupt, and the buildings found in it.
 #include "core/io/meshes/mesh_scene.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/mesh_scenes.h"

@@ -10,7 +10,7 @@ namespace noonmark::tests {
 
 namespace {
 
-// Bytes, since numbers of broken files may be NaN, which equals nothing.
+// Compares bytes, because numbers of corrupt files may be NaN, which is not equal to itself.
 std::string bytesOf(const MeshScene& scene) {
     std::string bytes;
     appendSceneHead(bytes);
@@ -37,7 +37,7 @@ void useScene(const MeshScene& scene) {
     try {
         use(describeScenePiece(*again, "mesh.obj", meshSettings(), progress, {}));
     } catch (const std::exception&) {
-        // readMesh() makes an Error of it.
+        // readMesh() turns this into an Error.
     }
 }
 

@@ -1,4 +1,4 @@
-// A project file any of whose bytes may differ.
+// A project file with arbitrary bytes changed.
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/project_use.h"
 

@@ -1,4 +1,4 @@
-// The settings of a saved result, which hold its figures. The first byte chooses the kind of result.
+// The settings of a saved result, which contain its figures. The first byte selects the kind of result.
 #include <limits>
 
 #include "scenarios/project/results/saved_answer.h"

@@ -11,7 +11,7 @@ namespace noonmark::tests {
 
 namespace {
 
-// Of a box of 10 x 8 x 6.
+// A box of 10 x 8 x 6.
 constexpr std::array<glm::vec3, 8> corners{
     {{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {0, 8, 0}, {0, 0, 6}, {10, 0, 6}, {10, 8, 6}, {0, 8, 6}}};
 constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
@@ -48,7 +48,7 @@ std::string binaryPly() {
     return bytes;
 }
 
-// Its buffer: the corners as float32, then two triangles a face as uint16.
+// The buffer: corners as float32, then two triangles per face as uint16.
 std::string gltfBuffer() {
     std::string bytes;
     for (const glm::vec3 corner : corners)

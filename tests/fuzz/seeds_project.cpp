@@ -23,7 +23,7 @@ void writeProject(const SeedFolder& seeds, const Project& project) {
     shrink(file);
 }
 
-// As fuzz_edit_json takes it: a digit for the kind first.
+// In the format of fuzz_edit_json: first a digit for the kind.
 void writeEdits(const SeedFolder& seeds, const Project& project) {
     constexpr std::string_view kinds[] = {"demolish", "replace", "add", "height", "move", "rotate", "import"};
     for (const Scenario& scenario : project.scenarios)
@@ -40,7 +40,7 @@ void writeGeometries(const SeedFolder& seeds, const Project& project) {
     seeds.write("geometry_blob", "tangled", polygonBlob({{{0, 0}, {10.1F, 10}, {10, 0}, {0, 9.3F}}, {}}));
 }
 
-// One edit of each kind for each column: which of some hundred it is, the first bytes say.
+// One edit of each kind for each column; the first bytes select one of about a hundred columns.
 void writeCellEdits(const SeedFolder& seeds, const std::string& target, int columns) {
     constexpr std::string_view contents[] = {"",
                                              std::string_view("\1\0\0\0\0\0\0\0", 8),

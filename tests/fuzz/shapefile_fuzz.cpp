@@ -1,6 +1,6 @@
-// Footprints as Shapefile. The input: the lengths of its .shp, .shx and .dbf, two bytes each, then their
-// bytes; what is left is the .prj. Without one the coordinates are stated to be degrees: to find out what a
-// .prj means takes ten times as long as all the rest.
+// Footprints as Shapefile. The input holds the lengths of its .shp, .shx and .dbf, two bytes each, then their
+// bytes; the rest is the .prj. Without a .prj the coordinates are stated to be degrees: interpreting a .prj
+// takes ten times as long as everything else.
 #include <algorithm>
 #include <array>
 

@@ -81,7 +81,7 @@ void requireSound(const Error& error) {
     require(!isCancelled(error), "only a stop cancels");
 }
 
-// As readCity() does it.
+// As in readCity().
 static void standOnBases(const FilePiece& piece) {
     const std::vector<BasedBuilding> based = basedBuildings(piece);
     (void)textOf(measureRelief(based));

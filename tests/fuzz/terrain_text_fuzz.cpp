@@ -1,4 +1,4 @@
-// Terrain as text: ESRI and GRASS ASCII grids, XYZ, USGS DEM; the content decides.
+// Terrain as text: ESRI and GRASS ASCII grids, XYZ, USGS DEM, detected by content.
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

@@ -1,4 +1,4 @@
-// The journal of a study in tiles: its lines after the first, which names the study.
+// The journal of a study in tiles: the lines after the first one, which names the study.
 #include "core/study/tiles/tile_journal.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"

@@ -1,4 +1,4 @@
-// Days, times, instants, solar windows and time-zone rules as people and files write them.
+// Days, times, instants, solar windows and time-zone rules, as written by users and in files.
 #include "core/sun/civil_time.h"
 #include "core/sun/period.h"
 #include "core/sun/posix_rule.h"

@@ -1,4 +1,4 @@
-// Footprints as KML or GML: the content decides.
+// Footprints as KML or GML, detected by content.
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 

@@ -18,7 +18,7 @@ namespace {
 
 using namespace tests;
 
-/// Every test needs OpenGL 4.3, and says so where there is none.
+/// Fixture for tests that need OpenGL 4.3; they are skipped with a message where it is missing.
 class OpenGl : public testing::Test {
 protected:
     void SetUp() override {
@@ -67,7 +67,7 @@ TEST_F(ShadowMapsGl, oneDrawEqualsSixtyPassesBitForBit) {
         }
 }
 
-/// A scene on the device, and the depths of all its steps.
+/// A scene on the device with the depths of all its steps.
 struct DeviceScene {
     City city = cityOf(randomBoxes(22, 8));
     MapFrame frame = makeGroundFrame({-10, -10, 1, 180, 180}, 256, false);
@@ -109,7 +109,7 @@ TEST_F(ShadowMapsGl, aGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer)
     EXPECT_EQ(scene.depths(context_->limits(), 60), scene.depths(old, 60));
 }
 
-// The two rasterisers round corners differently: 1/256 of a texel against double precision.
+// The two rasterisers round vertices differently: to 1/256 of a texel, or in double precision.
 TEST_F(ShadowMapsGl, agreesWithTheProcessorsRasteriser) {
     const City city = cityOf(randomBoxes(23, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);

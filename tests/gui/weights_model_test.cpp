@@ -80,7 +80,7 @@ TEST_F(Weights, MonthsStandForTheirDays) {
 
 TEST_F(Weights, WhatIsOutOfRangeIsRefusedInItsPlace) {
     EXPECT_FALSE(set(5, Column::intervalWeight, "1.5"));
-    EXPECT_TRUE(refusal.contains(QStringLiteral("row 6: '1.5' is no weight"))) << refusal.toStdString();
+    EXPECT_TRUE(refusal.contains(QStringLiteral("row 6: '1.5' is not a weight"))) << refusal.toStdString();
     EXPECT_FALSE(set(5, Column::intervalWeight, "much"));
     EXPECT_FALSE(set(5, Column::firstDay, "06-31"));
     EXPECT_TRUE(refusal.contains(QStringLiteral("row 6, first"))) << refusal.toStdString();
@@ -88,8 +88,7 @@ TEST_F(Weights, WhatIsOutOfRangeIsRefusedInItsPlace) {
     EXPECT_FALSE(set(5, Column::fromHour, "24:00"));
     EXPECT_TRUE(refusal.contains(QStringLiteral("earlier and a later hour"))) << refusal.toStdString();
     EXPECT_FALSE(set(5, Column::lastDay, "07-02"));
-    EXPECT_TRUE(refusal.contains(QStringLiteral("'June' and 'July' hold the same time")))
-        << refusal.toStdString();
+    EXPECT_TRUE(refusal.contains(QStringLiteral("'June' and 'July' overlap"))) << refusal.toStdString();
     EXPECT_EQ(undo.count(), 0);
     EXPECT_EQ(session.project().weights[0], makeMonthlyWeights());
 }

@@ -18,7 +18,7 @@ TEST(ChangeScales, AreReadAndWrittenAndRefusedWhereTheyAreNone) {
         << "the file may come from anywhere";
 }
 
-/// One row of cells with these changes.
+/// One row of cells with the given changes.
 Impact impactOf(const std::vector<float>& minutes) {
     Impact impact;
     impact.grid = {0, 0, 1, int(minutes.size()), 1};

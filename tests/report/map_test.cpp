@@ -72,7 +72,7 @@ TEST(FieldImage, LargeGridsAreReducedByMeans) {
 TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
     const Study study = tests::syntheticStudy();
     const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::continuous, 360, 17)
-                             .image;  // blocks of 7
+                             .image;  // squares of 7 x 7 cells
     EXPECT_EQ(image.size(), QSize(18, 12));
     EXPECT_EQ(image.pixelColor(0, 11), shadowColour(0));
     EXPECT_EQ(image.pixelColor(17, 0), shadowColour(0.5));
@@ -80,12 +80,12 @@ TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
 
 TEST(Map, BlocksThatAreCutAtTheEdgeDoNotStretchTheMap) {
     Study study = tests::syntheticStudy();
-    study.settings.region.polygons.clear();  // at this size of a point, lines would cover everything
+    study.settings.region.polygons.clear();  // lines would cover everything at this point size
     study.city.buildings.clear();
     QImage image({400, 280}, QImage::Format_RGB32);
     QPainter painter(&image);
     const MapView view = makeMapView(study, QRectF(image.rect()));
-    // As coarse print: 17 pixels wanted, so blocks of 7 cells, the last of 1.
+    // Like coarse print: for 17 pixels, squares of 7 x 7 cells, the last one cell wide.
     const double unitsAPoint = 4 * view.rectOf(study.field.grid).width() / 16.5;
     paintMap({painter, unitsAPoint}, view, study, ShadowMeasure::gross);
     const auto colour = [&](double x, double y) { return image.pixelColor(view.at({x, y}).toPoint()); };

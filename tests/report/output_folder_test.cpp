@@ -30,14 +30,14 @@ TEST(OutputFolder, writesAllOrNothing) {
     const auto written = std::move(files).result();
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().where, folder.path("out") / "b.txt");
-    EXPECT_THAT(written.error().text(), HasSubstr("not all of it could be written"));
+    EXPECT_THAT(written.error().text(), HasSubstr("it could not be written completely"));
     OutputFolder again(folder.path("out"));
     again.add("d.txt", textContent("d"));
     EXPECT_TRUE(std::move(again).result());
     EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"d.txt"});
 }
 
-// As on a disk that is full: no file may grow beyond 64 KiB.
+// Simulates a full disk: no file may grow beyond 64 KiB.
 TEST(OutputFolderDeathTest, aFullDiskIsSaidAndLeavesNothing) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const tests::TemporaryFolder folder;

@@ -133,9 +133,9 @@ TEST(ApplyEdits, NewAndMovedBuildingsStandOnTheTerrain) {
     City city = threeHouses();
     city.terrain = slope();
     const EditedCity changed = edited(city, {AddBuilding{tower("new")}, Move{"a", {50, 0}}});
-    EXPECT_NEAR(changed.city.buildings[3]->parts[0].bottomM, 10, 0.01);  // x = 100: 10 m up
+    EXPECT_NEAR(changed.city.buildings[3]->parts[0].bottomM, 10, 0.01);  // x = 100: the ground is at 10 m
     EXPECT_NEAR(changed.city.buildings[3]->parts[0].topM, 60, 0.01);
-    EXPECT_NEAR(changed.city.buildings[0]->parts[0].topM, 15, 0.01);  // went 5 m up
+    EXPECT_NEAR(changed.city.buildings[0]->parts[0].topM, 15, 0.01);  // raised by 5 m
 }
 
 TEST(ApplyEdits, ErrorsNameTheEditAndWhatIsWrong) {

@@ -76,10 +76,10 @@ TEST(EditedWeights, anIntervalIsReadFromItsTexts) {
     EXPECT_EQ(intervalFrom(texts, "here")->first, February / 1);
     EXPECT_EQ(intervalFrom(texts, "here")->last, February / 29);
     texts["weight"] = "1.5";
-    EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6: '1.5' is no weight"));
+    EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6: '1.5' is not a weight"));
     texts["weight"] = "1";
     texts["last"] = "Fe";
-    EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6, last: 'Fe' is no day"));
+    EXPECT_THAT(intervalFrom(texts, "row 6").error().text(), HasSubstr("row 6, last: 'Fe' is not a day"));
 }
 
 }  // namespace

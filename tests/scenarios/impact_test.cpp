@@ -105,7 +105,7 @@ TEST(Impact, FiguresOfAFieldByHand) {
     impact.sunlitMinutesPerDay = 340;
     const ImpactFigures figures = computeFigures(impact);
     EXPECT_EQ(figures.receiverAreaM2, 20);
-    EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 is not more than 30
+    EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 does not exceed the threshold of 30
     EXPECT_EQ(figures.gross.lostM2, 4);
     EXPECT_EQ(figures.gross.touchedM2, 8);
     EXPECT_EQ(figures.gross.easedM2, 8);
@@ -168,7 +168,7 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     empty.buildings.clear();
     ImpactSettings settings = morning("auto");
     settings.study.region = makeRegionFromLocalBox({{0, 0}, {80, 160}});
-    settings.study.period.days = 200;  // for the empty city alone projected shadows would do
+    settings.study.period.days = 200;  // for the empty city alone auto would choose projected shadows
     settings.study.period.hours = 8;
     settings.study.period.stepMinutes = 1;
     const ImpactStudy study = impactOf(empty, manyHouses(20, 20), settings);
@@ -179,7 +179,7 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     EXPECT_EQ(alone.before.engineKey, "projected");
 }
 
-// With few bins, so that there is an error to see: the sample of all cells is the whole difference.
+// Few bins make the error visible. The sample covers all cells, so its error equals the whole difference.
 TEST(Impact, StatesTheErrorOfTheChange) {
     ImpactSettings settings = morning("horizon");
     settings.study.engineSettings["bin"] = 2;
@@ -202,7 +202,7 @@ TEST(Impact, StatesTheErrorOfTheChange) {
         sum += off, most = std::max(most, off), ++cells;
     }
     EXPECT_GT(most, 0);
-    EXPECT_GT(study.error->receivers, cells * 9 / 10);  // those that the sample's points meet
+    EXPECT_GT(study.error->receivers, cells * 9 / 10);  // the receivers that the sample's points hit
     EXPECT_NEAR(study.error->gross.meanMin, sum / double(cells), 0.2 * sum / double(cells));
     EXPECT_LE(study.error->gross.maxMin, most + 1e-3);
     settings.study.errorSample.receivers = 0;
@@ -215,7 +215,7 @@ TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     settings.study.receivers.cellM = 1;
     settings.study.period.from = std::chrono::hours(0);
     settings.study.period.hours = 24;
-    settings.study.period.stepMinutes = 1.0 / 60;  // more steps than the sweep counts in a day
+    settings.study.period.stepMinutes = 1.0 / 60;  // more steps per day than the sweep can count
     const City before = threeHouses();
     const ImpactStudy study = impactOf(before, with(before, {Demolish{"c"}}), settings);
     EXPECT_EQ(study.before.engineKey, "ray");
@@ -223,7 +223,7 @@ TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     EXPECT_THAT(study.total.engine, testing::HasSubstr("refused"));
 }
 
-// Only where a building's shadow can fall is its field computed anew.
+// The field without a building is recomputed only where the building's shadow can fall.
 TEST(Impact, ByBuildingIsThatOfTheWholeFieldToTheLastBit) {
     City before = manyHouses(6, 6);
     const City after = with(before, {tower("t", 0, 60), tower("low", 60, 4), Demolish{"c"}});

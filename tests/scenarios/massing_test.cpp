@@ -59,7 +59,7 @@ TEST(StraightSkeleton, CourtyardsGrow) {
 }
 
 TEST(StraightSkeleton, AWaistParts) {
-    // Two squares of 20 m joined by a neck 4 m wide.
+    // Two squares of 20 m connected by a neck 4 m wide.
     const Footprint dumbbell{{{0, 0},
                               {20, 0},
                               {20, 8},
@@ -115,7 +115,7 @@ TEST(Massing, PodiumTowerAndSetbacks) {
     ASSERT_EQ(massing.tiers.size(), 4U);
     EXPECT_NEAR(massing.tiers[0].areaM2, 900, 0.1);
     EXPECT_NEAR(massing.tiers[1].areaM2, 500, 0.1);
-    // The plate of half the lot is the inset by x: (40 - 2x)(25 - 2x) = 500.
+    // The plate of half the lot is the lot's inset by x: (40 - 2x)(25 - 2x) = 500.
     const double x = (65 - std::sqrt(65.0 * 65 - 4 * 500)) / 4;
     EXPECT_NEAR(massing.tiers[2].areaM2, (40 - 2 * x - 4) * (25 - 2 * x - 4), 0.1);
     EXPECT_NEAR(massing.tiers[3].areaM2, (40 - 2 * x - 10) * (25 - 2 * x - 10), 0.1);
@@ -149,7 +149,7 @@ TEST(Massing, ATowerIsTurnedOnItsLot) {
 TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     const Footprint lot = box(0, 0, 40, 20);
     EXPECT_THAT(refusal(lot, {}), HasSubstr("either storeys or a total height"));
-    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("stated twice"));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("given twice"));
     EXPECT_THAT(refusal(lot, {.heightM = -20}), HasSubstr("at most 2000 m"));
     EXPECT_THAT(refusal(lot, {.storeys = -1}), HasSubstr("1 to 500"));
     EXPECT_THAT(refusal(lot, {.storeyHeightM = 1, .storeys = 5}), HasSubstr("2 to 10"));
@@ -165,7 +165,7 @@ TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     MassingSettings podium{.storeys = 3, .podium = Podium{.storeys = 3}};
     EXPECT_THAT(refusal(lot, podium), HasSubstr("not lower than the whole"));
     podium = {.storeys = 9, .podium = Podium{.storeys = 3, .plate = {.shareOfLot = 0.5}}};
-    EXPECT_THAT(refusal(lot, podium), HasSubstr("stands out over its podium"));
+    EXPECT_THAT(refusal(lot, podium), HasSubstr("extends beyond its podium"));
     EXPECT_THAT(refusal(box(0, 0, 2, 2), {.storeys = 5}), HasSubstr("too small"));
 }
 
@@ -209,7 +209,8 @@ TEST(SameFloorArea, TheDoublePlateIsHalfAsHigh) {
     EXPECT_TRUE(buildingOf(wide, "wide"));
 }
 
-// From 40 x 40 m to 10 x 10 m at 30 m, 3 m a storey: sides 40, 37, ... 13, so 7,765 m2, and not 10 x 1600.
+// Tapers from 40 x 40 m to 10 x 10 m at 30 m, 3 m per storey: sides 40, 37, ... 13, in total 7,765 m2 rather
+// than 10 x 1600.
 TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     TriangleMesh mesh;
     for (const auto& [half, z] : {std::pair{20.0F, 0.0F}, {5.0F, 30.0F}})
@@ -232,7 +233,7 @@ TEST(SameFloorArea, ATaperHasItsOwnFloors) {
 }
 
 TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
-    const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the plate 20 x 20 m
+    const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the building's plate is 20 x 20 m
     const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
     const Massing widest = findSameFloorArea(lot, given, largestPlate).value();
     EXPECT_EQ(widest.figures.storeys, 28);  // 40000 / 1440 = 27.8

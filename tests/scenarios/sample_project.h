@@ -23,7 +23,7 @@ inline std::shared_ptr<const SavedResult> makeSavedResult(const std::string& nam
     return std::make_shared<const SavedResult>(std::move(result));
 }
 
-/// One of everything that a project holds.
+/// A project with one of everything that a project can contain.
 inline Project sampleProject() {
     using namespace std::chrono;
     City city = threeHouses();
@@ -81,7 +81,7 @@ inline Project sampleProject() {
     return project;
 }
 
-/// Whether two projects say the same, buildings and results by value.
+/// Whether two projects are equal, comparing buildings and results by value.
 inline bool sameCity(const City& a, const City& b) {
     if (a.frame != b.frame || a.buildings.size() != b.buildings.size()) return false;
     if (bool(a.terrain) != bool(b.terrain) || (a.terrain && *a.terrain != *b.terrain)) return false;

@@ -61,7 +61,7 @@ ScoreAnswer scored(const Project& project) {
             runScore(*project.city, question(), makeMonthlyWeights(), progress, {}).value()};
 }
 
-// As it comes back from the disk.
+// The project after a round trip through a file.
 Project saved(const Project& project) {
     const TemporaryFolder folder;
     const auto file = folder.path("kept.noonmark.gpkg");
@@ -177,7 +177,8 @@ TEST(SavedAnswers, whatChangedSinceIsSaid) {
         << "the scenario and what it starts from";
     Project gone = project;
     gone.scenarios.clear();
-    EXPECT_THAT(findChangesSince(result, origin, gone), ElementsAre(HasSubstr("no scenario 'Tower'")));
+    EXPECT_THAT(findChangesSince(result, origin, gone),
+                ElementsAre(HasSubstr("scenario 'Tower' no longer exists")));
     Project other = project;
     other.inputs[0].sha256 = "cd";
     EXPECT_THAT(findChangesSince(result, origin, other), ElementsAre(HasSubstr("other files")));
@@ -197,7 +198,8 @@ TEST(SavedAnswers, aScoreIsOutOfDateWhenItsWeightsAre) {
     other.weights[0].name = "months";
     EXPECT_THAT(findWeightChangesSince(origin, other), IsEmpty()) << "under another name";
     other.weights[0].intervals.pop_back();
-    EXPECT_THAT(findWeightChangesSince(origin, other), ElementsAre(HasSubstr("no weight table 'default'")));
+    EXPECT_THAT(findWeightChangesSince(origin, other),
+                ElementsAre(HasSubstr("weight table 'default' no longer exists")));
 }
 
 TEST(SavedAnswers, cellsThatChangedOutsideOfTheGridAreAnError) {
@@ -225,7 +227,7 @@ TEST(SavedAnswers, settingsOfAnotherShapeAreAnError) {
     SavedResult result = *addResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
     SavedResult broken = result;
     broken.settings = "{";
-    EXPECT_THAT(readSavedAnswer(broken).error().text(), HasSubstr("June: The kept result cannot be shown"));
+    EXPECT_THAT(readSavedAnswer(broken).error().text(), HasSubstr("June: The saved result cannot be shown"));
     broken.settings = R"({"engine": "ray"})";
     EXPECT_FALSE(readSavedAnswer(broken));
     broken = result;

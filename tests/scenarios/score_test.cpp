@@ -58,7 +58,7 @@ TEST(TimeWeights, WhatMakesNoSenseIsRefused) {
     table.intervals[0].weight = 1;
     EXPECT_TRUE(checked(table));
     table.intervals.push_back({.name = "winter", .first = December / 1, .last = February / 1, .weight = -1});
-    EXPECT_THAT(checked(table).error().text(), HasSubstr("'all' and 'winter' hold the same time"));
+    EXPECT_THAT(checked(table).error().text(), HasSubstr("'all' and 'winter' overlap"));
     EXPECT_FALSE(checked(TimeWeights{"", {{.weight = 1}}}));
     EXPECT_FALSE(checked(TimeWeights{"none", {}}));
     EXPECT_FALSE(checked(TimeWeights{"backwards", {{.from = 12h, .to = 9h, .weight = 1}}}));
@@ -119,7 +119,7 @@ TEST(Score, OfHoursCountsThoseHoursOnly) {
     EXPECT_NEAR(score.scoreM2, truth.statistics.shadowAreaM2, 1e-4 * score.scoreM2);
     ASSERT_EQ(score.intervals.size(), 1U);
     EXPECT_NEAR(score.intervals[0].shadowAreaM2, score.scoreM2, 1e-9 * score.scoreM2);
-    // The month holds the afternoon too.
+    // The month contains the afternoon, too.
     EXPECT_NEAR(score.months[0].shadowAreaM2, studied(day).statistics.shadowAreaM2, 1e-4 * score.scoreM2);
     EXPECT_NEAR(score.months[0].scoreM2, score.scoreM2, 1e-9 * score.scoreM2);
 }
@@ -134,7 +134,7 @@ TEST(Score, AnIntervalOverSeveralMonthsIsOneFraction) {
     EXPECT_NEAR(score.scoreM2, studied(days).statistics.shadowAreaM2, 1e-4 * score.scoreM2);
 }
 
-// The horizon sweep as any other engine: it runs for every month by itself.
+// The horizon sweep as an engine that cannot process step sets: it runs once for every month.
 class PlainSweep final : public Engine {
 public:
     Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
@@ -188,7 +188,7 @@ TEST(Score, OneProjectionForAllPiecesIsOneForEach) {
     EXPECT_THAT(one.engine, HasSubstr("one run for all months"));
     const Score plain = scoredBy(PlainProjection(), threeHouses(), settings);
     EXPECT_THAT(plain.engine, testing::Not(HasSubstr("one run")));
-    expectAlike(one, plain, 1e-7);  // a field rounds its minutes a day
+    expectAlike(one, plain, 1e-7);  // fields store rounded minutes a day
 }
 
 TEST(Score, OfOneMonthOneSweepIsTheSweepToTheLastBit) {
@@ -221,7 +221,7 @@ TEST(Score, TheEngineAutoIsAskedOnceForTheWholePeriod) {
     const Score made = scored(settings, makeMonthlyWeights());
     EXPECT_THAT(made.engine, HasSubstr("chosen: projected shadows"));
     expectAlike(made, scored(year(), makeMonthlyWeights()), 1e-4);
-    settings.period.stepMinutes = 1;  // of one month alone projected shadows would take less than 2 s
+    settings.period.stepMinutes = 1;  // for one month alone projected shadows would take less than 2 s
     settings.region = makeRegionFromLocalBox({{-20, -20}, {-18, 100}});
     settings.receivers.cellM = 0.5;
     EXPECT_THAT(scored(settings, makeMonthlyWeights()).engine,

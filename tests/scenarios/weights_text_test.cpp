@@ -25,7 +25,7 @@ std::vector<std::vector<std::string>> fieldsOf(std::string_view text) {
     return fields;
 }
 
-// Empty lines count, and those within quotes, as an editor counts them.
+// Line numbers count empty lines and line breaks within quotes, as an editor does.
 TEST(CsvRows, KnowTheirLines) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         std::string text;
@@ -66,14 +66,14 @@ TEST(WeightsText, NeedsOnlyDaysAndAWeight) {
 TEST(WeightsText, SaysTheLineAndWhatIsWrongWithIt) {
     EXPECT_THAT(whyNot(""), HasSubstr("empty"));
     EXPECT_THAT(whyNot("first,last,weight\n"), HasSubstr("no intervals"));
-    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31\n"), HasSubstr("line 2: It has 2 fields"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31\n"), HasSubstr("line 2: The row has 2 fields"));
     EXPECT_THAT(whyNot("first,last,wieght\n01-01,12-31,1\n"), HasSubstr("no column 'wieght'"));
     EXPECT_THAT(whyNot("first,last,weight\n01-01,02-30,1\n"), HasSubstr("line 2, last: '02-30'"));
-    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1.5\n"), HasSubstr("'1.5' is no weight"));
-    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,nan\n"), HasSubstr("'nan' is no weight"));
-    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,\n"), HasSubstr("'' is no weight"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1.5\n"), HasSubstr("'1.5' is not a weight"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,nan\n"), HasSubstr("'nan' is not a weight"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,\n"), HasSubstr("'' is not a weight"));
     EXPECT_THAT(whyNot("first,last,from,weight\n01-01,12-31,8 Uhr,1\n"), HasSubstr("line 2, from"));
-    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1\n06-01,06-30,0\n"), HasSubstr("hold the same time"));
+    EXPECT_THAT(whyNot("first,last,weight\n01-01,12-31,1\n06-01,06-30,0\n"), HasSubstr("overlap"));
     for (const char* json : {"", "{}", "[1]", "[{}]", R"([{"first":1,"last":"12-31","weight":1}])",
                              R"([{"first":"01-01","last":"12-31","weight":"much"}])", "[[[[[["})
         EXPECT_FALSE(parseWeightsJson(json, "mine")) << json;
@@ -83,11 +83,11 @@ TEST(WeightsText, DatesThatAreNoneAndColumnsThatStandTwiceAreRefused) {
     for (const char* date : {"257-01", "06-257", "02-30", "13-01", "00-10"}) {
         const auto table = parseWeightsCsv(std::string("first,last,weight\n") + date + ",12-31,1\n", "table");
         ASSERT_FALSE(table) << date;
-        EXPECT_NE(table.error().what.find("no day of the year"), std::string::npos) << table.error().what;
+        EXPECT_NE(table.error().what.find("not a day of the year"), std::string::npos) << table.error().what;
     }
     const auto twice = parseWeightsCsv("first,first,last,weight\n01-01,02-01,12-31,1\n", "table");
     ASSERT_FALSE(twice);
-    EXPECT_NE(twice.error().what.find("stands twice"), std::string::npos) << twice.error().what;
+    EXPECT_NE(twice.error().what.find("appears twice"), std::string::npos) << twice.error().what;
 }
 
 TEST(WeightsText, AFileIsJsonOrCsvByItsBeginning) {

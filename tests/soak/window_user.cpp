@@ -14,7 +14,7 @@ namespace {
 
 using test::waitFor;
 
-/// A square around `middle`, 36 m wide.
+/// A square of 36 m around `middle`.
 Footprint lotAt(glm::dvec2 middle) {
     Footprint lot;
     for (const glm::dvec2 corner : {glm::dvec2{-18, -18}, {18, -18}, {18, 18}, {-18, 18}})
@@ -40,7 +40,7 @@ std::string WindowUser::act() {
     struct Choice {
         const char* name;
         Action action;
-        int weight;  // of 100
+        int weight;  // relative to a total of 100
     };
     static constexpr std::array choices{
         Choice{"look around", &WindowUser::lookAround, 24},

@@ -36,7 +36,7 @@ struct BenchOptions {
     bool json = false;
 };
 
-// As many buildings as the paper's Manhattan, and a million triangles.
+// As many buildings as the paper's Manhattan, with a million triangles.
 constexpr GridSampleSettings largeGrid{.buildings = 43'000, .roundness = 7};
 
 Result<City> cityOf(const BenchOptions& options, Progress& progress, const std::stop_token& stop) {
@@ -85,7 +85,7 @@ void print(const bench::BenchReport& report, const std::vector<std::filesystem::
 struct Bench {
     Result<bench::BenchReport> (*run)(const bench::BenchSite&, const bench::Extent&, const EngineList&,
                                       Progress&, const std::stop_token&);
-    std::span<const char* const> keys;  // of its findings
+    std::span<const char* const> keys;  // keys of its findings
 };
 
 int runBench(const Bench& bench, const BenchOptions& options, const Console& console) {
@@ -121,22 +121,24 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
         .add_option("--city", options.city,
                     "City file or sample (default: the grid sample, 43,000 buildings)")
         ->type_name("FILE");
-    command.add_option("--zone", options.zone, "Zone of the wall clock")
+    command.add_option("--zone", options.zone, "Time zone, for example America/New_York")
         ->capture_default_str()
         ->type_name("ZONE");
-    command.add_option("--date", options.date, "The day of what takes one day; its year for the rest")
+    command
+        .add_option("--date", options.date,
+                    "Date of the experiments on a single day; the others use its year")
         ->capture_default_str()
         ->type_name("DATE");
-    command.add_option("--side", options.sideM, "Side of the squares that are measured, m")
+    command.add_option("--side", options.sideM, "Side of the square regions that are measured, m")
         ->capture_default_str()
         ->check(CLI::Range(50, 2000))
         ->type_name("M");
-    command.add_option("--seed", options.seed, "Another number, other random places and times")
+    command.add_option("--seed", options.seed, "Random seed: another number gives other places and times")
         ->capture_default_str()
         ->type_name("S");
     command.add_flag("--quick", options.quick,
-                     "Fewer places, days and settings: within 5 minutes on two cores; the files say so");
-    command.add_flag("--json", options.json, "summary.json on standard output, nothing else");
+                     "Fewer places, days and settings: at most 5 minutes on two cores; the files state this");
+    command.add_flag("--json", options.json, "Print only summary.json to standard output");
 }
 
 void addBench(CLI::App& group, const char* name, const char* about, const Bench& bench, Run& run) {
@@ -154,11 +156,12 @@ void addBenchCommand(CLI::App& app, Run& run) {
     CLI::App* group = app.add_subcommand("bench", "Measure time and error of the engines on this machine");
     group->require_subcommand(1);
     addBench(*group, "paper",
-             "The experiments of the paper on shadow accrual maps, our value and the paper's side by side",
+             "The experiments of the paper on shadow accrual maps, with our values beside the paper's",
              {bench::runPaperBench, bench::paperBenchKeys}, run);
-    addBench(*group, "horizon",
-             "The horizon sweep over a year, projected shadows over a day, edits: against their targets",
-             {bench::runHorizonBench, bench::horizonBenchKeys}, run);
+    addBench(
+        *group, "horizon",
+        "The horizon sweep over a year, projected shadows over a day, and edits, compared with their targets",
+        {bench::runHorizonBench, bench::horizonBenchKeys}, run);
 }
 
 }  // namespace noonmark::cli

@@ -71,18 +71,18 @@ int runCityStudy(const CityStudyOptions& options, const Console& console) {
 void addCityStudyCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<CityStudyOptions>();
     CLI::App* command = app.add_subcommand(
-        "city-study", "The same over a region of any size, tile by tile; goes on where it was stopped");
+        "city-study", "Run a study over a region of any size, tile by tile; resume it after an interruption");
     addStudyOptions(*command, options->study);
-    command->add_option("--tile", options->tileCells, "Cells along a side of a tile")
+    command->add_option("--tile", options->tileCells, "Cells per side of a tile")
         ->capture_default_str()
         ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))
         ->type_name("CELLS");
     command->footer(
-        "A year of a whole city:\n  noonmark-cli city-study city.osm.pbf --start 2026-01-01 --days 365 "
-        "--from 08:00 --hours 8 \\\n"
+        "A year of a whole city:\n"
+        "  noonmark-cli city-study city.osm.pbf --start 2026-01-01 --days 365 --from 08:00 --hours 8 \\\n"
         "    --zone America/New_York --region city --out city\n"
-        "It leaves shadow.tif and study.json. Run again after it was stopped, it goes on with the tiles that "
-        "are missing.");
+        "Writes shadow.tif and study.json. After an interruption run the same command again: it computes "
+        "only the missing tiles.");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runCityStudy(*options, console); };
     });

@@ -13,7 +13,7 @@ int printDevices(const Console& console) {
     const std::vector<ComputeDevice> devices = listComputeDevices();
     if (devices.empty())
         console.out
-            << "There is no OpenCL on this machine: the processor draws by itself (--option device=-1)\n";
+            << "This machine has no OpenCL device: the processor does the drawing (--option device=-1)\n";
     for (std::size_t i = 0; i < devices.size(); ++i)
         console.out << fmt::format("--option device={}  {} ({}, {}{:.1f} GiB)\n", i, devices[i].name,
                                    devices[i].platform, devices[i].gpu ? "GPU, " : "",
@@ -24,8 +24,9 @@ int printDevices(const Console& console) {
 }  // namespace
 
 void addDevicesCommand(CLI::App& app, Run& run) {
-    app.add_subcommand("devices", "List the OpenCL devices that the engine 'iam' can draw on")
-        ->callback([&run] { run = printDevices; });
+    app.add_subcommand("devices", "List the OpenCL devices that the engine 'iam' can use")->callback([&run] {
+        run = printDevices;
+    });
 }
 
 }  // namespace noonmark::cli

@@ -26,7 +26,7 @@ int printEngines(const Console& console) {
 }  // namespace
 
 void addEnginesCommand(CLI::App& app, Run& run) {
-    app.add_subcommand("engines", "List the engines and what can be set on each")->callback([&run] {
+    app.add_subcommand("engines", "List the engines and their options")->callback([&run] {
         run = printEngines;
     });
 }

@@ -24,7 +24,7 @@ struct ImpactOptions {
     std::string to;
     std::vector<double> thresholds{30, 60};
     bool byBuilding = false;
-    std::string scale;  // empty: the project's
+    std::string scale;  // empty: the project's scale
 };
 
 Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& disk, const Console& console) {
@@ -49,7 +49,7 @@ Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& d
     return answer;
 }
 
-// The scale that was asked for, else that of the project.
+// The scale given by the user, otherwise that of the project.
 ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
     return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
 }
@@ -87,7 +87,7 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
     table.add("touched", fmt::format("{:.0f} m2 more shadow, {:.0f} m2 less", figures.gross.touchedM2,
                                      figures.gross.easedM2));
     table.add("change",
-              fmt::format("mean {:.2f}, most {:.1f} min a day of {:.1f} sunlit; shadow area {:+.0f} m2",
+              fmt::format("mean {:.2f}, largest {:.1f} min a day of {:.1f} sunlit; shadow area {:+.0f} m2",
                           figures.gross.meanMin, figures.gross.mostGainedMin, impact.sunlitMinutesPerDay,
                           figures.shadowAreaChangeM2));
     addFigures(table, "all", impact, answer.thresholdsMin);
@@ -111,22 +111,25 @@ int runImpactCommand(const ImpactOptions& options, const Console& console) {
 void addImpactCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ImpactOptions>();
     CLI::App* command =
-        app.add_subcommand("impact", "Measure what one scenario of a project changes against another");
+        app.add_subcommand("impact", "Measure how shadow changes from one scenario of a project to another");
     addMeasureOptions(*command, options->measure);
     addErrorOptions(*command, options->measure.settings.errorSample);
-    command->add_option("--from", options->from, "The scenario to compare with")
+    command->add_option("--from", options->from, "The baseline: the scenario to compare with")
         ->default_val(existingCity)
         ->type_name("NAME");
-    command->add_option("--to", options->to, "The scenario that changes it")->required()->type_name("NAME");
-    command->add_option("--threshold", options->thresholds, "Minutes a day that count; one or more")
+    command->add_option("--to", options->to, "The scenario to measure")->required()->type_name("NAME");
+    command
+        ->add_option("--threshold", options->thresholds,
+                     "Thresholds of the change, minutes a day; one or more")
         ->capture_default_str()
         ->check(within(0, 1440))
         ->type_name("MIN");
-    command->add_flag("--by-building", options->byBuilding, "What each new building shades alone, too");
+    command->add_flag("--by-building", options->byBuilding,
+                      "Also measure the sole contribution of each new building");
     command
         ->add_option("--scale", options->scale,
-                     "Where the colours of the picture end, minutes of change, or auto: fitted to this "
-                     "difference; else as the project has it (60)")
+                     "Ends of the picture's colour scale, minutes of change, or auto: fitted to this "
+                     "difference (default: the project's scale, 60)")
         ->check([](const std::string& text) {
             return parseChangeScale(text) ? std::string() : "Minutes from above 0 to 1440, or auto";
         })

@@ -30,11 +30,12 @@ int runImport(const ImportOptions& options, const Console& console) {
 
 void addImportCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ImportOptions>();
-    CLI::App* command = app.add_subcommand("import", "Read a city, mend it, and write it as one GeoPackage");
+    CLI::App* command =
+        app.add_subcommand("import", "Read a city, repair it, and write it as one GeoPackage");
     addReadOptions(*command, options->read);
     command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
-    command->add_flag("--json", options->json, "Say what was written as JSON");
+    command->add_flag("--json", options->json, "Report what was written as JSON");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runImport(*options, console); };
     });

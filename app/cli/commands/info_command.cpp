@@ -29,16 +29,16 @@ std::string sourceWords(const nlohmann::ordered_json& sources) {
     return text.empty() ? "none" : text;
 }
 
-// What rests on a guess, and what to do about it.
+// Warns of assumed heights and names the fields that may hold heights.
 void printHeights(std::ostream& out, const CityRead& read) {
     if (const auto headline = assumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
     if (read.heights.unknown.empty()) return;
-    out << "fields that could hold heights or storeys; name one:\n";
+    out << "fields that may hold heights or storeys; select one with:\n";
     for (const UnknownField& field : read.heights.unknown)
         out << "  " << (field.whole ? "--levels-field " : "--height-field ") << describe(field) << '\n';
 }
 
-// For people; the figures are those of the JSON.
+// Prints the figures of the JSON as text.
 void print(const CityRead& read, std::ostream& out) {
     const auto info = nlohmann::ordered_json::parse(infoJson(read));
     const auto number = [&](const char* key) { return withCommas(info[key].get<std::size_t>()); };
@@ -46,7 +46,7 @@ void print(const CityRead& read, std::ostream& out) {
     table.add("format", read.format);
     table.add("features", number("features"));
     table.add("buildings", number("buildings"));
-    table.add("parts", fmt::format("{} ({} hang free)", number("parts"), number("parts_hanging")));
+    table.add("parts", fmt::format("{} ({} overhanging)", number("parts"), number("parts_hanging")));
     table.add("triangles", number("triangles"));
     table.add("heights of parts", sourceWords(info["height_sources"]));
     for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
@@ -65,7 +65,9 @@ void print(const CityRead& read, std::ostream& out) {
 
 void printProjectAdvice(const std::string& file, std::ostream& out) {
     if (isProjectFile(file))
-        out << "\nWhat else the project holds: noonmark-cli project info " << file << '\n';
+        out << "\n"
+               "Other contents of the project: noonmark-cli project info "
+            << file << '\n';
 }
 
 int runInfo(const InfoOptions& options, const Console& console) {
@@ -85,9 +87,9 @@ int runInfo(const InfoOptions& options, const Console& console) {
 void addInfoCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* command =
-        app.add_subcommand("info", "Say what is in city files, and what had to be mended or left out");
+        app.add_subcommand("info", "Describe the contents of city files, and what was repaired or left out");
     addReadOptions(*command, options->read);
-    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
 }

@@ -38,18 +38,18 @@ void addSampleCommand(CLI::App& app, Run& run) {
         ->type_name("NAME");
     command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
-    command->add_option("--buildings", options->grid.buildings, "grid: how many buildings")
+    command->add_option("--buildings", options->grid.buildings, "grid: number of buildings")
         ->capture_default_str()
         ->check(CLI::Range(100, 50000))
         ->type_name("N");
-    command->add_option("--seed", options->grid.seed, "grid: another number, another city")
+    command->add_option("--seed", options->grid.seed, "grid: random seed; another number gives another city")
         ->capture_default_str()
         ->type_name("S");
     command->add_option("--roundness", options->grid.roundness, "grid: extra points on curved facades")
         ->capture_default_str()
         ->check(CLI::Range(0, 64))
         ->type_name("R");
-    command->add_flag("--json", options->json, "Say what was written as JSON");
+    command->add_flag("--json", options->json, "Report what was written as JSON");
     command->callback([options, command, &run] {
         for (const char* name : {"--buildings", "--seed", "--roundness"})
             if (options->name != "grid" && command->count(name) > 0)

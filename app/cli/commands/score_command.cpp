@@ -59,7 +59,7 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
     table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
-    table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} a m2)", score.scoreM2,
+    table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} per m2)", score.scoreM2,
                                    score.scoreM2 / std::max(1.0, score.receiverAreaM2)));
     for (const MonthFigures& month : score.months)
         table.add(
@@ -83,7 +83,7 @@ void addScoreCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<ScoreOptions>();
     CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
     addMeasureOptions(*command, options->measure);
-    command->add_option("--scenario", options->scenario, "Which city")
+    command->add_option("--scenario", options->scenario, "The scenario to measure")
         ->default_val(existingCity)
         ->type_name("NAME");
     command->add_option("--weights", options->weights, "A time-weight table of the project")

@@ -57,11 +57,11 @@ void addStudyCommand(CLI::App& app, Run& run) {
     addStudyOptions(*command, *options);
     addPieceOptions(*command, *options);
     command->footer(
-        "A first study:\n  noonmark-cli study sample:central-park-south --start 2026-03-21 --from 09:00 "
-        "--hours 6 \\\n"
+        "A first study:\n"
+        "  noonmark-cli study sample:central-park-south --start 2026-03-21 --from 09:00 --hours 6 \\\n"
         "    --zone America/New_York --region -73.9845,40.7620,-73.9690,40.7735 --cell 2 --out out\n"
-        "Steps with the sun below the horizon are left out; a share of time is of the time that the sun is "
-        "up.");
+        "Steps with the sun below the horizon are left out; shares of time refer to the time with the sun "
+        "above it.");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runStudyCommand(*options, console); };
     });

@@ -26,7 +26,7 @@ struct SunOptions {
     bool json = false;
 };
 
-// What the sun does at a place on one day.
+// The sun at a place: its position, and the events of one day.
 struct SunReport {
     SolarPosition position;
     SunEvents events;
@@ -102,15 +102,15 @@ int runSun(const SunOptions& options, const Console& console) {
 }
 
 void addAirOptions(CLI::App& command, Observer& observer) {
-    command.add_option("--elevation", observer.elevationM, "Of the observer above the ellipsoid, m")
+    command.add_option("--elevation", observer.elevationM, "Height of the observer above the ellipsoid, m")
         ->capture_default_str()
         ->check(within(-500.0, 9000.0))
         ->type_name("M");
-    command.add_option("--pressure", observer.pressureHPa, "Of the air, for refraction, hPa")
+    command.add_option("--pressure", observer.pressureHPa, "Air pressure for refraction, hPa")
         ->capture_default_str()
         ->check(within(0.0, 1200.0))
         ->type_name("HPA");
-    command.add_option("--temperature", observer.temperatureC, "Of the air, for refraction, deg C")
+    command.add_option("--temperature", observer.temperatureC, "Air temperature for refraction, deg C")
         ->capture_default_str()
         ->check(within(-90.0, 60.0))
         ->type_name("C");
@@ -120,7 +120,8 @@ void addAirOptions(CLI::App& command, Observer& observer) {
 
 void addSunCommand(CLI::App& app, Run& run) {
     const auto options = std::make_shared<SunOptions>();
-    CLI::App* command = app.add_subcommand("sun", "Say where the sun is, and when it rises and sets");
+    CLI::App* command =
+        app.add_subcommand("sun", "Show the position of the sun and the times of sunrise and sunset");
     command->add_option("--lat", options->observer.place.latDeg, "Latitude, degrees, north positive")
         ->required()
         ->check(within(-90.0, 90.0))
@@ -129,17 +130,18 @@ void addSunCommand(CLI::App& app, Run& run) {
         ->required()
         ->check(within(-180.0, 180.0))
         ->type_name("DEG");
-    command->add_option("--at", options->at, "2003-10-17T12:30:30-07:00; without an offset, in --zone")
+    command
+        ->add_option("--at", options->at,
+                     "Time, for example 2003-10-17T12:30:30-07:00; without an offset, in --zone")
         ->required()
         ->type_name("TIME");
-    command
-        ->add_option("--zone", options->zone, "Times are written in this zone (default: the offset of --at)")
+    command->add_option("--zone", options->zone, "Time zone of the output (default: the offset of --at)")
         ->type_name("ZONE");
     addAirOptions(*command, options->observer);
     command->add_flag(
         "--centre", options->centre,
-        "Sunrise is the sun's centre at 0 deg, not its upper limb seen on the horizon (-0.833 deg)");
-    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+        "Define sunrise by the sun's centre at 0 deg, not by its upper limb on the horizon (-0.833 deg)");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->footer(
         "noonmark-cli sun --lat 40.75 --lon -73.98 --at 2026-03-21T09:00:00 --zone America/New_York");
     command->callback(

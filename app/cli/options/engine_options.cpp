@@ -23,7 +23,7 @@ std::optional<std::pair<std::string, double>> settingFrom(const std::string& tex
 CLI::Validator engineSetting() {
     return CLI::Validator(
         [](std::string& text) {
-            return settingFrom(text) ? std::string() : text + " is not NAME=NUMBER, like levels=4";
+            return settingFrom(text) ? std::string() : text + " is not NAME=NUMBER, for example levels=4";
         },
         "");
 }
@@ -31,7 +31,7 @@ CLI::Validator engineSetting() {
 }  // namespace
 
 void addEngineOptions(CLI::App& command, StudySettings& settings) {
-    command.add_option("--engine", settings.engine, "How to compute: see noonmark-cli engines")
+    command.add_option("--engine", settings.engine, "Engine to compute with: see noonmark-cli engines")
         ->capture_default_str()
         ->type_name("ENGINE");
     command
@@ -40,7 +40,7 @@ void addEngineOptions(CLI::App& command, StudySettings& settings) {
             [&settings](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) settings.engineSettings.insert(*settingFrom(text));
             },
-            "A setting of the engine: levels=4; may be repeated")
+            "An option of the engine, for example levels=4; may be repeated")
         ->check(engineSetting())
         ->type_name("NAME=NUMBER");
 }

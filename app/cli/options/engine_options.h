@@ -6,8 +6,8 @@
 
 namespace noonmark::cli {
 
-/// --engine KEY and --option NAME=VALUE (any number of them), into `settings`, which outlives the command.
-/// Whether engine, option and value go together is makeEngine's to say.
+/// Adds --engine KEY and --option NAME=VALUE (repeatable), stored in `settings`, which must outlive the
+/// command. makeEngine() checks the combination of engine, option and value.
 void addEngineOptions(CLI::App& command, StudySettings& settings);
 
 }  // namespace noonmark::cli

@@ -12,11 +12,11 @@
 
 namespace noonmark::cli {
 
-/// What `impact` and `score` share: project, region, period, cells, engine, and where the answer goes.
+/// Options shared by `impact` and `score`: project, region, period, cells, engine and outputs.
 struct MeasureOptions {
     std::string file;
     std::string region;
-    std::string periodName;  // of the project; else `period`
+    std::string periodName;  // a period of the project; if empty, `period` counts
     PeriodOptions period{.hourOption = "--at"};
     StudySettings settings;
     std::string out;
@@ -27,11 +27,11 @@ struct MeasureOptions {
 
 void addMeasureOptions(CLI::App& command, MeasureOptions& options);
 
-/// The settings with region and period read. Error: a region that the project does not have and that is
-/// neither a box nor a file; what periodFrom refuses.
+/// The settings with region and period parsed. Error: the region is neither in the project nor a box nor a
+/// file; errors of periodFrom().
 Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project& project);
 
-/// What the answer may be written over.
+/// Which files the outputs may replace.
 OutputRules outputRulesOf(const MeasureOptions& options, const Project& project);
 
 }  // namespace noonmark::cli

@@ -4,7 +4,7 @@
 
 namespace noonmark::cli {
 
-/// Takes numbers from `lowest` to `highest`. CLI::Range would let "nan" pass.
+/// Accepts numbers from `lowest` to `highest`. CLI::Range would accept "nan".
 CLI::Validator within(double lowest, double highest);
 
 }  // namespace noonmark::cli

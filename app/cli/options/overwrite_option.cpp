@@ -3,9 +3,8 @@
 namespace noonmark::cli {
 
 void addOverwriteOption(CLI::App& command, bool& overwrite) {
-    command.add_flag(
-        "--overwrite", overwrite,
-        "Replace outputs that are there already; never an input, a project or a file of another kind");
+    command.add_flag("--overwrite", overwrite,
+                     "Replace existing outputs, but never an input, a project or a file of another kind");
 }
 
 }  // namespace noonmark::cli

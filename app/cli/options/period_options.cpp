@@ -7,10 +7,11 @@ namespace noonmark::cli {
 namespace {
 
 Result<std::string> zoneFrom(const PeriodOptions& options) {
-    if (options.zone.empty() && !options.window.empty()) return std::string("UTC");  // only names the days
+    if (options.zone.empty() && !options.window.empty())
+        return std::string("UTC");  // the zone only defines the dates
     if (options.zone.empty())
-        return failure("The hours need a zone to be hours of", "period",
-                       "State --zone, for example --zone America/New_York");
+        return failure("The hours need a time zone", "period",
+                       "Give --zone, for example --zone America/New_York");
     return Zone::named(options.zone).map([](const Zone& zone) { return zone.name(); });
 }
 
@@ -37,12 +38,12 @@ CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
     Period& period = options.period;
     CLI::Option* start =
         command.add_option("--start", options.start, "First day: 2026-03-21")->type_name("DATE");
-    command.add_option("--days", period.days, "How many days")
+    command.add_option("--days", period.days, "Number of days")
         ->capture_default_str()
         ->check(CLI::Range(1, 3660))
         ->type_name("N");
     CLI::Option* from =
-        command.add_option(options.hourOption, options.from, "Wall clock of the first step (default 09:00)")
+        command.add_option(options.hourOption, options.from, "Local time of the first step (default 09:00)")
             ->type_name("HH:MM");
     CLI::Option* hours =
         command.add_option("--hours", period.hours, "Hours a day, 0 to 24; 0 is one instant")
@@ -51,25 +52,26 @@ CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
             ->type_name("H");
     CLI::Option* window =
         command
-            .add_option("--window", options.window,
-                        "Hours counted from the sun: sunrise+1.5h..sunset-1.5h; all of their minutes count")
+            .add_option(
+                "--window", options.window,
+                "Hours relative to sunrise and sunset: sunrise+1.5h..sunset-1.5h; every minute counts")
             ->excludes(from)
             ->excludes(hours)
             ->type_name("WINDOW");
     command
-        .add_flag(
-            "--centre", options.centre,
-            "Sunrise and sunset of --window are the sun's centre at 0 deg, not its upper limb seen on the "
-            "horizon (-0.833 deg)")
+        .add_flag("--centre", options.centre,
+                  "Define sunrise and sunset of --window by the sun's centre at 0 deg, not by its upper limb "
+                  "on the horizon (-0.833 deg)")
         ->needs(window);
     command
         .add_option("--step", period.stepMinutes,
-                    "Minutes from step to step; whole steps of nearly this length fill the hours of each day")
+                    "Length of a step, minutes; adjusted so that whole steps fill the hours of each day")
         ->capture_default_str()
         ->check(within(1.0 / 60, 240.0))
         ->type_name("MIN");
-    command.add_option("--zone", options.zone, "Zone of the wall clock: America/New_York")->type_name("ZONE");
-    command.add_flag("--no-refraction", options.noRefraction, "The geometric sun, as rules on plans mean it");
+    command.add_option("--zone", options.zone, "Time zone, for example America/New_York")->type_name("ZONE");
+    command.add_flag("--no-refraction", options.noRefraction,
+                     "Use the geometric position of the sun, as planning rules do");
     return start;
 }
 

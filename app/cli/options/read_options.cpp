@@ -33,14 +33,14 @@ void addHeightOptions(CLI::App& command, ReadSettings& settings) {
                     "Field with the storeys above the ground (default: found by its name)")
         ->type_name("NAME");
     addUnit(command, "--height-unit", settings.heightUnit,
-            "Unit of bare numbers in it: m, ft, us-ft or cm (default m)");
+            "Unit of numbers without a unit in it: m, ft, us-ft or cm (default m)");
     command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
         ->capture_default_str()
         ->check(within(2.0, 6.0))
         ->type_name("M");
     command
         .add_option("--default-height", settings.defaultHeightM,
-                    "Height of buildings without any, 1 to 1000 m")
+                    "Height of buildings without height data, 1 to 1000 m")
         ->capture_default_str()
         ->check(within(1.0, 1000.0))
         ->type_name("M");
@@ -54,8 +54,8 @@ void addTerrainOption(CLI::App& command, ReadSettings& settings) {
         .add_option_function<std::string>(
             "--terrain-from-bases",
             [&settings](const std::string& choice) { settings.terrainFromBases = choices.at(choice); },
-            "Without a terrain: make one from the ground elevations of the buildings; auto (default): where "
-            "neighbours stand at different heights")
+            "If there is no terrain, derive one from the ground elevations of the buildings; auto (default): "
+            "only where neighbours stand at different heights")
         ->check(CLI::IsMember({"auto", "always", "never"}))
         ->type_name("WHEN");
 }
@@ -69,7 +69,7 @@ void addMeshOptions(CLI::App& command, ReadSettings& settings) {
         ->check(within(-360.0, 360.0))
         ->type_name("DEG");
     addLonLatOption(command, "--mesh-anchor", settings.meshAnchor,
-                    "Meshes: where the mesh's origin stands, degrees");
+                    "Meshes: position of the mesh's origin, degrees");
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void addReadOptions(CLI::App& command, ReadOptions& options) {
         ->type_name("LOD");
     command
         .add_option("--far-away", settings.farAwayM,
-                    "Leave out what lies further from the middle of the data, m")
+                    "Leave out features farther than this from the middle of the data, m")
         ->capture_default_str()
         ->check(within(100, 200000))
         ->type_name("M");

@@ -32,13 +32,13 @@ void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample) {
     CLI::Option* count =
         command
             .add_option("--error-sample", sample.receivers,
-                        "Receivers computed again by the ray reference, for the error; 0: none")
+                        "Receivers that the ray reference recomputes to measure the error; 0: none")
             ->capture_default_str()
             ->check(CLI::Range(0, ErrorSampleSettings::mostReceivers))
             ->type_name("N");
     command
         .add_flag_callback(
-            "--no-error-sample", [&sample] { sample.receivers = 0; }, "Leave the error unmeasured")
+            "--no-error-sample", [&sample] { sample.receivers = 0; }, "Do not measure the error")
         ->excludes(count);
 }
 
@@ -47,11 +47,11 @@ void addReceiverOptions(CLI::App& command, StudySettings& settings) {
         ->capture_default_str()
         ->check(within(ReceiverSettings::minCellM, ReceiverSettings::maxCellM))
         ->type_name("M");
-    command.add_option("--pressure", settings.pressureHPa, "Of the air, for refraction, hPa")
+    command.add_option("--pressure", settings.pressureHPa, "Air pressure for refraction, hPa")
         ->capture_default_str()
         ->check(within(0.0, 1200.0))
         ->type_name("HPA");
-    command.add_option("--temperature", settings.temperatureC, "Of the air, for refraction, deg C")
+    command.add_option("--temperature", settings.temperatureC, "Air temperature for refraction, deg C")
         ->capture_default_str()
         ->check(within(-90.0, 60.0))
         ->type_name("C");
@@ -62,7 +62,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
     addReadOptions(command, options.read);
     command
         .add_option("--scenario", options.scenario,
-                    "Of a project: the scenario to measure (default: the city as it stands)")
+                    "Scenario of the project to measure (default: the existing city)")
         ->type_name("NAME");
     const std::vector<CLI::Option*> before = command.get_options();
     addPeriodOptions(command, options.period);
@@ -83,7 +83,7 @@ void addStudyOptions(CLI::App& command, StudyOptions& options) {
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
-    command.add_flag("--json", options.json, "study.json on standard output, nothing else");
+    command.add_flag("--json", options.json, "Print only study.json to standard output");
 }
 
 void addPieceOptions(CLI::App& command, StudyOptions& options) {
@@ -94,9 +94,10 @@ void addPieceOptions(CLI::App& command, StudyOptions& options) {
             "month: the shadow of each month, as bands and a table (engines horizon, projected)")
         ->check(CLI::IsMember({"month"}))
         ->type_name("SET");
-    command.add_flag("--contributions", settings.contributions,
-                     "What each building shades, and shades alone, as a table and a map (engine horizon)");
-    command.add_flag("--cells-csv", options.cellsCsv, "Write cells.csv too: one line a receiver");
+    command.add_flag(
+        "--contributions", settings.contributions,
+        "Attributed shadow and sole contribution of each building, as a table and a map (engine horizon)");
+    command.add_flag("--cells-csv", options.cellsCsv, "Also write cells.csv: one line per receiver");
 }
 
 }  // namespace noonmark::cli

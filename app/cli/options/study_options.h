@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder app/cli/options/ holds the options that several commands share. Each header has a struct with
+// the values as given by the user, a function that adds the options to a command, and where needed a function
+// that parses them: study_options.h and measure_options.h for whole commands, the others for reading, period,
+// engine and outputs.
+
 #include <CLI/CLI.hpp>
 #include <string>
 
@@ -9,30 +14,30 @@
 
 namespace noonmark::cli {
 
-/// The command line of `study`, as it was written.
+/// The options of `study`, as given by the user.
 struct StudyOptions {
     ReadOptions read;
     PeriodOptions period;
-    std::string scenario;    ///< of a project; empty: not given
-    std::string periodName;  ///< of a project; else `period`
+    std::string scenario;    ///< scenario of a project; empty: not given
+    std::string periodName;  ///< period of a project; if empty, `period` counts
     std::string region;
     std::string out;
     bool overwrite = false;
-    StudySettings settings;  ///< what needs no city and no second look
+    StudySettings settings;  ///< the values that need neither the city nor further parsing
     bool json = false;
     bool cellsCsv = false;
 };
 
-/// What every study takes.
+/// Adds the options of every study.
 void addStudyOptions(CLI::App& command, StudyOptions& options);
 
-/// What a study in one piece takes besides: months, contributions, the cells as a table.
+/// Adds the options of studies that are not tiled: months, contributions, cells as a table.
 void addPieceOptions(CLI::App& command, StudyOptions& options);
 
-/// --error-sample and --no-error-sample.
+/// Adds --error-sample and --no-error-sample.
 void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample);
 
-/// --cell, --pressure and --temperature.
+/// Adds --cell, --pressure and --temperature.
 void addReceiverOptions(CLI::App& command, StudySettings& settings);
 
 }  // namespace noonmark::cli

@@ -20,7 +20,7 @@ int changeProject(const ChangeOptions& options, const Console& console,
     if (const auto sound = checked(project); !sound) return fail(console, sound.error(), exitUsage);
     if (!options.dryRun)
         if (const auto saved = disk->save(project); !saved) return fail(console, saved.error(), exitFailed);
-    console.out << *words << (options.dryRun ? "Nothing was saved: a dry run\n" : "");
+    console.out << *words << (options.dryRun ? "Dry run: nothing was saved\n" : "");
     return exitOk;
 }
 

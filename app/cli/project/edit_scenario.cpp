@@ -8,7 +8,7 @@ namespace noonmark::cli {
 
 namespace {
 
-// Itself, or any of those that it starts from, bears the name. The project's scenarios are sound.
+// Whether the scenario or one of its bases has this name. The project's scenarios are valid.
 bool startsFrom(const Project& project, const Scenario* scenario, const std::string& name) {
     for (; scenario != nullptr; scenario = findScenario(project.scenarios, scenario->base))
         if (scenario->name == name) return true;
@@ -37,14 +37,14 @@ void addScenarioOption(CLI::App& command, EditOptions& options) {
 }
 
 void addBuildings(CLI::App& command, BuildingsOptions& options) {
-    command.add_option("buildings", options.buildings, "Their ids or names")
+    command.add_option("buildings", options.buildings, "Ids or names of the buildings")
         ->required()
         ->type_name("BUILDING");
 }
 
 Result<Scenario*> scenarioToChange(Project& project, const std::string& name) {
     if (name == existingCity)
-        return failure("The existing city is not changed", "scenario 'Existing'",
+        return failure("The existing city cannot be changed", "scenario 'Existing'",
                        "Add a scenario: noonmark-cli project add-scenario");
     if (project.scenarios.empty())
         return failure("The project has no scenario yet", "scenario '" + name + "'",

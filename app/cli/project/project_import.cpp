@@ -18,31 +18,31 @@ namespace noonmark::cli {
 
 namespace {
 
-// A building's shape from a file, and where it is put.
+// A building's shape from a file, and its placement.
 struct ShapeOptions : EditOptions {
     std::string mesh;
     std::string id;
     ReadSettings read;
-    std::optional<LonLat> at;        // the middle of its outline
+    std::optional<LonLat> at;        // centre of its outline
     std::optional<LonLat> originAt;  // the mesh's own origin
     double eastM = 0;
     double northM = 0;
     double scale = 1;
     double clockwiseDeg = 0;
-    std::string replaced;  // a building that makes room
+    std::string replaced;  // the building to replace
 };
 
 struct Shape {
     ImportMesh import;
     Warnings warnings;
-    bool hasPlace = false;  // CityJSON comes at its own
+    bool hasPlace = false;  // CityJSON contains its position
 };
 
 Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, const Frame& frame) {
     const auto kind = detectFileKind(options.mesh);
     if (!kind) return tl::make_unexpected(kind.error());
     if (*kind != FileKind::mesh && *kind != FileKind::cityJson)
-        return failure("It is the map of a city, not one building", options.mesh,
+        return failure("The file is the map of a city, not one building", options.mesh,
                        "Give an OBJ, glTF, PLY or CityJSON file");
     Shape shape{.hasPlace = *kind != FileKind::mesh};
     const Interrupt interrupt;
@@ -54,7 +54,7 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     return shape;
 }
 
-// `usual`: where the middle goes when nothing is said.
+// `usual`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> usual) {
     Placement placement{.scale = options.scale, .clockwiseDeg = options.clockwiseDeg};
@@ -64,13 +64,13 @@ Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, c
     if (options.at) target = frame.localFromLonLat(*options.at);
     if (options.originAt) target = frame.localFromLonLat(*options.originAt);
     if (!target)
-        return failure("The mesh does not say where it stands", options.mesh,
+        return failure("The position of the mesh is not given", options.mesh,
                        "Give --at LON,LAT for its middle, or --origin-at LON,LAT for its origin");
     placement.byM = *target - placement.about + glm::dvec2(options.eastM, options.northM);
     return placement;
 }
 
-// The shape where it is put.
+// The shape at its placement.
 Result<Building> standOnTerrain(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
     Building building = placed(*shape.import.shape, placement);
     if (topM(building) > 0) return building;
@@ -124,20 +124,20 @@ Result<std::string> replace(const ShapeOptions& options, Project& project) {
 
 void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
     CLI::Option* at =
-        addLonLatOption(command, "--at", options.at, "Where the middle of its outline stands, degrees");
-    addLonLatOption(command, "--origin-at", options.originAt, "Where the mesh's own origin stands, degrees")
+        addLonLatOption(command, "--at", options.at, "Position of the centre of its outline, degrees");
+    addLonLatOption(command, "--origin-at", options.originAt, "Position of the mesh's own origin, degrees")
         ->excludes(at);
-    command.add_option("--east", options.eastM, "From there to the east, m")
+    command.add_option("--east", options.eastM, "Offset from there to the east, m")
         ->check(within(-20000, 20000))
         ->type_name("M");
-    command.add_option("--north", options.northM, "From there to the north, m")
+    command.add_option("--north", options.northM, "Offset from there to the north, m")
         ->check(within(-20000, 20000))
         ->type_name("M");
-    command.add_option("--scale", options.scale, "How much larger, heights too")
+    command.add_option("--scale", options.scale, "Scale factor, also of the heights")
         ->capture_default_str()
         ->check(within(0.001, 1000))
         ->type_name("FACTOR");
-    command.add_option("--clockwise", options.clockwiseDeg, "Turn it, degrees seen from above")
+    command.add_option("--clockwise", options.clockwiseDeg, "Turn it clockwise, degrees seen from above")
         ->check(within(-360, 360))
         ->type_name("DEG");
 }
@@ -170,13 +170,13 @@ void addProjectImport(CLI::App& project, Run& run) {
 
 void addProjectReplace(CLI::App& project, Run& run) {
     const auto options = std::make_shared<ShapeOptions>();
-    CLI::App* command = addEditCommand(project, "replace",
-                                       "Replace a building of a scenario by that of a mesh or CityJSON file",
-                                       options, replace, run);
+    CLI::App* command = addEditCommand(
+        project, "replace", "Replace a building of a scenario with that of a mesh or CityJSON file", options,
+        replace, run);
     command->add_option("building", options->replaced, "Its id or name")->required()->type_name("BUILDING");
     command
         ->add_option("--with", options->mesh,
-                     "The file; a mesh stands on the old building's middle where nothing else is said")
+                     "The file; by default a mesh is placed at the centre of the old building")
         ->required()
         ->type_name("FILE");
     command->add_option("--id", options->id, "Id and name of the new building (default: the old one's)")

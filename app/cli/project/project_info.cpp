@@ -73,12 +73,12 @@ void print(const Json& info, std::ostream& out) {
                                                      : "none: flat ground");
     for (const char* key : {"regions", "lots", "weights", "periods", "results"})
         table.add(key, joined(info[key]));
-    if (info["unsaved_work"].get<bool>()) table.add("recovery", "unsaved work lies beside the file");
+    if (info["unsaved_work"].get<bool>()) table.add("recovery", "there is a recovery file with unsaved work");
     table.print(out);
     for (const Json& scenario : info["scenarios"]) {
         out << fmt::format("\n{} (from {})\n", scenario["name"].get<std::string>(),
                            scenario["base"].get<std::string>());
-        int number = 0;  // of `remove-edit`
+        int number = 0;  // the number that `remove-edit` takes
         for (const Json& edit : scenario["edits"])
             out << fmt::format("{:4} {}\n", ++number, edit.get<std::string>());
     }
@@ -101,9 +101,9 @@ int runInfo(const InfoOptions& options, const Console& console) {
 
 void addProjectInfo(CLI::App& project, Run& run) {
     const auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = project.add_subcommand("info", "Say what a project holds");
+    CLI::App* command = project.add_subcommand("info", "Describe the contents of a project");
     addProjectFile(*command, options->file);
-    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
 }

@@ -37,12 +37,12 @@ Result<std::string> remove(const RemoveOptions& options, Project& project) {
 }  // namespace
 
 void addProjectPeriod(CLI::App& project, Run& run) {
-    CLI::App* group = project.add_subcommand("period", "Days and hours that are measured, by name");
+    CLI::App* group = project.add_subcommand("period", "Named periods: days and hours to measure");
     group->require_subcommand(1);
     const auto options = std::make_shared<AddOptions>();
     CLI::App* command = addChangeCommand(*group, "add", "Add a period, for `--period` of impact and score",
                                          options, add, run);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the period")->required()->type_name("NAME");
     addPeriodOptions(*command, options->period)->required();
     addListCommand(*group, "List the periods", list, run);
     addRemoveCommand(*group, "Remove periods", remove, run);

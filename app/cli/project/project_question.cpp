@@ -38,7 +38,7 @@ Result<Period> periodIn(const Project& project, const std::string& name, const P
     if (!name.empty())
         return findPeriod(project, name).map([](const NamedPeriod& named) { return named.period; });
     if (!options.start.empty()) return periodFrom(options);
-    return failure("It is not stated when", "period", "Give --start DATE, or --period NAME of the project");
+    return failure("The period is missing", "period", "Give --start DATE, or --period NAME of the project");
 }
 
 }  // namespace noonmark::cli

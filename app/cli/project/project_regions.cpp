@@ -54,7 +54,7 @@ void addProjectRegion(CLI::App& project, Run& run) {
     group->require_subcommand(1);
     const auto options = std::make_shared<RegionOptions>();
     CLI::App* command = addChangeCommand(*group, "add", "Add a region", options, add, run);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the region")->required()->type_name("NAME");
     command
         ->add_option("place", options->place,
                      "west,south,east,north in degrees, POLYGON ((lon lat, ...)), or a polygon file")

@@ -33,10 +33,10 @@ Result<std::string> remove(const RemoveOptions& options, Project& project) {
 }  // namespace
 
 void addProjectResult(CLI::App& project, Run& run) {
-    CLI::App* group = project.add_subcommand("result", "What impact and score kept in the project");
+    CLI::App* group = project.add_subcommand("result", "Results of impact and score saved in the project");
     group->require_subcommand(1);
-    addListCommand(*group, "List the kept results", list, run);
-    addRemoveCommand(*group, "Remove kept results", remove, run);
+    addListCommand(*group, "List the saved results", list, run);
+    addRemoveCommand(*group, "Remove saved results", remove, run);
 }
 
 }  // namespace noonmark::cli

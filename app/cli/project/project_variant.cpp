@@ -23,16 +23,16 @@ Result<double> factorFrom(const std::string& text) {
     if (text == "largest") return largestPlate;
     double factor = 0;
     if (CLI::detail::lexical_cast(text, factor) && factor > 0) return factor;
-    return failure("It is no size of a floor plate", text, "Give a factor such as 2 or 0.5, or `largest`");
+    return failure("It is not a size of a floor plate", text, "Give a factor such as 2 or 0.5, or `largest`");
 }
 
-// The lot of the building's own name, else the one that its middle lies on.
+// The lot with the building's name, otherwise the lot that contains the building's centroid.
 Result<Footprint> lotOf(const Project& project, const Building& building) {
     for (const NamedLot& lot : project.lots)
         if (lot.name == building.sourceId || lot.name == building.name) return lot.outline;
     for (const NamedLot& lot : project.lots)
         if (contains(lot.outline, findMiddle(building))) return lot.outline;
-    return failure("The project has no lot that it stands on", building.sourceId,
+    return failure("The building does not stand on a lot of the project", building.sourceId,
                    "Add one: noonmark-cli project lot add");
 }
 
@@ -61,18 +61,17 @@ Result<std::string> addVariants(const VariantOptions& options, Project& project)
 
 void addProjectVariant(CLI::App& project, Run& run) {
     const auto options = std::make_shared<VariantOptions>();
-    CLI::App* command = addEditCommand(
-        project, "variant", "Give buildings another shape of the same gross floor area, on their lots",
-        options, addVariants, run);
+    CLI::App* command =
+        addEditCommand(project, "variant", "Reshape buildings on their lots at the same gross floor area",
+                       options, addVariants, run);
     addBuildings(*command, *options);
     command
         ->add_option("--plate", options->plate,
-                     "Floor plate: times the present one (2: shorter and wider, 0.5: slimmer and taller), or "
-                     "`largest`; never "
-                     "more than the lot")
+                     "Floor plate as a multiple of the present one (2: lower and wider, 0.5: taller and "
+                     "slimmer), or `largest`; at most the lot")
         ->capture_default_str()
         ->type_name("FACTOR");
-    command->add_option("--storey-height", options->storeyHeightM, "Of every storey, 2 to 10 m")
+    command->add_option("--storey-height", options->storeyHeightM, "Height of a storey, 2 to 10 m")
         ->capture_default_str()
         ->check(within(2, 10))
         ->type_name("M");

@@ -25,12 +25,12 @@ std::vector<RasterBand> bandsOf(const Impact& impact) {
     return bands;
 }
 
-/// What both have: map, picture, page, figures and table under one name.
+/// The files that comparison and score have in common, with their file name stem.
 struct AnswerTexts {
     std::string name;
     std::string json;
     std::string csv;
-    std::string region;  ///< region.geojson; empty where no command names it
+    std::string region;  ///< region.geojson; empty where the repeat command does not name it
     FileTags tags;       ///< of map and picture
 };
 

@@ -4,10 +4,10 @@
 
 namespace noonmark {
 
-/// What the files of a comparison or a score need beside the answer: the city that it is of. `city` outlives
-/// it.
+/// The city that the files of a comparison or a score need besides the answer. `city` must outlive this
+/// object.
 struct AnswerSource {
-    const City& city;  ///< of a comparison: the one after
+    const City& city;  ///< in a comparison: the city after the change
 };
 
 }  // namespace noonmark

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t chunkBytes = 1U << 20U;
 
-/// Text on its way to a device, a megabyte at a time.
+/// Buffers text for a device, a megabyte at a time.
 class Chunks {
 public:
     explicit Chunks(QIODevice& device) : device_(device) {}

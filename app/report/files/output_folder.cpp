@@ -8,12 +8,12 @@ namespace {
 
 Result<void> notWritten(const std::filesystem::path& file, const QString& why) {
     return failure("The file could not be written: " + why.toStdString(), file.string(),
-                   "Choose a folder that you may write to, and check that its disk has room");
+                   "Choose a writable folder, and check that its disk has free space");
 }
 
-// Writers of pictures and pages fail without a word of their own.
+// Writers of pictures and pages may fail without an error message.
 QString reasonOf(const QFile& device) {
-    return device.error() == QFileDevice::NoError ? QStringLiteral("not all of it could be written")
+    return device.error() == QFileDevice::NoError ? QStringLiteral("it could not be written completely")
                                                   : device.errorString();
 }
 
@@ -37,8 +37,8 @@ Result<void> prepareFolder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder, error))
-        return failure("The folder could not be made" + (error ? ": " + error.message() : std::string()),
-                       folder.string(), "Choose a folder that you may write to");
+        return failure("The folder could not be created" + (error ? ": " + error.message() : std::string()),
+                       folder.string(), "Choose a writable folder");
     const PendingFile trial(folder / "trial");  // removed again
     if (QFile file(trial.path()); !file.open(QIODevice::WriteOnly))
         return notWritten(folder, file.errorString());
@@ -64,7 +64,7 @@ void OutputFolder::add(const std::string& name,
 }
 
 Result<std::vector<std::filesystem::path>> OutputFolder::result() && {
-    const auto finished = std::move(pending_);  // what gets no name is removed here
+    const auto finished = std::move(pending_);  // files that get no name are removed here
     for (const auto& file : finished)
         if (state_) state_ = file->commit();
     if (!state_) return tl::make_unexpected(std::move(state_).error());

@@ -13,28 +13,28 @@
 
 namespace noonmark {
 
-/// Writes a file's content into an open device; false when not all of it could be.
+/// Writes the content of a file to an open device; false if the write failed.
 using WriteContent = std::function<bool(QIODevice&)>;
 
-/// The bytes as they are.
+/// Writes the bytes unchanged.
 WriteContent textContent(std::string content);
 
-/// Makes the folder when it is missing, and checks that files can be made in it. Ask before long work: its
-/// files come last.
+/// Creates the folder if missing and checks that it is writable. Call it before long computations, because
+/// their files are written at the end.
 Result<void> prepareFolder(const std::filesystem::path& folder);
 
-/// The files of one piece of work, in a folder that is made when missing: all of them or none. Each is
-/// written beside its place, and result() gives them their names; what lies there is replaced only where
-/// checkOutput allows it. After the first error nothing more is written.
+/// Writes a set of files into a folder, which is created if missing: either all files or none. Files are
+/// written under temporary names, and result() renames them; existing files are replaced only where
+/// checkOutput() permits. After the first error nothing more is written.
 class OutputFolder {
 public:
     explicit OutputFolder(const std::filesystem::path& folder, OutputRules rules = {});
 
     void add(const std::string& name, const WriteContent& write);
-    /// For what writes files by itself.
+    /// For writers that create the file themselves.
     void add(const std::string& name, const std::function<Result<void>(const std::filesystem::path&)>& write);
 
-    /// Gives the files their names: the paths written, or the first error.
+    /// Renames the files. Returns the paths written, or the first error.
     Result<std::vector<std::filesystem::path>> result() &&;
 
 private:

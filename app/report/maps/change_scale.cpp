@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-// The same in every locale; nothing may follow the number.
+// Independent of the locale; nothing may follow the number.
 std::optional<double> minutesIn(const std::string& text) {
     double minutes = 0;
     const char* const end = text.data() + text.size();
@@ -24,7 +24,7 @@ std::optional<double> minutesIn(const std::string& text) {
 ChangeSpread changeSpreadOf(const std::vector<float>& values, float least) {
     std::vector<float> amounts;
     for (const float value : values)
-        if (std::abs(value) > least) amounts.push_back(std::abs(value));  // NaN is not above anything
+        if (std::abs(value) > least) amounts.push_back(std::abs(value));  // false for NaN
     if (amounts.empty()) return {};
     std::ranges::sort(amounts);
     return {double(amounts[(amounts.size() - 1) * 98 / 100]), double(amounts.back())};
@@ -50,7 +50,7 @@ ChangeScale changeScaleIn(const std::map<std::string, std::string>& view) {
 LegendScale legendScaleOf(const ChangeScale& scale, const ChangeSpread& spread) {
     if (!scale.lockedMin) return legendScale(std::max(spread.usual, 1.0));
     const LegendScale round = legendScale(*scale.lockedMin);
-    // The ends are exactly those: four fields on each side where the round ones end elsewhere.
+    // The scale ends exactly at lockedMin: with four fields on each side if round fields end elsewhere.
     if (round.top == *scale.lockedMin) return round;
     return {*scale.lockedMin, *scale.lockedMin / 4};
 }

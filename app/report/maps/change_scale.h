@@ -9,17 +9,17 @@
 
 namespace noonmark {
 
-/// How large values around zero are, without their signs.
+/// Magnitudes of values around zero.
 struct ChangeSpread {
-    double usual = 0;  ///< 98 % of those that are not zero are no larger
+    double usual = 0;  ///< 98 % of the nonzero values are no larger
     double most = 0;
 };
 
-/// Values up to `least` count as zero, and so does NaN. O(n log n).
+/// Values up to `least` count as zero, as does NaN. O(n log n).
 ChangeSpread changeSpreadOf(const std::vector<float>& values, float least);
 
-/// The ends of the colours of a difference in minutes. Locked, they are the same for every proposal, so that
-/// pictures can be compared; else they are fitted to each difference.
+/// The range of colours of a difference in minutes. A locked scale is the same for every proposal, so that
+/// pictures can be compared; otherwise the scale is fitted to each difference.
 struct ChangeScale {
     static constexpr double usualMin = 60;
     static constexpr double mostMin = 1440;
@@ -29,15 +29,15 @@ struct ChangeScale {
 
 /// "60" or "auto", as in a project's view and on the command line.
 std::string textOf(const ChangeScale& scale);
-/// Nothing where it is neither minutes above 0 and up to mostMin nor "auto".
+/// Empty where the text is neither "auto" nor minutes above 0 and up to mostMin.
 std::optional<ChangeScale> parseChangeScale(const std::string& text);
 
-/// Under this key Project::view holds it.
+/// Key of the scale in Project::view.
 constexpr const char* changeScaleKey = "change_scale";
-/// What a project's view holds, or the usual one.
+/// The scale stored in a project's view, or the default.
 ChangeScale changeScaleIn(const std::map<std::string, std::string>& view);
 
-/// The legend's scale for minutes that spread so.
+/// The legend's scale for values of this spread.
 LegendScale legendScaleOf(const ChangeScale& scale, const ChangeSpread& spread);
 
 }  // namespace noonmark

@@ -4,7 +4,7 @@ namespace noonmark {
 
 namespace {
 
-/// One path a building and kind of part: with the winding rule its overlapping parts melt into one shape.
+/// One path per building, for its overhangs or its other parts: the winding rule merges overlapping parts.
 QPainterPath pathOf(const Building& building, const MapView& view, bool isOverhanging) {
     QPainterPath path;
     path.setFillRule(Qt::WindingFill);

@@ -6,16 +6,15 @@
 
 namespace noonmark {
 
-/// How footprints are drawn.
+/// Colours and line width of footprints.
 struct FootprintStyle {
     QColor fill;
     QColor line;
     double linePt = 0.25;
 };
 
-/// The footprints of all buildings that `view` sees, as vectors. Parts that stand on the ground are filled;
-/// parts that hang free (the ground below them is shown) are outlined with dashes. Clipping is up to the
-/// caller. O(points).
+/// Paints the footprints of all buildings in `view` as vectors. Parts that stand on the ground are filled;
+/// overhangs have a dashed outline, because the ground below them is shown. The caller clips. O(points).
 void paintBuildings(const Canvas& canvas, const MapView& view, const City& city, const FootprintStyle& style);
 
 }  // namespace noonmark

@@ -31,7 +31,7 @@ public:
 private:
     void paintLine(QImage& image, int y, int factor) const {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        const int row = grid_.rows - (y + 1) * factor;  // negative in part where the last block is cut
+        const int row = grid_.rows - (y + 1) * factor;  // may be negative where the last block is cut
         for (int x = 0; x < image.width(); ++x) {
             double value = meanOf(x * factor, row, factor);
             if (std::isnan(value) && factor == 1 && isBuilding(x, row)) value = meanOf(x - 1, row - 1, 3);
@@ -39,7 +39,7 @@ private:
         }
     }
 
-    /// Mean over the receivers of the square block whose south-western cell is given.
+    /// Mean over the receivers in the square of `side` cells with this south-western cell.
     [[nodiscard]] double meanOf(int column, int row, int side) const {
         double sum = 0;
         int count = 0;
@@ -89,7 +89,7 @@ FieldImage makeColourImage(const Grid& grid, const CellColour& colour, int wante
     QImage image(pixelsOf(grid.columns, factor), pixelsOf(grid.rows, factor), QImage::Format_RGB32);
     for (int y = 0; y < image.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        const int row = grid.rows - (y + 1) * factor;  // negative in part where the last block is cut
+        const int row = grid.rows - (y + 1) * factor;  // may be negative where the last block is cut
         for (int x = 0; x < image.width(); ++x) line[x] = meanColour(grid, colour, x * factor, row, factor);
     }
     return {image, factor};

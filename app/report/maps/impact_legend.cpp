@@ -34,7 +34,8 @@ Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale
         legend.unit += scale.lockedMin
                            ? QObject::tr(", scale locked: ±%1 min").arg(QString::fromStdString(textOf(scale)))
                            : QObject::tr(", scale fitted to this difference");
-    if (spread.most > legend.scale.top) legend.unit += QObject::tr(", most %1").arg(spread.most, 0, 'f', 0);
+    if (spread.most > legend.scale.top)
+        legend.unit += QObject::tr(", largest %1").arg(spread.most, 0, 'f', 0);
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));
     addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QObject::tr("now ground"));
     return legend;

@@ -14,8 +14,7 @@ constexpr double barTopPt = 13;
 constexpr double barHeightPt = 9;
 constexpr double tickPt = 2.5;
 
-// Of "min a day, scale locked: ±60 min" the parts that fit, from the first: the page says the others in
-// words.
+// The leading parts of "min a day, scale locked: ±60 min" that fit; the page's text states the others.
 QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
     while (metrics.horizontalAdvance(unit) > room && unit.contains(QStringLiteral(", ")))
         unit.truncate(unit.lastIndexOf(QStringLiteral(", ")));
@@ -59,7 +58,7 @@ void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
 
 int ticksOf(const LegendScale& scale) { return std::max(1, int(std::lround(scale.top / scale.tick))); }
 
-// Values written along the bar, from its left end to its right one.
+// Labels along the bar, from left to right.
 QStringList labelsOf(const Legend& legend) {
     const int ticks = ticksOf(legend.scale);
     QStringList labels;
@@ -69,12 +68,13 @@ QStringList labelsOf(const Legend& legend) {
     return labels;
 }
 
-/// Every how many ticks a label has room: those at the ends are the widest.
+/// Every how many ticks there is room for a label; the labels at the ends are the widest.
 int labelStride(const Canvas& canvas, const QRectF& bar, const QStringList& labels) {
     const QFontMetricsF metrics(textFont(canvas, labelPt));
     const double widest =
         std::max(metrics.horizontalAdvance(labels.front()), metrics.horizontalAdvance(labels.back()));
-    const double needed = widest * 1.5 + 4 * canvas.point;  // those at the ends are moved inwards by half
+    const double needed =
+        widest * 1.5 + 4 * canvas.point;  // the labels at the ends are moved inwards by half
     const double between = bar.width() / double(labels.size() - 1);
     return std::max(1, int(std::ceil(needed / between)));
 }
@@ -86,7 +86,7 @@ void paintLabel(const Canvas& canvas, const QRectF& bar, double x, const QString
     canvas.painter.drawText(QPointF(left, bar.bottom() + (tickPt + labelPt) * canvas.point), label);
 }
 
-// Counted from the middle where that is no change, so that 0 is always written.
+// On a signed scale labels are counted from the middle, so that 0 always has one.
 void paintTicks(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
     const QStringList labels = labelsOf(legend);
     const int ticks = int(labels.size()) - 1;
@@ -121,7 +121,7 @@ void paintMoment(const Canvas& canvas, const QRectF& bar, bool change) {
                change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
 }
 
-// At the right of the title's line; returns how wide they are.
+// Paints the patches at the right end of the title line; returns their width.
 double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
     const QFontMetricsF metrics(textFont(canvas, labelPt));
     const double size = titlePt * 0.9 * canvas.point;

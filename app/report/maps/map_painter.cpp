@@ -25,20 +25,20 @@ QPainterPath pathOf(const Region& region, const MapView& view) {
     return path;
 }
 
-/// Screen pixels, or four to a point in print: 288 dpi.
+/// Screen pixels, or four per point in print: 288 dpi.
 int wantedPixels(const Canvas& canvas, const QRectF& field) {
     const double longer = std::max(field.width(), field.height());
     const double perUnit = std::min(1.0, 4 / canvas.point);
     return int(std::ceil(longer * perUnit));
 }
 
-/// Where the picture goes: its last pixels may reach beyond the grid.
+/// The rectangle of the picture; its last pixels may extend beyond the grid.
 QRectF placeOf(const FieldImage& field, const QRectF& grid, double unitsPerCell) {
     const double pixel = unitsPerCell * field.cellsPerPixel;
     return {grid.topLeft(), QSizeF(field.image.width() * pixel, field.image.height() * pixel)};
 }
 
-/// Viewers of PDF blur a coarse picture; whole pixels a cell keep its edges sharp.
+/// PDF viewers blur coarse pictures. Scaling by whole pixels per cell keeps edges sharp.
 QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
     const int longer = std::max(image.width(), image.height());
     if (painter.paintEngine()->type() != QPaintEngine::Pdf || longer == 0 || longer >= wanted) return image;

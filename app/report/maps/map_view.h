@@ -9,22 +9,21 @@
 
 namespace noonmark {
 
-/// Where local metres lie on a picture: true north up, the same scale both ways. y of local metres goes up, y
-/// of the picture down.
+/// Maps local metres to positions in a picture: true north up, the same scale in both directions. Local y
+/// points up, picture y points down.
 class MapView {
 public:
-    /// All of `world` and a margin of 4 % around it, in the middle of `target` (units of the painter).
-    /// `world` not empty.
+    /// Centres `world` with a margin of 4 % in `target` (painter units). `world` must not be empty.
     MapView(const Box2& world, const QRectF& target);
 
     [[nodiscard]] const QRectF& target() const { return target_; }
     [[nodiscard]] double unitsPerM() const { return unitsPerM_; }
     [[nodiscard]] QPointF at(glm::dvec2 local) const;
-    [[nodiscard]] QRectF rectOf(const Grid& grid) const;  ///< its cells, from edge to edge
+    [[nodiscard]] QRectF rectOf(const Grid& grid) const;  ///< the cells, from edge to edge
     [[nodiscard]] bool sees(const Box2& box) const;
 
-    /// Adds the rings of the footprint, as closed rings in their own direction: with Qt::WindingFill, holes
-    /// stay holes where no other footprint of the path covers them.
+    /// Adds the rings of the footprint as closed rings in their own direction. With Qt::WindingFill holes
+    /// remain holes where no other footprint of the path covers them.
     void addTo(QPainterPath& path, const Footprint& footprint) const;
 
 private:
@@ -33,7 +32,7 @@ private:
     double unitsPerM_;
 };
 
-/// Width / height for a frame that suits the region: its own, but never slimmer or flatter than 1 : 2.
+/// Width / height of a frame for the region: the region's own aspect, limited to 1 : 2 and 2 : 1.
 double aspectOf(const Box2& world);
 
 }  // namespace noonmark

@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-/// The colours of core/measures/palette.h, for painting.
+/// The colours of core/measures/palette.h as QColor.
 QColor shadowColour(double share);
 QColor impactColour(double share);
 

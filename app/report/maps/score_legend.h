@@ -7,11 +7,11 @@
 
 namespace noonmark {
 
-/// Symmetric about 0: shade that is wanted in the colour of less shadow, shadow that is unwanted in that of
-/// more. The ends are where 98 % of the cells lie within; `unit` names the largest where that is more.
+/// A legend symmetric about 0: wanted shade has the colour of less shadow, unwanted shadow that of more. The
+/// scale contains 98 % of the cells; `unit` states the largest value if it exceeds the scale.
 Legend makeLegend(const Score& score);
 
-/// The colour of a cell; none where there is no receiver. `top`: the legend's.
+/// The colour of a cell; empty where there is no receiver. `top`: that of the legend's scale.
 std::optional<QColor> pickColour(const Score& score, std::size_t cell, double top);
 
 }  // namespace noonmark

@@ -25,7 +25,7 @@ bool isInstant(const ShadowField& field) {
 double topOf(const ShadowField& field, ShadowMeasure measure) {
     double top = std::max(field.sunlitMinutesPerDay, 0.0);
     for (const float value : getValues(field, measure))
-        if (double(value) > top) top = double(value);  // NaN is not above anything
+        if (double(value) > top) top = double(value);  // false for NaN
     return top;
 }
 

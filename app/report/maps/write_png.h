@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// Writes a picture with its tags as text chunks. False when not all of it could be written.
+/// Writes a picture with its tags as text chunks. False if the write failed.
 bool writePng(QImage picture, const FileTags& tags, QIODevice& device);
 
 }  // namespace noonmark

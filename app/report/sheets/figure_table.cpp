@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double rowHeight = 1.62;  // of the size of the letters
+constexpr double rowHeight = 1.62;  // times the font size
 
 void paintRow(const Canvas& canvas, const QRectF& row, const Figure& figure) {
     const QFontMetricsF metrics(canvas.painter.font());

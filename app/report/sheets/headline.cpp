@@ -10,8 +10,7 @@ namespace noonmark {
 
 namespace {
 
-/// A line of text, its letters up to a quarter smaller where it is too long, and cut where that is not
-/// enough.
+/// Paints a line of text. If it is too long, the font shrinks by up to a quarter; then the text is cut.
 void paintLine(const Canvas& canvas, const QRectF& area, double baselinePt, const QString& text,
                double points, QFont::Weight weight = QFont::Normal) {
     const double width = QFontMetricsF(textFont(canvas, points, weight)).horizontalAdvance(text);

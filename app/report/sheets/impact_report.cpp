@@ -47,10 +47,11 @@ std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
             addThreshold(figures, "Continuous", one.thresholdMin, one.continuous);
     else
         figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
-    figures.push_back({QStringLiteral("Any more gross shadow"), describeArea(first.gross.touchedM2)});
-    figures.push_back({QStringLiteral("Any less"), describeArea(first.gross.easedM2)});
-    figures.push_back({QStringLiteral("Most gained"), signedWords(first.gross.mostGainedMin, 1, " min/day")});
-    figures.push_back({QStringLiteral("Most lost"), signedWords(-first.gross.mostLostMin, 1, " min/day")});
+    figures.push_back({QStringLiteral("More gross shadow, any"), describeArea(first.gross.touchedM2)});
+    figures.push_back({QStringLiteral("Less gross shadow, any"), describeArea(first.gross.easedM2)});
+    figures.push_back(
+        {QStringLiteral("Largest gain"), signedWords(first.gross.mostGainedMin, 1, " min/day")});
+    figures.push_back({QStringLiteral("Largest loss"), signedWords(-first.gross.mostLostMin, 1, " min/day")});
     figures.push_back({QStringLiteral("Mean change"), signedWords(first.gross.meanMin, 2, " min/day")});
     figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
     figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
@@ -62,20 +63,18 @@ TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
     const auto unitOf = [&](ShadowMeasure measure) {
         return makeLegend(answer.study.total, measure, scale).unit;
     };
-    return {
-        body(QStringLiteral("Colours: gross shadow in %1; continuous shadow in %2.")
-                 .arg(unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
-        body(QStringLiteral(
-                 "Change: minutes of %1 less minutes of %2, same engine, steps and cells; more shadow is "
-                 "above 0. "
-                 "Gross: minutes in shadow a day, mean over the days. Continuous: longest unbroken run in "
-                 "shadow "
-                 "on any day. An area is that of the cells whose change is larger than the threshold. Shadow "
-                 "area: sum over the cells of share of the sunlit time in shadow × cell area.")
-                 .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)))};
+    return {body(QStringLiteral("Colours: gross shadow in %1; continuous shadow in %2.")
+                     .arg(unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
+            body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
+                                "cells; positive means more shadow. Gross: minutes in shadow a day, mean "
+                                "over the days. Continuous: longest unbroken run in shadow on any day. Areas "
+                                "are those of the cells whose change exceeds the threshold. Shadow area: sum "
+                                "over the cells of share of the sunlit time in shadow × cell area.")
+                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)))};
 }
 
-// What the sections of a study's report say holds of both fields: they are told of the city after.
+// The city after the change as a study, for the sections of a study's report. Their statements hold for both
+// fields.
 Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
     Study study;
     study.city = source.city;
@@ -89,12 +88,12 @@ Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
     return study;
 }
 
-// One line for each new building, where the comparison has them.
+// One line per new building, if the comparison measured them.
 void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& figures) {
     if (figures.byBuilding.empty()) return;
-    TextBlocks blocks{heading(QStringLiteral("What each new building does by itself"))};
+    TextBlocks blocks{heading(QStringLiteral("Sole contribution of each new building"))};
     for (const auto& building : figures.byBuilding)
-        blocks.push_back(body(QStringLiteral("%1: %2 with over %3 min a day more gross shadow")
+        blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
                                   .arg(QString::fromStdString(building.name),
                                        describeArea(building.figures.gross.gainedM2),
                                        describeAmount(building.figures.thresholdMin, 2))));
@@ -104,7 +103,8 @@ void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& fi
 std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSource& source) {
     const Study after = afterAsStudy(answer, source);
     std::vector<TextBlocks> sections = methodSections(
-        after, QStringLiteral("The error is that of the change, beside the change that rays find."));
+        after,
+        QStringLiteral("This is the error of the change, compared with the change by the ray reference."));
     addBuildings(sections, computeFigures(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
     sections.push_back(

@@ -7,8 +7,8 @@
 
 namespace noonmark {
 
-/// The page of a comparison: maps of the change of gross and, where it was counted, continuous shadow on one
-/// scale, figures by thresholds, method, inputs and warnings. All that is given outlives it.
+/// The page of a comparison: maps of the change of gross and, where computed, continuous shadow on one scale,
+/// figures per threshold, method, inputs and warnings. All arguments must outlive it.
 Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale);
 
 }  // namespace noonmark

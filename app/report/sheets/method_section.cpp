@@ -17,9 +17,8 @@ QString engineWords(const Study& study) {
     QString words = QStringLiteral("Engine: %1.").arg(QString::fromStdString(study.field.engine));
     if (study.byReference())
         words += QStringLiteral(
-            " From each receiver one line is traced to the centre of the sun at each step; the step is in "
-            "shadow if a "
-            "building or the terrain is in the way.");
+            " At each step a ray is traced from each receiver to the centre of the sun; the receiver is in "
+            "shadow if a building or the terrain blocks the ray.");
     return words;
 }
 
@@ -42,7 +41,7 @@ QString terrainWords(const Study& study) {
     return words;
 }
 
-// Where whole steps of the length asked for do not fill the hours.
+// States that the step length was adjusted so that whole steps fill the hours.
 QString roundingWords(const Study& study) {
     const Period& period = study.settings.period;
     const double asked = period.stepMinutes;
@@ -50,19 +49,18 @@ QString roundingWords(const Study& study) {
     if (instant || std::abs(study.field.stepMinutes - asked) < 1e-9) return {};
     const QString day = study.sun.mostOffADayMin < 0.005
                             ? QString()
-                            : QStringLiteral("; a single day counts up to %1 min more or less than its own")
+                            : QStringLiteral("; a single day is up to %1 min too long or too short")
                                   .arg(describeAmount(study.sun.mostOffADayMin, 2));
     return QStringLiteral(
-               " A step was asked for every %1 min; whole steps of nearly that length fill the hours of each "
-               "day, so that the period counts the minutes of its hours%2.")
+               " The requested step was %1 min; its length was adjusted so that whole steps fill the hours "
+               "of each day and the period has the exact number of minutes%2.")
         .arg(describeAmount(asked, 3), day);
 }
 
 QString stepWords(const Study& study) {
     return QStringLiteral(
-               "Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (no sun is "
-               "not shadow). "
-               "Shares of time are shares of the time with the sun above the horizon.%4")
+               "Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (night is "
+               "not shadow). Shares of time refer to the time with the sun above the horizon.%4")
         .arg(describeCount(study.sun.steps.size()), describeAmount(study.field.stepMinutes, 4),
              describeCount(study.sun.belowHorizon), roundingWords(study));
 }
@@ -75,17 +73,16 @@ QString airWords(const StudySettings& settings) {
 
 QString sunFrameWords(const Study& study) {
     const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
-    const QString levelled =
-        study.sun.levelled == 0
-            ? QString()
-            : QStringLiteral(
-                  " %1 steps with the sun just above the horizon stand below the plane of the "
-                  "geometry and are taken in it.")
-                  .arg(describeCount(study.sun.levelled));
+    const QString levelled = study.sun.levelled == 0
+                                 ? QString()
+                                 : QStringLiteral(
+                                       " At %1 steps the sun is just above the horizon but below the plane "
+                                       "of the geometry; they are computed with the sun in that plane.")
+                                       .arg(describeCount(study.sun.levelled));
     return QStringLiteral(
-               " In the frame of the geometry true north is turned by %1° there and the vertical by %2°; at "
-               "the farthest corner of the region the vertical is off by up to %3° (%4 s of the sun's "
-               "way).%5")
+               " In the frame of the geometry true north is rotated by %1° there and the vertical by %2°; at "
+               "the farthest corner of the region the vertical differs by up to %3° (%4 s of the sun's "
+               "motion).%5")
         .arg(describeAmount(facts.convergenceDeg, 3), describeAmount(facts.tiltDeg, 3),
              describeAmount(facts.verticalErrorDeg, 3), describeAmount(facts.verticalErrorDeg * 240, 1),
              levelled);
@@ -94,7 +91,7 @@ QString sunFrameWords(const Study& study) {
 QString sunWords(const Study& study) {
     const Observer observer = observerOf(study);
     return QStringLiteral(
-               "Sun: ERFA, topocentric, seen from the middle of the region (%1, %2 m); %3. Civil time of %4 "
+               "Sun: ERFA, topocentric, seen from the centre of the region (%1, %2 m); %3. Civil time of %4 "
                "from the tz database.%5")
         .arg(describeLatLon(observer.place), describeAmount(observer.elevationM), airWords(study.settings),
              QString::fromStdString(study.settings.period.zone), sunFrameWords(study));
@@ -110,7 +107,7 @@ QString cellErrorWords(const Study& study, const CellError& error) {
     const auto percent = [&](double minutes) { return describeAmount(error.percent(minutes), 3); };
     const LonLat worst = study.city.frame.lonLatFromLocal(error.worstM);
     return QStringLiteral(
-               "%1 % in the mean, %2 % at the 99th percentile, %3 % (%4 min) at the worst of them (%5)")
+               "%1 % in the mean, %2 % at the 99th percentile, %3 % (%4 min) at the worst receiver (%5)")
         .arg(percent(error.meanMin), percent(error.p99Min), percent(error.maxMin),
              describeAmount(error.maxMin), describeLatLon(worst));
 }
@@ -138,21 +135,18 @@ QString engineErrorWords(const Study& study) {
     if (study.error) return measuredErrorWords(study, *study.error);
     if (!study.byReference()) return QString::fromStdString(whyNoError(study));
     return QStringLiteral(
-               "The ray reference is what every other engine is measured against: for the city as it is "
-               "modelled, each receiver and "
-               "step is decided by one exact test. A change from sun to shadow is known to one step (%1 "
-               "min), an edge to one cell (%2 m).")
+               "All other engines are measured against the ray reference: for the city as modelled, one "
+               "exact test decides each receiver and step. Changes between sun and shadow are resolved to "
+               "one step (%1 min), edges of shadows to one cell (%2 m).")
         .arg(describeAmount(study.field.stepMinutes, 3), describeAmount(study.field.grid.cellM, 2));
 }
 
 QString modelErrorWords() {
     return QStringLiteral(
-        "The model's own limits: roofs are flat unless the data holds their shape; trees and street "
-        "furniture are not in it; the "
-        "sun is a point, while its disc of 0.53° softens a real edge over about 1 m for every 100 m to what "
-        "casts it. "
-        "A wrong height moves a shadow's end by the error / tan(altitude of the sun): see the sources of the "
-        "heights.");
+        "Limits of the model: roofs are flat unless the data contains their shape; trees and street "
+        "furniture are not included; the sun is a point, whereas its real disc of 0.53° blurs a shadow's "
+        "edge by about 1 m per 100 m of distance from the occluder. An error in height moves the end of a "
+        "shadow by error / tan(altitude of the sun): see the sources of the heights.");
 }
 
 }  // namespace

@@ -8,17 +8,18 @@ class QPdfWriter;
 
 namespace noonmark {
 
-/// The A4 pages of all PDFs, in points from the top left corner.
+/// The A4 page of all PDFs, in points from the top left corner.
 constexpr double pageWidthPt = 595.28;
 constexpr double pageHeightPt = 841.89;
 constexpr double sidePt = 40;
 constexpr double topPt = 36;
 constexpr double contentPt = pageWidthPt - 2 * sidePt;
 
-/// Sets page, resolution, title and maker, before anything is painted. The page's margins are the painter's.
+/// Sets page size, resolution, title and creator; call it before painting. The PDF page has no margins: the
+/// painter leaves them free.
 void beginPdf(QPdfWriter& writer, const QString& title);
 
-/// What paints on such a page.
+/// The canvas of such a page.
 Canvas pdfCanvas(QPainter& painter);
 
 }  // namespace noonmark

@@ -7,23 +7,24 @@
 
 namespace noonmark {
 
-/// What the numbers of the table mean; before that, where many heights are assumed, that they are.
+/// Definitions of the figures, preceded by a warning where many heights are assumed.
 TextBlocks definitionBlocks(const Study& study);
 
-/// How it was computed; how far it can be trusted; what it rests on: files with their hashes, sources of the
-/// heights, warnings; what was left undone. Each section begins with its heading. Long lists are cut, and say
-/// so. `errorOf`: a sentence that says of what the measured error is, where it is not of the study's field.
+/// The sections of a report. methodSections(): method and error; `errorOf`: a sentence that states what the
+/// measured error refers to, if not to the study's field. sourceSections(): project, files with their hashes,
+/// sources of the heights, warnings, and cost. Each section begins with its heading. Long lists are cut and
+/// state that.
 std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf = {});
 std::vector<TextBlocks> sourceSections(const Study& study);
 
-/// The command line that repeats it.
+/// The command line that repeats the study.
 TextBlocks repeatBlocks(const Study& study);
 
-/// How many letters of code a column of the page takes in one line: a command that is broken there without a
-/// backslash would not run when it is copied.
+/// Characters per code line in a column of the page. A command that the column breaks without a backslash
+/// would not run when copied.
 inline constexpr std::size_t columnLetters = 80;
 
-/// The same of any answer: its command, or why there is none.
+/// The same for any result: its command, or the reason why there is none.
 TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile);
 
 }  // namespace noonmark

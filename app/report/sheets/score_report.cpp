@@ -35,7 +35,7 @@ std::vector<Figure> figuresOfSheet(const Score& score) {
     const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
     std::vector<Figure> figures{
         {QStringLiteral("Shadow score"), signedArea(score.scoreM2)},
-        {QStringLiteral("a m² of ground"), QString::number(perArea, 'f', 3)},
+        {QStringLiteral("per m² of ground"), QString::number(perArea, 'f', 3)},
         {QStringLiteral("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²")}};
     for (const MonthFigures& month : score.months)
         figures.push_back({monthName(month.month) + QStringLiteral(", score"), signedArea(month.scoreM2)});
@@ -45,10 +45,8 @@ std::vector<Figure> figuresOfSheet(const Score& score) {
 TextBlocks definitions() {
     return {body(QStringLiteral(
         "Score: sum over the intervals of the weight table of weight × share of the interval's sunlit time "
-        "in "
-        "shadow; over the region times the cell area. Above 0 shade is wanted more than shadow is "
-        "unwanted. "
-        "The score of a month is what it adds to the whole; months add up to it."))};
+        "in shadow; over the region times the cell area. Positive means that wanted shade outweighs unwanted "
+        "shadow. The scores of the months add up to the total."))};
 }
 
 TextBlocks methodOf(const ScoreAnswer& answer) {
@@ -59,7 +57,7 @@ TextBlocks methodOf(const ScoreAnswer& answer) {
                           QString::fromUtf8(describe(answer.settings.receivers.places))))};
 }
 
-// Those without a step of the sun have neither area nor score.
+// Intervals without a sun step have neither area nor score and are skipped.
 TextBlocks weightsOf(const ScoreAnswer& answer) {
     TextBlocks blocks{
         heading(QStringLiteral("Weights: %1").arg(QString::fromStdString(answer.weights.name)))};
@@ -72,7 +70,7 @@ TextBlocks weightsOf(const ScoreAnswer& answer) {
     return blocks;
 }
 
-// The sections of a study's report that do not look at its field.
+// The sections of a study's report that do not depend on its field.
 std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource& source) {
     Study study;
     study.city = source.city;
@@ -80,7 +78,7 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     study.warnings = answer.score.warnings;
     study.provenance = answer.provenance;
     std::vector<TextBlocks> sections = sourceSections(study);
-    sections.pop_back();  // what was computed and left undone: of a field
+    sections.pop_back();  // cost and skipped work belong to a field
     sections.push_back(
         repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;

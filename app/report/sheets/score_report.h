@@ -6,8 +6,8 @@
 
 namespace noonmark {
 
-/// The page of a score: its map, figures by months, the weight table, method, inputs and warnings. All that
-/// is given outlives it.
+/// The page of a score: its map, figures by month, the weight table, method, inputs and warnings. All
+/// arguments must outlive it.
 Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source);
 
 }  // namespace noonmark

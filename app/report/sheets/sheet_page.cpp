@@ -50,12 +50,12 @@ private:
         return {x * canvas_.point, y * canvas_.point, width * canvas_.point, height * canvas_.point};
     }
 
-    /// Wider than high, so that half the page is left for words.
+    /// At least as wide as high, which leaves half of the page for text.
     [[nodiscard]] double mapAspect() const {
         return std::max(1.0, aspectOf(bounds(sheet_.map.scene.region)));
     }
 
-    /// Map, foot and the meaning of the numbers. Returns the y below them, points.
+    /// Map, foot and definitions. Returns the y below them, points.
     double paintLargeMap(double top) {
         const double height = largeMapPt / mapAspect();
         const MapView view = makeMapView(sheet_.map.scene, area(sidePt, top, largeMapPt, height));
@@ -88,7 +88,7 @@ private:
         return top + height + 8 + legendHeightPt;
     }
 
-    /// At the bottom, no higher than a quarter of what is left; returns its top.
+    /// Paints at the bottom, at most a quarter of the remaining height; returns its top.
     double paintRepeat(double highest, double bottom) {
         const TextBlocks& blocks = sheet_.repeat;
         if (blocks.empty()) return bottom;
@@ -102,7 +102,7 @@ private:
         return bottom - height - 4;
     }
 
-    /// Two columns in letters of one size; sections stay whole.
+    /// Two columns with the same font size; sections are not split.
     void paintText(double top, double bottom) {
         const double width = (contentPt - gutterPt) / 2;
         const QRectF left = area(sidePt, top, width, bottom - top);
@@ -114,7 +114,7 @@ private:
         paintBlocks(canvas_, second, right, points);
     }
 
-    /// The sections in their order, parted where the columns become most even.
+    /// Keeps the sections in order and splits them where the columns are most even.
     [[nodiscard]] std::pair<TextBlocks, TextBlocks> columnsOf(double width) const {
         const std::vector<TextBlocks>& sections = sheet_.sections;
         std::pair<TextBlocks, TextBlocks> best;

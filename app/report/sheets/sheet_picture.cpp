@@ -10,7 +10,7 @@ constexpr double marginPt = 22;
 constexpr double gapPt = 10;
 constexpr double smallPrintPt = 12;
 
-/// The parts of the sheet from top to bottom, in pixels.
+/// The areas of the picture from top to bottom, in pixels.
 struct Places {
     QSize size;
     QRectF headline, map, foot, smallPrint;

@@ -5,12 +5,12 @@
 
 namespace noonmark {
 
-/// The page of a study: maps, numbers, method, error, inputs with their hashes, warnings, and how to repeat
-/// it. `study` outlives it.
+/// The page of a study: maps, figures, method, error, inputs with their hashes, warnings, and the repeat
+/// command. `study` must outlive it.
 Sheet makeSheet(const Study& study);
 
-/// The report of a study as a PDF of one A4 page. Text stays text. Writes to `device`, which is open; whether
-/// everything arrived is for the caller to ask it. False when no PDF could be begun.
+/// Writes the report of a study as a PDF of one A4 page. Text remains text. `device` must be open; the caller
+/// checks it for write errors. False if the PDF could not be started.
 bool writeReport(const Study& study, QIODevice& device);
 
 /// The map of one measure as a picture.

@@ -98,7 +98,7 @@ std::vector<Figure> computeFigures(const Study& study) {
     if (!isInstant(study.field)) addMinutes(figures, study);
     figures.push_back({QStringLiteral("Receivers"), describeCount(s.receivers)});
     figures.push_back(
-        {QStringLiteral("Their area"), describeAmount(s.receiverAreaM2, 0) + QStringLiteral(" m²")});
+        {QStringLiteral("Area of receivers"), describeAmount(s.receiverAreaM2, 0) + QStringLiteral(" m²")});
     figures.push_back(
         {QStringLiteral("Cell size"), describeAmount(study.field.grid.cellM, 2) + QStringLiteral(" m")});
     figures.push_back({QStringLiteral("Steps of the sun"), describeCount(study.sun.steps.size())});

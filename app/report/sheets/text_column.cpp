@@ -9,15 +9,15 @@ namespace noonmark {
 
 namespace {
 
-constexpr double lineSpacing = 1.24;  // of the size of the letters
-constexpr double gapAbove = 0.3;      // between paragraphs, of the size of body text
+constexpr double lineSpacing = 1.24;  // times the font size
+constexpr double gapAbove = 0.3;      // between paragraphs, times the size of body text
 constexpr double gapAboveHeading = 0.9;
 constexpr double sizeStepPt = 0.2;
 
 struct Type {
     QFont font;
     QColor colour;
-    double line;  // painter units from baseline to baseline
+    double line;  // from baseline to baseline, painter units
     double gap;   // above the paragraph
 };
 
@@ -35,7 +35,7 @@ Type typeOf(const Canvas& canvas, TextKind kind, double points) {
     return {textFont(canvas, points), ink::text, unit * lineSpacing, unit * gapAbove};
 }
 
-/// One paragraph broken into lines of a width; `top` below the top of the column.
+/// One paragraph, broken into lines of a width; `top` is its offset from the top of the column.
 class Paragraph {
 public:
     Paragraph(const Canvas& canvas, const QString& text, const Type& type, double width, double top)
@@ -56,7 +56,8 @@ public:
 
     [[nodiscard]] double bottom() const { return top_ + line_ * layout_->lineCount(); }
 
-    /// Lines that end at or above `limit`; the bottom of the last one painted, or `top` when none was.
+    /// Paints the lines that end at or above `limit`. Returns the bottom of the last one, or `top` if there
+    /// is none.
     double paint(QPainter& painter, const QPointF& column, double limit) const {
         double bottom = 0;
         painter.setPen(colour_);
@@ -124,7 +125,8 @@ double paintBlocks(const Canvas& canvas, const TextBlocks& blocks, const QRectF&
         return area.top() + paintUpTo(canvas.painter, paragraphs, area.topLeft(), area.height() + slack);
     const Type type = typeOf(canvas, TextKind::body, points);
     const double bottom = paintUpTo(canvas.painter, paragraphs, area.topLeft(), area.height() - type.line);
-    const Paragraph rest(canvas, QStringLiteral("... the rest is in study.json"), type, area.width(), bottom);
+    const Paragraph rest(canvas, QStringLiteral("... the rest is in the JSON file"), type, area.width(),
+                         bottom);
     return area.top() + rest.paint(canvas.painter, area.topLeft(), area.height() + slack);
 }
 

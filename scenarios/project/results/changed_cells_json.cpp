@@ -17,7 +17,7 @@ constexpr const char* ground = "ground";
 CellChange changeNamed(const Json& json) {
     if (json == building) return CellChange::becameBuilding;
     if (json == ground) return CellChange::becameGround;
-    throw std::invalid_argument("a cell became something unknown");
+    throw std::invalid_argument("a changed cell is of an unknown kind");
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::vector<CellChange> parseChangedCells(const Json& json, std::size_t cells) {
         const auto first = wholeNumberFrom<std::size_t>(run.at(0)),
                    count = wholeNumberFrom<std::size_t>(run.at(1));
         if (first > cells || count > cells - first)
-            throw std::invalid_argument("changed cells lie outside of the grid");
+            throw std::invalid_argument("changed cells lie outside the grid");
         std::fill_n(change.begin() + std::ptrdiff_t(first), count, changeNamed(run.at(2)));
     }
     return change;

@@ -7,12 +7,11 @@
 
 namespace noonmark {
 
-/// Cells that were built over or became ground, as runs in grid order: [first cell, how many, "building" or
-/// "ground"].
+/// Cells that became building or ground, as runs in grid order: [first cell, length, "building" or "ground"].
 nlohmann::ordered_json changedCellsJson(const std::vector<CellChange>& change);
 
-/// Back, for so many cells. Throws nlohmann's exceptions, or std::invalid_argument, where it is of another
-/// shape.
+/// Parses such runs for a grid of `cells` cells. Throws nlohmann's exceptions or std::invalid_argument where
+/// the JSON does not match.
 std::vector<CellChange> parseChangedCells(const nlohmann::ordered_json& json, std::size_t cells);
 
 }  // namespace noonmark

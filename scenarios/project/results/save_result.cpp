@@ -50,7 +50,7 @@ Json originOf(const Project& project, const ScoreAnswer& answer, std::chrono::sy
 
 std::string inputsOf(const Project& project) { return inputsJson(project.inputs).dump(); }
 
-// Other programs open each as a map: none is without a value.
+// Other programs open each layer as a map, so layers without any value are left out.
 std::vector<SavedLayer> layersOf(const ShadowField& field) {
     std::vector<SavedLayer> layers{{"gross shadow", "min/day", field.grossMin}};
     if (hasRuns(field)) layers.push_back({"continuous shadow", "min", field.continuousMin});

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder scenarios/project/results/ converts results for the project. save_result.h makes a SavedResult
+// from a computed answer, saved_answer.h turns it back into figures and maps, saved_figures_json.h and
+// changed_cells_json.h parse its JSON, and write_results.cpp writes it into the tables.
+
 #include <chrono>
 
 #include "scenarios/impact/impact_text.h"
@@ -12,9 +16,9 @@ inline std::chrono::sys_seconds timeNow() {
     return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// A result to be kept, without a name yet. `scenario`: whose city the study is of. Beside the answer's own
-/// JSON its settings hold an object `kept`: when, the hashes of the cities that the answer is of, and of a
-/// score the weight table (saved_answer.h reads it back). Costs a hash of each city.
+/// Makes a saved result without a name. `scenario`: the one whose city was measured. Its settings are the
+/// JSON of the answer plus an object `kept`: time, hashes of the measured cities, and for a score the weight
+/// table (saved_answer.h reads it back). Costs a hash of each city.
 SavedResult makeSavedResult(const Project& project, const std::string& scenario, const Study& study,
                             std::chrono::sys_seconds at = timeNow());
 SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer,
@@ -22,10 +26,10 @@ SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer,
 SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer,
                             std::chrono::sys_seconds at = timeNow());
 
-/// The project with a result in it; one of the same name is replaced.
+/// Adds a result to the project; a result of the same name is replaced.
 Project addResult(Project project, SavedResult result);
 
-/// Both in one.
+/// makeSavedResult() and addResult() in one call.
 Project addResult(Project project, const std::string& name, const std::string& scenario, const Study& study,
                   std::chrono::sys_seconds at = timeNow());
 Project addResult(Project project, const std::string& name, const ImpactAnswer& answer,

@@ -26,7 +26,7 @@ const std::vector<float>& layerOf(const SavedResult& result, std::size_t number)
     return values;
 }
 
-// Of a map of runs, which are not kept where they were not counted.
+// The layer of continuous shadow; it is not stored where it was not computed.
 std::vector<float> measureRuns(const SavedResult& result, std::size_t number, bool counted) {
     if (counted) return layerOf(result, number);
     return std::vector<float>(result.grid.size(), std::numeric_limits<float>::quiet_NaN());
@@ -52,7 +52,7 @@ SavedOrigin originOf(const Json& json) {
             weightsOf(json, saved)};
 }
 
-// Results of before had steps of just the length that was asked for.
+// Older results store only the requested step length, which was used as it was.
 double countedStepOf(const Json& json) {
     const Json& period = json.at("period");
     return period.value("counted_step_min", period.at("step_min").get<double>());
@@ -101,7 +101,7 @@ void compareCity(std::vector<std::string>& changes, const Project& project, cons
                  const std::string& hash) {
     const auto city = cityOf(project, scenario);
     if (!city)
-        changes.push_back(fmt::format("There is no scenario '{}' any more.", scenario));
+        changes.push_back(fmt::format("The scenario '{}' no longer exists.", scenario));
     else if (!hash.empty() && cityHash(city->city) != hash)
         changes.push_back(fmt::format("'{}' has changed since: its buildings or its terrain.", scenario));
 }
@@ -114,11 +114,11 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
     if (result.kind == "study") return SavedAnswer{origin, studyOf(result, json)};
     if (result.kind == "impact") return SavedAnswer{origin, impactOf(result, json)};
     if (result.kind == "score") return SavedAnswer{origin, computeScore(result, json)};
-    return failure(fmt::format("'{}' is no kind of result that this version shows", result.kind), result.name,
+    return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind), result.name,
                    "Open the project with a newer Noonmark");
-} catch (const std::exception& problem) {  // JSON of another shape, layers that do not fit
-    return failure(fmt::format("The kept result cannot be shown ({})", problem.what()), result.name,
-                   "Measure it again and keep that");
+} catch (const std::exception& problem) {  // JSON or layers of the wrong shape
+    return failure(fmt::format("The saved result cannot be shown ({})", problem.what()), result.name,
+                   "Measure and save it again");
 }
 
 std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
@@ -127,14 +127,14 @@ std::vector<std::string> findChangesSince(const SavedResult& result, const Saved
     compareCity(changes, project, result.scenario, origin.citySha256);
     if (!result.baseline.empty()) compareCity(changes, project, result.baseline, origin.baselineSha256);
     if (result.inputs != inputsJson(project.inputs).dump())
-        changes.emplace_back("The city was read from other files then.");
+        changes.emplace_back("The city has been read from other files since.");
     if (origin.citySha256.empty())
         changes.emplace_back(
-            "Whether buildings have changed since is not known: it was kept without a hash.");
+            "It is not known whether buildings have changed since: the result was saved without a hash.");
     return changes;
 }
 
-// A table under another name weighs as before.
+// The name does not matter: a table with equal intervals counts as unchanged.
 std::vector<std::string> findWeightChangesSince(const SavedOrigin& origin, const Project& project) {
     if (!origin.weights) return {};
     const TimeWeights& then = *origin.weights;
@@ -144,7 +144,7 @@ std::vector<std::string> findWeightChangesSince(const SavedOrigin& origin, const
     }
     if (std::ranges::find(project.weights, then.intervals, &TimeWeights::intervals) != project.weights.end())
         return {};
-    return {fmt::format("There is no weight table '{}' any more.", then.name)};
+    return {fmt::format("The weight table '{}' no longer exists.", then.name)};
 }
 
 }  // namespace noonmark

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// null: it was not counted.
+// null: not computed.
 double minutesFrom(const Json& json) { return json.is_null() ? unknown : json.get<double>(); }
 
 ChangeFigures changeFrom(const Json& json) {
@@ -33,7 +33,7 @@ ImpactFigures impactFrom(const Json& json) {
 
 std::chrono::year_month monthFrom(const std::string& text) {
     const auto first = parseDate(text + "-01");
-    if (!first) throw std::invalid_argument(text + " is no month");
+    if (!first) throw std::invalid_argument(text + " is not a month");
     return first->year() / first->month();
 }
 

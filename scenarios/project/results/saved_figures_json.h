@@ -8,13 +8,14 @@
 
 namespace noonmark {
 
-/// The figures that studyJson(), impactJson() and scoreJson() wrote. Throw nlohmann's exceptions, or
-/// std::invalid_argument, where the JSON is of another shape.
+/// Parse the figures that studyJson(), impactJson() and scoreJson() write. They throw nlohmann's exceptions
+/// or std::invalid_argument where the JSON does not match.
 ShadowStatistics parseStatistics(const nlohmann::ordered_json& study);
 ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
 Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
 
-/// The study's error against the ray reference in one line, or why it has none; empty where nothing is said.
+/// The study's error against the ray reference in one line, or the reason why it was not measured; empty
+/// where the JSON holds neither.
 std::string parseErrorWords(const nlohmann::ordered_json& study);
 
 }  // namespace noonmark

@@ -7,14 +7,14 @@
 
 namespace noonmark {
 
-/// Cells of one band that touch along sides, as one polygon along their sides.
+/// A polygon around edge-connected cells of one band, along the sides of the cells.
 struct BandPolygon {
     int band = 0;
     Footprint outline;  ///< local metres
 };
 
-/// All cells with a band, as polygons. `bands`: of every cell in grid order (row 0 south); -1: none. Backend:
-/// band_polygons_gdal.cpp. O(cells). None where there is not enough memory.
+/// Traces all cells that have a band. `bands`: one per cell in grid order (row 0 south); -1: none. Backend:
+/// band_polygons_gdal.cpp. O(cells). Empty where memory runs out.
 std::vector<BandPolygon> traceBands(const Grid& grid, std::vector<int> bands);
 
 }  // namespace noonmark

@@ -22,7 +22,7 @@ GDALDatasetUniquePtr memory(const char* driver, int columns, int rows, int raste
         made == nullptr ? nullptr : made->Create("", columns, rows, rasters, GDT_Int32, nullptr));
 }
 
-// GDAL's first line is the grid's southern row: with a positive height of a cell, north is still up.
+// GDAL's first row is the southernmost row of the grid. With a positive cell height north is still up.
 GDALDatasetUniquePtr rasterOf(const Grid& grid, std::vector<int>& bands) {
     GDALDatasetUniquePtr raster = memory("MEM", grid.columns, grid.rows, 1);
     std::array<double, 6> place{grid.westM, grid.cellM, 0, grid.southM, 0, grid.cellM};

@@ -15,7 +15,7 @@ void CheckedRow::refuse(std::string_view what) const {
 }
 
 double CheckedRow::number(int column, const char* name, const NumberLimits& limits) const {
-    if (!row_.isNumber(column)) refuse(fmt::format("{} is no number", name));
+    if (!row_.isNumber(column)) refuse(fmt::format("{} is not a number", name));
     const double value = row_.real(column);
     if (!isWithin(value, limits))
         refuse(fmt::format("{} is {:g}, not {:g} to {:g}", name, value, limits.low, limits.high));

@@ -1,5 +1,10 @@
 #pragma once
 
+// The folder scenarios/project/tables/ reads and writes the tables of a project file. database.h wraps
+// SQLite, schema.h creates, checks and migrates the tables, geopackage.h adds the tables of the GeoPackage
+// standard, checked_row.h validates numbers; the other files handle one kind of content each: geometry, grid
+// tiles, value bands, layer styles, the city, and the warnings of reading.
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -15,22 +20,22 @@ struct sqlite3_stmt;
 
 namespace noonmark {
 
-using Bytes = std::string;  ///< of a blob
+using Bytes = std::string;  ///< a blob
 
-/// SQLite's own refusal, thrown inside scenarios/project only: `guarded` turns it into an Error.
+/// An error of SQLite. It is thrown only inside scenarios/project, where `guarded` turns it into an Error.
 struct DatabaseTrouble {
     int code = 0;       ///< SQLite's primary result code
-    std::string words;  ///< SQLite's
+    std::string words;  ///< SQLite's message
 };
 
-/// A prepared statement. Columns count from 0, parameters are bound in order. Throws DatabaseTrouble.
+/// A prepared statement. Columns count from 0; parameters are bound in order. Throws DatabaseTrouble.
 class Statement {
 public:
     Statement(sqlite3* database, std::string_view sql);
     Statement(Statement&&) noexcept;
     ~Statement();
 
-    /// Binds all parameters and runs to the end; for what gives no rows.
+    /// Binds all parameters and runs a statement that returns no rows.
     template <class... Values>
     void run(const Values&... values) {
         reset();
@@ -40,7 +45,7 @@ public:
         }
     }
 
-    /// Binds all parameters; then step() from row to row.
+    /// Binds all parameters; step() then moves from row to row.
     template <class... Values>
     void begin(const Values&... values) {
         reset();
@@ -56,7 +61,8 @@ public:
     /// Valid until the next step().
     [[nodiscard]] std::string_view blob(int column) const;
     [[nodiscard]] bool isNull(int column) const;
-    [[nodiscard]] bool isNumber(int column) const;  ///< an integer or a real; NaN is stored as null
+    [[nodiscard]] bool isNumber(
+        int column) const;  ///< an integer or a real; false for NaN, which is stored as null
 
 private:
     void reset();
@@ -79,40 +85,40 @@ private:
     sqlite3_stmt* statement_ = nullptr;
 };
 
-/// Marks bytes as a blob; they outlive the statement's run.
+/// Marks bytes as a blob; they must outlive the statement's run.
 struct AsBlob {
     const Bytes& bytes;
 };
 
-/// An SQLite file that anybody may have made: no trigger of it runs and no view of it is read, it may not
-/// name functions with effects, attach or load anything, and a statement that does not end is broken off. Not
-/// for two threads at once. Backend: database_sqlite.cpp.
+/// An open SQLite file, which may be hostile: its triggers and views do not run, it cannot attach or load
+/// anything or call functions with side effects, and a statement that runs too long is interrupted. Not safe
+/// for concurrent use. Backend: database_sqlite.cpp.
 class Database {
 public:
     enum class Access { read, write, create };
 
-    /// Throws DatabaseTrouble. Whoever else writes is waited for, half a second at most.
+    /// Throws DatabaseTrouble. Waits at most half a second for another writer.
     Database(const std::filesystem::path& file, Access access);
-    /// A copy of another, in memory: what is done to it touches no file.
+    /// A copy of another database in memory; changes touch no file.
     struct InMemory {};
     Database(InMemory, Database& source);
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
     ~Database();
 
-    void execute(const std::string& sql);  ///< one or several statements without results
+    void execute(const std::string& sql);  ///< one or several statements that return no rows
     [[nodiscard]] Statement prepare(std::string_view sql) { return {database_, sql}; }
-    /// The first column of the first row; nothing without rows.
+    /// First column of the first row; empty without rows.
     [[nodiscard]] std::optional<std::string> value(std::string_view sql);
     [[nodiscard]] std::int64_t lastRow() const;
-    [[nodiscard]] std::int64_t changedRows() const;  ///< in all since it was opened
+    [[nodiscard]] std::int64_t changedRows() const;  ///< since the database was opened
 
 private:
     sqlite3* database_ = nullptr;
-    int looks_ = 0;  // how often the work of all statements was looked at
+    int looks_ = 0;  // checks of the running time so far, over all statements
 };
 
-/// All or nothing: rolled back unless committed.
+/// Rolls back unless committed.
 class Transaction {
 public:
     explicit Transaction(Database& database, bool toWrite = true);
@@ -126,10 +132,10 @@ private:
     bool open_ = true;
 };
 
-/// Throws what errorOf() calls a damaged file: contents that no program of ours wrote.
+/// Throws the error that errorOf() reports as a damaged file: content that this program never writes.
 [[noreturn]] void throwDamaged(const std::string& words);
 
-/// What SQLite's trouble means for a project file, in a planner's words.
+/// Translates an SQLite error on a project file into an Error for the user.
 Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file);
 
 }  // namespace noonmark

@@ -31,9 +31,9 @@ int flagsOf(Database::Access access) {
     return SQLITE_OPEN_READONLY;
 }
 
-// The city of a million buildings takes 100 million steps of SQLite's virtual machine.
+// Reading a city of a million buildings takes 100 million steps of SQLite's virtual machine.
 constexpr int stepsBetweenLooks = 1'000'000;
-constexpr int mostLooks = 5000;  // a minute or so
+constexpr int mostLooks = 5000;  // about a minute
 
 int isTooLong(void* looks) { return ++*static_cast<int*>(looks) > mostLooks ? 1 : 0; }
 
@@ -149,7 +149,7 @@ Transaction::~Transaction() {
     try {
         database_.execute("ROLLBACK");
     } catch (const DatabaseTrouble&) {
-        // SQLite rolls back by itself when the connection is closed.
+        // SQLite also rolls back when the connection is closed.
     }
 }
 
@@ -168,23 +168,24 @@ Error errorOf(const DatabaseTrouble& trouble, const std::filesystem::path& file)
             return {"Another program is writing the project", where, "Close it there, then try again"};
         case SQLITE_READONLY:
         case SQLITE_PERM:
-            return {"The project file may only be read", where, "Save it under another name"};
+            return {"The project file is read-only", where, "Save it under another name"};
         case SQLITE_CORRUPT:
         case SQLITE_NOTADB:
         case SQLITE_FORMAT:
             return {fmt::format("The project file is damaged ({})", trouble.words), where,
-                    "Take a copy of it, or the recovery file beside it; this one was left as it is"};
+                    "Take a copy of it, or the recovery file beside it; this file was not changed"};
         case SQLITE_CANTOPEN:
             return {"The project file cannot be opened", where,
-                    "Check that it is there and that its folder may be written to"};
+                    "Check that it exists and that its folder is writable"};
         case SQLITE_INTERRUPT:
-            return {"Reading the project file does not end: it was not made by this program", where,
+            return {"Reading the project file takes too long: this program did not write it", where,
                     "Ask for the file again, or take an older copy"};
         case SQLITE_FULL:
-            return {"The disk is full", where, "Make room, or save elsewhere; the file is as it was"};
+            return {"The disk is full", where,
+                    "Free some space, or save elsewhere; the file was not changed"};
         default:
             return {fmt::format("The project file cannot be used ({})", trouble.words), where,
-                    "Check that the disk is there and has room"};
+                    "Check that the disk is available and has free space"};
     }
 }
 

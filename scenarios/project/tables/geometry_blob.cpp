@@ -44,7 +44,7 @@ void putPolygon(Bytes& bytes, const Footprint& footprint) {
     for (const Ring& hole : footprint.holes) putRing(bytes, hole);
 }
 
-// Reads values one after the other; after the end everything is 0 and `sound` is false.
+// Reads values one after the other; after the end it returns 0 and sets `sound` to false.
 class Reader {
 public:
     explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -83,7 +83,7 @@ RawRing takeRing(Reader& reader) {
         ring.emplace_back(x, reader.take<double>());
         reader.sound &= isWithin(x, placeLimitsM) && isWithin(ring.back().y, placeLimitsM);
     }
-    reader.skip(2 * sizeof(double));  // the first point again
+    reader.skip(2 * sizeof(double));  // skips the closing point
     return ring;
 }
 

@@ -9,16 +9,16 @@
 
 namespace noonmark {
 
-/// The project's own spatial reference system in its file: local metres (docs/project-file.md).
+/// Id of the project's own spatial reference system: local metres (docs/project-file.md).
 inline constexpr int localSrsId = 100000;
 
-/// GeoPackage geometry of local metres, little-endian, with its envelope. The points are float32 and come
-/// back to the last bit.
+/// GeoPackage geometry in local metres, little-endian, with its envelope. Points are float32 and round-trip
+/// exactly.
 Bytes polygonBlob(const Footprint& footprint);
 Bytes multiPolygonBlob(const std::vector<Footprint>& polygons);
 
-/// The polygons of a POLYGON or MULTIPOLYGON. What another program drew is repaired. Nothing for bytes that
-/// are no such geometry.
+/// Parses a POLYGON or MULTIPOLYGON and repairs polygons that another program drew. Empty where the bytes are
+/// not such a geometry.
 std::optional<std::vector<Footprint>> toPolygons(std::string_view blob);
 
 }  // namespace noonmark

@@ -58,7 +58,7 @@ INSERT INTO gpkg_spatial_ref_sys VALUES
 }  // namespace
 
 void createGeoPackage(Database& database, const std::string& localWkt) {
-    // "GPKG", and version 1.3 of the standard.
+    // The application id is "GPKG", the user version GeoPackage 1.3.
     database.execute("PRAGMA application_id = 1196444487; PRAGMA user_version = 10300;");
     database.execute(geoPackageTables);
     database

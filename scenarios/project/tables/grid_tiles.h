@@ -9,19 +9,19 @@
 
 namespace noonmark {
 
-/// The frame's plane as WKT 1, for GIS. Backend: grid_tiles_gdal.cpp, like all here.
+/// The local coordinate system as WKT 1, for GIS programs. Backend of this header: grid_tiles_gdal.cpp.
 std::string localCrsWkt(const Frame& frame);
 
-/// Cells along a tile's side.
+/// Cells per side of a tile.
 inline constexpr int tileCells = 256;
-/// Stands for NaN in tiles.
+/// Replaces NaN in tiles.
 inline constexpr float tileNoData = -9999;
 
-/// One tile of a grid as a Float32 TIFF, deflated: cells of tile `column`, `row` (from the grid's
-/// NORTH-western corner), north first, what lies outside of the grid is tileNoData. Empty where GDAL fails.
+/// Encodes one tile of a grid as a deflated Float32 TIFF. Tiles count from the grid's NORTH-western corner,
+/// rows run from north to south, and cells outside the grid are tileNoData. Empty where GDAL fails.
 Bytes encodeTile(const Grid& grid, const std::vector<float>& values, int column, int row);
 
-/// Puts a tile's cells into `values`. False where the bytes are no such TIFF.
+/// Copies the cells of a tile into `values`. False where the bytes are not such a TIFF.
 bool decodeTile(std::string_view tiff, const Grid& grid, int column, int row, std::vector<float>& values);
 
 }  // namespace noonmark

@@ -20,7 +20,7 @@ std::string memoryFile() {
     return fmt::format("/vsimem/noonmark-tile-{}.tif", made++);
 }
 
-// The grid's row of a tile's line; lines run southwards.
+// Row of the grid for a line of a tile; lines run from north to south.
 int rowOf(const Grid& grid, int tileRow, int line) { return grid.rows - 1 - (tileRow * tileCells + line); }
 
 std::vector<float> cellsOf(const Grid& grid, const std::vector<float>& values, int column, int row) {
@@ -46,7 +46,7 @@ bool wrote(const std::string& file, std::vector<float>& cells) {
                                                tileCells, GDT_Float32, 0, 0, nullptr) == CE_None;
 }
 
-// A block is read whole: a larger one than the tile could fill the memory.
+// GDAL reads whole blocks: a block larger than the tile could exhaust memory.
 bool isTile(GDALDataset& dataset) {
     if (dataset.GetRasterXSize() != tileCells || dataset.GetRasterYSize() != tileCells ||
         dataset.GetRasterCount() != 1)

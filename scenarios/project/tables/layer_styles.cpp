@@ -102,14 +102,15 @@ void addLayerStyles(Database& database) {
     database.execute(table);
     add(database, "buildings", {"Buildings by height", byHeight(), "Metres above the ground"});
     add(database, "proposals",
-        {"Proposed buildings", single({"214,96,77,200", "140,40,30,255", 0.3}), "What scenarios build"});
+        {"Proposed buildings", single({"214,96,77,200", "140,40,30,255", 0.3}),
+         "Buildings that scenarios add"});
     add(database, "lots", {"Lots", single({"255,255,255,0", "33,102,172,255", 0.4}), "Outlines"});
     add(database, "regions",
         {"Regions", single({"77,175,74,40", "35,120,40,255", 0.5}), "Where shadow is measured"});
 }
 
 void addBandStyle(Database& database, const std::string& table, const std::vector<ValueBand>& bands) {
-    add(database, table, {"Bands", byBand(bands), "The colours of the program"});
+    add(database, table, {"Bands", byBand(bands), "Colours as in the program"});
 }
 
 void removeStyle(Database& database, const std::string& table) {

@@ -7,11 +7,11 @@
 
 namespace noonmark {
 
-/// Adds QGIS's table `layer_styles` with a default style for every polygon layer: buildings by height,
-/// proposals by a strong colour, lots and regions as outlines.
+/// Creates QGIS's table `layer_styles` with a default style per polygon layer: buildings coloured by height,
+/// proposals in a strong colour, lots and regions as outlines.
 void addLayerStyles(Database& database);
 
-/// The style of a layer of bands, which its column `label` tells apart.
+/// Adds the style of a layer of bands; the column `label` selects the colour.
 void addBandStyle(Database& database, const std::string& table, const std::vector<ValueBand>& bands);
 void removeStyle(Database& database, const std::string& table);
 

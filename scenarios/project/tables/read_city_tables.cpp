@@ -37,10 +37,10 @@ Meshes readMeshes(Database& database) {
         for (const glm::vec3 v : mesh->vertices)
             if (!isWithin(double(v.x), placeLimitsM) || !isWithin(double(v.y), placeLimitsM) ||
                 !isWithin(double(v.z), elevationLimitsM))
-                checked.refuse("a corner of the mesh is nowhere");
+                checked.refuse("a vertex of the mesh is out of range");
         for (const glm::uvec3 t : mesh->triangles)
             if (std::max({t.x, t.y, t.z}) >= mesh->vertices.size())
-                throwDamaged("a mesh has a corner too many");
+                throwDamaged("a mesh triangle names a vertex that does not exist");
         meshes.emplace(row.integer(0), std::move(mesh));
     }
     return meshes;
@@ -49,7 +49,7 @@ Meshes readMeshes(Database& database) {
 void addParts(const Statement& row, const Meshes& meshes, Building& building) {
     const CheckedRow checked(row, "buildings");
     auto polygons = toPolygons(row.blob(1));
-    if (!polygons) checked.refuse("the outline of a building");
+    if (!polygons) checked.refuse("a building has an invalid outline");
     for (Footprint& polygon : *polygons) {
         Part part{.sourceId = row.text(3),
                   .footprint = std::move(polygon),
@@ -57,7 +57,7 @@ void addParts(const Statement& row, const Meshes& meshes, Building& building) {
                   .topM = float(checked.number(9, "top_m", elevationLimitsM)),
                   .heightSource = parseHeightSource(row.text(6)).value_or(HeightSource::assumed),
                   .isOverhanging = row.integer(7) != 0};
-        if (!(part.topM > part.bottomM)) checked.refuse("a building without a height");
+        if (!(part.topM > part.bottomM)) checked.refuse("a building has no height");
         if (const auto mesh = meshes.find(row.integer(0)); mesh != meshes.end()) part.mesh = mesh->second;
         building.parts.push_back(std::move(part));
     }
@@ -66,7 +66,7 @@ void addParts(const Statement& row, const Meshes& meshes, Building& building) {
 std::vector<std::shared_ptr<const Building>> readBuildings(Database& database) {
     const Meshes meshes = readMeshes(database);
     std::vector<std::shared_ptr<const Building>> buildings;
-    // Read in the order of rows, which is that of the buildings unless one was changed later.
+    // Rows are in the order of the buildings unless a building was changed later.
     Statement row = database.prepare(
         "SELECT fid, geom, building_id, source_id, name, status, height_source, hangs, bottom_m, top_m, "
         "building "
@@ -99,12 +99,12 @@ std::shared_ptr<const Terrain> readTerrain(Database& database) {
     terrain->grid = checked.grid(1);
     terrain->elevationM = readValues<float>(row.blob(6));
     if (terrain->elevationM.size() != terrain->grid.size())
-        checked.refuse("elevations_m has not one value a cell");
+        checked.refuse("elevations_m does not have one value per cell");
     for (const float elevation : terrain->elevationM)
         if (!isWithin(double(elevation), elevationLimitsM)) checked.refuse("an elevation is out of range");
-    // None in files of before: their posts are the middles of squares.
+    // Older files have no such row; their posts are cell centres.
     if (!takeSource(readFact(database, "terrain_source"), *terrain))
-        checked.refuse("the place of the terrain");
+        checked.refuse("the terrain has an invalid position");
     return terrain;
 }
 

@@ -7,8 +7,8 @@
 #include "scenarios/project/read_project.h"
 #include "scenarios/project/write_project.h"
 
-// How the city was read: the tables `warning_texts` and `warnings`, and `read_settings` and `height_fields`
-// of `noonmark`.
+// Reads and writes how the city was read: the tables `warning_texts` and `warnings`, and the rows
+// `read_settings` and `height_fields` of the table `noonmark`.
 namespace noonmark {
 
 namespace {
@@ -18,7 +18,7 @@ constexpr const char* heightsKey = "height_fields";
 constexpr std::array warningKinds{WarningKind::mended, WarningKind::clipped, WarningKind::dropped,
                                   WarningKind::leftOut, WarningKind::assumed};
 
-// Its number in warning_texts, where it is put the first time.
+// Number of a text in warning_texts; new texts are added.
 class WarningTexts {
 public:
     explicit WarningTexts(Database& database)
@@ -50,7 +50,7 @@ std::optional<ReadSettings> readSettings(Database& database) {
     const std::string text = readFact(database, settingsKey);
     if (text.empty()) return std::nullopt;
     auto settings = readSettingsFrom(text);
-    if (!settings) throwDamaged("how the city was read");
+    if (!settings) throwDamaged("the settings of reading the city are invalid");
     return settings;
 }
 
@@ -64,14 +64,14 @@ HeightFacts readHeights(Database& database) {
     const std::string text = readFact(database, heightsKey);
     if (text.empty()) return {};
     auto heights = parseHeightFacts(text);
-    if (!heights) throwDamaged("the fields that heights were read from");
+    if (!heights) throwDamaged("the height fields of the city are invalid");
     return *std::move(heights);
 }
 
 WarningKind warningKindOf(const std::string& name) {
     for (const WarningKind kind : warningKinds)
         if (name == nameOf(kind)) return kind;
-    throwDamaged("the kind of a warning");
+    throwDamaged("a warning is of an unknown kind");
 }
 
 }  // namespace

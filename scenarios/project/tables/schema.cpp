@@ -18,7 +18,7 @@ namespace noonmark {
 
 namespace {
 
-// docs/project-file.md says what every column means.
+// docs/project-file.md documents every column.
 constexpr const char* projectTables = R"sql(
 CREATE TABLE noonmark (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value TEXT NOT NULL);
 CREATE TABLE inputs (id INTEGER PRIMARY KEY NOT NULL, path TEXT NOT NULL, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL);
@@ -52,7 +52,7 @@ CREATE TABLE result_layers (id INTEGER PRIMARY KEY NOT NULL, result INTEGER NOT 
 CREATE TABLE view_state (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value TEXT NOT NULL);
 )sql";
 
-// Since version 2. Many warnings share a text: it is held once.
+// Since version 2. Many warnings share a text, so each text is stored once.
 constexpr const char* readingTables = R"sql(
 CREATE TABLE warning_texts (id INTEGER PRIMARY KEY NOT NULL, kind TEXT NOT NULL, what TEXT NOT NULL);
 CREATE TABLE warnings (id INTEGER PRIMARY KEY NOT NULL, text INTEGER NOT NULL, place TEXT NOT NULL);
@@ -67,10 +67,10 @@ struct FeatureTable {
 };
 constexpr std::array featureTables{
     FeatureTable{"buildings", "POLYGON", "Buildings",
-                 "The city as it stands, one feature a part; heights in metres"},
+                 "The existing city, one feature per building part; heights in metres"},
     FeatureTable{"proposals", "POLYGON", "Proposed buildings",
-                 "What the scenarios build, one feature a part"},
-    FeatureTable{"lots", "POLYGON", "Lots", "Ground that is built on"},
+                 "Buildings that the scenarios add, one feature per building part"},
+    FeatureTable{"lots", "POLYGON", "Lots", "Ground that may be built on"},
     FeatureTable{"regions", "MULTIPOLYGON", "Regions", "Where shadow is measured"},
 };
 constexpr std::array attributeTables{
@@ -101,7 +101,7 @@ void registerTables(Database& database) {
         contents.run(table, "attributes", table, "", std::optional<int>{});
 }
 
-// The tables with their columns, as this program makes them.
+// Names of the tables and their columns as this program creates them.
 const std::map<std::string, std::vector<std::string>>& ourTables() {
     static const auto tables = [] {
         std::map<std::string, std::vector<std::string>> made;
@@ -116,7 +116,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
     return tables;
 }
 
-// Version 1 held neither the warnings of reading nor the settings: every later report says so.
+// Version 1 stored neither the warnings of reading nor the settings; every later report states that.
 void toVersion2(Database& database) {
     addReadingTables(database);
     database.prepare("INSERT INTO warning_texts (id, kind, what) VALUES (1, ?, ?)")
@@ -124,7 +124,7 @@ void toVersion2(Database& database) {
     database.prepare("INSERT INTO warnings (text, place) VALUES (1, ?)").run("project file");
 }
 
-// From version 1 + i to the next. An old file of every version stays in the tests.
+// Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
     static const std::vector<std::function<void(Database&)>> steps{toVersion2};
     return steps;
@@ -147,7 +147,7 @@ void checkTable(Database& database, const std::string& table, const std::vector<
         "SELECT 1 FROM sqlite_master WHERE name = ? AND type = 'table' AND rootpage > 0 "
         "AND sql NOT LIKE 'create virtual%'");
     kind.begin(table);
-    if (!kind.step()) throwDamaged(fmt::format("'{}' is no table", table));
+    if (!kind.step()) throwDamaged(fmt::format("'{}' is not a table", table));
     std::set<std::string> found;
     Statement column = database.prepare("SELECT name FROM pragma_table_xinfo(?) WHERE hidden = 0");
     for (column.begin(table); column.step();) found.insert(column.text(0));

@@ -32,9 +32,10 @@ void writeBands(Database& database, const SavedResult& result, const SavedLayer&
                 const std::string& tiles) {
     const std::string table = bandsTable(tiles);
     const Grid& grid = result.grid;
-    createPolygonLayer(database, {table, fmt::format("{}: {}, bands", result.name, layer.name),
-                                  "Cells between two values; made from the layer of cells, never read back",
-                                  "label TEXT, low REAL, high REAL, area_m2 REAL"});
+    createPolygonLayer(database,
+                       {table, fmt::format("{}: {}, bands", result.name, layer.name),
+                        "Areas between two values, made from the layer of cells; Noonmark does not read them",
+                        "label TEXT, low REAL, high REAL, area_m2 REAL"});
     const ValueBands bands(layer.values, layer.unit, result.kind != "study");
     addBandStyle(database, table, bands.bands());
     writePolygons(database, table, grid, layer.values, bands);

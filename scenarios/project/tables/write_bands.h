@@ -5,10 +5,10 @@
 
 namespace noonmark {
 
-/// Beside the cells of a kept layer, which a GIS shows in grey: their bands as polygons in the colours of the
-/// program, in the layer `tiles`_bands. For people; never read back. Throws DatabaseTrouble.
+/// GIS programs show the cells of a saved layer in grey. This adds the bands of the layer as polygons in the
+/// program's colours, in the layer `tiles`_bands. The program never reads them back. Throws DatabaseTrouble.
 void writeBands(Database& database, const SavedResult& result, const SavedLayer& layer,
                 const std::string& tiles);
-void removeBands(Database& database, const std::string& tiles);  ///< nothing where there are none
+void removeBands(Database& database, const std::string& tiles);  ///< no effect where there are none
 
 }  // namespace noonmark
