@@ -56,9 +56,9 @@ TEST(LiveRule, WordsSayHowExactItIs) {
               "With the proposal: exact at 120 of 175,200 steps");
     const QString gross = describeLive(LiveEngine::horizons, 175200, 175200, false);
     EXPECT_TRUE(gross.contains("all 175,200 steps")) << gross.toStdString();
-    EXPECT_TRUE(gross.contains("quarter of a degree")) << gross.toStdString();
-    EXPECT_TRUE(gross.contains("runs follow")) << gross.toStdString();
-    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("runs"));
+    EXPECT_TRUE(gross.contains("0.25°")) << gross.toStdString();
+    EXPECT_TRUE(gross.contains("continuous shadow follows")) << gross.toStdString();
+    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("follows"));
 }
 
 TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {

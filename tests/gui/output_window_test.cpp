@@ -101,13 +101,13 @@ TEST_F(OutputWindow, AnExportIsAskedAboutAndReplacesItsOwnFilesOnly) {
     study();
     EXPECT_EQ(workbench().filesInTheWay(out.toStdString()), QStringList());
     exportStudy();
-    EXPECT_THAT(message(), HasSubstr("Written into"));
+    EXPECT_THAT(message(), HasSubstr("Exported to"));
     const QStringList there = workbench().filesInTheWay(out.toStdString());
     EXPECT_EQ(QSet<QString>(there.begin(), there.end()), [names = QDir(out).entryList(QDir::Files)] {
         return QSet<QString>(names.begin(), names.end());
     }());
     exportStudy();
-    EXPECT_THAT(message(), HasSubstr("Written into"));
+    EXPECT_THAT(message(), HasSubstr("Exported to"));
     const QString shadow = out + QStringLiteral("/shadow.tif");
     ASSERT_TRUE(QFile::resize(shadow, 0));
     ASSERT_TRUE(QFile::remove(out + QStringLiteral("/cells.csv")));

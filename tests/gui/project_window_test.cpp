@@ -400,7 +400,7 @@ TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
     EXPECT_EQ(workbench().study(), studies.at("Proposal A"));
     session().goTo(existingCity);
     ASSERT_TRUE(waitFor([&] { return workbench().study() == studies.at(existingCity); }))
-        << "kept and shown again";
+        << "saved and shown again";
 }
 
 TEST_F(ProjectWindow, ACityBecomesAProjectOfItsOwn) {
@@ -503,7 +503,7 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedAndGoesWhenItIsDiscarded) {
     std::filesystem::rename(recovery(), older);
     makeWindow();
     open(file);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("There are unsaved changes to small from 2")))
         << message().toStdString();
     takeOffer();
     ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
@@ -522,15 +522,15 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedBesideNewerAndCanBeDeleted) {
     };
     makeWindow();
     open(file);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark ended before"))) << message().toStdString();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark closed before"))) << message().toStdString();
     other()->click();
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("There are unsaved changes to small from 2")))
         << message().toStdString();
     takeOffer();
     ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
     EXPECT_TRUE(window->close());
     EXPECT_FALSE(std::filesystem::exists(older));
-    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not taken up";
+    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not recovered";
     std::filesystem::copy_file(recovery(), older);
     kill();
     makeWindow();

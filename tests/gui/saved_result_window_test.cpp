@@ -91,11 +91,11 @@ TEST_F(AnswersWindow, AKeptStudyIsShownAgainWithFiguresAndLegend) {
     EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
     ASSERT_TRUE(window->panel().legend().legend());
     EXPECT_EQ(window->panel().legend().legend()->scale.top, before->scale.top);
-    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Kept 2")))
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Saved 2")))
         << window->panel().legend().note().toStdString();
     EXPECT_TRUE(figures().contains(area));
     EXPECT_TRUE(figures().join(QLatin1Char('\n')).contains(QStringLiteral("Square\ncells of 4 m")));
-    EXPECT_TRUE(note().contains(QStringLiteral("Nothing it rests on has changed"))) << note().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
     EXPECT_EQ(session().project().results.size(), 1U);
     window->findChild<QPushButton*>(QStringLiteral("wayBack"))->click();
     EXPECT_EQ(workbench().saved(), nullptr);
@@ -116,11 +116,11 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
     EXPECT_EQ(session().scenario(), "Tower");
     EXPECT_TRUE(window->panel().legend().legend()->change);
     EXPECT_TRUE(note().contains(QStringLiteral("'Tower' has changed since"))) << note().toStdString();
-    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("Out of date")));
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("Outdated")));
     workbench().document().undoStack().undo();
     EXPECT_EQ(workbench().saved(), nullptr) << "it was shown on other buildings";
     showSaved("Impact");
-    EXPECT_FALSE(note().contains(QStringLiteral("changed since:"))) << note().toStdString();
+    EXPECT_FALSE(note().contains(QStringLiteral("settings have changed"))) << note().toStdString();
 }
 
 TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
@@ -186,10 +186,10 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
     const auto legendNote = [this] { return window->panel().legend().note(); };
     EXPECT_TRUE(note().contains(QStringLiteral("'default' has changed since"))) << note().toStdString();
-    EXPECT_TRUE(legendNote().endsWith(QStringLiteral("Out of date"))) << legendNote().toStdString();
+    EXPECT_TRUE(legendNote().endsWith(QStringLiteral("Outdated"))) << legendNote().toStdString();
     workbench().document().undoStack().undo();
-    EXPECT_TRUE(note().contains(QStringLiteral("Nothing it rests on has changed"))) << note().toStdString();
-    EXPECT_FALSE(legendNote().endsWith(QStringLiteral("Out of date"))) << legendNote().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
+    EXPECT_FALSE(legendNote().endsWith(QStringLiteral("Outdated"))) << legendNote().toStdString();
     study();
     EXPECT_EQ(workbench().saved(), nullptr) << "another answer takes its place";
     EXPECT_FALSE(figures().contains(QStringLiteral("Shadow score")));
@@ -233,7 +233,8 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     keep("June");
     showSaved("June");
     EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("saved"))), QStringList());
-    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("A saved result is shown")));
+    EXPECT_TRUE(
+        window->panel().messages().text().contains(QStringLiteral("A saved result cannot be exported")));
 }
 
 TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
@@ -273,7 +274,8 @@ TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
     auto* dock = window->findChild<ResultsDock*>();
     EXPECT_FALSE(dock->faded());
     window->tools().tower().begin(session().project().lots[0], {});
-    EXPECT_TRUE(note().contains(QStringLiteral("without what is being designed"))) << note().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("do not include the building being designed")))
+        << note().toStdString();
     EXPECT_TRUE(dock->faded());
     window->tools().tower().cancel();
     EXPECT_EQ(note(), QString());
@@ -289,18 +291,18 @@ TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
     EXPECT_EQ(workbench().comparison(), nullptr);
     ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
-    EXPECT_TRUE(note().contains(QStringLiteral("before they changed"))) << note().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("buildings have changed"))) << note().toStdString();
     EXPECT_TRUE(window->findChild<ResultsDock*>()->faded());
     EXPECT_EQ(figures().mid(1), before.mid(1)) << "all but the mark";
     window->mode().setMode(ViewMode::analysis);
-    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("before they changed")))
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("buildings have changed")))
         << window->panel().legend().note().toStdString();
     EXPECT_EQ(workbench().shown(), Workbench::Shown::nothing) << "and is not exported as if it were of them";
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
     EXPECT_EQ(note(), QString());
     EXPECT_FALSE(window->findChild<ResultsDock*>()->faded());
-    EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("before")));
+    EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("Outdated")));
 }
 
 TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
@@ -320,7 +322,7 @@ TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
     ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
     session().goTo("Tower");
     EXPECT_EQ(workbench().score()->scenario, "Tower");
-    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower by")))
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower with")))
         << window->panel().legend().note().toStdString();
 }
 
@@ -365,8 +367,7 @@ TEST_F(AnswersWindow, ALongRunByRaysIsAnnouncedBeforeItStarts) {
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
     const QString words = window->panel().messages().text();
-    EXPECT_TRUE(words.startsWith(QStringLiteral("By the ray reference this takes about ")))
-        << words.toStdString();
+    EXPECT_TRUE(words.startsWith(QStringLiteral("The ray reference takes about "))) << words.toStdString();
     EXPECT_FALSE(workbench().running().busy());
     window->panel().messages().findChild<QPushButton*>(QStringLiteral("otherRemedy"))->click();
     EXPECT_TRUE(workbench().running().busy()) << "by rays anyway";

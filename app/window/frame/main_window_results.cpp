@@ -194,9 +194,9 @@ void MainWindow::keepResult() {
     const std::string& scenario = workbench_.session().scenario();
     QString name = text(scenario);
     if (score)
-        name = tr("Score of %1 by %2").arg(text(scenario), text(score->weights.name));
+        name = tr("Score of %1 with %2").arg(text(scenario), text(score->weights.name));
     else if (comparison)
-        name = tr("%1 against %2").arg(text(comparison->to), text(comparison->from));
+        name = tr("%1 compared with %2").arg(text(comparison->to), text(comparison->from));
     workbench_.keepAnswer(tr("%1, %2").arg(name, text(textOf(answered_.period.start))));
 }
 

@@ -88,14 +88,14 @@ WindowMenus::WindowMenus(QMainWindow& window) {
     faces->setCheckable(true);
     faces->setChecked(true);
     modes = view.addMenu(tr("&Mode"));
-    byMaps = added(view, tr("&Explore with shadow accrual maps"), {},
+    byMaps = added(view, tr("&Explore by shadow accrual maps"), {},
                    tr("As in the paper, instead of rays: inexact at shadow edges, but hours that look alike "
                       "are computed once"));
     byMaps->setCheckable(true);
     docks = view.addMenu(tr("&Panels"));
 
     QMenu& help = *bar.addMenu(tr("&Help"));
-    keys = added(help, tr("&Mouse and keyboard"), QKeySequence::HelpContents, {});
+    keys = added(help, tr("&Mouse and keys"), QKeySequence::HelpContents, {});
 }
 
 QString mouseAndKeys() {

@@ -45,7 +45,7 @@ std::optional<Patch> patchOf(const Box2& box, const Grid& whole) {
                  south};
 }
 
-// Copies all but the ground's height, which no building changes.
+// Copies the kind of each cell and the height of roofs. The ground keeps its height, whatever is built on it.
 void paste(const Receivers& part, const Patch& patch, Receivers& receivers) {
     for (int row = 0; row < part.grid.rows; ++row)
         for (int column = 0; column < part.grid.columns; ++column) {

@@ -32,8 +32,7 @@ QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, 
         case LiveEngine::horizons:
             break;
     }
-    const QString words =
-        QObject::tr("With the proposal: %1, azimuth error up to 0.25°").arg(stepWords(steps));
+    const QString words = QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(stepWords(steps));
     return runs ? words : QObject::tr("%1; continuous shadow follows").arg(words);
 }
 
