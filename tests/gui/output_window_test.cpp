@@ -22,7 +22,7 @@ QByteArray contentOf(const QString& name) {
     return file.readAll();
 }
 
-/// The window with a project whose city was read from a file beside it, and a study that is shown.
+/// The window with a displayed study of a project whose city was read from a file beside it.
 struct OutputWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
@@ -94,7 +94,7 @@ TEST_F(OutputWindow, AProjectReplacesProjectsOnly) {
     saveAs(other);
     EXPECT_EQ(workbench().session().file()->path(), other.toStdString()) << message();
     saveAs(other);
-    EXPECT_THAT(message(), HasSubstr("Saved as")) << "over itself";
+    EXPECT_THAT(message(), HasSubstr("Saved as")) << "over its own file";
 }
 
 TEST_F(OutputWindow, AnExportIsAskedAboutAndReplacesItsOwnFilesOnly) {

@@ -131,7 +131,7 @@ void MainWindow::discardWork() {
 
 MainWindow::Unsaved MainWindow::askUnsaved() {
     const auto answer = QMessageBox::question(
-        this, tr("Unsaved work"), tr("Save changes to %1?").arg(projectName()),
+        this, tr("Unsaved changes"), tr("Save changes to %1?").arg(projectName()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save) return Unsaved::save;
     return answer == QMessageBox::Discard ? Unsaved::discard : Unsaved::cancel;

@@ -119,7 +119,7 @@ QWidget* SelectionPanel::makeFields() {
     form->addRow(tr("Height"), height_);
     form->addRow(tr("Move east"), east_);
     form->addRow(tr("Move north"), north_);
-    form->addRow(tr("Turn"), turn_);
+    form->addRow(tr("Rotate"), turn_);
     return fields;
 }
 

@@ -41,7 +41,7 @@ TimeStrip::TimeStrip(QWidget* parent)
                    minutesADay - 1, 60)),
       words_(new QLabel),
       use_(pushButton(
-          tr("Use as study period"), "lookStudy",
+          tr("Set as period"), "lookStudy",
           tr("Makes this day or moment the period of the study; Run then computes its figures and errors"))) {
     span_->setObjectName(QStringLiteral("lookSpan"));
     span_->addItems({tr("Whole period"), tr("One day"), tr("One moment")});
