@@ -17,7 +17,7 @@ namespace {
 using test::waitFor;
 using testing::HasSubstr;
 
-/// The window with a saved project whose city was noted something about, a scenario, and a quick question.
+/// The window with a saved project whose city has a reading warning, a scenario, and a quick study.
 struct AnswerSourceWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};

@@ -25,14 +25,15 @@ namespace {
 
 using test::waitFor;
 
-/// The tools over a view of the small city; edits come back as another city, as a project would send them.
+/// The edit tools in a view of the small city. Edits come back as a changed city, as a project would send
+/// them.
 struct EditToolsTest : ::testing::Test {
     ViewPanel view;
     EditTools tools{view};
     std::shared_ptr<const OpenCity> city = test::smallOpenCity();
     std::vector<std::vector<Edit>> made;
     std::vector<NamedLot> lots;
-    bool cityComesBack = true;  // false: the project is still at work
+    bool cityComesBack = true;  // false: the project has not answered yet
 
     void SetUp() override {
         view.resize(900, 700);
@@ -104,7 +105,7 @@ TEST_F(EditToolsTest, DemolishTakesTheSelectedBuildingAway) {
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(lastEdit<Demolish>().building, "South House");
     EXPECT_EQ(city->city().buildings.size(), 2U);
-    EXPECT_FALSE(tools.building().selected()) << "it is gone";
+    EXPECT_FALSE(tools.building().selected()) << "it has been removed";
     tools.building().demolish();
     EXPECT_EQ(made.size(), 1U) << "nothing is selected";
 }
@@ -160,7 +161,7 @@ TEST_F(EditToolsTest, ADragOnAHouseMovesIt) {
 TEST_F(EditToolsTest, EscLetsGoOfWhatIsDragged) {
     dragTheLowHouse();
     Q_EMIT view.navigator().keyPressed(Qt::Key_Escape);
-    EXPECT_FALSE(tools.workspace().preview.shown()) << "it stands where it stood";
+    EXPECT_FALSE(tools.workspace().preview.shown()) << "it has not moved";
     EXPECT_EQ(tools.building().id(), "Low House") << "still selected";
     EXPECT_EQ(number("moveEast").value(), 0);
     tools.building().moveTool().drop();
@@ -200,11 +201,11 @@ TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
     tools.tower().setHeight(70);
     EXPECT_EQ(field<QSpinBox>(tools.massingDock(), "storeys").value(), 20);
     tools.tower().build();
-    ASSERT_EQ(made.size(), 1U) << "one step of undo";
+    ASSERT_EQ(made.size(), 1U) << "one undo step";
     EXPECT_EQ(made.front().size(), 2U);
     EXPECT_EQ(lastEdit<AddBuilding>().building->sourceId, "Tower 1");
     EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 70);
-    EXPECT_EQ(tools.building().id(), "Tower 1") << "what was built is selected";
+    EXPECT_EQ(tools.building().id(), "Tower 1") << "the new building is selected";
 }
 
 TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {
@@ -246,7 +247,7 @@ TEST_F(EditToolsTest, ADesignIsNotThatOfAnotherTowerOfThisName) {
     const City without = city->city();
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     tools.tower().build();
-    City other = without;  // another scenario, with a tower of its own elsewhere
+    City other = without;  // another scenario, with its own tower elsewhere
     Building tower = *without.buildings[1];
     tower.sourceId = "Tower 1";
     other.buildings[1] = std::make_shared<const Building>(tower);
@@ -255,7 +256,7 @@ TEST_F(EditToolsTest, ADesignIsNotThatOfAnotherTowerOfThisName) {
     tools.replace();
     const TowerDraft draft = static_cast<MassingPanel*>(tools.massingDock())->draft();
     EXPECT_EQ(draft.replaces, "Tower 1");
-    EXPECT_NE(draft.lot.name, "Lot 1") << "it does not stand there";
+    EXPECT_NE(draft.lot.name, "Lot 1") << "it is not in this city";
 }
 
 TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
@@ -326,7 +327,7 @@ TEST_F(EditToolsTest, TheArrowStatesTheHeight) {
     ASSERT_TRUE(grip);
     EXPECT_FALSE(handle.grab({grip->x + 200, grip->y}));
     ASSERT_TRUE(handle.grab({grip->x, grip->y}));
-    // The tower's middle at 35 m is taken to 84 m: 24 storeys.
+    // The handle is dragged from 35 m to 84 m: 24 storeys.
     const auto low = pixelOf(view.view().pose(), lens, {0, -40, 35});
     const auto high = pixelOf(view.view().pose(), lens, {0, -40, 84.9});
     handle.dragTo({grip->x + high->x - low->x, grip->y + high->y - low->y});

@@ -13,7 +13,7 @@ namespace {
 
 using test::waitFor;
 
-/// Tools and project together, on the sample.
+/// Edit tools and project together, on the sample.
 struct EditingWindowTest : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};

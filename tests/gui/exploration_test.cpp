@@ -32,14 +32,14 @@ Period morning(int days = 1) {
     return period;
 }
 
-/// A view of the small city.
+/// Refinement of a view of the small city.
 struct Refinement : ::testing::Test {
     ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr,
                           leastTurnTests};
     ViewEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
-    // All answers, from the first to the finest.
+    // All answers, from the coarsest to the finest.
     std::vector<ViewAnswer> answers() {
         std::vector<ViewAnswer> all{refined(question, nullptr, engine, progress, {}).value()};
         while (!isFinest(all.back()))
@@ -78,7 +78,7 @@ TEST_F(Refinement, BeginsCoarserWhereAViewHasVeryManyPixels) {
         << "where the machine is quick";
 }
 
-// No turn is longer than the last one lets expect, and none of two turns of the same work is longer.
+// The size of a turn follows the speed of the last one, and no turn exceeds the tests allowed.
 TEST_F(Refinement, TurnsAreAsLongAsFivePicturesASecondAllow) {
     ViewAnswer answer;
     answer.turn.tests = 7e6;
@@ -107,7 +107,7 @@ TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
     }
 }
 
-// A day at full resolution that takes long is filled in, over what the coarser level knew.
+// A slow day at full resolution is filled in part by part, over the values of the coarser level.
 TEST_F(Refinement, PointsThatWaitShowWhatIsKnownAroundThem) {
     question.period.stepMinutes = 0.05;
     question.lens = {40, 300, 225};
@@ -136,7 +136,7 @@ TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
     question.period = morning(20);
     const auto all = answers();
     ASSERT_EQ(all.size(), 7U) << "a view of each finer level, then its shadow";
-    EXPECT_EQ(all[5].view.daysDone, 0) << "seen at every pixel, with what the coarser one knew";
+    EXPECT_EQ(all[5].view.daysDone, 0) << "visible surface at every pixel, with the coarser level's values";
     EXPECT_EQ(all[6].turn.days, 20);
     const SurfaceShadow rays =
         SurfaceRays()
@@ -148,7 +148,7 @@ TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
     EXPECT_LT(error / double(rays.grossMin.size()), 180 * 0.02);
 }
 
-// What is running is shown when it tells more of the period than what is there.
+// A partial result is shown once it covers more of the period than the present answer.
 TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     engine = {SurfaceAccrual::make({}, {}).value(), false};
     question.period = morning(20);
@@ -161,7 +161,7 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     running.field.sunlitMinutesPerDay = 60;
     running.part = "4 of 12 sun intervals";
     running.share = 0.06;
-    EXPECT_FALSE(withRunning(begun, running)) << "5 days of 20 at a quarter of the samples tell more";
+    EXPECT_FALSE(withRunning(begun, running)) << "5 days of 20 at a quarter of the samples cover more";
     running.share = 0.07;
     const auto shown = withRunning(begun, running);
     ASSERT_TRUE(shown);
@@ -172,7 +172,7 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     EXPECT_FALSE(withRunning(all[3], running)) << "of another level";
 }
 
-/// Takes every running result.
+/// Accepts every partial result.
 class Onlooker final : public Progress, public PartialSink {
 public:
     void report(double, std::string_view) override {}
@@ -190,7 +190,7 @@ double offBy(const ExploredView& view, const ExploredView& truth) {
     return off;
 }
 
-// A day is known already in coarser detail: what is running sharpens it, hour by hour, at every level.
+// A day is already known at a coarser level: partial results refine it step by step, at every level.
 TEST_F(Refinement, ByAccrualMapsEachLevelOfADaySharpensStepByStep) {
     engine = {SurfaceAccrual::make({}, {}).value(), false};
     const auto all = answers();
@@ -227,11 +227,11 @@ TEST_F(Refinement, SeesRoofsAndFacadesAndTheShadowOnThem) {
     EXPECT_GT(roofs, 100);
     EXPECT_GT(facades, 300);
     const auto roof = finest.view.pointAt({0, -40, 60});
-    ASSERT_TRUE(roof) << "the roof of South House is in sight";
-    EXPECT_EQ(finest.view.shadow.grossMin[*roof], 0) << "and in the sun, higher than what is around";
+    ASSERT_TRUE(roof) << "the roof of South House is visible";
+    EXPECT_EQ(finest.view.shadow.grossMin[*roof], 0) << "and sunlit, being higher than its surroundings";
 }
 
-// The cameras of the paper's figure: 800, 300 and 100 m above the ground.
+// The cameras of the paper's figure: 800, 300 and 100 m above ground.
 TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
     double coarser = 1e9;
     for (const double height : {800.0, 300.0, 100.0}) {
@@ -248,7 +248,7 @@ TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
     }
 }
 
-// Many days are taken up a few at a time; each answer is the truth of its days, and says how many they are.
+// Many days are computed a few at a time; each answer is correct for its days, and states how many they are.
 TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     question.period = morning(300);
     question.period.stepMinutes = 2;
@@ -265,7 +265,8 @@ TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     double error = 0;
     for (std::size_t i = 0; i < truth.grossMin.size(); ++i)
         error += std::abs(double(truth.grossMin[i] - answer.view.shadow.grossMin[i]));
-    EXPECT_LT(error / double(truth.grossMin.size()), 2) << "scattered days stand for the whole, minutes";
+    EXPECT_LT(error / double(truth.grossMin.size()), 2)
+        << "error of scattered days against the whole period, minutes";
 }
 
 TEST_F(Refinement, PointsAndDaysTakenInTurnsAddUp) {
@@ -303,7 +304,7 @@ TEST_F(Refinement, ASunThatNeverRisesIsSaid) {
     EXPECT_NE(answer.error().what.find("below the horizon"), std::string::npos);
 }
 
-/// The same beside the window's thread.
+/// The same in jobs of the window.
 struct ExplorationTest : ::testing::Test {
     Exploration exploration;
     std::vector<std::shared_ptr<const ViewAnswer>> seen;
@@ -341,7 +342,7 @@ TEST_F(ExplorationTest, ANewerViewOvertakesAnOlderOne) {
         seen, [&](const auto& answer) { return answer->view.camera.eye == computeEye(pose); });
     EXPECT_TRUE(std::all_of(last, seen.end(), [&](const auto& answer) {
         return answer->view.camera.eye == computeEye(pose);
-    })) << "no older view comes after the newest";
+    })) << "no older view is shown after the newest";
 }
 
 TEST_F(ExplorationTest, AnotherPeriodBeginsAnew) {

@@ -67,7 +67,7 @@ TEST(ScoreShown, WantedShadeHasTheColourOfLessShadow) {
     EXPECT_EQ(picture.pixels[1], pixelOf(impactColour(1)));
     EXPECT_EQ(picture.pixels[2].a, 0);
     EXPECT_EQ(formatScore(score, {5, 5}), QStringLiteral("score +1.000 m² a m²"));
-    EXPECT_EQ(formatScore(score, {25, 5}), QStringLiteral("not measured here"));
+    EXPECT_EQ(formatScore(score, {25, 5}), QStringLiteral("not measured"));
     EXPECT_EQ(formatScore(score, {95, 5}), QString());
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// Somebody else who asks the horizons, until it is let go.
+/// Another user of the shared horizons, which blocks them until released.
 class Asking final : public Progress {
 public:
     explicit Asking(SharedHorizonCache& horizons)
@@ -69,7 +69,7 @@ TEST_F(LiveFollowerTest, EndsAtTheNewestShapeWithItsRuns) {
     other.letGo();
     ASSERT_TRUE(rests());
     ASSERT_TRUE(errors.empty());
-    ASSERT_EQ(answers.size(), 3U) << "the first shape, the newest, and its runs";
+    ASSERT_EQ(answers.size(), 3U) << "the first shape, the newest, and its continuous shadow";
     EXPECT_FALSE(answers[1]->runs);
     const City edited = with(city, tower(11, 15));
     const ShadowField fresh = freshHorizons(edited, answers[2]->receivers, period);
@@ -89,7 +89,7 @@ TEST_F(LiveFollowerTest, AnAnswerOfAnOlderShapeHasAnAge) {
     follower.follow(tower(3, 15));
     ASSERT_TRUE(waitFor([&] { return aged > 0; }));
     EXPECT_GT(follower.ageSeconds(), 0);
-    EXPECT_TRUE(answers.back()->runs) << "what is shown is the answer before";
+    EXPECT_TRUE(answers.back()->runs) << "the previous answer is shown";
     other.letGo();
     ASSERT_TRUE(waitFor([&] { return !answers.back()->runs; }));
     EXPECT_EQ(follower.ageSeconds(), 0);
@@ -103,7 +103,7 @@ TEST_F(LiveFollowerTest, CancelledItEndsAndTheNextPlaceBeginsAnew) {
     ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
     EXPECT_TRUE(isCancelled(errors.front()));
     follower.follow(tower(3, 15));
-    EXPECT_FALSE(follower.working().busy()) << "nothing follows any more";
+    EXPECT_FALSE(follower.working().busy()) << "the follower is inactive";
     other.letGo();
     errors.clear();
     begin();

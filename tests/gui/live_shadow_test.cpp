@@ -22,7 +22,7 @@ struct LiveShadowTest : ::testing::Test {
                       ShadowCounts counts = ShadowCounts::grossAndRuns) {
         return live.with(shape, counts, progress, {}).value();
     }
-    // Bit for bit what a study of the city with the shape would count on these cells.
+    // Equal, bit for bit, to a study of the city with the shape on these cells.
     void expectFresh(const LiveAnswer& answer, const City& city, const Period& period) {
         const ShadowField fresh = freshHorizons(city, answer.receivers, period);
         EXPECT_TRUE(sameBits(answer.field.grossMin, fresh.grossMin));
@@ -56,9 +56,9 @@ TEST(LiveRule, WordsSayHowExactItIs) {
               "With the proposal: exact at 120 of 175,200 steps");
     const QString gross = describeLive(LiveEngine::horizons, 175200, 175200, false);
     EXPECT_TRUE(gross.contains("all 175,200 steps")) << gross.toStdString();
-    EXPECT_TRUE(gross.contains("quarter of a degree")) << gross.toStdString();
-    EXPECT_TRUE(gross.contains("runs follow")) << gross.toStdString();
-    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("runs"));
+    EXPECT_TRUE(gross.contains("0.25°")) << gross.toStdString();
+    EXPECT_TRUE(gross.contains("continuous shadow follows")) << gross.toStdString();
+    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("follows"));
 }
 
 TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
@@ -66,7 +66,7 @@ TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
     const auto live = at(smallCity(), asked(period));
     EXPECT_EQ(live->engine(), LiveEngine::shadows);
     const LiveAnswer shown = answer(*live, tower(), ShadowCounts::gross);
-    EXPECT_TRUE(shown.runs) << "polygons know them at once";
+    EXPECT_TRUE(shown.runs) << "polygons include continuous shadow at once";
     EXPECT_EQ(shown.counted, shown.steps);
     const SunQuestion sun = sunOf(period);
     const auto study = ProjectedShadows()
@@ -170,7 +170,7 @@ TEST_F(LiveShadowTest, OfRoofsAloneTheGroundIsLeftOut) {
             ASSERT_TRUE(std::isnan(roofs.field.grossMin[cell]));
         }
     }
-    EXPECT_EQ(horizons->sets(), 1) << "the ground is kept, unseen";
+    EXPECT_EQ(horizons->sets(), 1) << "the ground is cached, but not shown";
 }
 
 TEST_F(LiveShadowTest, IsOnTheRegionWhereTheShadowReachesItAndItIsNotTooLarge) {
@@ -213,7 +213,7 @@ TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
     city.terrain = slope();
     city.buildings.push_back(std::make_shared<const Building>(rack));
     EXPECT_FALSE(LiveShadow::at(placeIn(city), asked(period), horizons, progress, {}))
-        << "on a slope nothing else can do it";
+        << "no other method works on a slope";
 }
 
 TEST_F(LiveShadowTest, NightIsRefused) {

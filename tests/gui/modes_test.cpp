@@ -39,12 +39,12 @@ TEST(ModeSwitch, TheRayReferenceIsAModeAndAnEngine) {
     mode.setMode(ViewMode::exploration);
     settings.engine = "iam";
     document.change(settings, QStringLiteral("engine"));
-    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "exploring goes on whatever the study's engine is";
+    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "exploration does not depend on the study's engine";
     mode.showStudies();
     EXPECT_EQ(mode.mode(), ViewMode::analysis);
     mode.setMode(ViewMode::rayReference);
     mode.setMode(ViewMode::analysis);
-    EXPECT_EQ(document.settings().engine, "iam") << "the one that was there before";
+    EXPECT_EQ(document.settings().engine, "iam") << "the previous engine";
 }
 
 TEST(ModeSwitch, ModesHaveShortcutsAndSayWhatTheyAre) {
@@ -73,7 +73,7 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
             EXPECT_NEAR(field->value(), option.usual, 1e-9) << option.key;
             EXPECT_FALSE(field->toolTip().isEmpty());
         }
-        EXPECT_EQ(form.applied(settings), settings) << engine.key << ": what is as usual is not written down";
+        EXPECT_EQ(form.applied(settings), settings) << engine.key << ": default values are not stored";
     }
 }
 
@@ -168,7 +168,7 @@ struct Share {
     int right = 0;
 };
 
-// How many of the explored samples have the colour of their minutes on the screen: of ground, roofs, facades.
+// For ground, roofs and facades: how many of the explored samples have the colour of their minutes on screen.
 std::array<Share, 3> rightColours(const ExploredView& view, const QImage& image, double top) {
     std::array<Share, 3> shares;
     std::mt19937 random(5);
@@ -194,7 +194,7 @@ TEST_F(ModesTest, ExplorationColoursGroundRoofsAndFacades) {
         const auto answer = window.exploration().answer();
         const double top = window.panel().legend().legend()->scale.top;
         shares = rightColours(answer->view, captured(), top);
-        // Lines of edges, which are drawn over all faces, and of the region cross some samples.
+        // Building edges, drawn over all faces, and the region's outline cover some samples.
         return std::ranges::all_of(shares,
                                    [](const Share& s) { return s.seen > 200 && s.right > 0.7 * s.seen; });
     });
@@ -244,7 +244,7 @@ TEST_F(ModesTest, SwitchingShowsWhatBelongsToTheMode) {
     ASSERT_TRUE(window.panel().legend().legend());
     EXPECT_TRUE(note().isEmpty());
     window.mode().setMode(ViewMode::exploration);
-    EXPECT_TRUE(note().startsWith(QStringLiteral("every pixel"))) << "what was explored is still there";
+    EXPECT_TRUE(note().startsWith(QStringLiteral("every pixel"))) << "the explored view is still available";
     EXPECT_NE(window.findChild<QToolBar*>(QStringLiteral("modeBar")), nullptr);
 }
 
@@ -254,7 +254,7 @@ TEST_F(ModesTest, ARunLeavesExploration) {
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
 }
 
-// Cells of a running result on the screen, which are marked as such.
+// A partial result shows its cells in the view, marked as partial.
 TEST_F(ModesTest, ALongStudyShowsWhatItHasSoFar) {
     QSignalSpy partials(&window.workbench(), &Workbench::studyPartial);
     beginLongStudy();
@@ -265,7 +265,7 @@ TEST_F(ModesTest, ALongStudyShowsWhatItHasSoFar) {
     ASSERT_TRUE(waitFor([&] { return partials.count() >= 3; }));
     window.workbench().running().cancel();
     ASSERT_TRUE(waitFor([this] { return !window.workbench().running().busy(); }));
-    EXPECT_TRUE(note().isEmpty()) << "nothing partial stays";
+    EXPECT_TRUE(note().isEmpty()) << "no partial result stays";
     EXPECT_FALSE(window.panel().legend().legend());
     EXPECT_TRUE(window.panel().messages().text().contains(QStringLiteral("Cancelled")));
 }
@@ -297,7 +297,7 @@ TEST_F(ModesTest, ANewerRunOvertakesAnOlderOne) {
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
     EXPECT_EQ(window.workbench().study()->settings.receivers.cellM, 5);
-    EXPECT_TRUE(note().isEmpty()) << "nothing of the older run comes after";
+    EXPECT_TRUE(note().isEmpty()) << "the older run delivers nothing";
     waitFor([] { return false; }, 300);
     EXPECT_TRUE(note().isEmpty());
     EXPECT_EQ(window.workbench().study()->settings.receivers.cellM, 5);

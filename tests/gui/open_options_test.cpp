@@ -21,7 +21,7 @@ namespace {
 
 using test::waitFor;
 
-/// ReadSettings with every field that has a place in the form, so that two can be compared.
+/// The ReadSettings that have a field in the form, so that two can be compared.
 auto fieldsOf(const ReadSettings& s) {
     return std::tuple(s.heightField, s.heightUnit, s.metresPerLevel, s.defaultHeightM, s.layer, s.crs, s.lod,
                       s.farAwayM, s.upAxis, s.meshUnit, s.meshNorthDeg, s.meshAnchor);
@@ -76,7 +76,7 @@ TEST(ReadingForm, TheMiddleOfTheCityBecomesTheAnchor) {
     EXPECT_EQ(form.settings().meshAnchor, (LonLat{2.3522, 48.8566}));
 }
 
-/// The window without a city, and a cube of 10 units that does not say where it stands.
+/// The window without a city, and a cube of 10 units that states no location.
 struct OpenOptionsTest : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};

@@ -105,7 +105,7 @@ TEST(PolygonTool, TheNextSideGoesOnSquareToTheLastOne) {
     drawing.tool.addPoint({33, 25, 0}, true);
     EXPECT_EQ(drawing.tool.line().back(), glm::vec3(30, 25, 0));
     drawing.tool.addPoint({20, 35, 0});
-    drawing.tool.moveTo({12, 25, 0}, true);  // the side before runs north-west
+    drawing.tool.moveTo({12, 25, 0}, true);  // the previous side runs north-west
     const glm::vec3 corner = drawing.tool.line().back();
     EXPECT_NEAR(double(corner.x), 11, 1e-4);
     EXPECT_NEAR(double(corner.y), 26, 1e-4);

@@ -92,7 +92,7 @@ TEST_F(ProjectTree, RenamesPartsInPlaceButNotTheExistingCity) {
     EXPECT_EQ(session.project().lots[0].name, "Yard");
 }
 
-// The tester checks rows, parents and signals after each of many random changes.
+// The model tester checks rows, parents and signals after each of many random changes.
 TEST_F(ProjectTree, HoldsThroughRandomChangesUndoAndRedo) {
     std::mt19937 random(5);
     const auto any = [&](std::size_t below) { return std::size_t(random() % below); };
@@ -148,7 +148,7 @@ TEST_F(ProjectTree, ScenarioTableFollows) {
     StudySettings other;
     other.receivers.cellM = 9;
     table.setStudies({{"Proposal A", study}}, other);
-    EXPECT_EQ(table.index(1, 2).data().toString(), QString()) << "another question";
+    EXPECT_EQ(table.index(1, 2).data().toString(), QString()) << "other settings";
 }
 
 TEST_F(ProjectTree, KeysInTheTreeGoBeforeTheWindowsShortcuts) {

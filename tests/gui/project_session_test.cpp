@@ -102,7 +102,7 @@ TEST_F(Session, AScenarioSharesWhatItsBaseBuilt) {
     EXPECT_EQ(a->buildings[0], b->buildings[0]);
     EXPECT_NE(a->buildings[0], session.project().city->buildings[0]);
     EXPECT_EQ(b->buildings.size(), 2U);
-    EXPECT_EQ(session.cityOf("B").value(), b) << "asked again it is the same city";
+    EXPECT_EQ(session.cityOf("B").value(), b) << "a repeated call returns the same city";
 }
 
 TEST_F(Session, RenamingAScenarioKeepsThoseThatStartFromIt) {
@@ -113,7 +113,7 @@ TEST_F(Session, RenamingAScenarioKeepsThoseThatStartFromIt) {
                        QStringLiteral("rename")));
     EXPECT_EQ(session.project().scenarios[1].base, "Slim");
     EXPECT_EQ(session.city()->buildings.size(), 2U);
-    EXPECT_FALSE(renameIn(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is taken";
+    EXPECT_FALSE(renameIn(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is in use";
     EXPECT_THAT(without(session.project(), ProjectPart::scenario, "Slim").error().text(),
                 HasSubstr("first: B"));
 }
@@ -168,7 +168,7 @@ TEST_F(Session, TheSavedStateIsCleanByWhateverWayItIsComeBackTo) {
     undo.redo();
     undo.undo();
     session.setSaved(file, version);
-    EXPECT_TRUE(session.hasUnsavedWork()) << "what was written is not surely what is there now";
+    EXPECT_TRUE(session.hasUnsavedWork()) << "the saved state may differ from the present one";
 }
 
 TEST_F(Session, AStepThatIsTakenBackWhileItIsSavedLeavesNoStateClean) {
@@ -181,7 +181,7 @@ TEST_F(Session, AStepThatIsTakenBackWhileItIsSavedLeavesNoStateClean) {
     const int version = session.version();
     undo.undo();
     session.setSaved(file, version);
-    EXPECT_TRUE(session.hasUnsavedWork()) << "the file holds the step that was taken back";
+    EXPECT_TRUE(session.hasUnsavedWork()) << "the file contains the undone step";
 }
 
 TEST_F(Session, OtherBuildingsInTheBaselineAreTold) {

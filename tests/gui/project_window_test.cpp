@@ -32,7 +32,7 @@ QByteArray bytesOf(const QString& name) {
     return file.readAll();
 }
 
-/// The window with a small project on the disk.
+/// The window with a small project file.
 struct ProjectWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
@@ -77,7 +77,7 @@ struct ProjectWindow : ::testing::Test {
     void takeOffer() {
         window->panel().messages().findChild<QPushButton*>(QStringLiteral("remedy"))->click();
     }
-    // A window that is killed: neither asked nor tidied up.
+    // Ends the window as a crash would: without questions or cleaning up.
     void kill() { window.reset(); }
 };
 
@@ -106,7 +106,7 @@ TEST_F(ProjectWindow, TheQuestionIsFoundAgain) {
         SolarWindow{std::chrono::minutes(90), std::chrono::minutes(30), SunriseRule::centre};
     question.period.zone = "America/New_York";
     workbench().document().change(question, QStringLiteral("test"));
-    EXPECT_TRUE(session().hasUnsavedWork()) << "the project has a file, and the question is kept in it";
+    EXPECT_TRUE(session().hasUnsavedWork()) << "the project has a file, which stores the settings";
     save();
     makeWindow();
     open(file);
@@ -171,7 +171,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     build();
     keepUnsaved();
     auto other = ProjectFile::open(file.toStdString()).value();
-    ASSERT_TRUE(other.save(other.project()));  // someone else's save: this one's is refused
+    ASSERT_TRUE(other.save(other.project()));  // saved by another program: this window's save is refused
     int asked = 0;
     window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::save; });
     for (int quit = 1; quit <= 2; ++quit) {
@@ -186,7 +186,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     keepUnsaved();
     window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::cancel; });
     EXPECT_FALSE(window->close());
-    EXPECT_EQ(asked, 3) << "nothing remembers the quit that failed";
+    EXPECT_EQ(asked, 3) << "the failed quit has no later effect";
     EXPECT_TRUE(std::filesystem::exists(recovery()));
 }
 
@@ -202,7 +202,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotCl
     EXPECT_TRUE(window->isVisible());
     window->saving().saveAs(name.toStdString());
     ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
-    EXPECT_TRUE(window->isVisible()) << "the quit was given up with the dialog";
+    EXPECT_TRUE(window->isVisible()) << "cancelling the dialog cancelled the quit";
     ASSERT_TRUE(session().addLot({"Mine too", test::square({0, 0}, 10)}));
     const std::size_t lots = session().project().lots.size();
     EXPECT_FALSE(window->close()) << "it is being saved";
@@ -365,7 +365,8 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     build();
     session().compareWith(existingCity);
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    const auto held = workbench().comparison();  // so that no other comes to lie at its address
+    // Keeps the object alive, so that no other comparison gets its address.
+    const auto held = workbench().comparison();
     const ImpactAnswer& answer = *held;
     EXPECT_EQ(answer.from, existingCity);
     EXPECT_EQ(answer.to, "Proposal A");
@@ -381,7 +382,7 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height"));
     ASSERT_TRUE(waitFor([&] {
         return workbench().comparison() && workbench().comparison().get() != &answer;
-    })) << "a quick answer follows the change by itself";
+    })) << "a quick result is recomputed after the change";
     session().compareWith({});
     EXPECT_EQ(workbench().comparison(), nullptr);
 }
@@ -400,7 +401,7 @@ TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
     EXPECT_EQ(workbench().study(), studies.at("Proposal A"));
     session().goTo(existingCity);
     ASSERT_TRUE(waitFor([&] { return workbench().study() == studies.at(existingCity); }))
-        << "kept and shown again";
+        << "saved and shown again";
 }
 
 TEST_F(ProjectWindow, ACityBecomesAProjectOfItsOwn) {
@@ -421,7 +422,7 @@ TEST_F(ProjectWindow, ASaveThatEndsAfterAnotherWasOpenedIsNotTakenForThatOnes) {
     ASSERT_TRUE(ProjectFile::create(other.toStdString(), test::smallProject()));
     build();
     const QSignalSpy saved(&window->saving(), &ProjectSaving::saved);
-    // Just before the other is taken: the save ends after it.
+    // The save starts just before the other project is taken and ends after it.
     QObject::connect(&workbench().opening(), &JobSlot::ended, window.get(),
                      [this] { window->saving().save(); });
     workbench().open({other});
@@ -429,7 +430,7 @@ TEST_F(ProjectWindow, ASaveThatEndsAfterAnotherWasOpenedIsNotTakenForThatOnes) {
     ASSERT_TRUE(waitFor([this] {
         const auto written = ProjectFile::open(file.toStdString());
         return written && written->saves() == 2;
-    })) << "the save still ends on the disk";
+    })) << "the save is still written";
     save();
     EXPECT_EQ(session().file()->path(), other.toStdString());
     EXPECT_EQ(saved.count(), 1) << "of the other";
@@ -476,7 +477,7 @@ TEST_F(ProjectWindow, ARunningComparisonOutlivesAnotherNameOfEitherSide) {
     EXPECT_EQ(workbench().comparison()->to, "Tall");
     workbench().document().undoStack().undo();
     workbench().document().undoStack().undo();
-    ASSERT_TRUE(workbench().comparison()) << "undoing a name does not end it either";
+    ASSERT_TRUE(workbench().comparison()) << "undoing the renaming does not end it either";
     EXPECT_EQ(session().baseline(), "Other");
     EXPECT_EQ(workbench().comparison()->from, "Other");
     EXPECT_EQ(workbench().comparison()->to, "Proposal A");
@@ -503,7 +504,7 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedAndGoesWhenItIsDiscarded) {
     std::filesystem::rename(recovery(), older);
     makeWindow();
     open(file);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("There are unsaved changes to small from 2")))
         << message().toStdString();
     takeOffer();
     ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
@@ -522,15 +523,15 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedBesideNewerAndCanBeDeleted) {
     };
     makeWindow();
     open(file);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark ended before"))) << message().toStdString();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark closed before"))) << message().toStdString();
     other()->click();
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("There are unsaved changes to small from 2")))
         << message().toStdString();
     takeOffer();
     ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
     EXPECT_TRUE(window->close());
     EXPECT_FALSE(std::filesystem::exists(older));
-    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not taken up";
+    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not recovered";
     std::filesystem::copy_file(recovery(), older);
     kill();
     makeWindow();

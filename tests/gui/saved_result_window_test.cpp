@@ -26,7 +26,7 @@ namespace {
 
 using test::waitFor;
 
-/// The window with a small project, a scenario in it, and a quick question.
+/// The window with a small project, a scenario in it, and a quick study.
 struct AnswersWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
@@ -68,7 +68,7 @@ struct AnswersWindow : ::testing::Test {
     void keep(const char* name) {
         const auto before = session().project().results.size();
         workbench().keepAnswer(QString::fromLatin1(name));
-        EXPECT_EQ(session().project().results.size(), before) << "the city is hashed beside the window";
+        EXPECT_EQ(session().project().results.size(), before) << "the city is hashed in a job";
         ASSERT_TRUE(waitFor([&] { return session().project().results.size() == before + 1; }));
     }
     void enter(ProjectPart part, const std::string& name) {
@@ -91,11 +91,11 @@ TEST_F(AnswersWindow, AKeptStudyIsShownAgainWithFiguresAndLegend) {
     EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
     ASSERT_TRUE(window->panel().legend().legend());
     EXPECT_EQ(window->panel().legend().legend()->scale.top, before->scale.top);
-    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Kept 2")))
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Saved 2")))
         << window->panel().legend().note().toStdString();
     EXPECT_TRUE(figures().contains(area));
     EXPECT_TRUE(figures().join(QLatin1Char('\n')).contains(QStringLiteral("Square\ncells of 4 m")));
-    EXPECT_TRUE(note().contains(QStringLiteral("Nothing it rests on has changed"))) << note().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
     EXPECT_EQ(session().project().results.size(), 1U);
     window->findChild<QPushButton*>(QStringLiteral("wayBack"))->click();
     EXPECT_EQ(workbench().saved(), nullptr);
@@ -116,11 +116,11 @@ TEST_F(AnswersWindow, AKeptResultGoesToItsScenarioAndSaysWhatHasChanged) {
     EXPECT_EQ(session().scenario(), "Tower");
     EXPECT_TRUE(window->panel().legend().legend()->change);
     EXPECT_TRUE(note().contains(QStringLiteral("'Tower' has changed since"))) << note().toStdString();
-    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("Out of date")));
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("Outdated")));
     workbench().document().undoStack().undo();
-    EXPECT_EQ(workbench().saved(), nullptr) << "it was shown on other buildings";
+    EXPECT_EQ(workbench().saved(), nullptr) << "it was shown with other buildings";
     showSaved("Impact");
-    EXPECT_FALSE(note().contains(QStringLiteral("changed since:"))) << note().toStdString();
+    EXPECT_FALSE(note().contains(QStringLiteral("settings have changed"))) << note().toStdString();
 }
 
 TEST_F(AnswersWindow, ADamagedKeptResultIsSaidAndWhatWasShownStays) {
@@ -186,16 +186,16 @@ TEST_F(AnswersWindow, AScoreIsShownByMonthsKeptAndFoundOutdated) {
     EXPECT_TRUE(figures().contains(QStringLiteral("Shadow score")));
     const auto legendNote = [this] { return window->panel().legend().note(); };
     EXPECT_TRUE(note().contains(QStringLiteral("'default' has changed since"))) << note().toStdString();
-    EXPECT_TRUE(legendNote().endsWith(QStringLiteral("Out of date"))) << legendNote().toStdString();
+    EXPECT_TRUE(legendNote().endsWith(QStringLiteral("Outdated"))) << legendNote().toStdString();
     workbench().document().undoStack().undo();
-    EXPECT_TRUE(note().contains(QStringLiteral("Nothing it rests on has changed"))) << note().toStdString();
-    EXPECT_FALSE(legendNote().endsWith(QStringLiteral("Out of date"))) << legendNote().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("Its inputs have not changed"))) << note().toStdString();
+    EXPECT_FALSE(legendNote().endsWith(QStringLiteral("Outdated"))) << legendNote().toStdString();
     study();
-    EXPECT_EQ(workbench().saved(), nullptr) << "another answer takes its place";
+    EXPECT_EQ(workbench().saved(), nullptr) << "another result replaces it";
     EXPECT_FALSE(figures().contains(QStringLiteral("Shadow score")));
 }
 
-/// The names of what an export writes, sorted.
+/// The names of exported files, sorted.
 QStringList exported(MainWindow& window, const QString& folder) {
     window.workbench().exportShown(folder.toStdString(), window.panel().legend().changeScale());
     EXPECT_TRUE(waitFor([&] { return !window.workbench().writing().busy(); }));
@@ -233,7 +233,8 @@ TEST_F(AnswersWindow, WhatIsShownIsExported) {
     keep("June");
     showSaved("June");
     EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("saved"))), QStringList());
-    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("A saved result is shown")));
+    EXPECT_TRUE(
+        window->panel().messages().text().contains(QStringLiteral("A saved result cannot be exported")));
 }
 
 TEST_F(AnswersWindow, TheScaleOfDifferencesIsLockedChangedAndFoundAgain) {
@@ -273,7 +274,8 @@ TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
     auto* dock = window->findChild<ResultsDock*>();
     EXPECT_FALSE(dock->faded());
     window->tools().tower().begin(session().project().lots[0], {});
-    EXPECT_TRUE(note().contains(QStringLiteral("without what is being designed"))) << note().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("do not include the building being designed")))
+        << note().toStdString();
     EXPECT_TRUE(dock->faded());
     window->tools().tower().cancel();
     EXPECT_EQ(note(), QString());
@@ -284,23 +286,23 @@ TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
     session().goTo("Tower");
     session().compareWith(existingCity);
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    window->mode().setMode(ViewMode::exploration);  // nothing is worked out by itself
+    window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
     const QStringList before = figures();
     ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
     EXPECT_EQ(workbench().comparison(), nullptr);
     ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
-    EXPECT_TRUE(note().contains(QStringLiteral("before they changed"))) << note().toStdString();
+    EXPECT_TRUE(note().contains(QStringLiteral("buildings have changed"))) << note().toStdString();
     EXPECT_TRUE(window->findChild<ResultsDock*>()->faded());
-    EXPECT_EQ(figures().mid(1), before.mid(1)) << "all but the mark";
+    EXPECT_EQ(figures().mid(1), before.mid(1)) << "all but the warning";
     window->mode().setMode(ViewMode::analysis);
-    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("before they changed")))
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("buildings have changed")))
         << window->panel().legend().note().toStdString();
-    EXPECT_EQ(workbench().shown(), Workbench::Shown::nothing) << "and is not exported as if it were of them";
+    EXPECT_EQ(workbench().shown(), Workbench::Shown::nothing) << "an outdated result is not exported";
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
     EXPECT_EQ(note(), QString());
     EXPECT_FALSE(window->findChild<ResultsDock*>()->faded());
-    EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("before")));
+    EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("Outdated")));
 }
 
 TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
@@ -320,7 +322,7 @@ TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
     ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
     session().goTo("Tower");
     EXPECT_EQ(workbench().score()->scenario, "Tower");
-    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower by")))
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower with")))
         << window->panel().legend().note().toStdString();
 }
 
@@ -365,11 +367,10 @@ TEST_F(AnswersWindow, ALongRunByRaysIsAnnouncedBeforeItStarts) {
     workbench().run();
     ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
     const QString words = window->panel().messages().text();
-    EXPECT_TRUE(words.startsWith(QStringLiteral("By the ray reference this takes about ")))
-        << words.toStdString();
+    EXPECT_TRUE(words.startsWith(QStringLiteral("The ray reference takes about "))) << words.toStdString();
     EXPECT_FALSE(workbench().running().busy());
     window->panel().messages().findChild<QPushButton*>(QStringLiteral("otherRemedy"))->click();
-    EXPECT_TRUE(workbench().running().busy()) << "by rays anyway";
+    EXPECT_TRUE(workbench().running().busy()) << "by the ray reference";
     workbench().running().cancel();
     ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
     window->panel().messages().hide();
@@ -385,7 +386,7 @@ TEST_F(AnswersWindow, ALongRunByRaysIsAnnouncedBeforeItStarts) {
     workbench().document().change(question, QStringLiteral("short"));
     window->panel().messages().hide();
     study();
-    EXPECT_EQ(window->panel().messages().text(), QString()) << "a short one starts without a word";
+    EXPECT_EQ(window->panel().messages().text(), QString()) << "a short run starts without a message";
 }
 
 TEST(RunEstimates, AreWrittenInTheUnitThatSuits) {
@@ -420,11 +421,11 @@ TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {
     ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
     EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("ground only")));
     auto* refusal = window->findChild<QLabel*>(QStringLiteral("engineRefusal"));
-    EXPECT_TRUE(refusal->isHidden()) << "automatic finds one that can";
+    EXPECT_TRUE(refusal->isHidden()) << "the automatic engine is one that can";
     StudySettings polygons = workbench().document().settings();
     polygons.engine = "projected";
     workbench().document().change(polygons, QStringLiteral("engine"));
-    EXPECT_FALSE(refusal->isHidden()) << "before anybody presses Run";
+    EXPECT_FALSE(refusal->isHidden()) << "before Run is pressed";
     EXPECT_TRUE(refusal->text().contains(QStringLiteral("roofs"))) << refusal->text().toStdString();
     workbench().document().undoStack().undo();
     EXPECT_TRUE(refusal->isHidden());

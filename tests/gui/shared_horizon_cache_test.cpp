@@ -48,7 +48,7 @@ TEST_F(SharedHorizonsTest, OneSetAnswersSlidersAndShapesInTurn) {
     }
     EXPECT_EQ(shared.sets(), 1);
     expectFresh(field(cities[3], periods[0]), cities[3], periods[0]);
-    EXPECT_EQ(shared.sets(), 2) << "on another ground nothing stays";
+    EXPECT_EQ(shared.sets(), 2) << "nothing is reused on another ground";
 }
 
 TEST_F(SharedHorizonsTest, AnotherGridIsAnotherSet) {

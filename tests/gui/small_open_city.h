@@ -5,7 +5,7 @@
 
 namespace noonmark::test {
 
-/// The small city as the window holds one.
+/// The small city, ready for display.
 inline std::shared_ptr<const OpenCity> smallOpenCity() {
     auto open = std::make_shared<OpenCity>();
     open->loaded.read.city = smallCity();

@@ -8,7 +8,7 @@
 
 namespace noonmark::test {
 
-/// The small city with ids, a lot, a region and a period.
+/// A project of the small city with ids, a lot, a region and a period.
 inline Project smallProject() {
     Project project;
     project.city = std::make_shared<const City>(makeIdsUnique(smallCity()));

@@ -63,12 +63,12 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::June, 1d));
 }
 
-// Bins of half a degree take a shadow's edge by up to a quarter of a degree of azimuth wrong.
+// Bins of half a degree misplace a shadow's edge by up to a quarter of a degree of azimuth.
 TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
     const auto study = smallStudy();
     TimeLooking looking;
     looking.setStudy(study);
-    EXPECT_FALSE(looking.answer()) << "the whole period needs no other answer";
+    EXPECT_FALSE(looking.answer()) << "the whole period needs no separate answer";
     TimeLook look{TimeSpan::moment, {2026y, std::chrono::May, 4d}, 9h};
     for (; look.at < 15h; look.at += 7min) {
         looking.look(look);

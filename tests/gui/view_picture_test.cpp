@@ -16,7 +16,7 @@ int darkPixels(const QImage& image, const QRect& area) {
     return dark;
 }
 
-/// A white view with all that may stand around it.
+/// A white view with all elements around it.
 struct SavedPicture : ::testing::Test {
     QImage view{900, 500, QImage::Format_RGB32};
     PictureFrame frame{.title = QStringLiteral("Monaco: Proposal A"),

@@ -124,7 +124,7 @@ TEST_F(Weights, TheTableKeepsItsRowsUnderAnotherName) {
     EXPECT_EQ(model.rowCount(), 12);
 }
 
-// The tester checks rows and signals after each of many random edits.
+// The model tester checks rows and signals after each of many random edits.
 TEST_F(Weights, HoldThroughRandomEditsUndoAndRedo) {
     std::mt19937 random(7);
     const auto any = [&](int below) { return int(random() % unsigned(std::max(1, below))); };
@@ -188,7 +188,7 @@ TEST_F(Weights, AllColumnsAreInSightInTheNarrowestDock) {
     dock.show();
     QCoreApplication::processEvents();
     const auto* view = dock.findChild<QTableView*>();
-    EXPECT_LE(dock.width(), 330) << "it has to stand beside the view";
+    EXPECT_LE(dock.width(), 330) << "it must fit beside the view";
     EXPECT_LE(view->horizontalHeader()->length(), view->viewport()->width());
     for (int column = 0; column < dock.model().columnCount(); ++column)
         EXPECT_GE(view->columnWidth(column), 30) << column;

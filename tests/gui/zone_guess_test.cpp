@@ -38,7 +38,7 @@ TEST(ZoneGuess, TakesTheNearestCity) {
 
 TEST(ZoneGuess, EmptyListsGiveUtc) { EXPECT_EQ(guessZone({}, {}, {}), ZoneGuess{}); }
 
-// A gazetteer may be older than the change of a city's clock, which the tz database knows.
+// A gazetteer may predate a change of a city's clock that the tz database knows.
 TEST(ZoneGuess, ThePrincipalCityOfTheSameCountryCounts) {
     const std::vector<ZoneCity> principal{
         {{-106.483, 31.733}, QStringLiteral("MX"), QStringLiteral("America/Ciudad_Juarez")}};
@@ -67,7 +67,7 @@ struct KnownZone {
     const char* zone;
 };
 
-// Middles of cities, from public gazetteers.
+// City centres, from public gazetteers.
 const KnownZone knownZones[] = {
     {"Monaco", {7.4200, 43.7325}, "Europe/Monaco"},
     {"Nice", {7.265, 43.700}, "Europe/Paris"},
@@ -124,7 +124,7 @@ TEST(ZoneGuess, OfRealCities) {
         EXPECT_EQ(guessZone(principal, cities, known.place).zone.toStdString(), known.zone) << known.city;
     const ZoneGuess monaco = findNearestZone({7.42, 43.7325});
     EXPECT_EQ(monaco.zone, QStringLiteral("Europe/Monaco"));
-    EXPECT_TRUE(monaco.others.isEmpty()) << "its neighbours have its clock";
+    EXPECT_TRUE(monaco.others.isEmpty()) << "its neighbours' clocks show the same time";
 }
 
 }  // namespace

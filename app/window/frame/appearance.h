@@ -4,11 +4,11 @@ class QApplication;
 
 namespace noonmark {
 
-/// Qt3D draws through its OpenGL renderer, which is the fast one on software OpenGL. Before the application
-/// is made.
+/// Selects Qt3D's OpenGL renderer, which is the faster one on software OpenGL. Call it before QApplication is
+/// created.
 void chooseRenderer();
 
-/// Names, style and colours that are the same on every desktop: calm and light.
+/// Sets application name, style and palette: the same light look on every desktop.
 void applyAppearance(QApplication& application);
 
 }  // namespace noonmark

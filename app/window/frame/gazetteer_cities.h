@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-/// Cities of 15,000 inhabitants and more, some 24,000 of them, from GeoNames; empty where the program was
+/// Cities with 15,000 or more inhabitants, about 24,000 of them, from GeoNames. Empty if the program was
 /// built without libgeonames. Backend: gazetteer_cities_geonames.cpp.
 std::vector<ZoneCity> gazetteerCities();
 

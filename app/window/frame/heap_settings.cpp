@@ -11,7 +11,7 @@ namespace noonmark {
 void returnFreedMemory() {
 #ifdef __GLIBC__
     constexpr int largeBytes = 1 << 20;
-    mallopt(M_MMAP_THRESHOLD, largeBytes);  // stated, it no longer grows with what is freed
+    mallopt(M_MMAP_THRESHOLD, largeBytes);  // an explicit value turns off glibc's adaptive threshold
     mallopt(M_TRIM_THRESHOLD, largeBytes);
 #endif
 }

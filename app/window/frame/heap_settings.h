@@ -2,9 +2,9 @@
 
 namespace noonmark {
 
-/// Large arrays that are freed go back to the system at once, so that the window holds no more memory after
-/// an hour than its caches need. glibc by itself keeps blocks up to 32 MB for later, torn among the threads.
-/// Does nothing with another C library. Call it before the first thread starts.
+/// Makes the allocator return large freed arrays to the system at once, so that a long session holds no more
+/// memory than its caches need. By default glibc keeps freed blocks of up to 32 MB, scattered over the
+/// threads' heaps. Does nothing with another C library. Call it before the first thread starts.
 void returnFreedMemory();
 
 }  // namespace noonmark

@@ -31,7 +31,7 @@ namespace noonmark {
 namespace {
 
 constexpr int layoutVersion = 4;
-constexpr int frameWidth = 10;  // of most desktops at most
+constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
 
 QString unsavedFolder(const QSettings& settings) {
@@ -89,7 +89,7 @@ MainWindow::MainWindow(QSettings& settings)
 
 MainWindow::~MainWindow() = default;
 
-// No larger than the screen is, at whatever scale it shows: the frame needs some of it, too.
+// Limits the window to the available screen at any scale factor, and leaves room for the window frame.
 void MainWindow::fitScreen() {
     const QSize room = screen()->availableGeometry().size() - QSize(frameWidth, frameHeight);
     if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room));
@@ -99,10 +99,11 @@ void MainWindow::makeStatusBar() {
     hover_->setObjectName(QStringLiteral("hover"));
     statusBar()->addWidget(hover_, 1);
     statusBar()->addPermanentWidget(progress_);
-    // Else the view would move under the cursor when work begins.
+    // A fixed height: the view must not move under the cursor when the progress bar appears.
     statusBar()->setMinimumHeight(progress_->sizeHint().height() + 4);
     connect(panel_, &ViewPanel::hovered, hover_, &QLabel::setText);
-    // The status bar hides what it covers only where that is on the screen when the tip comes.
+    // Hidden explicitly while a status tip is shown: QStatusBar hides only widgets that are already visible
+    // when the tip arrives.
     connect(statusBar(), &QStatusBar::messageChanged, hover_,
             [this](const QString& tip) { hover_->setVisible(tip.isEmpty()); });
 }
@@ -123,19 +124,20 @@ void MainWindow::draw(bool on) {
     else
         tool.cancel();
     docks_.study->setDrawing(tool.active());
-    panel_->view().requestActivate();  // the keys that finish and cancel go there
+    panel_->view().requestActivate();  // the view receives the keys that finish or cancel the polygon
 }
 
 void MainWindow::changeRegion(const Region& region) {
     if (region.polygons.empty())
         return panel_->messages().showError(
-            {"The view shows no ground of the city", {}, "Turn the view to the city first"});
+            {"No ground of the city is visible", {}, "Move the view to the city first"});
     StudySettings settings = workbench_.document().settings();
     settings.region = region;
     workbench_.document().change(settings, tr("region"));
 }
 
-// It is work: it goes into the project under a name of its own, in one step of undo with the question.
+// A drawn region is user work, so it is added to the project under its own name, in one undo step together
+// with the change of the study.
 void MainWindow::takeDrawnRegion(const std::vector<Footprint>& pieces) {
     Project next = workbench_.session().project();
     const Region region{freeName(next, ProjectPart::region, "Region"), pieces};
@@ -169,23 +171,23 @@ void MainWindow::open(const QStringList& files) { openWith(files, {}); }
 void MainWindow::openWith(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
     whenSafe([this, files, reading] {
-        panel_->messages().hide();  // what it offers is for the files before
+        panel_->messages().hide();  // its buttons refer to the previous files
         opening_ = files;
         reading_ = reading;
         workbench_.open(files, reading);
     });
 }
 
-// A stated place that does not fit is mended where it was stated.
+// If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.
 void MainWindow::showOpenFailure(const Error& error) {
-    saving_.keepUnsaved();  // what was discarded for the other file is still open
+    saving_.keepUnsaved();  // the work discarded for the new file is still open
     if (isCancelled(error)) return;
     panel_->messages().showError(error);
     if (asksForPlace(error) || reading_.crs || reading_.meshAnchor)
         panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
 }
 
-// The camera stays: it may be another scenario of the same city.
+// The camera stays: the city may be another scenario of the same project.
 void MainWindow::showCity() {
     const CameraPose pose = panel_->view().pose();
     panel_->showCity(workbench_.city());
@@ -226,7 +228,7 @@ void MainWindow::savePicture(const QString& file) {
     panel_->takePicture(title, describePeriod(period), [this, file](const QImage& image) {
         if (image.save(file)) return panel_->messages().showNote(tr("Picture saved as %1").arg(file));
         panel_->messages().showError(
-            {"The picture cannot be written", file.toStdString(), "Choose another folder"});
+            {"The picture could not be written", file.toStdString(), "Choose another folder"});
     });
 }
 

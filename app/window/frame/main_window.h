@@ -1,5 +1,13 @@
 #pragma once
 
+// The main window and the state behind it. Workbench owns the open project, its city and the results, and
+// runs the long jobs; it knows no widgets. MainWindow creates the view, the docks (window_docks) and the
+// menus (window_menus) and connects them to the workbench. It is implemented in several files, one per
+// subject: main_window_connections (menus, docks, view), _editing (edit tools), _project (scenarios, saving,
+// recovery), _results (studies, comparisons, scores) and _time (time sliders). The remaining files are
+// independent: application style, allocator settings, recent files, date conversion and the guess of the time
+// zone (zone_guess, gazetteer_cities).
+
 #include <QMainWindow>
 #include <QSettings>
 
@@ -22,11 +30,12 @@ class OpenOptions;
 class ProgressStrip;
 class ViewPanel;
 
-/// The window: view in the middle, docks around it. Connects them to the workbench; does no work itself.
+/// The main window: the view in the middle, docks around it. It connects them to the workbench and computes
+/// nothing itself.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    /// `settings` keeps layout and recent files; it outlives the window.
+    /// `settings` stores layout and recent files; it must outlive the window.
     explicit MainWindow(QSettings& settings);
     ~MainWindow() override;
 
@@ -39,19 +48,20 @@ public:
 
     [[nodiscard]] ProjectSaving& saving() { return saving_; }
 
-    /// An answer that took no longer is worked out again by itself, seconds.
+    /// A result that took at most this many seconds is recomputed without asking.
     static constexpr double quickSeconds = 10;
 
-    /// Unsaved work is asked about first.
+    /// Asks first if there is unsaved work.
     void open(const QStringList& files);
     void openWith(const QStringList& files, const ReadSettings& reading);
-    void savePicture(const QString& file);  ///< PNG, or what the name's ending says
+    void savePicture(const QString& file);  ///< format by the file extension, PNG by default
 
-    /// What to do with unsaved work before something would lose it. A test answers without a dialog.
+    /// What to do with unsaved work before an action that would lose it. Tests answer here instead of in a
+    /// dialog.
     enum class Unsaved { save, discard, cancel };
     void setUnsavedQuestion(std::function<Unsaved()> question) { askUnsaved_ = std::move(question); }
-    /// In place of the dialog that asks where to save a project: the suggested name in, the file out; empty:
-    /// the user cancelled.
+    /// Replaces the "Save as" dialog: takes the suggested name, returns the file, or an empty string if the
+    /// user cancelled.
     using SaveAsQuestion = std::function<QString(const QString& suggested)>;
     void setSaveAsQuestion(SaveAsQuestion question) { askSaveAs_ = std::move(question); }
 
@@ -141,12 +151,14 @@ private:
     ProjectSaving saving_;
     std::function<Unsaved()> askUnsaved_;
     SaveAsQuestion askSaveAs_;
-    std::function<void()> afterSave_;  ///< what waits for the save that the user asked for
-    bool leftTaken_ = false;           ///< the work that an earlier run left is what is open
-    bool answerShown_ = false;         ///< a study or comparison of this project was shown
+    /// Action to continue with after the save that the user asked for.
+    std::function<void()> afterSave_;
+    /// The open project was recovered from work that an earlier run left unsaved.
+    bool leftTaken_ = false;
+    bool answerShown_ = false;  ///< a study or comparison of this project has been shown
     QStringList opening_;
-    ReadSettings reading_;    ///< of the files that were opened last
-    StudySettings answered_;  ///< the settings of the study that is shown
+    ReadSettings reading_;    ///< of the files opened last
+    StudySettings answered_;  ///< settings of the displayed study
 };
 
 }  // namespace noonmark

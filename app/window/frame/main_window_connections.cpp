@@ -12,12 +12,12 @@
 #include "app/window/widgets/file_dialogs.h"
 #include "app/window/widgets/progress_strip.h"
 
-// Who tells whom: the part of MainWindow that joins menus, docks and view to the workbench.
+// The part of MainWindow that connects menus, docks and view to the workbench.
 namespace noonmark {
 
 void MainWindow::connectJobs() {
     progress_->follow(workbench_.opening());
-    // Half way the view would show another scenario than the tree.
+    // Not cancellable: the view would show a scenario other than the one selected in the tree.
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
     for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing()})
         progress_->follow(*slot);
@@ -63,7 +63,7 @@ void MainWindow::connectFileMenu() {
         const bool something = workbench_.shown() != Workbench::Shown::nothing &&
                                workbench_.shown() != Workbench::Shown::savedResult;
         const QString folder =
-            something ? askForFolder(this, tr("%1 into a folder").arg(exportWords())) : QStringLiteral(".");
+            something ? askForFolder(this, tr("%1 to folder").arg(exportWords())) : QStringLiteral(".");
         if (folder.isEmpty()) return;
         if (mayReplace(this, folder, workbench_.filesInTheWay(folder.toStdString())))
             workbench_.exportShown(folder.toStdString(), panel_->legend().changeScale());
@@ -95,12 +95,13 @@ void MainWindow::connectStudyMenu() {
     menus_.edit->addActions({undoAction, redoAction});
 }
 
-// From a warning to the building that it is about.
+// Goes to the building that a warning refers to.
 void MainWindow::goToPlace(const QString& where) {
     if (!workbench_.city()) return;
     const City& city = workbench_.city()->city();
     const auto building = buildingNamed(city, where.toStdString());
-    if (!building) return panel_->messages().showNote(tr("%1 is no building of what is shown").arg(where));
+    if (!building)
+        return panel_->messages().showNote(tr("%1 is not a building of the displayed city").arg(where));
     Box2 box = bounds(*city.buildings[*building]);
     const glm::vec2 border = glm::max((box.high - box.low) * 1.5F, glm::vec2(40.0F));
     box = {box.low - border, box.high + border};

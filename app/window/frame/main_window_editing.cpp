@@ -7,7 +7,7 @@
 #include "app/window/project/project_dock.h"
 #include "app/window/view/view_panel.h"
 
-// The part of MainWindow that joins the tools to the project: what they make are steps of it.
+// The part of MainWindow that connects the edit tools to the project: each edit becomes an undo step.
 namespace noonmark {
 
 namespace {
@@ -32,14 +32,14 @@ void MainWindow::connectEditing() {
     connect(&workbench_, &Workbench::projectOpened, this, [this] { horizons_->forget(); });
     connect(&tools_.workspace().preview, &EditPreview::shownChanged, this, &MainWindow::showOutdated);
     connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);
-    // Not in the message bar: it would move the view under the cursor.
+    // In the status bar, since the message bar would move the view under the cursor.
     connect(&tools_, &EditTools::hinted, this,
             [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
     connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
     connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
 }
 
-// Where studies are shown, the live shadow is on their cells.
+// In analysis and ray reference modes the live shadow uses the cells of the study.
 void MainWindow::askLive() {
     if (!workbench_.city()) return;
     const StudySettings& settings = workbench_.document().settings();
@@ -49,7 +49,7 @@ void MainWindow::askLive() {
                         mode_.mode() != ViewMode::exploration});
 }
 
-// To the front of its tabs; one that the user closed stays closed.
+// Raises the dock among its tabs. A dock that the user closed stays closed.
 void MainWindow::raiseDock(const QWidget* content) {
     for (QDockWidget* dock : findChildren<QDockWidget*>())
         if (dock->isAncestorOf(content)) dock->raise();

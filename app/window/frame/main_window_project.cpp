@@ -16,12 +16,12 @@
 #include "app/window/widgets/file_dialogs.h"
 #include "core/study/text/height_words.h"
 
-// The part of MainWindow that joins the project to menus, tree and view: scenarios, saving, recovery.
+// The part of MainWindow that connects the project to menus, tree and view: scenarios, saving, recovery.
 namespace noonmark {
 
 namespace {
 
-// What the view opens with: the region and some of its neighbourhood.
+// The extent shown when a project opens: the region with a margin.
 Box2 startView(const Region& region) {
     const Box2 box = bounds(region);
     const glm::vec2 border = (box.high - box.low) * 0.15F;
@@ -101,9 +101,9 @@ void MainWindow::connectSaving() {
     connect(&saving_, &ProjectSaving::notSaved, &panel_->messages(), &MessageBar::showError);
 }
 
-// Whether what would end the unsaved work may go on now: nothing is unsaved, or the user discards it. False:
-// the user cancelled, or saves first; then `afterSave` is called when the save is done. What waited for an
-// earlier save waits no longer.
+// Whether an action that ends the current work may proceed now: nothing is unsaved, or the user discards it.
+// False if the user cancels or saves first; in the latter case `afterSave` is called after the save. An
+// action that waited for an earlier save is dropped.
 bool MainWindow::maySafely(const std::function<void()>& afterSave) {
     afterSave_ = nullptr;
     if (!workbench_.session().hasUnsavedWork()) {
@@ -118,12 +118,12 @@ bool MainWindow::maySafely(const std::function<void()>& afterSave) {
     return false;
 }
 
-// Runs `then` once nothing can be lost: at once, after a save, or never.
+// Runs `then` once no work can be lost: at once, after a save, or never.
 void MainWindow::whenSafe(const std::function<void()>& then) {
     if (maySafely([this, then] { whenSafe(then); })) then();
 }
 
-// What was taken up from an earlier run goes too, else it would be offered again.
+// Also removes the recovery file that the work came from; otherwise it would be offered again.
 void MainWindow::discardWork() {
     saving_.discardUnsaved();
     if (std::exchange(leftTaken_, false)) place_.forgetLeft();
@@ -131,7 +131,7 @@ void MainWindow::discardWork() {
 
 MainWindow::Unsaved MainWindow::askUnsaved() {
     const auto answer = QMessageBox::question(
-        this, tr("Unsaved work"), tr("Save the changes of %1?").arg(projectName()),
+        this, tr("Unsaved changes"), tr("Save changes to %1?").arg(projectName()),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
     if (answer == QMessageBox::Save) return Unsaved::save;
     return answer == QMessageBox::Discard ? Unsaved::discard : Unsaved::cancel;
@@ -203,7 +203,7 @@ void MainWindow::showProject() {
     offerRecovery();
 }
 
-// What a result would rest on without a word in the files.
+// Reports assumptions that are not in the files: heights and time zone.
 void MainWindow::showGuesses() {
     const CityRead& read = workbench_.city()->loaded.read;
     const auto heights = assumedHeightsMessage(countHeights(read.city), read.heights);
@@ -211,7 +211,7 @@ void MainWindow::showGuesses() {
     QStringList lines;
     if (heights) lines << QString::fromStdString(*heights) + u'.';
     if (!zone.others.isEmpty() && !workbench_.openedView().study)
-        lines << tr("The time zone %1 is a guess; near by is also %2.")
+        lines << tr("The time zone %1 is a guess; %2 is also nearby.")
                      .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
     if (lines.isEmpty()) return;
     panel_->messages().showHelp(lines.join(u'\n'));
@@ -219,8 +219,8 @@ void MainWindow::showGuesses() {
     panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
 }
 
-// Answers are not in the file, but for results that were saved: what was quick is worked out again at once,
-// of the rest the panel says how.
+// The project file holds no results except saved ones. A quick result is recomputed at once; for a slow one
+// the results dock says how to compute it again.
 void MainWindow::answerAsSaved() {
     const ViewState& view = workbench_.openedView();
     docks_.results->setHint(tr("No study yet."));
@@ -228,12 +228,11 @@ void MainWindow::answerAsSaved() {
     if (view.mode != ViewMode::exploration && view.answerSeconds < quickSeconds) return workbench_.run();
     docks_.results->setHint(
         view.answer == "comparison"
-            ? tr("%1 was compared with %2 when the project was saved. Run (Ctrl+R) "
-                 "compares them again, in %3.")
+            ? tr("%1 was compared with %2 when the project was saved. Run (Ctrl+R) repeats the comparison, "
+                 "in %3.")
                   .arg(QString::fromStdString(view.scenario), QString::fromStdString(view.baseline),
                        describeAbout(view.answerSeconds))
-            : tr("A study was shown when the project was saved. Run (Ctrl+R) works it out "
-                 "again, in %1.")
+            : tr("A study was shown when the project was saved. Run (Ctrl+R) computes it again, in %1.")
                   .arg(describeAbout(view.answerSeconds)));
 }
 
@@ -243,18 +242,17 @@ void MainWindow::offerRecovery() {
     const auto found = recoveryOf(file->path());
     if (!found) return offerOlderWork();
     panel_->messages().showHelp(
-        tr("Noonmark ended before %1 was saved. The work up to then can be taken up again.")
-            .arg(projectName()));
+        tr("Noonmark closed before %1 was saved. Unsaved changes can be recovered.").arg(projectName()));
     panel_->messages().offer(tr("Recover"), [this, path = file->path(), offered = *found] {
         std::error_code gone;
         const bool moved = std::filesystem::last_write_time(offered.path, gone) != offered.at;
         workbench_.recover(moved || gone ? ProjectSaving::olderRecovery(path) : offered.path);
     });
     if (std::filesystem::exists(ProjectSaving::olderRecovery(file->path())))
-        panel_->messages().offerToo(tr("Older work..."), [this] { offerOlderWork(); });
+        panel_->messages().offerToo(tr("Older changes..."), [this] { offerOlderWork(); });
 }
 
-// Unsaved work of a run before the last one, which was put aside when newer work was kept.
+// Offers an older recovery file, which was moved aside when a newer one was written.
 void MainWindow::offerOlderWork() {
     const auto& file = workbench_.session().file();
     if (!file) return;
@@ -262,10 +260,10 @@ void MainWindow::offerOlderWork() {
     const QFileInfo info(QString::fromStdString(older.string()));
     if (!info.exists()) return;
     panel_->messages().showHelp(
-        tr("Unsaved work on %1 of %2 lies beside it. It can be taken up again, or deleted.")
+        tr("There are unsaved changes to %1 from %2. They can be recovered or deleted.")
             .arg(projectName(), info.lastModified().toString(QStringLiteral("yyyy-MM-dd HH:mm"))));
     panel_->messages().offer(tr("Recover"), [this, older] { workbench_.recover(older); });
-    panel_->messages().offerToo(tr("Delete it"), [older] {
+    panel_->messages().offerToo(tr("Delete them"), [older] {
         std::error_code none;
         std::filesystem::remove(older, none);
     });
@@ -274,7 +272,7 @@ void MainWindow::offerOlderWork() {
 void MainWindow::offerLeftWork() {
     if (!place_.left() || leftTaken_) return;
     panel_->messages().showHelp(
-        tr("Noonmark ended before a project was saved. The work up to then can be taken up again."));
+        tr("Noonmark closed before a project was saved. The unsaved project can be recovered."));
     panel_->messages().offer(tr("Recover"), [this] {
         whenSafe([this] {
             opening_.clear();
@@ -287,7 +285,7 @@ void MainWindow::keepRegion() {
     Project next = workbench_.session().project();
     Region region = workbench_.document().settings().region;
     region.name = freeName(next, ProjectPart::region, region.name.empty() ? "Region" : region.name);
-    const QString what = tr("keep region %1").arg(QString::fromStdString(region.name));
+    const QString what = tr("save region %1").arg(QString::fromStdString(region.name));
     next.regions.push_back(std::move(region));
     workbench_.session().change(std::move(next), what);
 }
@@ -297,7 +295,7 @@ void MainWindow::keepPeriod() {
     const Period& period = workbench_.document().settings().period;
     const std::string name = freeName(next, ProjectPart::period, textOf(period.start));
     next.periods.push_back({name, period});
-    workbench_.session().change(std::move(next), tr("keep period %1").arg(QString::fromStdString(name)));
+    workbench_.session().change(std::move(next), tr("save period %1").arg(QString::fromStdString(name)));
 }
 
 }  // namespace noonmark

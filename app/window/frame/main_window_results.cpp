@@ -9,7 +9,7 @@
 #include "app/window/study/warnings_dock.h"
 #include "app/window/view/view_panel.h"
 
-// The part of MainWindow that shows answers: studies, comparisons, scores, kept results.
+// The part of MainWindow that shows results: studies, comparisons, scores, saved results.
 namespace noonmark {
 
 namespace {
@@ -37,15 +37,15 @@ void MainWindow::connectResults() {
 
 void MainWindow::announceLongRun(const RunEstimate& estimate) {
     MessageBar& bar = panel_->messages();
-    bar.showHelp(tr("By the ray reference this takes %1 (%2 rays). The engine picked by itself takes %3 and "
-                    "states its error against the rays.")
+    bar.showHelp(tr("The ray reference takes %1 (%2 rays). The automatic engine takes %3 and reports its "
+                    "error against the ray reference.")
                      .arg(describeAbout(estimate.seconds), QString::number(estimate.rays, 'g', 2),
                           describeAbout(estimate.quickerSeconds)));
-    bar.offer(tr("Run that one"), [this] { workbench_.runQuicker(); });
-    bar.offerToo(tr("Run by rays"), [this] { workbench_.runAnyway(); });
+    bar.offer(tr("Use automatic engine"), [this] { workbench_.runQuicker(); });
+    bar.offerToo(tr("Run ray reference"), [this] { workbench_.runAnyway(); });
 }
 
-// What stands before the others first.
+// Order of precedence: saved result, score, comparison, study.
 void MainWindow::showAnswer() {
     if (workbench_.saved()) return showSaved();
     if (workbench_.score()) return showScore();
@@ -66,15 +66,16 @@ void MainWindow::showStudy() {
     showDocument();
 }
 
-// The answer to the buildings before, marked: nothing vanishes because a wall was moved.
+// The result for the buildings before the edit, marked as outdated, so that an edit does not clear the
+// display.
 void MainWindow::showPast() {
     const Workbench::PastAnswer& past = workbench_.past();
     if (!past.any()) return docks_.results->show({});
     GroundAnswer answer = past.score        ? makeGroundAnswer(past.score)
                           : past.comparison ? makeGroundAnswer(past.comparison)
                                             : makeGroundAnswer(past.study);
-    answer.note = answer.note.isEmpty() ? tr("Of the buildings before they changed")
-                                        : tr("%1. Of the buildings before they changed").arg(answer.note);
+    answer.note = answer.note.isEmpty() ? tr("Outdated: buildings have changed")
+                                        : tr("%1. Outdated: buildings have changed").arg(answer.note);
     answer.marked = true;
     panel_->results().setInFront(answer);
     if (past.score)
@@ -114,28 +115,30 @@ void MainWindow::showSaved() {
     showDocument();
 }
 
-// Whether the figures still answer the question.
+// States whether the displayed figures are up to date.
 void MainWindow::showOutdated() {
     const auto saved = workbench_.saved();
     const auto score = workbench_.score();
     docks_.results->offerWayBack(saved || score);
     if (tools_.workspace().preview.shown())
         return docks_.results->setNote(
-            tr("These figures are of the buildings without what is being designed. Build it, then run."));
+            tr("These figures do not include the building being designed. Build it, then run."));
     if (workbench_.past().any())
-        return docks_.results->setNote(
-            tr("These figures are of the buildings before they changed: %1.")
-                .arg(workbench_.running().busy() ? tr("the new ones are coming") : tr("run again (Ctrl+R)")));
+        return docks_.results->setNote(tr("Outdated figures: buildings have changed; %1.")
+                                           .arg(workbench_.running().busy()
+                                                    ? tr("new figures are being computed")
+                                                    : tr("run again (Ctrl+R)")));
     if (saved) return docks_.results->setNote(describeSaved(*saved), !saved->upToDate());
     if (workbench_.document().settings() != answered_)
-        return docks_.results->setNote(tr("The settings have changed since: run again."));
+        return docks_.results->setNote(tr("Outdated figures: settings have changed; run again (Ctrl+R)."));
     const auto weights =
         score ? findWeights(workbench_.session().project(), score->weights.name) : Result<TimeWeights>();
     const bool other = score && (!weights || *weights != score->weights);
-    docks_.results->setNote(other ? tr("The weight table has changed since: score again.") : QString());
+    docks_.results->setNote(other ? tr("Outdated score: the weight table has changed; score again.")
+                                  : QString());
 }
 
-// What an export writes is what is shown: the menu says which.
+// The export writes the displayed result; the menu item names it.
 QString MainWindow::exportWords() const {
     const auto comparison = workbench_.comparison();
     const auto score = workbench_.score();
@@ -155,15 +158,15 @@ QString MainWindow::exportWords() const {
 
 void MainWindow::showExport() {
     QString words = exportWords();
-    words.replace(QLatin1Char('&'), QStringLiteral("&&"));  // in a name it is no mnemonic
+    words.replace(QLatin1Char('&'), QStringLiteral("&&"));  // an ampersand in a name is not a mnemonic
     menus_.exportStudy->setText(tr("&%1...").arg(words));
 }
 
 void MainWindow::showStopped(bool cancelled) {
     panel_->results().setPartial(nullptr);
     if (!cancelled) return;
-    panel_->messages().showNote(workbench_.study() ? tr("Cancelled. The study before is shown again.")
-                                                   : tr("Cancelled. There is no study yet."));
+    panel_->messages().showNote(workbench_.study() ? tr("Cancelled. The previous study is shown.")
+                                                   : tr("Cancelled. No study yet."));
 }
 
 void MainWindow::compare() {
@@ -174,14 +177,14 @@ void MainWindow::compare() {
     showAnswer();
 }
 
-// After another scenario or an edit: what was seen before is seen again, unless it takes long.
+// After an edit or a change of scenario: recomputes the displayed kind of result if it is quick.
 void MainWindow::answerAnew() {
     if (!answerShown_ || mode_.mode() == ViewMode::exploration) return;
     const ProjectSession& session = workbench_.session();
     const bool comparing = !session.baseline().empty() && session.baseline() != session.scenario();
     if (comparing ? workbench_.comparison() != nullptr : workbench_.study() != nullptr) return;
     if (workbench_.saved() || workbench_.reading().busy()) return;
-    if (workbench_.running().busy()) return;  // it was started after the change
+    if (workbench_.running().busy()) return;  // the running study already uses the change
     if (workbench_.answerSeconds() < quickSeconds) workbench_.run();
 }
 
@@ -191,9 +194,9 @@ void MainWindow::keepResult() {
     const std::string& scenario = workbench_.session().scenario();
     QString name = text(scenario);
     if (score)
-        name = tr("Score of %1 by %2").arg(text(scenario), text(score->weights.name));
+        name = tr("Score of %1 with %2").arg(text(scenario), text(score->weights.name));
     else if (comparison)
-        name = tr("%1 against %2").arg(text(comparison->to), text(comparison->from));
+        name = tr("%1 compared with %2").arg(text(comparison->to), text(comparison->from));
     workbench_.keepAnswer(tr("%1, %2").arg(name, text(textOf(answered_.period.start))));
 }
 

@@ -3,7 +3,7 @@
 #include "app/window/time/time_strip.h"
 #include "app/window/view/view_panel.h"
 
-// The part of MainWindow that looks at a day or a moment of the study that is shown.
+// The part of MainWindow that shows a day or a moment of the displayed study.
 namespace noonmark {
 
 namespace {
@@ -31,7 +31,7 @@ void MainWindow::connectTime() {
     });
 }
 
-// Where a study of one scenario is shown.
+// The time strip is available while the study of one scenario is displayed.
 void MainWindow::offerTime() {
     const bool other = workbench_.comparison() || workbench_.score() || workbench_.saved();
     const bool shown = mode_.mode() != ViewMode::exploration && !other;

@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-/// The same day in the terms of the other.
+/// Conversion between QDate and CivilDate.
 QDate dateOf(CivilDate date);
 CivilDate civilOf(QDate date);
 

@@ -11,7 +11,8 @@ namespace noonmark {
 namespace {
 
 const QString key = QStringLiteral("recentFiles");
-const QString readingKey = QStringLiteral("recentReading");  // by entry; only what was not read as usual
+// per entry; only settings that differ from the defaults
+const QString readingKey = QStringLiteral("recentReading");
 
 QString absolute(const QString& file) {
     return file.startsWith(QStringLiteral("sample:")) ? file : QFileInfo(file).absoluteFilePath();

@@ -8,8 +8,8 @@ class QSettings;
 
 namespace noonmark {
 
-/// What was opened lately, newest first: paths, several joined by newlines when opened together, or samples;
-/// each with how it was read last.
+/// Recently opened files or samples, newest first. An entry is a path, or several joined by newlines if they
+/// were opened together, with the reading settings used last.
 class RecentFiles {
 public:
     static constexpr int most = 10;
@@ -19,12 +19,12 @@ public:
     void add(const QStringList& files, const ReadSettings& reading = {});
     void clear();
 
-    /// How an entry was read. Empty text: as usual, or a list that an older version wrote.
+    /// The reading settings of an entry. Empty text: defaults, or an entry written by an older version.
     [[nodiscard]] ReadSettings readingOf(const QString& entry) const;
     [[nodiscard]] QString readingTextOf(const QString& entry) const;
 
     static QStringList filesOf(const QString& entry);
-    static QString nameOf(const QString& entry);  ///< for a menu: the file's name, "and 2 more"
+    static QString nameOf(const QString& entry);  ///< menu text: the file's name, "and 2 more"
 
 private:
     void keepReading(const QStringList& entries, const QString& newest, const ReadSettings& reading);

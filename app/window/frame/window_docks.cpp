@@ -20,20 +20,20 @@ constexpr int sideWidth = 270;
 constexpr int narrowWidth = 190;
 constexpr int scrollBarWidth = 22;
 
-// Docks may be lower than what they hold.
+// Wraps the content in a scroll area, so that a dock can be smaller than its content.
 QScrollArea* scrolled(QWidget* content, int leastWidth) {
     auto* scroll = new QScrollArea;
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     content->setMinimumWidth(leastWidth - scrollBarWidth);
-    scroll->setMinimumWidth(narrowWidth);  // on a small screen it is scrolled sideways, too
+    scroll->setMinimumWidth(narrowWidth);  // on a small screen it also scrolls horizontally
     return scroll;
 }
 
 QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
     auto* dock = new QDockWidget(title);
-    dock->setObjectName(QString::fromLatin1(name));  // the saved layout knows docks by name
+    dock->setObjectName(QString::fromLatin1(name));  // the saved layout identifies docks by object name
     dock->setWidget(content);
     return dock;
 }

@@ -13,7 +13,7 @@ class StudyDock;
 class WarningsDock;
 class WeightsDock;
 
-/// What stands around the view. Belongs to the window.
+/// The contents of the docks around the view. The window owns them.
 struct WindowDocks {
     ProjectDock* project;
     StudyDock* study;
@@ -21,11 +21,11 @@ struct WindowDocks {
     ScenariosDock* scenarios;
     WeightsDock* weights;
     WarningsDock* warnings;
-    QWidget* building;  ///< the selected one
-    QWidget* tower;     ///< lots, and the tower that is designed
+    QWidget* building;  ///< the selected building
+    QWidget* tower;     ///< lots, and the tower being designed
 };
 
-/// Places the docks where they stand until the user moves them; `menu` shows and hides them.
+/// Adds the docks at their default places; `menu` shows and hides them.
 void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu);
 
 }  // namespace noonmark

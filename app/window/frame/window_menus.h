@@ -9,13 +9,13 @@ class QMenu;
 
 namespace noonmark {
 
-/// Menus of the main window; what they do is connected by the window. Actions belong to the window.
+/// Menus of the main window. The window connects the actions and owns them.
 struct WindowMenus {
     explicit WindowMenus(QMainWindow& window);
 
     QAction* newProject;
     QAction* open;
-    QAction* openWith;  ///< with settings of how to read
+    QAction* openWith;  ///< with reading settings
     QAction* openPark;
     QAction* openGrid;
     QMenu* recent;
@@ -48,7 +48,7 @@ struct WindowMenus {
     QAction* keys;
 };
 
-/// How mouse and keys move the view and draw, in one line.
+/// One-line summary of mouse and keyboard control.
 QString mouseAndKeys();
 
 }  // namespace noonmark

@@ -50,7 +50,7 @@ void Workbench::open(const QStringList& files, const ReadSettings& reading) {
         });
 }
 
-// What was changed since `version` was never asked about: it must not be lost.
+// Refuses to replace changes made since `version`: the user was not asked about them.
 void Workbench::takeProject(Result<OpenProject> opened, int version) {
     if (opened && session_.version() != version && session_.hasUnsavedWork())
         opened = failure("The file was not opened: the project was changed while it was read", {},
@@ -63,17 +63,17 @@ void Workbench::takeProject(Result<OpenProject> opened, int version) {
     past_ = {};
     known_.clear();
     keeping_.drop();
-    answerSeconds_ = std::numeric_limits<double>::infinity();  // of this city nobody knows yet
+    answerSeconds_ = std::numeric_limits<double>::infinity();  // not known for this city yet
     session_.open(std::move(opened->project), std::move(opened->file), openedView_.scenario,
                   openedView_.baseline);
-    following_.drop();  // the city that came along is the session's
+    following_.drop();  // opened->city is already the session's city
     document_.reset(openedView_.study.value_or(firstQuestion()));
     if (opened->recovered) session_.setRecovered();
     Q_EMIT cityShown();
     Q_EMIT projectOpened();
 }
 
-// Of a project that the window has not been used on: where it wants to know.
+// The initial settings for a project without window state: its first region, if it has one.
 StudySettings Workbench::firstQuestion() const {
     StudySettings settings = firstSettings(city_->loaded, zone_);
     const auto& regions = session_.project().regions;
@@ -90,9 +90,9 @@ void Workbench::recover(const std::filesystem::path& recovery) {
 void Workbench::takeRecovered(Result<ProjectFile> saved) {
     if (!saved) return tell(saved.error());
     const ViewState view = parseViewState(saved->project().view);
-    if (!session_.change(saved->project(), tr("recovered work"), view.scenario)) return;
+    if (!session_.change(saved->project(), tr("recover unsaved changes"), view.scenario)) return;
     Q_EMIT tookUp(saved->path());
-    Q_EMIT noted(tr("The unsaved work is back. Save keeps it, Undo takes it away again."));
+    Q_EMIT noted(tr("Unsaved changes recovered. Save keeps them, Undo discards them."));
 }
 
 void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
@@ -110,7 +110,7 @@ void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
         });
 }
 
-// Answers about the scenario's buildings before are no answers any more.
+// Results of the scenario's previous buildings are no longer valid.
 void Workbench::forgetAnswers() {
     running_.drop();
     reading_.drop();
@@ -120,7 +120,7 @@ void Workbench::forgetAnswers() {
     saved_.reset();
 }
 
-// The answers go at once: a run that is started before the city is shown is already of the new one.
+// The results are reset at once: a run started before the city is displayed already uses the new city.
 void Workbench::follow() {
     if (study_ || comparison_ || score_) past_ = {study_, comparison_, score_};
     forgetAnswers();
@@ -147,7 +147,7 @@ Workbench::Shown Workbench::shown() const {
     return study_ ? Shown::study : Shown::nothing;
 }
 
-// Of what is shown now, whatever will be when it is written.
+// Captures the result displayed now, since another may be displayed by the time of writing.
 Workbench::Write Workbench::whatToWrite(const ChangeScale& scale) const {
     const AnswerOrigin origin(session_);
     if (score_)
@@ -170,7 +170,7 @@ OutputRules Workbench::exportRules() const {
     return outputRules(named, session_.project().inputs, true);
 }
 
-// Whether region.geojson is among them is known when the region is stated: it is asked about in any case.
+// Always includes region.geojson, because whether it is written is known only when the provenance is stated.
 QStringList Workbench::filesInTheWay(const std::filesystem::path& folder) const {
     Provenance anyRegion;
     anyRegion.region = regionFileName;
@@ -187,19 +187,19 @@ QStringList Workbench::filesInTheWay(const std::filesystem::path& folder) const 
 }
 
 void Workbench::exportShown(const std::filesystem::path& folder, const ChangeScale& scale) {
-    if (shown() == Shown::nothing) return tell({"There is no result to export yet", {}, "Press Run first"});
+    if (shown() == Shown::nothing) return tell({"There is no result to export", {}, "Press Run first"});
     if (shown() == Shown::savedResult)
-        return tell({"A saved result is shown, and lies in the project file", saved_->name,
-                     "Open the project file in QGIS, or show the study again and export that"});
+        return tell({"A saved result cannot be exported: it is stored in the project file", saved_->name,
+                     "Open the project file in QGIS, or show the study again and export it"});
     writing_.start<Paths>(
-        tr("Writing"),
+        tr("Exporting"),
         [write = whatToWrite(scale), folder](Progress&, std::stop_token) { return write(folder); },
         [this, folder](Result<Paths> paths) {
             if (!paths) return tell(paths.error());
             QStringList names;
             for (const auto& path : *paths) names << QString::fromStdString(path.filename().string());
             Q_EMIT noted(
-                tr("Written into %1: %2").arg(QString::fromStdString(folder.string()), names.join(tr(", "))));
+                tr("Exported to %1: %2").arg(QString::fromStdString(folder.string()), names.join(tr(", "))));
         });
 }
 

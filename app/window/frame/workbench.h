@@ -20,61 +20,64 @@
 
 namespace noonmark {
 
-/// What the window works on: one project, the city of the scenario that is shown, the question about it, its
-/// latest answer. Long work runs beside the window; nothing here knows widgets.
+/// The state behind the window: one project, the city of the displayed scenario, the study settings and the
+/// latest results. Long work runs in jobs on other threads. Knows no widgets.
 class Workbench final : public QObject {
     Q_OBJECT
 public:
     explicit Workbench(QObject* parent = nullptr);
 
-    /// A project file, or city files that become a project without a file. What was open stays until then.
-    /// `reading` says what city files do not. What is changed meanwhile is kept: then nothing is opened.
+    /// Opens a project file, or city files as a new project without a file. The current project stays until
+    /// the new one is ready. `reading` supplies what city files do not state. If the project is changed
+    /// meanwhile, nothing is opened.
     void open(const QStringList& files, const ReadSettings& reading = {});
-    /// Takes up the work that a recovery file holds, as a step of undo of the project that is open.
+    /// Replaces the open project by the work in a recovery file, as an undo step.
     void recover(const std::filesystem::path& recovery);
-    /// The same of work that never had a file: it becomes the project that is open.
+    /// Opens the recovered work of a project that never had a file.
     void recoverUntitled(const std::filesystem::path& recovery);
-    /// Answers the document's question for the scenario that is shown, or where a baseline is chosen, the
-    /// difference from that. The answer before stays until then. Overtakes an answer that is being worked
-    /// out.
+    /// Runs the document's study for the displayed scenario or, if a baseline is chosen, the comparison with
+    /// it. The previous result stays until then. Replaces a run that is in progress.
     void run();
-    /// Starts the run that longRun() announced: as it was asked for, or by the engine picked by itself.
+    /// Starts the run announced by longRun(): with the chosen engine, or with the automatic engine.
     void runAnyway();
     void runQuicker();
-    /// Studies all scenarios of which there is no study with the document's settings yet.
+    /// Runs the study for all scenarios that have no result with the document's settings yet.
     void measureAll();
-    /// What is shown: in words, and the files of the command line for it, into a folder. A saved result is
-    /// not exported: the project file is its file.
+    /// The kind of the displayed result. exportShown() writes the same files as the command line; it refuses
+    /// a saved result, which is stored in the project file.
     enum class Shown { nothing, study, comparison, score, savedResult };
     [[nodiscard]] Shown shown() const;
-    /// Files that lie there are replaced as exportRules() allow; ask before: filesInTheWay().
+    /// Existing files are replaced as far as exportRules() allow; ask the user before, see filesInTheWay().
     void exportShown(const std::filesystem::path& folder, const ChangeScale& scale);
-    /// The names of files in the folder that exportShown() may replace.
+    /// Names of existing files in the folder that exportShown() may replace.
     [[nodiscard]] QStringList filesInTheWay(const std::filesystem::path& folder) const;
-    /// What an output may be written over, after the user was asked: never the files of the city that is
-    /// open, nor its project.
+    /// Which files an export may overwrite after the user agreed: never the input files of the open city, nor
+    /// its project file.
     [[nodiscard]] OutputRules exportRules() const;
-    /// Scores the scenario that is shown with a weight table of the project, by the document's question. The
-    /// answer before stays until then.
+    /// Scores the displayed scenario with a weight table of the project and the document's settings. The
+    /// previous result stays until then.
     void runScore(const std::string& weights);
-    /// Shows a kept result again, on its scenario where that is still there.
+    /// Shows a saved result, and its scenario if that still exists.
     void showSaved(const std::string& name);
-    void showStudyAgain();  ///< in place of a score or a kept result
-    /// The answer that is shown becomes a result of the project, when its buildings are hashed.
+    /// Ends the display of a score or a saved result.
+    void showStudyAgain();
+    /// Saves the displayed result in the project, once its buildings are hashed.
     void keepAnswer(const QString& name);
 
-    /// As it is shown; null before the first. A moment behind session().city() while a change is worked in.
+    /// The displayed city; null before the first. Lags behind session().city() while a change is prepared for
+    /// display.
     [[nodiscard]] std::shared_ptr<const OpenCity> city() const { return city_; }
-    /// The latest of the scenario that is shown; null: none since its buildings last changed.
+    /// The latest study of the displayed scenario; null if there is none since its buildings last changed.
     [[nodiscard]] std::shared_ptr<const Study> study() const { return study_; }
-    /// The latest difference of the two that are compared; null: none, or buildings changed since.
+    /// The latest comparison of scenario and baseline; null if there is none, or if buildings have changed.
     [[nodiscard]] std::shared_ptr<const ImpactAnswer> comparison() const { return comparison_; }
-    /// The score that stands before the study; null: none, or another answer came.
+    /// The score displayed instead of the study; null if there is none, or if another result replaced it.
     [[nodiscard]] std::shared_ptr<const ScoreAnswer> score() const { return score_; }
-    /// The kept result that stands before all; likewise.
+    /// The saved result displayed instead of the others; null if there is none, or if another result replaced
+    /// it.
     [[nodiscard]] std::shared_ptr<const ShownResult> saved() const { return saved_; }
-    /// What was shown before the buildings changed, until there is an answer of those that are shown: its
-    /// figures are of other buildings. Null members: nothing.
+    /// Results displayed before the buildings changed, until new ones are computed. Their figures belong to
+    /// the previous buildings. Null members: no such result.
     struct PastAnswer {
         std::shared_ptr<const Study> study;
         std::shared_ptr<const ImpactAnswer> comparison;
@@ -82,43 +85,45 @@ public:
         [[nodiscard]] bool any() const { return study || comparison || score; }
     };
     [[nodiscard]] const PastAnswer& past() const { return past_; }
-    /// Studies of scenarios whose buildings have not changed since, by name.
+    /// Studies of scenarios whose buildings have not changed since, by scenario name.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const Study>> studies();
-    /// How long the latest answer took to work out, seconds.
+    /// Time to compute the latest result, seconds.
     [[nodiscard]] double answerSeconds() const { return answerSeconds_; }
 
     [[nodiscard]] StudyDocument& document() { return document_; }
     [[nodiscard]] ProjectSession& session() { return session_; }
-    [[nodiscard]] const ZoneGuess& zone() const { return zone_; }  ///< guessed of the city's place
-    [[nodiscard]] const ViewState& openedView() const { return openedView_; }  ///< what the project came with
+    [[nodiscard]] const ZoneGuess& zone() const { return zone_; }  ///< guessed from the city's location
+    [[nodiscard]] const ViewState& openedView() const { return openedView_; }  ///< read from the project file
     [[nodiscard]] JobSlot& opening() { return opening_; }
-    [[nodiscard]] JobSlot& following() { return following_; }  ///< works a change into what is shown
+    [[nodiscard]] JobSlot& following() { return following_; }  ///< prepares a changed city for display
     [[nodiscard]] JobSlot& running() { return running_; }
-    [[nodiscard]] JobSlot& reading() { return reading_; }  ///< makes a kept result ready
+    [[nodiscard]] JobSlot& reading() { return reading_; }  ///< reads a saved result
     [[nodiscard]] JobSlot& writing() { return writing_; }
     [[nodiscard]] JobSlot& keeping() { return keeping_; }
 
 Q_SIGNALS:
-    void cityShown();      ///< city() is another
-    void projectOpened();  ///< another project, after its first city was shown
+    void cityShown();      ///< city() has changed
+    void projectOpened();  ///< another project, after cityShown()
     void studyDone();
     void comparisonDone();
     void scoreDone();
     void savedShown();
-    void savedReweighed();  ///< a weight table changed: kept() is up to date now, or is no more
-    void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the study that runs
-    /// What was asked for would take long, and waits for runAnyway() or runQuicker(). Of all its fields.
+    void savedReweighed();  ///< a weight table changed: saved() is updated, or reset
+    void studyPartial(std::shared_ptr<const noonmark::PartialField> field);  ///< of the running study
+    /// The requested run would take long and waits for runAnyway() or runQuicker(). The estimate covers all
+    /// its fields.
     void longRun(noonmark::RunEstimate estimate);
-    void studyStopped(bool cancelled);            ///< without a result; the answer before is still there
-    void failed(noonmark::Error error);           ///< work that was cancelled does not fail
-    void openFailed(noonmark::Error error);       ///< or cancelled: what was open stays
-    void tookUp(std::filesystem::path recovery);  ///< recover() has done it
+    void studyStopped(bool cancelled);            ///< without a result; the previous result stays
+    void failed(noonmark::Error error);           ///< not emitted for cancelled work
+    void openFailed(noonmark::Error error);       ///< or cancelled: the current project stays
+    void tookUp(std::filesystem::path recovery);  ///< recover() has finished
     void noted(QString text);
 
 private:
     struct KnownStudy {
-        std::shared_ptr<const City> city;    ///< what it is of: scenarios change their names
-        std::shared_ptr<const Study> study;  ///< null: still to be made
+        /// Identifies the study, since scenarios may be renamed.
+        std::shared_ptr<const City> city;
+        std::shared_ptr<const Study> study;  ///< null: not computed yet
     };
     void takeProject(Result<OpenProject> opened, int version);
     void takeRecovered(Result<ProjectFile> saved);
@@ -161,8 +166,8 @@ private:
     std::shared_ptr<const ScoreAnswer> score_;
     std::shared_ptr<const ShownResult> saved_;
     PastAnswer past_;
-    Start long_;                              ///< what longRun() announced
-    std::weak_ptr<const City> comparedWith_;  ///< the city before of comparison_
+    Start long_;                              ///< the run announced by longRun()
+    std::weak_ptr<const City> comparedWith_;  ///< the baseline city of comparison_
     double answerSeconds_ = 0;
     JobSlot opening_;
     JobSlot following_;

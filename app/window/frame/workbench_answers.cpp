@@ -8,12 +8,12 @@
 #include "core/base/stopwatch.h"
 #include "scenarios/project/results/save_result.h"
 
-// The answers of Workbench: studies, comparisons, scores, and kept results that are shown again.
+// The results of Workbench: studies, comparisons, scores, and the display of saved results.
 namespace noonmark {
 
 namespace {
 
-constexpr std::ptrdiff_t mostKnown = 64;  // studies kept; ScenarioCities keeps as many cities
+constexpr std::ptrdiff_t mostKnown = 64;  // cached studies; ScenarioCities caches as many cities
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::map<std::string, std::shared_ptr<const Study>> Workbench::studies() {
 }
 
 void Workbench::run() {
-    if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
+    if (!city_) return tell({"No city is open", {}, "Open a file or a sample first"});
     startUnlessLong(comparing() ? 2 : 1, [this] { runNow(); });
 }
 
@@ -38,7 +38,7 @@ bool Workbench::comparing() const {
     return !session_.baseline().empty() && session_.baseline() != session_.scenario();
 }
 
-// Only rays can take days without anybody having meant it.
+// Only the ray reference can take days unexpectedly, so only its runs are estimated first.
 void Workbench::startUnlessLong(double fields, Start start) {
     if (document_.settings().engine != referenceEngine) return start();
     running_.start<RunEstimate>(
@@ -108,7 +108,7 @@ void Workbench::takeStudies(Result<std::vector<KnownStudy>> made) {
     Q_EMIT studyDone();
 }
 
-// The study that is known of the scenario that is shown.
+// Takes the cached study of the displayed scenario, if there is one.
 void Workbench::takeKnown() {
     const auto known = studies();
     const auto study = known.find(session_.scenario());
@@ -165,14 +165,14 @@ void Workbench::takeComparison(Result<ImpactAnswer> answer) {
         Q_EMIT studyStopped(isCancelled(answer.error()));
         return tell(answer.error());
     }
-    answer->from = session_.baseline();  // they may bear other names by now
+    answer->from = session_.baseline();  // they may have been renamed meanwhile
     answer->to = session_.scenario();
     comparison_ = std::make_shared<const ImpactAnswer>(*std::move(answer));
     standBack();
     Q_EMIT comparisonDone();
 }
 
-// What is compared stays the same under another name.
+// A renamed scenario stays in the comparison under its new name.
 void Workbench::rename(ProjectPart part, const std::string& from, const std::string& to) {
     if (part != ProjectPart::scenario || !comparison_) return;
     if (comparison_->from != from && comparison_->to != from) return;
@@ -183,7 +183,7 @@ void Workbench::rename(ProjectPart part, const std::string& from, const std::str
     Q_EMIT comparisonDone();
 }
 
-// A copy of a scenario has the same buildings: what is shown is an answer of it, and bears its name.
+// A copy of a scenario has the same buildings: the displayed result is valid for it too, and takes its name.
 void Workbench::nameAnswers() {
     const std::string &from = session_.baseline(), &to = session_.scenario();
     if (score_ && score_->scenario != to) {
@@ -202,7 +202,7 @@ void Workbench::nameAnswers() {
 }
 
 void Workbench::runScore(const std::string& weights) {
-    if (!city_) return tell({"There is no city yet", {}, "Open a file or a sample first"});
+    if (!city_) return tell({"No city is open", {}, "Open a file or a sample first"});
     startUnlessLong(1, [this, weights] { scoreNow(weights); });
 }
 
@@ -214,7 +214,8 @@ void Workbench::scoreNow(const std::string& weights) {
         [question = ScoreAnswer{session_.scenario(), document_.settings(), *table, {}},
          city = session_.city(),
          warnings = city_->loaded.read.warnings](Progress& progress, const std::stop_token& stop) {
-            ProgressShare whole(progress, 0, 1);  // hands on no running results: they would be a month's
+            // forwards no partial results: they would cover one month only
+            ProgressShare whole(progress, 0, 1);
             return noonmark::runScore(*city, question.settings, question.weights, whole, stop,
                                       enginesWith(question.settings.engine))
                 .map([&](Score score) {
@@ -232,13 +233,13 @@ void Workbench::takeScore(Result<ScoreAnswer> answer) {
         Q_EMIT studyStopped(isCancelled(answer.error()));
         return tell(answer.error());
     }
-    answer->scenario = session_.scenario();  // it may bear another name by now
+    answer->scenario = session_.scenario();  // it may have been renamed meanwhile
     standBack();
     score_ = std::make_shared<const ScoreAnswer>(*std::move(answer));
     Q_EMIT scoreDone();
 }
 
-// The buildings that a result is of are those to see it on, where they are still there.
+// Shows the result on the buildings it was computed for, if its scenario still exists.
 void Workbench::showSaved(const std::string& name) {
     const auto result = findResult(session_.project(), name);
     if (!result) return tell(result.error());
@@ -255,7 +256,7 @@ void Workbench::showSaved(const std::string& name) {
         });
 }
 
-// What stands before the study makes way for a new answer.
+// A score or saved result is no longer displayed once a new result is ready.
 void Workbench::standBack() {
     reading_.drop();
     past_ = {};
@@ -276,13 +277,13 @@ void Workbench::reweigh() {
 }
 
 void Workbench::keepAnswer(const QString& name) {
-    if (saved_) return tell({"This result is kept already", saved_->name, {}});
-    if (keeping_.busy()) return tell({"A result is being kept already", {}, "Wait until it is"});
+    if (saved_) return tell({"This result is already saved", saved_->name, {}});
+    if (keeping_.busy()) return tell({"Another result is being saved", {}, "Wait until it is saved"});
     if (const Keep keep = whatToKeep()) return this->keep(keep, name);
-    tell({"There is no result to keep yet", {}, "Press Run first"});
+    tell({"There is no result to save", {}, "Press Run first"});
 }
 
-// What is shown now, whatever will be then; empty: nothing.
+// Captures the result displayed now, since another may be displayed when it is saved. Empty if there is none.
 Workbench::Keep Workbench::whatToKeep() const {
     const AnswerOrigin origin(session_);
     if (score_)
@@ -301,14 +302,14 @@ Workbench::Keep Workbench::whatToKeep() const {
 
 void Workbench::keep(const Keep& keep, const QString& name) {
     keeping_.start<SavedResult>(
-        tr("Keeping %1").arg(name),
+        tr("Saving %1").arg(name),
         [keep, project = session_.project()](Progress&, const std::stop_token&) -> Result<SavedResult> {
             return keep(project);
         },
         [this, name](Result<SavedResult> result) {
             if (!result) return tell(result.error());
             result->name = freeName(session_.project(), ProjectPart::result, name.toStdString());
-            const QString what = tr("result %1").arg(QString::fromStdString(result->name));
+            const QString what = tr("save result %1").arg(QString::fromStdString(result->name));
             session_.change(addResult(session_.project(), *std::move(result)), what);
         });
 }

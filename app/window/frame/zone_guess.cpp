@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr double nearbyM = 30000;  // across a large city
+constexpr double nearbyM = 30000;  // size of a large city
 
 // Digits are dd, ddmm or ddmmss; longitudes have one digit of degrees more.
 double degreesOf(QStringView digits, int degreeDigits) {
@@ -36,7 +36,7 @@ struct NearestCity {
     }
 };
 
-// On the first of every month of a year: enough to tell summer times apart.
+// Compares the first day of each month: enough to distinguish daylight saving rules.
 bool showTheSameTime(const QString& one, const QString& other) {
     if (one == other) return true;
     const QTimeZone a(one.toUtf8()), b(other.toUtf8());

@@ -10,31 +10,33 @@
 
 namespace noonmark {
 
-/// A city whose clock is known.
+/// A city with a known time zone.
 struct ZoneCity {
     LonLat place;
     QString country;  ///< ISO 3166 code: "MC"
     QString zone;     ///< IANA: "Europe/Monaco"
 };
 
-/// The principal cities of the tz database's zone.tab, one a zone and country. Lines that are none are left
-/// out.
+/// The principal cities of the tz database's zone.tab, one per zone and country. Lines without a valid entry
+/// are skipped.
 std::vector<ZoneCity> zoneCities(QTextStream& table);
 
 struct ZoneGuess {
     QString zone = QStringLiteral("UTC");
-    QStringList others;  ///< nearly as near, and their clock shows another time on some day of the year
+    /// Zones of cities nearly as near whose clock differs on some day of the year.
+    QStringList others;
     bool operator==(const ZoneGuess&) const = default;
 };
 
-/// The zone of a place: that of the nearest city of both lists; but within 30 km of a principal city of the
-/// same country the principal city's, since the tz database knows a change of clocks first. A guess: the
-/// boundaries of zones are in neither list. `others` are zones of cities up to 30 km farther. UTC where both
-/// lists are empty. `principal`: zoneCities(); `cities`: of a gazetteer, may be empty.
+/// Guesses the time zone of a place. It is the zone of the nearest city of both lists; but within 30 km of a
+/// principal city of the same country, it is the principal city's zone, since the tz database is the first to
+/// know clock changes. It is a guess, because neither list has the zones' boundaries. `others` are zones of
+/// cities up to 30 km farther away. UTC if both lists are empty. `principal`: from zoneCities(); `cities`:
+/// from a gazetteer, may be empty.
 ZoneGuess guessZone(const std::vector<ZoneCity>& principal, const std::vector<ZoneCity>& cities,
                     LonLat place);
 
-/// The same from this machine's zone.tab and gazetteer. Some 0.1 s: for a job.
+/// The same with the system's zone.tab and the gazetteer. Takes about 0.1 s: call it from a job.
 ZoneGuess findNearestZone(LonLat place);
 
 /// "+40-07410" or "+404251-0740023" (ISO 6709) in degrees.

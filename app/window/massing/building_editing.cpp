@@ -125,7 +125,7 @@ void BuildingEditing::preview(const Edit& edit) {
     desk_.handle.stand({{middle.x, middle.y, ground}, double(topM(*added.front())) - ground, usualStoreyM});
 }
 
-// What it does comes back as another city; until then the preview shows it.
+// The project answers with a changed city; until then the preview stays.
 void BuildingEditing::make(const Edit& edit) {
     if (!selected_) return;
     if (const auto sound = applied(desk_.city->city(), std::vector{edit}); !sound)

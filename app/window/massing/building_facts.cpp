@@ -19,11 +19,11 @@ QString sourceWords(HeightSource source) {
         case HeightSource::assumed:
             return QObject::tr("assumed");
         case HeightSource::mesh:
-            return QObject::tr("of its mesh");
+            return QObject::tr("from its mesh");
         case HeightSource::designed:
             return QObject::tr("designed");
         case HeightSource::madeUp:
-            return QObject::tr("made up");
+            return QObject::tr("synthetic");
     }
     return {};
 }

@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-/// What the tools share: the view, the city in it, the preview over it, and the one handle.
+/// State shared by the edit tools: the view, its city, the preview and the drag handle.
 struct EditSession {
     EditSession(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons)
         : panel(view), preview(view, std::move(horizons)), handle(view) {}
@@ -16,7 +16,7 @@ struct EditSession {
     ViewPanel& panel;
     EditPreview preview;
     ExtrudeHandle handle;
-    std::shared_ptr<const OpenCity> city;  ///< null before the first
+    std::shared_ptr<const OpenCity> city;  ///< null before the first city
     std::vector<NamedLot> lots;
 };
 

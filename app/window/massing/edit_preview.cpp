@@ -11,7 +11,7 @@ namespace {
 
 using Buildings = std::vector<std::shared_ptr<const Building>>;
 
-// The square whose shadow is shown: as much as the view shows of it, in cells that suit it.
+// Half width of the square of the live shadow, metres: about the part of the ground that is visible.
 double halfWidthM(const CameraPose& pose) { return std::clamp(0.6 * pose.distanceM, 150.0, 1000.0); }
 
 City without(const City& city, const Buildings& removed) {
@@ -32,7 +32,7 @@ EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> h
 }
 
 void EditPreview::setCity(std::shared_ptr<const OpenCity> city) {
-    city_ = std::move(city);  // what comes back when the preview goes is the new one's
+    city_ = std::move(city);  // ending the preview must restore the new city's buildings
     clear();
 }
 
@@ -91,13 +91,13 @@ void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.a
 void EditPreview::tellAge() {
     const auto answer = makeGroundAnswer(live_.answer());
     panel_.results().noteLive(
-        tr("%1. Of the shape %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
+        tr("%1. Shape of %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
 }
 
-// The bodies alone are shown.
+// Without a live shadow only the buildings are shown.
 void EditPreview::tellWhy(const Error& error) {
     panel_.results().setLive(std::nullopt);
-    Q_EMIT told(isCancelled(error) ? tr("The live shadow was stopped; the next thing that is shaped has one")
+    Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
                                    : tr("No live shadow. %1").arg(QString::fromStdString(error.text())));
 }
 

@@ -33,7 +33,7 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizo
     enableActions();
 }
 
-// Docks that nobody placed are still this one's.
+// Panels that were not placed in a dock are still owned here.
 EditTools::~EditTools() {
     for (QWidget* dock : {dock_.data(), static_cast<QWidget*>(massing_.data())})
         if (dock && !dock->parent()) delete dock;
@@ -55,14 +55,16 @@ QAction* EditTools::action(const QString& text, const QKeySequence& keys, const 
 void EditTools::makeActions() {
     const auto draw =
         action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
-               tr("Click the corners on the ground; Shift: square; Enter finishes, Esc cancels"));
-    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Takes the selected building away"));
+               tr("Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels"));
+    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building"));
     const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
-                                tr("A tower on the lot or footprint of the selected building"));
+                                tr("Replaces the selected building by a tower on its lot or footprint"));
     const auto move =
         action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
-    const auto lot = action(tr("Lot from &footprint"), {}, tr("Makes the selected building's outline a lot"));
-    const auto mesh = action(tr("&Import mesh..."), {}, tr("A building from a mesh file, placed by a click"));
+    const auto lot =
+        action(tr("Lot from &footprint"), {}, tr("Creates a lot from the selected building's outline"));
+    const auto mesh =
+        action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
     ofBuilding_ = {demolish, replace, move, lot};
     connect(draw, &QAction::triggered, this, &EditTools::drawLot);
     connect(demolish, &QAction::triggered, &building_, &BuildingEditing::demolish);
@@ -91,7 +93,7 @@ void EditTools::connectTools() {
     connect(&building_, &BuildingEditing::editsMade, this, &EditTools::editsMade);
     connect(&building_, &BuildingEditing::selectionChanged, this, &EditTools::enableActions);
     connect(&building_.moveTool(), &MoveTool::began, this,
-            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends moving.")); });
+            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends the tool.")); });
     connect(selection_, &SelectionPanel::replaceRequested, this, &EditTools::replace);
     connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
     connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
@@ -111,7 +113,7 @@ void EditTools::connectTools() {
     const auto place = [this](bool placing) {
         placing_->setVisible(placing);
         selection_->setVisible(!placing);
-        if (placing) Q_EMIT selectionMade();  // both are in one dock
+        if (placing) Q_EMIT selectionMade();  // both panels share a dock
     };
     connect(&mesh_, &MeshPlacing::began, this, [place] { place(true); });
     connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
@@ -204,15 +206,15 @@ void EditTools::drawLot() {
     if (!desk_.city) return;
     cancel();
     desk_.panel.lotTool().begin();
-    desk_.panel.view().requestActivate();  // the keys that finish and cancel go there
-    Q_EMIT hinted(
-        tr("Click the lot's corners. Shift: square to the last side. Double click or Enter finishes."));
+    desk_.panel.view().requestActivate();  // the view receives the keys that finish or cancel the lot
+    Q_EMIT hinted(tr(
+        "Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes."));
 }
 
 void EditTools::takeLot(const std::vector<Footprint>& pieces) {
     if (pieces.size() > 1)
         return Q_EMIT failed(
-            {"The sides of the lot cross one another", {}, "Draw it again, corner after corner"});
+            {"The sides of the lot cross each other", {}, "Draw the corners in order around the lot"});
     const NamedLot lot{freeLotName(desk_.lots), pieces.front()};
     Q_EMIT lotDrawn(lot);
     tower_.begin(lot, {});
@@ -223,7 +225,7 @@ void EditTools::lotFromFootprint() {
     if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
 }
 
-// What was built here is designed further; in place of any other building a tower begins as high as it is.
+// A tower built here is redesigned; any other building is replaced by a new tower of the same height.
 void EditTools::replace() {
     const auto lot = building_.lot();
     if (!lot) return;
@@ -235,10 +237,10 @@ void EditTools::replace() {
 }
 
 void EditTools::tellOfDesign() {
-    desk_.panel.view().requestActivate();  // the number that is typed goes there
+    desk_.panel.view().requestActivate();  // the view receives a typed height
     Q_EMIT designBegan();
     Q_EMIT hinted(
-        tr("Drag the arrow, or type a height in metres. Shift: not in whole storeys. Enter builds, Esc "
+        tr("Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc "
            "cancels."));
 }
 

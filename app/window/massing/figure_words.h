@@ -9,7 +9,7 @@ namespace noonmark {
 /// "10 storeys"
 QString describeStoreys(int storeys);
 
-/// "35.0 m, 10 storeys / 12,345 m² floor area, FAR 8.21", in two lines: beside the cursor while a tower is
+/// Two lines, "35.0 m, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor while a tower is
 /// extruded.
 QString describeFigures(const MassingFigures& figures);
 

@@ -43,7 +43,7 @@ double LiveFollower::ageSeconds() const {
     return newerThanShown_.isValid() ? double(newerThanShown_.elapsed()) / 1000 : 0;
 }
 
-// Runs that are being counted are those of a shape before: they give way.
+// A running count of continuous shadow is of an older shape: it is cancelled.
 void LiveFollower::follow(const LiveReceivers::Shape& shape) {
     if (!start_) return;
     shape_ = shape;

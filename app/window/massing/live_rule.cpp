@@ -10,7 +10,7 @@ namespace {
 QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
 
 QString stepWords(std::size_t steps) {
-    return steps == 1 ? QObject::tr("its moment") : QObject::tr("all %1 steps").arg(grouped(steps));
+    return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(grouped(steps));
 }
 
 }  // namespace
@@ -32,9 +32,8 @@ QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, 
         case LiveEngine::horizons:
             break;
     }
-    const QString words =
-        QObject::tr("With the proposal: %1, to a quarter of a degree").arg(stepWords(steps));
-    return runs ? words : QObject::tr("%1; longest runs follow").arg(words);
+    const QString words = QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(stepWords(steps));
+    return runs ? words : QObject::tr("%1; continuous shadow follows").arg(words);
 }
 
 }  // namespace noonmark

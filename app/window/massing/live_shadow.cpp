@@ -12,7 +12,7 @@ namespace {
 constexpr int cellsToASide = 400;
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-// Of a long period moments from many days and hours, as one day.
+// Moments spread over the days and hours of a long period, as one day.
 SunSteps spread(const SunSteps& sun) {
     const std::size_t all = sun.steps.size(), most = LiveRule::someMoments;
     SunSteps chosen{.stepMinutes = sun.stepMinutes};
@@ -24,12 +24,12 @@ SunSteps spread(const SunSteps& sun) {
 Result<SunSteps> daylight(const SunQuestion& question, const std::stop_token& stop) {
     auto sun = computeSunSteps(question.period, question.observer, stop);
     if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(question.period),
+        return failure("The sun stays below the horizon", textOf(question.period),
                        "Choose other hours or days");
     return sun;
 }
 
-// Only what can shade: each picture looks through it.
+// Only the buildings that can shade the receivers, since each update searches them.
 City shading(const City& city, const Receivers& receivers, const SunSteps& sun) {
     City around{.frame = city.frame, .terrain = city.terrain};
     for (const std::uint32_t building : findBuildingsInReach(city, receivers, sun))
@@ -50,7 +50,8 @@ bool suits(const LiveQuestion& question, const LivePlace& place, const SunSteps&
                                     bounds(question.region));
 }
 
-// Roofs alone would come and go with the shape, and all be swept anew: what lies between stays, unseen.
+// Roof receivers alone would come and go with the shape, and each change would sweep all horizons anew. So
+// the ground is computed too, and not shown.
 ReceiverSettings saved(ReceiverSettings settings) {
     if (settings.places == ReceiverPlaces::roofs) settings.places = ReceiverPlaces::both;
     return settings;
@@ -138,7 +139,7 @@ Result<ShadowField> LiveShadow::fieldOf(const City& city, const Receivers& recei
     return field;
 }
 
-// As shares of the whole period; single moments know no runs.
+// Scales the minutes to the whole period. Separate moments have no continuous shadow.
 void LiveShadow::spreadMoments(ShadowField& field) const {
     const double minutes = sunlitMinutesPerDay_ / field.sunlitMinutesPerDay;
     for (float& gross : field.grossMin) gross = float(double(gross) * minutes);

@@ -10,18 +10,18 @@ namespace noonmark {
 
 class PlacingPanel;
 
-/// A mesh file that becomes a building: read, placed by clicks, scaled and turned by its panel.
+/// Adds a mesh file as a building: the file is read, placed by clicks, and scaled and rotated in the panel.
 class MeshPlacing final : public QObject {
     Q_OBJECT
 public:
     MeshPlacing(EditSession& workspace, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
 
     void begin(const QString& file);
-    void show();  ///< again, in the city as it is now
+    void show();  ///< again, in the current city
     void cancel();
     [[nodiscard]] bool active() const { return mesh_.has_value(); }
     void placeAt(glm::dvec2 ground);
-    void build();  ///< does nothing before it was placed
+    void build();  ///< does nothing before the mesh is placed
 
 Q_SIGNALS:
     void began();

@@ -52,7 +52,7 @@ void MoveTool::dragTo(QPointF pixel) {
     if (!next_.isActive()) next_.start();
 }
 
-// On the level of the place that was taken hold of, which so stays under the cursor.
+// Moves in the horizontal plane through the grabbed point, which so stays under the cursor.
 void MoveTool::follow() {
     if (!from_) return;
     const CityView& view = panel_.view();
@@ -64,7 +64,7 @@ void MoveTool::follow() {
     Q_EMIT dragged(byM_);
 }
 
-// Of what was let go of before, by Esc or by another city, nothing becomes of the drag.
+// A drag that Esc or another city ended has no effect.
 void MoveTool::drop() {
     if (!from_) return;
     if (next_.isActive()) follow();

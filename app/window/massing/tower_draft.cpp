@@ -17,7 +17,8 @@ std::string firstFree(const char* word, IsTaken&& isTaken) {
         if (std::string name = fmt::format("{} {}", word, number); !isTaken(name)) return name;
 }
 
-// Demolitions but that of the building that is replaced: it may stand on the lot with a corner only.
+// The demolitions on the lot, without that of the replaced building, of which only a corner may be on the
+// lot.
 std::vector<Edit> cleared(const City& city, const TowerDraft& draft) {
     std::vector<Edit> edits = clearing(city, draft.lot.outline);
     std::erase_if(edits,

@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-// Where a tower's handle stands: over the middle of its highest plate.
+// The handle's position: the middle of the highest floor plate.
 glm::dvec2 findMiddle(const Tier& tier) {
     Building building;
     for (const Footprint& piece : tier.plate) building.parts.push_back({.footprint = piece});
@@ -75,7 +75,7 @@ void TowerEditing::setHeight(double heightM) {
     show();
 }
 
-// The preview stays until the city comes back with the tower in it.
+// The preview stays until the changed city arrives with the tower in it.
 void TowerEditing::build() {
     if (!draft_ || edits_.empty()) return;
     const TowerDraft done = *draft_;

@@ -16,7 +16,7 @@ QString signedWords(double value, int decimals, const QString& unit) {
     return (value > 0 ? QStringLiteral("+") : QString()) + describeAmount(value, decimals) + unit;
 }
 
-// The thresholds' lines of one measure.
+// Rows of one measure, one per threshold.
 void addThresholds(std::vector<ResultRow>& rows, const ComparisonFigures& figures, const QString& name,
                    ChangeFigures ImpactFigures::*measure, const QString& meaning) {
     for (const ImpactFigures& one : figures.all)
@@ -26,11 +26,10 @@ void addThresholds(std::vector<ResultRow>& rows, const ComparisonFigures& figure
 
 void addBuildings(std::vector<ResultRow>& rows, const ComparisonFigures& figures) {
     for (const auto& building : figures.byBuilding)
-        rows.push_back(
-            {QString::fromStdString(building.name), describeChangedArea(building.figures.gross),
-             tr("What this new building does by itself: ground with over %1 min a day more gross shadow than "
-                "without it")
-                 .arg(building.figures.thresholdMin)});
+        rows.push_back({QString::fromStdString(building.name), describeChangedArea(building.figures.gross),
+                        tr("Contribution of this new building alone: ground with over %1 min a day more "
+                           "gross shadow than without it")
+                            .arg(building.figures.thresholdMin)});
 }
 
 }  // namespace
@@ -48,36 +47,35 @@ std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures) {
     std::vector<ResultRow> rows{
         {tr("Compared"),
          tr("%1\nwith %2").arg(QString::fromStdString(figures.to), QString::fromStdString(figures.from)),
-         tr("Minutes of the first less minutes of the second: same engine, steps and cells")}};
+         tr("Minutes of the first minus minutes of the second, with the same engine, steps and cells")}};
     addThresholds(rows, figures, tr("Gross"), &ImpactFigures::gross,
-                  tr("Ground whose minutes of shadow a day rise or fall by more than that"));
+                  tr("Ground whose gross shadow increases or decreases by more than this"));
     if (hasRuns(all))
         addThresholds(rows, figures, tr("Continuous"), &ImpactFigures::continuous,
-                      tr("Ground whose longest unbroken shadow grows or shrinks by more than that"));
+                      tr("Ground whose continuous shadow increases or decreases by more than this"));
     else
-        rows.push_back(
-            {tr("Continuous"), tr("not counted"), tr("The engine was asked for gross shadow only")});
+        rows.push_back({tr("Continuous"), tr("not counted"), tr("The engine computed gross shadow only")});
     rows.push_back(
-        {tr("Touched at all"),
+        {tr("Any change"),
          tr("%1 more\n%2 less").arg(describeArea(all.gross.touchedM2), describeArea(all.gross.easedM2)),
          tr("Ground with any change of gross shadow")});
-    rows.push_back({tr("Most gained"), signedWords(all.gross.mostGainedMin, 1, tr(" min a day")),
-                    tr("The cell with the largest rise of gross shadow")});
-    rows.push_back({tr("Most lost"), signedWords(-all.gross.mostLostMin, 1, tr(" min a day")),
-                    tr("The cell with the largest fall of gross shadow")});
+    rows.push_back({tr("Largest increase"), signedWords(all.gross.mostGainedMin, 1, tr(" min a day")),
+                    tr("The cell with the largest increase of gross shadow")});
+    rows.push_back({tr("Largest decrease"), signedWords(-all.gross.mostLostMin, 1, tr(" min a day")),
+                    tr("The cell with the largest decrease of gross shadow")});
     rows.push_back({tr("Mean change"), signedWords(all.gross.meanMin, 2, tr(" min a day")),
-                    tr("Of gross shadow, over all cells that are open ground in both")});
+                    tr("Mean change of gross shadow over all cells that are open ground in both")});
     rows.push_back(
         {tr("Shadow area"), signedWords(all.shadowAreaChangeM2, 0, QStringLiteral(" m²")),
          tr("Change of the sum over the cells of (share of the sunlit time in shadow × cell area)")});
     rows.push_back({tr("Built over"), describeArea(all.becameBuildingM2),
-                    tr("Ground before, building now: in neither figure above")});
-    rows.push_back({tr("Now ground"), describeArea(all.becameGroundM2),
-                    tr("Building before, ground now: in neither figure above")});
+                    tr("Formerly ground, now building; not included above")});
+    rows.push_back({tr("Became ground"), describeArea(all.becameGroundM2),
+                    tr("Formerly building, now ground; not included above")});
     addBuildings(rows, figures);
     rows.push_back({tr("Ground compared"), describeArea(all.receiverAreaM2), tr("Open ground in both")});
     rows.push_back({tr("Period"), QString::fromStdString(figures.period), {}});
-    rows.push_back({tr("Engine"), QString::fromStdString(figures.engine), tr("Of both")});
+    rows.push_back({tr("Engine"), QString::fromStdString(figures.engine), tr("Used for both")});
     return rows;
 }
 

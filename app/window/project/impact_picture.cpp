@@ -34,10 +34,10 @@ QString formatChange(const Impact& impact, glm::dvec2 point) {
     const auto cell = cellAt(impact.grid, point);
     if (!cell) return {};
     if (impact.change[*cell] == CellChange::becameBuilding)
-        return QObject::tr("ground before, built over now");
-    if (impact.change[*cell] == CellChange::becameGround) return QObject::tr("built over before, ground now");
+        return QObject::tr("formerly ground, now built over");
+    if (impact.change[*cell] == CellChange::becameGround) return QObject::tr("formerly building, now ground");
     const float gross = impact.grossMin[*cell], continuous = impact.continuousMin[*cell];
-    if (std::isnan(gross)) return QObject::tr("not measured here");
+    if (std::isnan(gross)) return QObject::tr("not measured");
     if (isInstant(impact))
         return gross > 0   ? QObject::tr("now in shadow")
                : gross < 0 ? QObject::tr("now in the sun")

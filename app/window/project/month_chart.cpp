@@ -28,11 +28,11 @@ QFont smallFont(QFont font, bool bold = false) {
     return font;
 }
 
-/// One value a month.
+/// One value per month.
 struct Bars {
     QString title;
     std::vector<double> values;
-    QColor above;  ///< of values above 0
+    QColor above;  ///< colour of values above 0
     QColor below;
 };
 
@@ -75,7 +75,7 @@ void addAxes(QChart& chart, QStackedBarSeries& series, const QStringList& months
     if (amount->min() < amount->max())
         amount->applyNiceNumbers();
     else
-        amount->setRange(0, 1);  // all months are 0: nice numbers of an empty range are none
+        amount->setRange(0, 1);  // all months are 0: an empty range would give no tick labels
 }
 
 QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& font) {
@@ -90,7 +90,7 @@ QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& fon
     QStackedBarSeries* series = seriesOf(bars);
     chart->addSeries(series);
     addAxes(*chart, *series, months, font);
-    auto* view = new QChartView(chart);  // which owns it
+    auto* view = new QChartView(chart);  // owns the chart
     view->setRenderHint(QPainter::Antialiasing);
     view->setFixedHeight(chartHeightPx);
     view->setFrameShape(QFrame::NoFrame);

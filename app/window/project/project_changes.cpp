@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-// Calls `work` with the list that holds parts of this kind. Results are shared and handled apart.
+// Calls `work` with the list of parts of this kind. Results are shared pointers and handled separately.
 template <class Work>
 void inList(Project& project, ProjectPart part, Work&& work) {
     switch (part) {

@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-// Whether two lines stand for the same thing, though its words may differ.
+// Whether two nodes represent the same thing, even if the text differs.
 bool same(const ProjectNode& a, const ProjectNode& b) {
     if (a.kind != b.kind || a.part != b.part || a.name != b.name) return false;
     if (a.kind == ProjectNode::Kind::part) return true;
@@ -42,7 +42,7 @@ void ProjectModel::follow() {
     become(*root_, *wanted);
 }
 
-// Lines that are the same at the beginning and at the end stay; those in between are replaced.
+// Keeps nodes that are equal at the beginning and at the end, and replaces those in between.
 void ProjectModel::become(ProjectNode& old, ProjectNode& wanted) {
     auto& was = old.children;
     auto& is = wanted.children;

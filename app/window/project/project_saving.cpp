@@ -11,8 +11,8 @@ namespace noonmark {
 
 namespace fs = std::filesystem;
 
-/// A recovery file that one thread writes and another takes away; after that nothing is written any more.
-/// Taking it away does not wait for a write: the file goes when that ends.
+/// A recovery file that one thread writes and another may discard; nothing is written after that. Discarding
+/// does not wait for a write: the file is removed when the write ends.
 class RecoveredWork {
 public:
     explicit RecoveredWork(const fs::path& file) : autosave_(file) {
@@ -21,7 +21,7 @@ public:
         if (movedAside_) fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
     }
 
-    /// Whether the recovery file of an earlier run was there; it is the older one now.
+    /// Whether there was a recovery file of an earlier run; it has been moved to olderRecovery().
     [[nodiscard]] bool movedAside() const { return movedAside_; }
 
     Result<void> keep(const Project& project) {
@@ -63,7 +63,7 @@ ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view
     });
 }
 
-// Two saves at once would take each other for someone else's: the later one waits.
+// The later save waits: concurrent saves would each see the other as a change of the file by another program.
 void ProjectSaving::save() {
     if (!session_.file()) return;
     if (writing_.busy()) return void(next_ = [this] { save(); });
@@ -100,7 +100,7 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
     takenUp_.clear();
     session_.setSaved(*std::move(written), version);
     std::error_code none;
-    fs::remove(olderRecovery(session_.file()->path()), none);  // what was saved later than it counts
+    fs::remove(olderRecovery(session_.file()->path()), none);  // superseded by this save
     Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
     if (const auto next = std::exchange(next_, nullptr)) next();
 }
@@ -119,7 +119,7 @@ void ProjectSaving::keepUnsaved() {
     if (keeping_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
     if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
     keeping_.start<bool>(
-        tr("Keeping unsaved work"),
+        tr("Saving recovery file"),
         [saved = saved_, project = session_.withView(view_())](Progress&, std::stop_token) {
             return saved->keep(project).map([] { return true; });
         },
@@ -142,7 +142,7 @@ void ProjectSaving::discardUnsaved() {
     forgetUnsaved();
 }
 
-// Where this run has kept something, the newer of the earlier files was moved over the older one.
+// If this run has written a recovery file, the newer of the earlier files was moved over the older one.
 void ProjectSaving::forgetTakenUp() {
     const fs::path recovery = recoveryPath(session_.file()->path());
     const fs::path older = olderRecovery(session_.file()->path());

@@ -17,7 +17,7 @@ fs::path asideName(const fs::path& recovery, int number) {
     return recovery.string() + ".left" + (number > 1 ? std::to_string(number) : "") + projectEnding;
 }
 
-// The oldest has the number 1, and there are no gaps.
+// The number of files moved aside. The oldest has number 1, and there are no gaps.
 int countAside(const fs::path& recovery) {
     std::error_code none;
     int count = 0;
@@ -31,7 +31,7 @@ void dropOldest(const fs::path& recovery, int count) {
     for (int i = 1; i < count; ++i) fs::rename(asideName(recovery, i + 1), asideName(recovery, i), none);
 }
 
-// Out of the way of this run's own recovery file and beside what was put aside before; the newest of all.
+// Moves an earlier run's recovery file aside, as the newest of those moved before. Returns the newest.
 std::optional<fs::path> putAside(const fs::path& recovery) {
     std::error_code error;
     if (fs::exists(recovery, error)) {

@@ -8,21 +8,21 @@
 
 namespace noonmark {
 
-/// Where the recovery file of a project that was never saved lies: a name in a folder that no other running
-/// window uses. Work that an earlier run left under that name is put aside, to be taken up again: the newest
-/// first, then the one before. Of `mostLeft` the oldest makes way for a newer one. What was taken up and then
-/// saved or discarded is forgotten: the file goes, and is never offered again.
+/// The recovery file of a project that was never saved. Its name in a folder is used by no other running
+/// window. Work that an earlier run left under that name is moved aside and offered for recovery, the newest
+/// first, then the one before. If there are `mostLeft` already, the oldest is removed. Recovered work that is
+/// then saved or discarded is removed and not offered again.
 class RecoveryStore {
 public:
     static constexpr int mostLeft = 5;
 
-    explicit RecoveryStore(const QString& folder);  ///< made where it is not there
+    explicit RecoveryStore(const QString& folder);  ///< created if missing
 
-    /// The name that the project would have (Autosave knows the recovery file's); empty where the folder
-    /// cannot be written.
+    /// The name that the project would have (Autosave derives the recovery file's name from it); empty if the
+    /// folder is not writable.
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
-    /// What an earlier run left, until it is forgotten.
+    /// Work that an earlier run left, until forgetLeft().
     [[nodiscard]] const std::optional<std::filesystem::path>& left() const { return left_; }
     void forgetLeft();
 

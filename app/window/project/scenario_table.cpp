@@ -16,10 +16,10 @@ struct Column {
 };
 
 constexpr Column columns[] = {
-    {"Scenario", "Double click shows it"},
-    {"Changes", "Steps from the existing city, those of its bases included"},
+    {"Scenario", "Double-click to show it"},
+    {"Changes", "Steps from the existing city, including those of its bases"},
     {"Shadow area, m²", "Sum over the receivers of (share of the sunlit time in shadow × cell area)"},
-    {"Mean gross, min", "Minutes in shadow a day, mean over days and receivers"},
+    {"Mean gross, min", "Minutes in shadow per day, mean over days and receivers"},
     {"Mean continuous, min", "Longest unbroken run in shadow on any day, mean over the receivers"},
 };
 
@@ -82,7 +82,7 @@ QVariant ScenarioTable::data(const QModelIndex& index, int role) const {
     if (role == Qt::DisplayRole) return textAt(scenario, index.column());
     if (role == Qt::TextAlignmentRole && index.column() > 0) return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && index.column() > 1 && !studies_.contains(scenario))
-        return tr("No study of this scenario with the present settings yet: show it and press Run");
+        return tr("Not computed with the current settings: show the scenario and press Run");
     if (role == Qt::FontRole && scenario == session_.scenario()) {
         QFont bold;
         bold.setBold(true);

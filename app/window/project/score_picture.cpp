@@ -24,7 +24,7 @@ QString formatScore(const Score& score, glm::dvec2 point) {
     const auto cell = cellAt(score.grid, point);
     if (!cell) return {};
     const float value = score.score[*cell];
-    if (std::isnan(value)) return QObject::tr("not measured here");
+    if (std::isnan(value)) return QObject::tr("not measured");
     return QObject::tr("score %1%2 m² a m²")
         .arg(value > 0 ? QStringLiteral("+") : QString())
         .arg(double(value), 0, 'f', 3);

@@ -23,18 +23,18 @@ QString areaAndScore(double areaM2, double scoreM2) {
 void addMonths(std::vector<ResultRow>& rows, const Score& score) {
     for (const MonthFigures& month : score.months)
         rows.push_back({describeMonth(month.month), areaAndScore(month.shadowAreaM2, month.scoreM2),
-                        tr("Shadow area over %1 sunlit minutes, and what the month adds to the score")
+                        tr("Shadow area over %1 sunlit minutes, and the month's contribution to the score")
                             .arg(describeAmount(month.sunlitMinutes, 0))});
 }
 
-// Those without a step of the sun have neither area nor score.
+// Intervals without steps of the sun have neither shadow area nor score.
 void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
     for (const IntervalFigures& interval : score.intervals)
         if (interval.shadowAreaM2 > 0)
             rows.push_back({tr("%1 × %2").arg(QString::fromStdString(interval.name)).arg(interval.weight),
                             areaAndScore(interval.shadowAreaM2, interval.scoreM2),
-                            tr("Interval of the table with its weight: shadow area in its sunlit time, and "
-                               "the weight times that")});
+                            tr("Interval of the table and its weight: shadow area in its sunlit time, and "
+                               "weight times shadow area")});
 }
 
 }  // namespace
@@ -51,10 +51,11 @@ std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scen
     std::vector<ResultRow> rows{
         {tr("Shadow score"), signedArea(score.scoreM2),
          tr("Sum over intervals of weight × share of the interval's sunlit time in shadow × cell area. Above "
-            "0 shade is wanted more than shadow is unwanted")},
-        {tr("a m² of ground"), QString::number(perArea, 'f', 3), tr("Score over the area of all receivers")},
+            "0, wanted shade outweighs unwanted shadow")},
+        {tr("per m² of ground"), QString::number(perArea, 'f', 3),
+         tr("Score divided by the area of all receivers")},
         {tr("Scored"),
-         tr("%1\nby the weights %2").arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
+         tr("%1\nwith the weights %2").arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
          {}}};
     addMonths(rows, score);
     addIntervals(rows, score);

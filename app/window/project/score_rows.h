@@ -5,7 +5,7 @@
 
 namespace noonmark {
 
-/// A score line by line: of all, of every month and of every interval that has sunlit time.
+/// The table of a score: the total, each month and each interval with sunlit time.
 std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
                                      const std::string& weights, const std::string& period);
 

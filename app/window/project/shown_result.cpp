@@ -13,7 +13,7 @@ namespace {
 QString tr(const char* text) { return QObject::tr(text); }
 QString textOf(const std::string& text) { return QString::fromStdString(text); }
 
-// In the time of this machine: whoever reads it kept it there, as a rule.
+// In local time, since the reader usually saved it on the same machine.
 QString keptAt(const SavedOrigin& origin) {
     const QDateTime at = QDateTime::fromString(textOf(origin.at), Qt::ISODate).toLocalTime();
     return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : tr("at an unknown date");
@@ -70,22 +70,22 @@ std::optional<ShownResult> reweigh(const ShownResult& result, const Project& pro
 }
 
 GroundAnswer makeGroundAnswer(const ShownResult& result) {
-    const QString saved = tr("Kept %1: %2").arg(keptAt(result.answer->origin), textOf(result.name));
-    const QString note = result.upToDate() ? saved : tr("%1. Out of date").arg(saved);
+    const QString saved = tr("Saved %1: %2").arg(keptAt(result.answer->origin), textOf(result.name));
+    const QString note = result.upToDate() ? saved : tr("%1. Outdated").arg(saved);
     return runsLookedFor({mapOf(result.answer), nullptr, note, !result.upToDate()});
 }
 
 std::vector<ResultRow> makeRows(const ShownResult& result) {
     const SavedOrigin& origin = result.answer->origin;
     std::vector<ResultRow> rows{
-        {tr("Kept result"), textOf(result.name), tr("As it was kept in the project, not computed anew")},
-        {tr("Of"), textOf(result.scenario), {}},
+        {tr("Saved result"), textOf(result.name), tr("As saved in the project, not recomputed")},
+        {tr("Scenario"), textOf(result.scenario), {}},
         {tr("Region"),
          tr("%1\ncells of %2 m")
-             .arg(origin.region.empty() ? tr("without a name") : textOf(origin.region))
+             .arg(origin.region.empty() ? tr("unnamed") : textOf(origin.region))
              .arg(result.cellM),
          {}},
-        {tr("Made by"), tr("%1, kept %2").arg(textOf(origin.program), keptAt(origin)), {}}};
+        {tr("Computed by"), tr("%1, saved %2").arg(textOf(origin.program), keptAt(origin)), {}}};
     std::visit(
         [&](const auto& answer) {
             for (ResultRow& row : figureRows(answer, result)) rows.push_back(std::move(row));
@@ -95,10 +95,10 @@ std::vector<ResultRow> makeRows(const ShownResult& result) {
 }
 
 QString describeSaved(const ShownResult& result) {
-    QStringList words{tr("A result kept %1.").arg(keptAt(result.answer->origin))};
+    QStringList words{tr("A result saved %1.").arg(keptAt(result.answer->origin))};
     for (const auto* changes : {&result.changes, &result.weightChanges})
         for (const std::string& change : *changes) words << textOf(change);
-    if (result.upToDate()) words << tr("Nothing it rests on has changed since.");
+    if (result.upToDate()) words << tr("Its inputs have not changed since.");
     return words.join(QLatin1Char('\n'));
 }
 

@@ -96,7 +96,7 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     study.contributions = json.at("contributions");
     if (!checked(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
     return study;
-} catch (const std::exception&) {  // JSON of another shape, a ring of two points, places without a name
+} catch (const std::exception&) {  // unexpected JSON structure, a ring of two points, unnamed places
     return std::nullopt;
 }
 
@@ -124,7 +124,7 @@ std::string found(const Texts& texts, const char* key) {
     return at == texts.end() ? std::string() : at->second;
 }
 
-// Numbers of the file, not names: those are the window's and translated.
+// Values in the file, not the displayed names, which are translated.
 constexpr const char* modes[] = {"exploration", "analysis", "ray reference"};
 
 ViewMode modeFrom(const std::string& text) {

@@ -8,8 +8,8 @@
 
 namespace noonmark {
 
-/// Passes on the newest report only: many threads report often, the window needs few. Running results are
-/// taken when the window has shown the one before.
+/// Passes on only the newest report: many threads report often, the window needs few. A new partial result is
+/// taken only after the window has received the previous one.
 class Job::Reporter final : public Progress, public PartialSink {
 public:
     explicit Reporter(Job& job) : job_(job) {}
@@ -66,7 +66,7 @@ private:
 
     Job& job_;
     mutable std::mutex mutex_;
-    std::shared_ptr<const PartialField> partial_;  // waits to be shown
+    std::shared_ptr<const PartialField> partial_;  // not yet passed to the window
     Stopwatch watch_;
     PartialPace pace_;
     double fraction_ = 0;
@@ -76,7 +76,7 @@ private:
 
 Job::Job(Work work) : reporter_(std::make_unique<Reporter>(*this)) {
     thread_ = std::jthread([this, work = std::move(work)](std::stop_token stop) {
-        // A call that waits in a destroyed object's queue is dropped: nothing is delivered too late.
+        // Queued calls to a destroyed object are dropped, so nothing is delivered too late.
         QMetaObject::invokeMethod(
             this, [this, result = work(*reporter_, std::move(stop))] { deliver(result); },
             Qt::QueuedConnection);

@@ -14,28 +14,29 @@
 
 namespace noonmark {
 
-/// Work on its own thread. Destroying a job cancels it and waits for its end; then nothing more is called.
-/// Signals and callbacks come in the thread that made the job.
+/// Work on its own thread. Destroying a job cancels it and waits for its end; after that nothing is called.
+/// Signals and callbacks arrive in the thread that created the job.
 class Job final : public QObject {
     Q_OBJECT
 public:
     using Deliver = std::function<void()>;
-    /// Runs on the job's thread; what it returns is called back in the maker's thread.
+    /// Runs on the job's thread; the function it returns is called in the creator's thread.
     using Work = std::function<Deliver(Progress&, std::stop_token)>;
 
     explicit Job(Work work);
     ~Job() override;
 
     void
-    cancel();  ///< asks the work to stop; it still delivers, as a rule an Error for which isCancelled() holds
+    /// Asks the work to stop. It still delivers, usually an Error for which isCancelled() holds.
+    cancel();
 
-    /// Cancels without waiting: nothing is reported or delivered any more. The job destroys itself when its
-    /// work has ended, or goes with `keeper` if that is earlier.
+    /// Cancels without waiting: nothing is reported or delivered any more. The job deletes itself when its
+    /// work ends, or earlier together with `keeper`.
     static void leave(std::unique_ptr<Job> job, QObject& keeper);
 
 Q_SIGNALS:
     void progressed(double fraction, QString stage);
-    /// A running result, the newest where several came; no more than PartialPace asks for.
+    /// A partial result, the newest if several came; no more often than PartialPace asks for.
     void partial(std::shared_ptr<const noonmark::PartialField> field);
 
 private:
@@ -47,7 +48,8 @@ private:
     std::jthread thread_;
 };
 
-/// What escapes the work (memory that runs out) becomes its Error: on a thread it would end the program.
+/// Turns an exception thrown by the work (such as out of memory) into an Error: on a thread it would end the
+/// program.
 template <class T>
 Result<T> tried(const std::function<Result<T>(Progress&, std::stop_token)>& work, Progress& progress,
                 std::stop_token stop) try {
@@ -57,7 +59,7 @@ Result<T> tried(const std::function<Result<T>(Progress&, std::stop_token)>& work
                    "Close other programs, or choose a smaller region or file");
 }
 
-/// A job that computes a Result and hands it to `done`. `done` may not destroy the job itself; JobSlot may.
+/// A job that computes a Result and passes it to `done`. `done` must not destroy the job itself; JobSlot may.
 template <class T>
 std::unique_ptr<Job> runJob(std::function<Result<T>(Progress&, std::stop_token)> work,
                             std::function<void(Result<T>)> done) {

@@ -4,8 +4,8 @@
 
 namespace noonmark {
 
-/// Room for one job at a time. Starting another cancels the one before, which ends by itself while the new
-/// one already works; nobody waits. Destroying the slot waits for all.
+/// Runs one job at a time. Starting another cancels the one before, which ends on its own while the new one
+/// runs, without blocking. Destroying the slot waits for all jobs.
 class JobSlot final : public QObject {
     Q_OBJECT
 public:
@@ -13,7 +13,7 @@ public:
 
     [[nodiscard]] bool busy() const { return job_ != nullptr; }
 
-    /// `done` is called in this thread when the work ends, unless another job was started or the slot
+    /// `done` is called in this thread when the work ends, unless another job was started or the slot was
     /// destroyed.
     template <class T>
     void start(const QString& what, std::function<Result<T>(Progress&, std::stop_token)> work,
@@ -30,7 +30,7 @@ public:
         if (job_) job_->cancel();
     }
 
-    /// The job, if any, ends unheard.
+    /// Cancels the job, if any, and discards its result.
     void drop() {
         if (!job_) return;
         leave();
@@ -46,7 +46,7 @@ private:
         if (job_) Job::leave(std::move(job_), *this);
     }
 
-    // The job is calling us: it goes when it has returned.
+    // The job is calling this slot: it is deleted after it has returned.
     void end() {
         job_.release()->deleteLater();
         Q_EMIT ended();

@@ -6,7 +6,8 @@ namespace noonmark {
 
 namespace {
 
-// More than this many buildings beside the arrays would cost at every change.
+// If more buildings than this differ from the arrays, new arrays are made: drawing them separately would cost
+// at each change.
 constexpr std::size_t mostAdded = 1000;
 
 bool serves(const std::shared_ptr<const CityArrays>& drawn, const City& city) {

@@ -11,15 +11,15 @@ namespace noonmark {
 
 class ReadingForm;
 
-/// Asks how to read files that do not say everything by themselves. The window stays usable beside it.
+/// A dialog for the reading settings of files that do not state everything. It is not modal.
 class OpenOptions final : public QDialog {
     Q_OBJECT
 public:
     explicit OpenOptions(QWidget* parent = nullptr);
 
-    /// Shows the dialog for these files, with fields as in `settings`.
+    /// Shows the dialog for these files, with the fields set to `settings`.
     void ask(const QStringList& files, const ReadSettings& settings);
-    void setMiddle(std::optional<LonLat> middle);  ///< of the city that is open
+    void setMiddle(std::optional<LonLat> middle);  ///< of the open city
 
     [[nodiscard]] QStringList files() const { return files_; }
 

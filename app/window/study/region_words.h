@@ -7,13 +7,13 @@
 
 namespace noonmark {
 
-/// "12,345 m²", "67.8 ha" from ten hectares on.
+/// "12,345 m²", or "67.8 ha" from ten hectares on.
 QString describeArea(double areaM2);
 
-/// A region in words: name, size in metres, area, and about how many cells its box has.
+/// Describes a region: name, size in metres, area, and the approximate number of cells in its bounding box.
 QString describeRegion(const Region& region, double cellM);
 
-/// What a polygon that is being drawn measures: "24.6 m, 812 m²"; empty before there is a side.
+/// Measures of a polygon being drawn: "24.6 m, 812 m²"; empty before there is a side.
 QString describeDrawn(const PolygonTool& tool);
 
 }  // namespace noonmark

@@ -26,20 +26,19 @@ std::vector<ResultRow> shadowRows(const ShadowStatistics& s, bool instant) {
     std::vector<ResultRow> rows{
         {tr("Shadow area"), describeAmount(s.shadowAreaM2, 0) + QStringLiteral(" m²"),
          tr("Sum over the receivers of (share of the sunlit time in shadow × cell area)")},
-        {tr("of the ground"), describeAmount(share) + QStringLiteral(" %"),
+        {tr("Share of ground"), describeAmount(share) + QStringLiteral(" %"),
          tr("Shadow area over the area of all receivers")}};
     if (instant) return rows;
     rows.push_back(minutes(tr("Mean gross"), s.meanGrossMin,
-                           tr("Minutes in shadow a day, mean over days and receivers")));
+                           tr("Minutes in shadow per day, mean over days and receivers")));
     if (!hasRuns(s)) {
-        rows.push_back(
-            {tr("Continuous"), tr("not counted"), tr("The engine was asked for gross shadow only")});
+        rows.push_back({tr("Continuous"), tr("not counted"), tr("The engine computed gross shadow only")});
         return rows;
     }
     rows.push_back(minutes(tr("Mean continuous"), s.meanContinuousMin,
                            tr("Longest unbroken run in shadow on any day, mean over the receivers")));
     rows.push_back(minutes(tr("Max continuous"), s.maxContinuousMin,
-                           tr("Longest unbroken run in shadow of any receiver on any day")));
+                           tr("Longest unbroken run in shadow at any receiver on any day")));
     return rows;
 }
 
@@ -55,9 +54,9 @@ void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
     if (figures.rays > 0)
         rows.push_back(
             {tr("Speed"), describeAmount(megaRays) + tr(" M rays/s"),
-             tr("%1 occlusion rays over the seconds that the engine took").arg(describeCount(figures.rays))});
+             tr("%1 occlusion rays divided by the engine's time").arg(describeCount(figures.rays))});
     rows.push_back({tr("Time"), describeAmount(figures.seconds, 2) + QStringLiteral(" s"),
-                    tr("Seconds that the engine took")});
+                    tr("Time taken by the engine")});
 }
 
 StudyFigures figuresOfStudy(const Study& study) {
@@ -71,8 +70,8 @@ StudyFigures figuresOfStudy(const Study& study) {
 
 std::vector<ResultRow> makeRows(const StudyFigures& figures) {
     std::vector<ResultRow> rows = shadowRows(figures.statistics, figures.instant);
-    rows.push_back(
-        {tr("Receivers"), describeCount(figures.statistics.receivers), tr("Cells where shadow is measured")});
+    rows.push_back({tr("Receivers"), describeCount(figures.statistics.receivers),
+                    tr("Cells in which shadow is measured")});
     rows.push_back({tr("Steps of the sun"), describeCount(figures.steps),
                     tr("Positions of the sun above the horizon; %1 below it were left out")
                         .arg(describeCount(figures.belowHorizon))});

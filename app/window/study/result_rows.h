@@ -8,22 +8,22 @@
 
 namespace noonmark {
 
-/// A line of the results: name, value with unit, and what it means.
+/// A row of the results: name, value with unit, and meaning.
 struct ResultRow {
     QString name;
     QString value;
     QString meaning;
 };
 
-/// The figures of a study, whether it was just made or is a kept one.
+/// The figures of a study, new or saved.
 struct StudyFigures {
     ShadowStatistics statistics;
-    bool instant = false;            ///< of one moment: there are no minutes
-    std::uint64_t steps = 0;         ///< of the sun above the horizon
-    std::uint64_t belowHorizon = 0;  ///< left out
+    bool instant = false;            ///< of one moment: no minutes
+    std::uint64_t steps = 0;         ///< steps with the sun above the horizon
+    std::uint64_t belowHorizon = 0;  ///< steps left out
     double sunlitMinutesPerDay = 0;
     std::uint64_t rays = 0;
-    double seconds = 0;  ///< that the engine took; 0: not known
+    double seconds = 0;  ///< engine time; 0: not known
     std::string period;  ///< in words
     std::vector<ErrorLine> errors;
     std::string engine;

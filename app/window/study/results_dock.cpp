@@ -14,13 +14,13 @@ ResultsDock::ResultsDock(QWidget* parent)
     : QWidget(parent),
       note_(new QLabel),
       back_(pushButton(tr("Show the study again"), "wayBack",
-                       tr("Instead of this result: the study or comparison of what is shown"))),
+                       tr("Replaces this result by the current study or comparison"))),
       months_(new MonthChart),
       form_(new QFormLayout(this)),
       hint_(tr("No study yet.")) {
     note_->setObjectName(QStringLiteral("resultNote"));
     note_->setWordWrap(true);
-    // One layout: in a nested one, words that wrap get too little height.
+    // A single layout: in a nested one, wrapped text gets too little height.
     for (QWidget* whole : std::initializer_list<QWidget*>{note_, back_, months_}) form_->addRow(whole);
     fixedRows_ = form_->rowCount();
     connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
@@ -54,7 +54,8 @@ void ResultsDock::setNote(const QString& note, bool warns) {
     fitNote();
 }
 
-// The layout gives words that wrap no height at all when they come back alone after a score was shown.
+// Sets the note's height, since the layout gives a wrapped label no height when it returns after a score was
+// shown.
 void ResultsDock::fitNote() {
     const QMargins margins = form_->contentsMargins();
     const int width = std::max(1, this->width() - margins.left() - margins.right());
@@ -71,7 +72,7 @@ void ResultsDock::setHint(const QString& hint) {
     if (!filled_) setNote({});
 }
 
-// Figures that are not of what is shown are pale.
+// Greys out figures that do not belong to what is displayed.
 void ResultsDock::setFaded(bool faded) {
     faded_ = faded;
     for (int row = fixedRows_; row < form_->rowCount(); ++row)

@@ -13,20 +13,21 @@ namespace noonmark {
 
 class MonthChart;
 
-/// The figures of the latest study, comparison or score, or of a kept result.
+/// The figures of the displayed result: a study, comparison, score or saved result.
 class ResultsDock final : public QWidget {
     Q_OBJECT
 public:
     explicit ResultsDock(QWidget* parent = nullptr);
 
-    /// None: no result yet. `months`: of a score, as charts. Takes the note and the way back away.
+    /// Shows these figures; none: no result yet. `months`: of a score, as charts. Removes the note and the
+    /// button back to the study.
     void show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months = {});
-    /// Above the figures; empty: nothing. `warns`: in amber, and the figures are pale: they are not of what
-    /// is shown.
+    /// Text above the figures; empty: none. `warns`: in amber, and the figures are greyed out, since they do
+    /// not belong to what is displayed.
     void setNote(const QString& note, bool warns = true);
-    void setHint(const QString& hint);                   ///< in place of figures, until there are some
-    [[nodiscard]] bool faded() const { return faded_; }  ///< by a note that warns
-    void offerWayBack(bool offered);                     ///< to the study that these figures stand before
+    void setHint(const QString& hint);                   ///< shown while there are no figures
+    [[nodiscard]] bool faded() const { return faded_; }  ///< greyed out by a note that warns
+    void offerWayBack(bool offered);                     ///< shows a button back to the study
 
 Q_SIGNALS:
     void studyWanted();
@@ -43,7 +44,7 @@ private:
     MonthChart* months_;
     QFormLayout* form_;
     QString hint_;
-    int fixedRows_ = 0;  // the figures follow
+    int fixedRows_ = 0;  // the rows above the figures
     bool filled_ = false;
     bool faded_ = false;
 };

@@ -7,19 +7,19 @@
 
 namespace noonmark {
 
-/// What one field by the ray reference is expected to cost, and how long the engine that is picked by itself
-/// would take: the model that picks it (auto_engine.h).
+/// The expected cost of one field by the ray reference, and the time of the automatic engine, by the model
+/// that chooses it (auto_engine.h).
 struct RunEstimate {
     double rays = 0;
     double seconds = 0;
     double quickerSeconds = 0;
 };
 
-/// From so many seconds on a run is announced before it starts.
+/// A run expected to take at least this many seconds is announced before it starts.
 constexpr double longRunSeconds = 120;
 
-/// Receivers and steps are those of the study: some 0.1 s, of a year by the minute a second. Error: what the
-/// study itself would be refused for, or stopped.
+/// Uses the receivers and steps of the study: takes about 0.1 s, or a second for a year in steps of a minute.
+/// Error: the study's own refusal, or stopped.
 Result<RunEstimate> estimateRays(const City& city, const StudySettings& settings,
                                  const std::stop_token& stop);
 

@@ -41,7 +41,7 @@ StudyDock::StudyDock(StudyDocument& document, QWidget* parent)
     refusal_->setStyleSheet(QStringLiteral("color: #a02410;"));
     run_ = new QPushButton(tr("Run study"));
     run_->setObjectName(QStringLiteral("run"));
-    run_->setToolTip(tr("Compute the minutes of shadow of every cell of the region (Ctrl+R)"));
+    run_->setToolTip(tr("Compute the minutes of shadow in every cell of the region (Ctrl+R)"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(groupOf(tr("Period"), period_));
     column->addWidget(makeRegionGroup());
@@ -70,12 +70,12 @@ QWidget* StudyDock::makeRegionGroup() {
     draw_->setObjectName(QStringLiteral("draw"));
     draw_->setCheckable(true);
     draw_->setToolTip(
-        tr("Click the corners of a polygon on the ground.\n"
-           "Double click, Enter or the right button finish it, Backspace takes a corner back, Esc cancels."));
+        tr("Click the corners of a polygon on the ground.\nDouble click, Enter or right click finishes, "
+           "Backspace removes the last corner, Esc cancels."));
     auto* view = new QPushButton(tr("View"));
-    view->setToolTip(tr("The ground that the view shows"));
+    view->setToolTip(tr("The ground visible in the view"));
     auto* whole = new QPushButton(tr("City"));
-    whole->setToolTip(tr("The box around all buildings"));
+    whole->setToolTip(tr("The bounding box of all buildings"));
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {draw_, view, whole}) buttons->addWidget(button);
     auto* group = new QGroupBox(tr("Region"));
@@ -92,9 +92,9 @@ QWidget* StudyDock::makeRegionGroup() {
 QWidget* StudyDock::makePlaces() {
     places_ = new QComboBox;
     places_->setObjectName(QStringLiteral("places"));
-    places_->setToolTip(tr(
-        "Where shadow is measured.\nRoofs: by the engines horizon sweep, ray reference and the one picked by "
-        "itself;\ncomparisons and scores are of the ground."));
+    places_->setToolTip(
+        tr("Where shadow is measured.\nRoofs: with the horizon sweep, the ray reference or the automatic "
+           "engine;\ncomparisons and scores are for the ground only."));
     for (const ReceiverPlaces places : allReceiverPlaces) {
         const std::string_view words = describe(places);
         places_->addItem(tr("On %1").arg(QString::fromUtf8(words.data(), qsizetype(words.size()))));
@@ -122,15 +122,15 @@ void StudyDock::setTerrain(bool terrain) {
     showRefusal();
 }
 
-// At once, not on Run.
+// Shown at once, not only on Run.
 void StudyDock::showRefusal() {
     const StudySettings& settings = document_.settings();
     const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
     const bool refused = (roofs || terrain_) && isOnLevelGroundOnly(settings.engine);
     refusal_->setVisible(refused);
-    refusal_->setText(tr("This engine takes level ground only, and %1. Choose the horizon sweep, the ray "
+    refusal_->setText(tr("This engine supports level ground only, but %1. Choose the horizon sweep, the ray "
                          "reference or automatic.")
-                          .arg(roofs ? tr("receivers on roofs are asked for") : tr("this city has terrain")));
+                          .arg(roofs ? tr("receivers on roofs are selected") : tr("this city has terrain")));
 }
 
 void StudyDock::setDrawing(bool drawing) {
@@ -138,6 +138,6 @@ void StudyDock::setDrawing(bool drawing) {
     draw_->setChecked(drawing);
 }
 
-void StudyDock::setRunning(bool running) { run_->setText(running ? tr("Run anew") : tr("Run study")); }
+void StudyDock::setRunning(bool running) { run_->setText(running ? tr("Run again") : tr("Run study")); }
 
 }  // namespace noonmark

@@ -15,17 +15,17 @@ class PeriodForm;
 class ProgressStrip;
 class StudyDocument;
 
-/// The question: period, region, cells, engine; and the button that asks it. Shows and changes a
+/// The dock for the study's settings: period, region, cells, engine, and the run button. Shows and changes a
 /// StudyDocument.
 class StudyDock final : public QWidget {
     Q_OBJECT
 public:
-    explicit StudyDock(StudyDocument& document, QWidget* parent = nullptr);  ///< `document` outlives it
+    explicit StudyDock(StudyDocument& document, QWidget* parent = nullptr);  ///< `document` must outlive it
 
     [[nodiscard]] ProgressStrip& progress() { return *progress_; }
-    void setDrawing(bool drawing);  ///< a region is being drawn
+    void setDrawing(bool drawing);  ///< while a region is being drawn
     void setRunning(bool running);
-    void setTerrain(bool terrain);  ///< of the city: not every engine takes it
+    void setTerrain(bool terrain);  ///< the city has terrain, which not every engine supports
 
 Q_SIGNALS:
     void runRequested();
@@ -44,7 +44,7 @@ private:
     AccuracyForm* accuracy_;
     QLabel* region_;
     QComboBox* places_;
-    QLabel* refusal_;  ///< what the engine cannot do of it
+    QLabel* refusal_;  ///< why the engine cannot run this study
     bool terrain_ = false;
     QPushButton* draw_;
     QPushButton* run_;

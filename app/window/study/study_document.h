@@ -1,5 +1,11 @@
 #pragma once
 
+// The study: its settings, the jobs that run it and the docks that show it. StudyDocument holds the settings
+// with undo; StudyDock edits them; ResultsDock shows the figures (rows from result_rows), WarningsDock the
+// warnings of reading (warning_place finds the building that one names). Job and JobSlot run work on another
+// thread for the whole window; open_city prepares a city for display; OpenOptions asks how to read files;
+// run_estimate predicts how long a run by the ray reference takes.
+
 #include <QObject>
 #include <QUndoStack>
 
@@ -7,7 +13,7 @@
 
 namespace noonmark {
 
-/// The question that the user is putting together: settings and region, each change of which can be undone.
+/// The settings of the study, including its region. Each change can be undone.
 class StudyDocument final : public QObject {
     Q_OBJECT
 public:
@@ -16,11 +22,10 @@ public:
     [[nodiscard]] const StudySettings& settings() const { return settings_; }
     [[nodiscard]] QUndoStack& undoStack() { return undoStack_; }
 
-    /// Nothing happens when nothing differs. Changes of the same `field` that follow each other are one step
-    /// of undo.
+    /// Does nothing if nothing differs. Consecutive changes of the same `field` are one undo step.
     void change(const StudySettings& to, const QString& field);
 
-    /// A fresh start without a way back, as after opening another city.
+    /// Replaces the settings without undo, as after opening another city.
     void reset(const StudySettings& settings);
 
 Q_SIGNALS:

@@ -8,9 +8,9 @@
 
 namespace noonmark {
 
-/// The building that a warning's place names: "way 264768896", "midtown.osm.pbf: relation 12, height". Its id
-/// or that of one of its parts stands in it as a whole word; of several the longest. Nothing where none does.
-/// O(buildings).
+/// The building that a warning's place names: "way 264768896", "midtown.osm.pbf: relation 12, height". Its
+/// id, or that of one of its parts, must occur as a whole word; if several do, the longest counts. Nothing if
+/// none does. O(buildings).
 std::optional<std::uint32_t> buildingNamed(const City& city, const std::string& where);
 
 }  // namespace noonmark

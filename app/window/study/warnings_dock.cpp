@@ -6,7 +6,7 @@ namespace noonmark {
 
 namespace {
 
-// More lines than this nobody reads here; study.json has them all.
+// Limits the rows per kind; study.json lists all.
 constexpr std::size_t mostPlaces = 2000;
 
 QTreeWidgetItem* itemOf(const WarningGroup& group) {
@@ -19,8 +19,8 @@ QTreeWidgetItem* itemOf(const WarningGroup& group) {
     for (std::size_t i = 0; i < shown; ++i)
         item->addChild(new QTreeWidgetItem({QString::fromStdString(group.where[i])}));
     if (shown < group.where.size())
-        item->addChild(new QTreeWidgetItem({QObject::tr("and %1 more: study.json of an export lists them")
-                                                .arg(group.where.size() - shown)}));
+        item->addChild(new QTreeWidgetItem(
+            {QObject::tr("and %1 more, listed in study.json of an export").arg(group.where.size() - shown)}));
     return item;
 }
 
@@ -30,7 +30,7 @@ WarningsDock::WarningsDock(QWidget* parent) : QTreeWidget(parent) {
     setHeaderHidden(true);
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
-    setToolTip(tr("Double click or Enter on a feature goes to its building"));
+    setToolTip(tr("Double-click a feature or press Enter to go to its building"));
     connect(this, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
         if (item->parent()) Q_EMIT placeChosen(item->text(0));
     });

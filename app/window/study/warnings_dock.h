@@ -6,7 +6,8 @@
 
 namespace noonmark {
 
-/// What was mended, left out or assumed, by kind, each with the ids of its features, which can be gone to.
+/// The warnings of reading: data that was repaired, left out or assumed, grouped by kind, with the ids of the
+/// features.
 class WarningsDock final : public QTreeWidget {
     Q_OBJECT
 public:
@@ -14,7 +15,7 @@ public:
     void show(const Warnings& warnings);
 
 Q_SIGNALS:
-    void placeChosen(QString where);  ///< a warning's place: double click or Enter
+    void placeChosen(QString where);  ///< double click or Enter on a warning's place
 };
 
 }  // namespace noonmark

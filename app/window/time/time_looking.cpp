@@ -25,7 +25,7 @@ void TimeLooking::ask() {
     if (!study_ || look_.span == TimeSpan::period) return;
     asked_ = look_;
     slot_.start<TimeAnswer>(
-        tr("Looking at %1").arg(describe(look_)),
+        tr("Computing %1").arg(describe(look_)),
         [question = TimeAnswer{study_, look_, {}}, horizons = horizons_](Progress& progress,
                                                                          const std::stop_token& stop) {
             return answered(question, *horizons, progress, stop);

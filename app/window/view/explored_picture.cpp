@@ -21,7 +21,7 @@ Legend makeLegend(const ExploredView& view, ShadowMeasure measure) {
     const std::vector<float>& minutes = minutesOf(view, measure);
     float most = 0;
     for (const float value : minutes)
-        if (value > most) most = value;  // NaN is not above anything
+        if (value > most) most = value;  // NaN never compares greater
     const double top = std::max(view.shadow.sunlitMinutesPerDay, double(most));
     return {nameOf(measure), describeMeasure(measure), legendScale(top), false};
 }

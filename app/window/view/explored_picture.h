@@ -8,14 +8,14 @@ namespace noonmark {
 
 Legend makeLegend(const ExploredView& view, ShadowMeasure measure);
 
-/// Whether it tells of a part of the period only.
+/// Whether the view covers only a part of the period so far.
 bool isSoFar(const ExploredView& view);
 
-/// `top` minutes have the last colour of the palette. O(samples).
+/// `top` minutes get the last colour of the palette. O(samples).
 SurfacePicture surfacePicture(const ExploredView& view, ShadowMeasure measure, double top);
 
-/// Level of detail and days in words: "12 of 365 days; a sample every 4 pixels, 1.2 m". `distanceM`: of what
-/// is looked at.
+/// Describes level of detail and days: "12 of 365 days; a sample every 4 pixels, 1.2 m". `distanceM`:
+/// distance to the view's target.
 QString describeDetail(const ExploredView& view, double distanceM);
 
 }  // namespace noonmark

@@ -12,7 +12,7 @@ namespace {
 using Pixel = GroundPicture::Pixel;
 constexpr int shades = 1024;
 
-/// What the cells of a picture show: receivers of one kind, and beside them their mean.
+/// The values of a picture's cells: receivers of one kind, and next to them their mean.
 struct ShownCells {
     const std::vector<float>& values;
     const Grid& grid;
@@ -27,7 +27,7 @@ struct ShownCells {
     }
 
 private:
-    // NaN where none of the eight cells around is of the kind.
+    // Mean over the eight neighbours of the wanted kind; NaN if there are none.
     [[nodiscard]] float meanAround(int column, int row) const {
         float sum = 0;
         int count = 0;

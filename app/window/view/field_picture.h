@@ -12,18 +12,18 @@ namespace noonmark {
 /// An opaque pixel.
 GroundPicture::Pixel pixelOf(const QColor& colour);
 
-/// The colours of the report from no shadow to most, fine enough to be looked up.
+/// The report's colours from no shadow to most, in steps fine enough for a lookup table.
 std::vector<GroundPicture::Pixel> shadowPalette();
 
-/// A field in the colours of the report, for the ground of the view. Cells that are no receivers are
-/// transparent; but a cell under a building takes the mean colour of the receivers on the ground beside it,
-/// so that no pale steps show along its walls; without `receivers` (null: of a study that still runs) it
-/// stays transparent. `top` minutes have the last colour of the palette. O(cells).
+/// A field in the report's colours, for the ground of the view. Cells that are not receivers are transparent.
+/// However, a cell under a building gets the mean colour of the adjacent ground receivers, so that no pale
+/// steps show along the walls; without `receivers` (null: of a running study) it stays transparent. `top`
+/// minutes get the last colour of the palette. O(cells).
 GroundPicture fieldPicture(const ShadowField& field, const Receivers* receivers, ShadowMeasure measure,
                            double top);
 
-/// The same of receivers on roofs, for the roofs of the view; cells beside a roof take its colour, so that it
-/// has one up to its edges. Nothing where no receiver is on a roof.
+/// The same for receivers on roofs. Cells beside a roof get its colour, so that the colour reaches the roof's
+/// edges. Nothing if no receiver is on a roof.
 std::optional<GroundPicture> roofPicture(const ShadowField& field, const Receivers& receivers,
                                          ShadowMeasure measure, double top);
 

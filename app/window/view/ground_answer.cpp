@@ -56,7 +56,7 @@ GroundAnswer runsLookedFor(GroundAnswer answer) {
     return answer;
 }
 
-// Horizons that stay count no longest runs.
+// Cached horizons give no continuous shadow here.
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const TimeAnswer>& time) {
     return {std::shared_ptr<const ShadowField>(time, &time->field),
             std::shared_ptr<const Receivers>(time, &time->study->receivers), describe(time->look), false,
@@ -77,7 +77,7 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& compari
 
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
     return {std::shared_ptr<const Score>(score, &score->score), nullptr,
-            QObject::tr("%1 by the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
+            QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure) {

@@ -15,20 +15,22 @@
 
 namespace noonmark {
 
-/// A result that lies on the ground, whatever it measures. A value; what it shows is shared.
+/// Any result displayed on the ground, ready to be coloured and described. A value; it shares the result's
+/// data.
 struct GroundAnswer {
     using Map = std::variant<std::shared_ptr<const ShadowField>, std::shared_ptr<const Impact>,
                              std::shared_ptr<const Score>>;
     Map map;  ///< not null
-    /// Of a field, where they are known: then cells under buildings have colours too.
+    /// Of a field, if known: then cells under buildings get colours too.
     std::shared_ptr<const Receivers> receivers;
-    QString note;            ///< what it is, beside the legend
+    QString note;            ///< describes the result, beside the legend
     bool marked = false;     ///< the note is a warning
-    bool grossOnly = false;  ///< no longest runs were counted: gross stands for both measures
-    QString whyGross{};      ///< said beside the note where it stands for continuous
+    bool grossOnly = false;  ///< no continuous shadow: gross is shown for both measures
+    /// Added to the note if gross is shown instead of continuous.
+    QString whyGross{};
 };
 
-/// Each shares the answer it is made from.
+/// Each shares the data of the answer that it is made from.
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const TimeAnswer>& time);
@@ -36,23 +38,24 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const LiveAnswer>& live);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison);
 GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score);
 
-/// With grossOnly and whyGross as its map asks for: a study, an impact or a kept result without runs.
+/// Sets grossOnly and whyGross according to the map: of a study, a comparison or a saved result without
+/// continuous shadow.
 GroundAnswer runsLookedFor(GroundAnswer answer);
 
-/// The note, and why the measure is not what is shown.
+/// The note, with the reason if the measure is not the one shown.
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure);
 
-/// A score has no measure: it is the same for both. `scale`: of a difference.
+/// A score is the same for both measures. `scale`: of a difference.
 Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale);
 GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, double top);
 
-/// Of receivers on roofs; nothing where there are none, or they are not known.
+/// The picture of receivers on roofs; nothing if there are none, or if receivers are not known.
 std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top);
 
-/// Whether a receiver on a roof is there: then textAt() tells of it.
+/// Whether the point is at a receiver on a roof; then textAt() describes it.
 bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point);
 
-/// What the cell holds that a point lies in, in words; empty outside.
+/// Describes the cell that contains a point; empty outside.
 QString textAt(const GroundAnswer& answer, glm::dvec2 point);
 
 }  // namespace noonmark

@@ -14,7 +14,7 @@ glm::vec3 onGround(glm::vec2 point, const City& city) {
     return {point, groundAt(city, glm::dvec2(point)) + liftM};
 }
 
-// On a flat ground a straight piece needs its ends only.
+// On flat ground a straight line needs only its ends.
 int splitIntoPieces(float lengthM, const City& city) {
     if (!city.terrain) return 1;
     return std::clamp(int(std::ceil(double(lengthM) / city.terrain->grid.cellM)), 1, 1000);

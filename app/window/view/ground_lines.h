@@ -6,10 +6,10 @@
 
 namespace noonmark {
 
-/// The outline of a region as lines that follow the ground, a little above it.
+/// The outline of a region as lines slightly above the ground.
 std::vector<GroundLine> makeGroundLines(const Region& region, const City& city);
 
-/// A line through points on the ground, open while it is being drawn.
+/// A line through points on the ground; open while being drawn.
 GroundLine makeGroundLine(const std::vector<glm::vec3>& points, const City& city, bool closed);
 
 }  // namespace noonmark

@@ -37,7 +37,7 @@ std::optional<std::size_t> cellAt(const Grid& grid, glm::dvec2 point) {
 }
 
 QString formatMinutes(float gross, float continuous, bool instant) {
-    if (std::isnan(gross)) return QStringLiteral("not measured here");
+    if (std::isnan(gross)) return QStringLiteral("not measured");
     if (instant) return gross > 0 ? QStringLiteral("in shadow") : QStringLiteral("in the sun");
     const QString text = QStringLiteral("gross %1 min a day").arg(double(gross), 0, 'f', 1);
     if (std::isnan(continuous)) return text;

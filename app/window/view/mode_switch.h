@@ -12,19 +12,19 @@ namespace noonmark {
 
 class StudyDocument;
 
-/// The three modes as actions of which one is checked, and the engine that goes with them: the ray reference
-/// is a mode and an engine, so each follows the other. Knows no view.
+/// The three modes as an exclusive action group, kept in step with the study's engine: the ray reference is
+/// both a mode and an engine, so each follows the other. Knows no view.
 class ModeSwitch final : public QObject {
     Q_OBJECT
 public:
-    explicit ModeSwitch(StudyDocument& document, QObject* parent = nullptr);  ///< `document` outlives it
+    explicit ModeSwitch(StudyDocument& document, QObject* parent = nullptr);  ///< `document` must outlive it
 
     [[nodiscard]] ViewMode mode() const { return mode_; }
     void setMode(ViewMode mode);
-    /// What analysis begins with, and comes back to from the ray reference; may be the ray reference itself,
-    /// where no other engine can do it.
+    /// The engine of analysis at first, and after leaving the ray reference. May be the ray reference itself,
+    /// if no other engine can run the study.
     void setAnalysisEngine(const std::string& engine) { analysisEngine_ = engine; }
-    /// From exploration to where a study of the document's engine is shown.
+    /// Leaves exploration for the mode of the document's engine.
     void showStudies();
 
     [[nodiscard]] QList<QAction*> actions() const;

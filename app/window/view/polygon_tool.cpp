@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-// A double click sends its place twice; so does a trembling hand.
+// Closer points count as the same: a double click sends its place twice, and so may an unsteady hand.
 constexpr float samePlaceM = 0.05F;
 
 RawRing parseRing(const std::vector<glm::vec3>& points) {
@@ -18,7 +18,7 @@ RawRing parseRing(const std::vector<glm::vec3>& points) {
     return ring;
 }
 
-// The nearest point to `to` on the lines through `from` that run along `direction` and square to it.
+// The point nearest to `to` on the two lines through `from`, along `direction` and perpendicular to it.
 glm::vec2 squared(glm::vec2 from, glm::vec2 to, glm::vec2 direction) {
     const float length = glm::length(direction);
     const glm::vec2 along = length > 0 ? direction / length : glm::vec2(1, 0);
@@ -76,8 +76,7 @@ void PolygonTool::finish() {
                                "Click more corners, or press Esc"});
     const RepairedFootprint repaired = repairFootprint({parseRing(points_)});
     if (repaired.pieces.empty())
-        return Q_EMIT refused(
-            {"The polygon has no inside", {}, "Draw it again with more room between its corners"});
+        return Q_EMIT refused({"The polygon has no area", {}, "Draw it again with corners farther apart"});
     end();
     Q_EMIT finished(repaired.pieces);
 }

@@ -10,36 +10,37 @@
 
 namespace noonmark {
 
-/// A polygon that grows by clicks on the ground. Knows no mouse and no window: both are given to it.
+/// A polygon drawn by clicks on the ground. Independent of mouse and window: points are passed in.
 class PolygonTool final : public QObject {
     Q_OBJECT
 public:
-    /// `what` is drawn, for messages: "region", "lot".
+    /// `what` names the polygon in messages: "region", "lot".
     explicit PolygonTool(QString what, QObject* parent = nullptr);
 
     [[nodiscard]] bool active() const { return active_; }
 
     void begin();
-    /// `square`: the new side goes on along the side before it or square to it; the first one along a compass
-    /// direction.
+    /// `square`: the new side continues the previous one or is perpendicular to it; the first side follows a
+    /// compass direction.
     void addPoint(glm::dvec3 ground, bool square = false);
     void moveTo(glm::dvec3 ground, bool square = false);  ///< where the next point would be
     void removeLastPoint();
-    void finish();  ///< with three points or more; else the tool stays active and says so
+    /// Needs three points or more; otherwise the tool emits refused() and stays active.
+    void finish();
     void cancel();
 
-    /// The points so far and the one under the cursor.
+    /// The points so far, and the one under the cursor.
     [[nodiscard]] std::vector<glm::vec3> line() const;
 
-    /// Of that line: its last side, and the area when it is closed (0 below three points). Metres, m2.
+    /// Length of the line's last side, and area of the closed line (0 below three points). Metres, m2.
     [[nodiscard]] double sideM() const;
     [[nodiscard]] double areaM2() const;
 
 Q_SIGNALS:
     void lineChanged();
-    /// Disjoint pieces, never none: sides that cross make several.
+    /// Disjoint pieces, at least one: crossing sides produce several.
     void finished(std::vector<noonmark::Footprint> pieces);
-    void refused(noonmark::Error error);  ///< the polygon has no area, or not three points
+    void refused(noonmark::Error error);  ///< no area, or fewer than three points
     void activeChanged(bool active);
 
 private:

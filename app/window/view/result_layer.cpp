@@ -18,7 +18,7 @@ QString makeNote(const ViewAnswer& answer, double distanceM) {
 }
 
 QString hintOf(ViewMode mode) {
-    if (mode == ViewMode::exploration) return QObject::tr("Looking for the shadow of what the view shows...");
+    if (mode == ViewMode::exploration) return QObject::tr("Computing the shadow in the view...");
     return QObject::tr("No study yet: choose a period and a region, then press Run (Ctrl+R)");
 }
 
@@ -92,7 +92,7 @@ void ResultLayer::show() {
     ground() ? showGround() : showNothing();
 }
 
-// Null: nothing yet.
+// The result with the highest precedence; null: none yet.
 const GroundAnswer* ResultLayer::ground() const {
     for (const auto* answer : {&live_, &partial_, &inFront_, &time_, &study_})
         if (*answer) return &**answer;

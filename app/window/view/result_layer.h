@@ -11,31 +11,33 @@
 
 namespace noonmark {
 
-/// What lies on the surfaces of the view, and the legend that goes with it: what was explored, a study or
-/// what stands before it, or the running result of a study, which is marked as such. Results are kept when
-/// another mode is shown.
+/// The result on the surfaces of the view, with its legend: the explored view, a study, another result
+/// displayed instead of it, or the partial result of a running study, which is marked as such. Results stay
+/// stored while another mode is shown.
 class ResultLayer {
 public:
-    ResultLayer(CityView& view, LegendStrip& legend);  ///< both outlive it
+    ResultLayer(CityView& view, LegendStrip& legend);  ///< both must outlive it
 
     void forget();  ///< another city
     void setMode(ViewMode mode);
-    void setStudy(std::shared_ptr<const Study> study);  ///< null: none; a running result goes
-    /// Stands before the study: a comparison, a score, a kept result. None: the study is shown again.
+    void setStudy(std::shared_ptr<const Study> study);  ///< null: none; removes a partial result
+    /// Displayed instead of the study: a comparison, a score or a saved result. None: shows the study again.
     void setInFront(std::optional<GroundAnswer> answer);
-    /// Of a study that runs, over the one before; null: none, the one before is shown again.
+    /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
+    /// before again.
     void setPartial(std::shared_ptr<const PartialField> partial);
-    /// A day or moment of the study, in its place; null: none, and the study is shown again.
+    /// A day or moment of the study, displayed instead of it; null: none, shows the study again.
     void setTime(const std::shared_ptr<const TimeAnswer>& answer);
     void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
 
-    /// The shadow with what is being shaped, over whatever mode is on, until there is none.
+    /// The live shadow, displayed in any mode until it is none.
     void setLive(std::optional<GroundAnswer> answer);
-    void noteLive(const QString& note);  ///< in place of its own, as a warning; does nothing without it
+    /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
+    void noteLive(const QString& note);
 
-    void show();  ///< again, as after another measure was chosen
+    void show();  ///< again, for instance after the measure has changed
 
-    [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< in words; empty where nothing is known
+    [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< text; empty if not known
 
 private:
     void showExplored();

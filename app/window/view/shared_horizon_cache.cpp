@@ -10,7 +10,7 @@ namespace {
 using Lock = std::unique_lock<std::timed_mutex>;
 constexpr std::chrono::milliseconds glance{20};
 
-// Not locked after a stop.
+// Waits for the lock; returns without it when stopped.
 Lock lockUnlessStopped(std::timed_mutex& mutex, const std::stop_token& stop) {
     Lock lock(mutex, std::defer_lock);
     while (!stop.stop_requested())
@@ -53,7 +53,8 @@ Result<void> SharedHorizonCache::setSun(const SunQuestion& question, const std::
 }
 
 Result<void> SharedHorizonCache::setGrid(const City& city, const Receivers& receivers) {
-    // Else horizons would be swept for another period first, and then all anew.
+    // A new set starts with its period; otherwise horizons would first be swept for another period, and then
+    // again.
     if (state_ && state_->grid == receivers.grid && state_->flat == receivers.flat() &&
         state_->city.terrain == city.terrain)
         return {};
@@ -66,7 +67,7 @@ Result<void> SharedHorizonCache::setGrid(const City& city, const Receivers& rece
     return {};
 }
 
-// A change needs a period: the sun first, in the city as it was.
+// The sun is set before the buildings change, since a change needs a period.
 Result<ShadowField> SharedHorizonCache::counted(const City& city, const Receivers& receivers,
                                                 ShadowCounts counts, Progress& progress,
                                                 const std::stop_token& stop) {
@@ -81,7 +82,8 @@ Result<ShadowField> SharedHorizonCache::counted(const City& city, const Receiver
                      : horizons.withRuns(progress, stop);
 }
 
-// What was stopped may be of either city, and has no period; an error leaves nothing to go on with.
+// After a stop the horizons may belong to either city and have no period; after an error they cannot be
+// reused.
 void SharedHorizonCache::note(const City& city, const Receivers& receivers,
                               const Result<ShadowField>& field) {
     counted_ = field.has_value();

@@ -10,39 +10,38 @@
 
 namespace noonmark {
 
-/// When shadow is looked at, and where the sun is seen from.
+/// The period, and the place from which the sun is seen.
 struct SunQuestion {
     Period period;
     Observer observer;
     bool operator==(const SunQuestion&) const = default;
 };
 
-/// Horizons that stay for the whole window: one set, of the grid and ground that were asked about last, with
-/// whatever buildings and period. The time sliders and the live shadow of what is shaped ask it from jobs of
-/// their own: one waits for the other.
+/// Horizons cached for the whole window: one set, for the grid and ground used last, with any buildings and
+/// period. The time sliders and the live shadow use it from their own jobs; one waits for the other.
 class SharedHorizonCache {
 public:
-    /// For all horizons that stay: 800 x 800 cells take 0.6 GiB of it for the suns of a year.
+    /// Limit for the cached horizons: 800 x 800 cells take 0.6 GiB of it for the sun positions of a year.
     static constexpr std::uint64_t memoryBytes = std::uint64_t{1} << 30U;
     static constexpr double binDeg = 0.5;
 
-    /// What it costs is what differs from the question before: nothing is swept anew but for another grid or
-    /// ground, for lower suns and around buildings that changed. Errors: those of HorizonCache, a sun that is
-    /// never there, cancelled(). After any of them the next question is answered as if it were the first one.
+    /// The cost depends on what differs from the previous call: horizons are swept again only for another
+    /// grid or ground, for lower suns and around changed buildings. Errors: those of HorizonCache, a sun that
+    /// never rises, cancelled(). After an error the next call works as if it were the first.
     Result<ShadowField> field(const City& city, const Receivers& receivers, const SunQuestion& question,
                               ShadowCounts counts, Progress& progress, const std::stop_token& stop);
 
-    void forget();  ///< frees the memory; waits for an answer that is being worked out
-    /// How many sets were begun so far.
+    void forget();  ///< frees the memory; waits for a running call
+    /// Number of sets begun so far.
     [[nodiscard]] int sets() const { return sets_; }
 
 private:
-    /// What the horizons are of.
+    /// The horizons and what they were computed for.
     struct State {
         HorizonCache horizons;
         Grid grid;
-        bool flat = true;    ///< of the receivers
-        bool known = false;  ///< the city and the cells below are those of the horizons
+        bool flat = true;    ///< whether the receivers are on level ground
+        bool known = false;  ///< the horizons match city and kind below
         City city{};
         std::vector<CellKind> kind{};
     };
@@ -54,9 +53,9 @@ private:
 
     std::timed_mutex mutex_;
     std::optional<State> state_;
-    std::optional<SunQuestion> question_;  // whose steps these are
+    std::optional<SunQuestion> question_;  // the question of sun_
     SunSteps sun_;
-    bool counted_ = false;  // the horizons' period is that one
+    bool counted_ = false;  // the horizons were counted for question_
     std::atomic<int> sets_ = 0;
 };
 

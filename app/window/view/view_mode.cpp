@@ -12,15 +12,15 @@ QString nameOf(ViewMode mode) {
 QString describeMeasure(ViewMode mode) {
     if (mode == ViewMode::exploration)
         return QObject::tr(
-            "Shadow on everything that the view shows: ground, roofs and facades.\n"
-            "Computed anew when the view or the period changes, coarse at first, then pixel by pixel.");
+            "Shadow on all visible surfaces: ground, roofs and facades.\nUpdated when the view or the period "
+            "changes, coarse at first, then pixel by pixel.");
     if (mode == ViewMode::analysis)
         return QObject::tr(
             "Shadow on the ground of the region, cell by cell, with figures, report and files.\n"
             "Computed by the engine of the study when you press Run.");
     return QObject::tr(
-        "As the analysis, but with one ray per cell and minute:\n"
-        "the slow truth that the other engines are measured against.");
+        "Like the analysis, but with one ray per cell and minute:\nthe slow, exact reference for the other "
+        "engines.");
 }
 
 }  // namespace noonmark

@@ -4,10 +4,11 @@
 
 namespace noonmark {
 
-/// What the window computes and shows (paper, section 6, and the ray reference as a third).
+/// The modes of the window (paper, section 6, and the ray reference as a third).
 enum class ViewMode {
-    exploration,   ///< shadow on every surface that the view shows, anew with each view
-    analysis,      ///< the ground of the region, with figures, by the engine of the study
+    exploration,  ///< shadow on every visible surface, computed again for each view
+    /// The ground of the region, with figures, by the engine of the study.
+    analysis,
     rayReference,  ///< the same by the ray reference
 };
 

@@ -49,7 +49,7 @@ ViewPanel::ViewPanel(QWidget* parent)
     column->addWidget(legend_);
     time_->hide();
     setAcceptDrops(true);
-    view_->installEventFilter(this);  // the native window under the container takes the drops
+    view_->installEventFilter(this);  // the native window inside the container receives the drops
     connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });
     for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
         connect(legend_, signal, this, [this] { results_->show(); });
@@ -77,7 +77,7 @@ void ViewPanel::connectNavigator() {
     connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
 }
 
-// One polygon is drawn at a time.
+// Only one polygon is drawn at a time.
 void ViewPanel::connectTool(PolygonTool* tool, PolygonTool* other) {
     connect(tool, &PolygonTool::lineChanged, this, &ViewPanel::showLines);
     connect(tool, &PolygonTool::refused, messages_, &MessageBar::showError);

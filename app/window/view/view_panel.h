@@ -15,14 +15,14 @@ namespace noonmark {
 
 class TimeStrip;
 
-/// The middle of the window: messages, the city, the time that is looked at and the legend below it; and
-/// drawing polygons on the ground.
+/// The middle of the window: messages, the view, the time strip and the legend below it. Also handles drawing
+/// of polygons on the ground.
 class ViewPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ViewPanel(QWidget* parent = nullptr);
 
-    /// A city with the arrays of the one before (an edit, another scenario) leaves the camera where it is.
+    /// Shows a city. If it has the arrays of the one before (an edit, another scenario), the camera stays.
     void showCity(std::shared_ptr<const OpenCity> city);
     void showRegion(const Region& region);
 
@@ -37,16 +37,16 @@ public:
     [[nodiscard]] LegendStrip& legend() { return *legend_; }
     [[nodiscard]] ResultLayer& results() { return *results_; }
 
-    /// The ground in sight, cut to the neighbourhood of the city; without polygons when there is none.
+    /// The visible ground, cut to the neighbourhood of the city; without polygons if there is none.
     [[nodiscard]] Region visibleGround() const;
 
-    /// The view with what belongs around it, called back when the next frame is drawn.
+    /// The view with title, legend and scale; `done` is called after the next frame is drawn.
     void takePicture(const QString& title, const QString& when, std::function<void(QImage)> done);
 
 Q_SIGNALS:
-    void hovered(QString text);  ///< what lies under the cursor; empty: nothing
+    void hovered(QString text);  ///< text for what is under the cursor; empty: nothing
     void filesDropped(QStringList files);
-    void keyPressed(int key);  ///< over the view, and not of a polygon that is drawn
+    void keyPressed(int key);  ///< keys over the view that the polygon being drawn does not use
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

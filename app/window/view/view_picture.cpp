@@ -29,7 +29,7 @@ struct Line {
 
 QFont fontOf(const Canvas& canvas, const Line& line) { return textFont(canvas, line.points, line.weight); }
 
-// Wrapped over the width: nothing is cut.
+// The place of a line's text, wrapped to the width so that nothing is cut.
 QRectF placeOf(const Canvas& canvas, const Line& line, double top, double width) {
     if (line.text.isEmpty()) return {marginPx, top, width, 0};
     const QRectF room(marginPx, top, width, 1e4);
@@ -38,7 +38,7 @@ QRectF placeOf(const Canvas& canvas, const Line& line, double top, double width)
     return {marginPx, top, width, needed.height() + 3};
 }
 
-// Returns the y below the lines; without `paint`, what it would be.
+// Paints the lines, or only measures them without `paint`. Returns the y below them.
 double takeLines(const Canvas& canvas, const std::vector<Line>& lines, double top, double width, bool paint) {
     for (const Line& line : lines) {
         const QRectF place = placeOf(canvas, line, top, width);
@@ -60,7 +60,8 @@ void paintTurnedNorth(const Canvas& canvas, const QRectF& area, double headingDe
     canvas.painter.restore();
 }
 
-// At the right; in a view that slants the scale holds in one place only, and says so.
+// North arrow and scale bar at the right. In a slanted view the scale is valid in the middle only, and a
+// label states this.
 void paintFurniture(const Canvas& canvas, const QRectF& foot, const PictureFrame& frame) {
     const QRectF arrow(foot.right() - arrowWidthPx, foot.top(), arrowWidthPx, furniturePx);
     paintTurnedNorth(canvas, arrow, frame.headingDeg);

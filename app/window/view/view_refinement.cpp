@@ -13,8 +13,8 @@ namespace {
 
 constexpr float surroundingsM = 100;
 constexpr int finestLevel = int(std::size(refinementSpacingsPx)) - 1;
-constexpr double coarserSamples = 0.25;  // of those of the next level
-constexpr double turnSeconds = 0.12;     // leaves as much again for five pictures a second
+constexpr double coarserSamples = 0.25;  // share of the next level's samples
+constexpr double turnSeconds = 0.12;     // half the time of a picture at five pictures per second
 
 Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, const std::stop_token& stop) {
     if (question.sun) return question.sun;
@@ -23,7 +23,7 @@ Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, cons
     auto sun = computeSunSteps(question.period, question.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     if (sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(question.period),
+        return failure("The sun stays below the horizon", textOf(question.period),
                        "Choose other hours or days");
     return std::make_shared<const SunSteps>(*std::move(sun));
 }
@@ -33,7 +33,7 @@ void knowNothing(ExploredView& view) {
     view.shadow.continuousMin = view.shadow.grossMin;
 }
 
-// What a coarser view knows of the points of a finer one.
+// Gives the points of a finer view the values of the coarser one.
 void updateBuildings(ViewAnswer& answer, const ViewAnswer& coarser) {
     ExploredView& view = answer.view;
     knowNothing(view);
@@ -50,7 +50,7 @@ void updateBuildings(ViewAnswer& answer, const ViewAnswer& coarser) {
     if (coarser.steps) answer.around = std::make_shared<const StepsAround>(std::move(around));
 }
 
-// Beyond the city nothing is known of what stands there: that ground would only seem to lie in the sun.
+// Leaves out the ground beyond the city: its surroundings are not known, and it would wrongly appear sunlit.
 VisibleSurface within(const Box2& box, const VisibleSurface& seen) {
     VisibleSurface saved;
     saved.points.eye = seen.points.eye;
@@ -75,7 +75,7 @@ WantedDays wantedDays(const ViewAnswer& answer) {
 }
 
 ViewTurn turnOf(const ViewAnswer& answer, const ViewEngine& engine, double mostTests) {
-    // The first picture of a view has no holes.
+    // The first picture of a view takes all points, so that it has no holes.
     const WantedDays wanted = wantedDays(answer);
     if (!engine.inParts || answer.first) return allTheRest(answer.view, wanted.all, *answer.sun);
     return nextTurn(answer.view, wanted, *answer.sun, mostTests);
@@ -100,7 +100,7 @@ Result<ViewAnswer> withMore(ViewAnswer answer, const ViewQuestion& question, con
     return answer;
 }
 
-// The camera of a level, and what it sees; nothing of its shadow yet.
+// The camera of a level and its visible points, without shadow values.
 Result<ViewAnswer> lookedAt(int level, const ViewQuestion& question, std::shared_ptr<const SunSteps> sun,
                             const std::stop_token& stop) {
     ViewAnswer answer;
@@ -118,7 +118,8 @@ Result<ViewAnswer> lookedAt(int level, const ViewQuestion& question, std::shared
     return answer;
 }
 
-// The coarsest is for views of so many pixels that a day of the second would keep the user waiting.
+// The coarsest level is only for views with so many pixels that one day of the second level would take too
+// long.
 int firstLevel(const ViewQuestion& question, const SunSteps& sun) {
     const PixelCamera camera = makeExploredCamera(question.pose, question.lens, refinementSpacingsPx[1]);
     const double tests = double(camera.widthPx) * camera.heightPx * stepsADay(sun);
@@ -144,12 +145,12 @@ Result<ViewAnswer> finerAnswer(const ViewQuestion& question, const ViewAnswer& c
     if (!answer) return answer;
     answer->coarseDays = coarser.coarseDays;
     updateBuildings(*answer, coarser);
-    // Running results of what is done at once need something to stand on.
+    // An engine that works all at once delivers partial results, which need an answer to build on.
     if (!engine.inParts) return answer;
     return withMore(*std::move(answer), question, engine, progress, stop);
 }
 
-// Where nothing is known around a point, its rest of the period is not either.
+// If nothing is known around a point, the rest of its period is not known either.
 void take(const std::vector<float>& running, bool onWhatWasKnown, std::vector<float>& shown) {
     for (std::size_t i = 0; i < shown.size(); ++i)
         if (!onWhatWasKnown || !std::isnan(shown[i])) shown[i] = running[i];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int pixelsAlongSide = 24;
 
-// The four sides of the picture, in order around it.
+// Pixels along the four sides of the picture, in order.
 std::vector<glm::dvec2> borderPixels(const ViewLens& lens) {
     const std::array<glm::dvec2, 4> corners{
         {{0, lens.heightPx}, {lens.widthPx, lens.heightPx}, {lens.widthPx, 0}, {0, 0}}};
@@ -22,7 +22,7 @@ std::vector<glm::dvec2> borderPixels(const ViewLens& lens) {
     return pixels;
 }
 
-// Sutherland and Hodgman: what lies on the inner side of one border of the box.
+// Sutherland-Hodgman clipping: the part of a ring on the inner side of one side of the box.
 template <class Inside, class Cut>
 RawRing clippedBy(const RawRing& ring, Inside inside, Cut cut) {
     RawRing saved;
@@ -55,7 +55,7 @@ Region visibleGround(const CameraPose& pose, const ViewLens& lens, const ViewBou
     RawRing ring;
     for (const glm::dvec2 pixel : borderPixels(lens)) {
         ViewRay ray = makeRayThrough(pose, lens, pixel);
-        // Above the horizon the ground ends far outside of every city.
+        // Rays above the horizon are lowered to meet the ground far outside any city.
         ray.direction.z = std::min(ray.direction.z, -1e-3);
         if (const auto hit = findPlaneHit(ray, pose.target.z)) ring.emplace_back(hit->x, hit->y);
     }

@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// The part of the ground plane that a camera sees, cut to the box of the city; no polygon when it sees none
-/// of it.
+/// The part of the ground plane that a camera sees, cut to the bounding box of the city; no polygon if it
+/// sees none of it.
 Region visibleGround(const CameraPose& pose, const ViewLens& lens, const ViewBounds& bounds);
 
 }  // namespace noonmark

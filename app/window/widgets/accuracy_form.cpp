@@ -21,17 +21,17 @@ bool isSwitch(const EngineOption& option) {
 
 QString switchWords(bool on) { return on ? QObject::tr("yes") : QObject::tr("no"); }
 
-// What options say of 1 and 0 is of yes and no here.
+// Replaces the values 1 and 0 in an option's description by yes and no.
 QString switchTipOf(const EngineOption& option) {
     QString about = text(option.about);
     for (const bool on : {true, false})
         about.replace(QStringLiteral("%1:").arg(int(on)), QStringLiteral("%1:").arg(switchWords(on)));
-    return QObject::tr("%1.\nUsually %2").arg(about, switchWords(option.usual != 0));
+    return QObject::tr("%1.\nDefault: %2").arg(about, switchWords(option.usual != 0));
 }
 
 QString tipOf(const EngineOption& option) {
     if (isSwitch(option)) return switchTipOf(option);
-    return QObject::tr("%1.\n%2 to %3 %4, usually %5")
+    return QObject::tr("%1.\n%2 to %3 %4, default %5")
         .arg(text(option.about))
         .arg(option.lowest)
         .arg(option.highest)
@@ -39,7 +39,7 @@ QString tipOf(const EngineOption& option) {
         .arg(option.usual);
 }
 
-// As many digits as the option's own figures have.
+// As many decimals as the option's own values have.
 int decimalsOf(const EngineOption& option) {
     if (option.whole) return 0;
     for (int decimals = 2; decimals < 9; ++decimals) {
@@ -52,7 +52,7 @@ int decimalsOf(const EngineOption& option) {
     return 9;
 }
 
-/// Says yes for 1 and no for 0.
+/// A number field that shows yes for 1 and no for 0.
 class SwitchField final : public QDoubleSpinBox {
 public:
     SwitchField() {
@@ -70,7 +70,7 @@ public:
 
 QDoubleSpinBox* numberFieldOf(const EngineOption& option) {
     const QString unit = option.unit.empty() ? QString() : QLatin1Char(' ') + text(option.unit);
-    // Nothing is the usual value: the engine chooses.
+    // A default of 0 that is also the minimum means that the engine chooses.
     const bool byItself = option.usual == 0 && option.lowest == 0;
     const double step = option.whole ? 1 : byItself ? option.highest / 20 : option.usual / 10;
     QDoubleSpinBox* box = numberField(option.lowest, option.highest, decimalsOf(option), step, unit);
@@ -95,7 +95,7 @@ AccuracyForm::AccuracyForm(const EngineList& engines, QWidget* parent)
       engine_(new QComboBox),
       form_(new QFormLayout(this)) {
     cell_->setObjectName(QStringLiteral("cell"));
-    cell_->setToolTip(tr("Side of a cell of the ground, metres, 0.25 to 10"));
+    cell_->setToolTip(tr("Side of a ground cell, metres, 0.25 to 10"));
     fillEngines();
     form_->setContentsMargins(0, 0, 0, 0);
     form_->addRow(tr("Cell size"), cell_);
@@ -112,8 +112,8 @@ AccuracyForm::AccuracyForm(const EngineList& engines, QWidget* parent)
 void AccuracyForm::fillEngines() {
     engine_->setObjectName(QStringLiteral("engine"));
     engine_->setToolTip(
-        tr("How the shadow is computed; the ray reference is the truth that the others are held against"));
-    // A long name does not widen the dock.
+        tr("How the shadow is computed; the ray reference is the standard for the errors of the others"));
+    // A long engine name must not widen the dock.
     engine_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     engine_->setMinimumContentsLength(18);
     for (const auto& [engine, make] : engines_) {

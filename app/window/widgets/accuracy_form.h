@@ -11,8 +11,7 @@ class QFormLayout;
 
 namespace noonmark {
 
-/// How large the cells are, which engine, and a field for each of its options: made from what the engines say
-/// of themselves.
+/// Cell size, engine, and a field for each of the engine's options, built from its EngineInfo.
 class AccuracyForm final : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +21,7 @@ public:
     [[nodiscard]] StudySettings applied(StudySettings settings) const;  ///< with the fields' values
 
 Q_SIGNALS:
-    void edited(QString field);  ///< what was changed, in words
+    void edited(QString field);  ///< the name of the field
 
 private:
     void fillEngines();
@@ -37,8 +36,8 @@ private:
     QDoubleSpinBox* cell_;
     QComboBox* engine_;
     QFormLayout* form_;
-    int fixedRows_ = 0;  // those of the options follow
-    std::string shown_;  // the engine that has the fields
+    int fixedRows_ = 0;  // the rows before the options
+    std::string shown_;  // the engine whose options are shown
     std::vector<Field> fields_;
 };
 

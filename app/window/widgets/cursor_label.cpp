@@ -10,7 +10,7 @@ constexpr QPoint besideCursor{18, 14};
 
 }  // namespace
 
-// A window of its own: over the view's native window no widget can be drawn.
+// A separate window, because no widget can be drawn over the view's native window.
 CursorLabel::CursorLabel(QWindow& view, QWidget* parent)
     : QLabel(parent, Qt::ToolTip | Qt::WindowTransparentForInput | Qt::WindowDoesNotAcceptFocus),
       view_(view) {

@@ -6,14 +6,14 @@ class QWindow;
 
 namespace noonmark {
 
-/// A line or two beside the cursor over the view: what is drawn or dragged measures just now. Takes no
-/// clicks.
+/// A line or two of text beside the cursor over the view, such as the measures of what is being drawn or
+/// dragged. Takes no clicks.
 class CursorLabel final : public QLabel {
     Q_OBJECT
 public:
-    CursorLabel(QWindow& view, QWidget* parent);  ///< `view` outlives it
+    CursorLabel(QWindow& view, QWidget* parent);  ///< `view` must outlive it
 
-    /// Beside this pixel of the view; an empty text hides it.
+    /// Shows the text beside this pixel of the view; an empty text hides it.
     void show(QPointF pixel, const QString& text);
 
 private:

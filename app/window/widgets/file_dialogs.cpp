@@ -30,9 +30,8 @@ QString askForProject(QWidget* parent, const QString& suggested) {
     if (file.isEmpty()) return {};
     if (!file.endsWith(ending)) file += ending;
     if (!QFileInfo::exists(file)) return file;
-    const auto answer =
-        QMessageBox::question(parent, tr("Save project as"),
-                              tr("%1 is there already. Replace it?").arg(QFileInfo(file).fileName()));
+    const auto answer = QMessageBox::question(
+        parent, tr("Save project as"), tr("%1 already exists. Replace it?").arg(QFileInfo(file).fileName()));
     return answer == QMessageBox::Yes ? file : QString();
 }
 
@@ -43,7 +42,7 @@ QString askForMesh(QWidget* parent) {
 }
 
 QString askForRegion(QWidget* parent) {
-    return QFileDialog::getOpenFileName(parent, tr("Region from the polygons of a file"), {},
+    return QFileDialog::getOpenFileName(parent, tr("Region from file"), {},
                                         tr("Polygons (*.geojson *.json *.gpkg *.shp *.kml);;All files (*)"));
 }
 
@@ -62,7 +61,7 @@ bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files
     if (files.isEmpty()) return true;
     const auto answer =
         QMessageBox::question(parent, tr("Export"),
-                              tr("%1 holds these files already: %2. Replace them?")
+                              tr("%1 already contains these files: %2. Replace them?")
                                   .arg(QFileInfo(folder).fileName(), files.join(QStringLiteral(", "))));
     return answer == QMessageBox::Yes;
 }

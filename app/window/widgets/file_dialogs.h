@@ -6,15 +6,16 @@ class QWidget;
 
 namespace noonmark {
 
-/// The questions for file names; empty when the user changes their mind.
-QStringList askForCity(QWidget* parent);                           ///< or a project
-QString askForProject(QWidget* parent, const QString& suggested);  ///< to save; asks before one is replaced
+/// File dialogs. Each returns an empty value if the user cancels.
+QStringList askForCity(QWidget* parent);  ///< city files or a project
+/// For saving; asks before replacing a file.
+QString askForProject(QWidget* parent, const QString& suggested);
 QString askForMesh(QWidget* parent);
 QString askForRegion(QWidget* parent);
-QString askForPicture(QWidget* parent);  ///< always with an ending
+QString askForPicture(QWidget* parent);  ///< always with a file extension
 QString askForFolder(QWidget* parent, const QString& title);
 
-/// Whether files that lie in a folder already may be replaced; true where there are none.
+/// Asks whether existing files in a folder may be replaced; true if there are none.
 bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);
 
 }  // namespace noonmark

@@ -13,8 +13,8 @@ namespace noonmark {
 namespace {
 
 constexpr int stripHeight = 58;
-constexpr int legendRowHeight = 46;  // where the strip is narrow
-constexpr int leastWidth = 680;      // of one row
+constexpr int legendRowHeight = 46;  // if the strip is narrow
+constexpr int leastWidth = 680;      // minimum for a single row
 constexpr int leastLegendWidth = 250;
 constexpr int mostLegendWidth = 640;
 constexpr int measureWidth = 190;
@@ -57,13 +57,13 @@ QSpinBox* changeScaleField() {
     field->setPrefix(QStringLiteral("±"));
     field->setSuffix(LegendStrip::tr(" min"));
     field->setSpecialValueText(LegendStrip::tr("Scale: automatic"));
-    field->setToolTip(LegendStrip::tr(
-        "The ends of the colours of a difference.\nLocked at so many minutes, the pictures of "
-        "all proposals can be compared; 0: automatic, fitted to each difference."));
+    field->setToolTip(
+        LegendStrip::tr("The ends of the colour scale of a difference.\nLock it to compare pictures of "
+                        "several proposals; 0: automatic, fitted to each difference."));
     return field;
 }
 
-// Its first words where not all have room.
+// The note, shortened to its first words if it does not fit.
 QString fitted(const QString& note, const QFont& font, const QSizeF& room) {
     const auto fits = [&](const QString& words) {
         const QSizeF size = sizeOf(words, font, room.width());
@@ -85,8 +85,8 @@ LegendStrip::LegendStrip(QWidget* parent)
     measure_->addItem(nameOf(ShadowMeasure::gross));
     measure_->addItem(nameOf(ShadowMeasure::continuous));
     measure_->setToolTip(
-        tr("What the ground shows.\nGross shadow: minutes in shadow a day, mean over the days.\n"
-           "Continuous shadow: longest unbroken run in shadow on any day, minutes."));
+        tr("What is displayed.\nGross shadow: minutes in shadow per day, mean over the days.\nContinuous "
+           "shadow: longest unbroken run in shadow on any day, minutes."));
     measure_->setFixedWidth(measureWidth - 24);
     connect(measure_, &QComboBox::currentIndexChanged, this, &LegendStrip::measureChanged);
     scale_->setFixedWidth(measureWidth - 24);
@@ -108,7 +108,7 @@ LegendStrip::LegendStrip(QWidget* parent)
     row->addStretch(1);
 }
 
-// A scale of a fraction of a minute, from the command line, is rounded in its field and stays as it is.
+// A fractional scale from the command line is rounded in the field only; the value itself stays.
 void LegendStrip::setChangeScale(const ChangeScale& scale) {
     const QSignalBlocker block(scale_);
     scale_->setValue(scale.lockedMin ? std::max(1, int(std::lround(*scale.lockedMin))) : 0);
@@ -153,7 +153,7 @@ QFont LegendStrip::noteFont() const {
     return font;
 }
 
-// Between measure and compass; the legend, where it stands beside the note, needs some of it.
+// The room between measure and compass, without that of a legend beside the note.
 QSizeF LegendStrip::noteRoom() const {
     const double between = width() - measureWidth - compassWidth - 4 * margin;
     const double most = narrow() ? between : std::min(between / 2, between - leastLegendWidth);
@@ -164,10 +164,10 @@ QString LegendStrip::paintedNote() const {
     return note_.isEmpty() ? QString() : fitted(note_, noteFont(), noteRoom());
 }
 
-// All of it where the strip shows its beginning only.
+// A tooltip shows the whole note if it was shortened.
 void LegendStrip::placeNote() { setToolTip(paintedNote() == note_ ? QString() : note_); }
 
-// Left of the compass.
+// The note is left of the compass.
 QRectF LegendStrip::noteArea() const {
     if (note_.isEmpty()) return {};
     const QSizeF room = noteRoom(), words = sizeOf(paintedNote(), noteFont(), room.width());
@@ -183,7 +183,7 @@ QRectF LegendStrip::legendArea() const {
     return {left, 8, std::min(double(mostLegendWidth), right - 2 * margin - left), stripHeight - 10.0};
 }
 
-// On amber where it marks a part.
+// On amber if the result is partial.
 void LegendStrip::paintNote(QPainter& painter) const {
     const QRectF chip = noteArea();
     if (chip.isEmpty()) return;

@@ -1,5 +1,10 @@
 #pragma once
 
+// Widgets and forms used by several docks: fields and buttons (number_fields, mesh_fields, push_button),
+// forms for one value each (PeriodForm, AccuracyForm, ReadingForm), the legend, message and progress strips,
+// the label at the cursor, the menu of recent files and the file dialogs. They show and change values and
+// know neither project nor workbench.
+
 #include <QWidget>
 #include <optional>
 
@@ -12,16 +17,16 @@ class QSpinBox;
 
 namespace noonmark {
 
-/// Below the view: which measure is shown, its legend, and where north is. Where it is narrow the legend has
-/// a row of its own.
+/// The strip below the view: choice of the measure, its legend, and a compass. In a narrow window the legend
+/// has its own row.
 class LegendStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit LegendStrip(QWidget* parent = nullptr);
 
-    void setLegend(std::optional<Legend> legend);  ///< none: nothing is shown yet
-    void setHint(const QString& hint);             ///< stands in the place of a legend where there is none
-    /// What is shown of the whole, in words; `partial` marks it as not the whole yet. Empty: all of it.
+    void setLegend(std::optional<Legend> legend);  ///< none: no result yet
+    void setHint(const QString& hint);             ///< shown if there is no legend
+    /// A note on what is shown; `partial` marks it as incomplete. Empty: none.
     void setNote(const QString& note, bool partial);
     [[nodiscard]] const QString& note() const { return note_; }
     [[nodiscard]] const std::optional<Legend>& legend() const { return legend_; }
@@ -30,13 +35,13 @@ public:
     [[nodiscard]] ShadowMeasure measure() const;
     void setMeasure(ShadowMeasure measure);
 
-    /// Of differences; its field is in sight while one is shown.
+    /// The scale of differences; its field is visible while a difference is shown.
     [[nodiscard]] const ChangeScale& changeScale() const { return changeScale_; }
     void setChangeScale(const ChangeScale& scale);
 
-    [[nodiscard]] QRectF noteArea() const;      ///< where the note is painted; empty: there is none
-    [[nodiscard]] QRectF legendArea() const;    ///< beside it
-    [[nodiscard]] QString paintedNote() const;  ///< as much of the note as there is room for
+    [[nodiscard]] QRectF noteArea() const;      ///< the note's place; empty: no note
+    [[nodiscard]] QRectF legendArea() const;    ///< beside the note
+    [[nodiscard]] QString paintedNote() const;  ///< the note, shortened to the room available
 
 Q_SIGNALS:
     void measureChanged();
@@ -54,7 +59,7 @@ private:
     void paintNote(QPainter& painter) const;
 
     QComboBox* measure_;
-    QSpinBox* scale_;  ///< 0: fitted to each difference
+    QSpinBox* scale_;  ///< 0: fitted to each
     ChangeScale changeScale_;
     QString hint_;
     QString note_;

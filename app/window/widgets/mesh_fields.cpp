@@ -18,7 +18,7 @@ QComboBox* upAxisField() {
 QComboBox* meshUnitField() {
     auto* field = new QComboBox;
     field->setObjectName(QStringLiteral("meshUnit"));
-    field->setToolTip(QObject::tr("Unit of the mesh's coordinates, which the file does not say"));
+    field->setToolTip(QObject::tr("Unit of the mesh's coordinates, which the file does not state"));
     addUnits(*field);
     return field;
 }

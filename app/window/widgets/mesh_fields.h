@@ -4,7 +4,8 @@ class QComboBox;
 
 namespace noonmark {
 
-/// What a mesh file (OBJ, PLY, glTF) does not say of itself. The data of an item is its UpAxis or LengthUnit.
+/// Fields for properties that a mesh file (OBJ, PLY, glTF) does not state. The data of an item is its UpAxis
+/// or LengthUnit.
 QComboBox* upAxisField();
 QComboBox* meshUnitField();
 

@@ -12,18 +12,18 @@ class QTimer;
 
 namespace noonmark {
 
-/// A line over the view that says what went wrong or was done. It asks for nothing and waits to be closed.
+/// A bar above the view for errors and notices. It is not modal and stays until closed.
 class MessageBar final : public QFrame {
     Q_OBJECT
 public:
     explicit MessageBar(QWidget* parent = nullptr);
 
     void showError(const Error& error);
-    void showNote(const QString& text);  ///< goes by itself after a while
-    void showHelp(const QString& text);  ///< stays
-    /// A button beside the message that is shown, until another is; it hides the message and calls `done`.
+    void showNote(const QString& text);  ///< disappears after a while
+    void showHelp(const QString& text);  ///< stays until closed
+    /// Adds a button to the current message; clicking it hides the message and calls `done`.
     void offer(const QString& remedy, std::function<void()> done);
-    /// A second button beside that one; likewise.
+    /// Adds a second button; likewise.
     void offerToo(const QString& remedy, std::function<void()> done);
     void dismiss();  ///< hides the message unless it offers something
     [[nodiscard]] QString text() const;

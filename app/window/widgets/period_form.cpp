@@ -58,7 +58,7 @@ void PeriodForm::makeFields() {
     beforeSunset_ = numberField(0, 12, 2, 0.25, tr(" h"));
     rule_ = new QComboBox;
     rule_->addItems({tr("upper limb (-0.833°)"), tr("centre (0°)")});
-    refraction_ = new QCheckBox(tr("Refraction by the air"));
+    refraction_ = new QCheckBox(tr("Atmospheric refraction"));
 }
 
 void PeriodForm::placeFields() {
@@ -68,7 +68,7 @@ void PeriodForm::placeFields() {
     form->addRow(tr("Start date"), start_);
     form->addRow(tr("Days"), days_);
     form->addRow(tr("From"), from_);
-    form->addRow(tr("Hours a day"), hours_);
+    form->addRow(tr("Hours per day"), hours_);
     form->addRow(tr("Step"), step_);
     form->addRow(tr("Time zone"), zone_);
     form->addRow(QString(), window_);
@@ -101,22 +101,22 @@ void PeriodForm::tell() {
         field->setToolTip(tip);
         follow(field, name);
     };
-    add(start_, "start date", "startDate", tr("First day of the period, civil date in the time zone"));
+    add(start_, "start date", "startDate", tr("First day of the period, local date in the time zone"));
     add(days_, "days", "days", tr("Number of days, 1 to 3660"));
     add(from_, "start time", "from", tr("Wall-clock time at which each day's window begins, hours:minutes"));
-    add(hours_, "hours", "hours", tr("Hours a day, 0 to 24; 0 looks at one moment"));
-    add(step_, "step", "step", tr("Minutes between two positions of the sun, 1/60 to 240"));
+    add(hours_, "hours", "hours", tr("Hours per day, 0 to 24; 0 is a single moment"));
+    add(step_, "step", "step", tr("Minutes between sun positions, 1/60 to 240"));
     add(zone_, "time zone", "zone",
-        tr("IANA time zone of the wall clock, daylight saving included.\n"
-           "Set to the zone of the nearest city when a file is opened: check it near borders."));
-    add(window_, "solar window", "solarWindow", tr("Count the hours from the sun instead of the clock"));
+        tr("IANA time zone of the wall clock, daylight saving included.\nSet to that of the nearest city "
+           "when a file is opened: check it near borders."));
+    add(window_, "solar window", "solarWindow", tr("Use sunrise and sunset instead of clock times"));
     add(afterSunrise_, "after sunrise", "afterSunrise",
         tr("The window begins this many hours after sunrise"));
     add(beforeSunset_, "before sunset", "beforeSunset", tr("The window ends this many hours before sunset"));
     add(rule_, "sunrise rule", "sunriseRule",
         tr("Altitude of the sun's centre at sunrise and sunset, degrees"));
     add(refraction_, "refraction", "refraction",
-        tr("On: the sun as it is seen through the air. Off: the geometric sun, as rules often ask"));
+        tr("On: apparent position of the sun. Off: geometric position, as rules often require"));
 }
 
 void PeriodForm::enableFields() {

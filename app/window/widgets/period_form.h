@@ -14,7 +14,7 @@ class QTimeEdit;
 
 namespace noonmark {
 
-/// Fields for a Period: when, for how long, in which zone, sun as seen or geometric.
+/// Fields for a Period: dates, hours, time zone, apparent or geometric sun.
 class PeriodForm final : public QWidget {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
     void show(const Period& period);  ///< without a signal
 
 Q_SIGNALS:
-    void edited(QString field);  ///< what was changed, in words: "start date"
+    void edited(QString field);  ///< the name of the field: "start date"
 
 private:
     void makeFields();

@@ -19,7 +19,7 @@ ProgressStrip::ProgressStrip(QBoxLayout::Direction direction, QWidget* parent)
     : QWidget(parent),
       label_(new QLabel),
       bar_(new QProgressBar),
-      cancel_(pushButton(tr("Cancel"), "cancel", tr("Stop this work; what was there before stays"))) {
+      cancel_(pushButton(tr("Cancel"), "cancel", tr("Stop this job; the previous result stays"))) {
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMinimumWidth(120);

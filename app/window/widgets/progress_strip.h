@@ -13,21 +13,21 @@ namespace noonmark {
 class Job;
 class JobSlot;
 
-/// How far a job is, with a button to cancel it. Hidden while there is none. Of several slots it follows the
-/// one that started last.
+/// The progress of a job, with a button to cancel it. Hidden while there is none. Of several slots it follows
+/// the one started last.
 class ProgressStrip final : public QWidget {
     Q_OBJECT
 public:
-    /// Side by side, or above each other where there is little width.
+    /// `direction`: side by side or, in a narrow place, stacked.
     explicit ProgressStrip(QBoxLayout::Direction direction, QWidget* parent = nullptr);
 
     enum class Jobs {
         cancellable,
-        whole,  ///< cancelling would leave things half done: no button
-        often,  ///< many that are short as a rule: only one that takes longer is shown, and none beside
-                ///< others
+        whole,  ///< not to be cancelled half way: no button
+        /// Frequent, usually short jobs: shown only if they take longer, and never instead of others.
+        often,
     };
-    /// What the slot starts from now on.
+    /// Follows the jobs that the slot starts from now on.
     void follow(JobSlot& slot, Jobs jobs = Jobs::cancellable);
 
 private:
@@ -38,7 +38,7 @@ private:
     QProgressBar* bar_;
     QPushButton* cancel_;
     QTimer wait_;
-    const JobSlot* shown_ = nullptr;  ///< whose job; null: none
+    const JobSlot* shown_ = nullptr;  ///< the slot of the displayed job; null: none
 };
 
 }  // namespace noonmark

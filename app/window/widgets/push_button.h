@@ -6,7 +6,7 @@ class QPushButton;
 
 namespace noonmark {
 
-/// A button with its text and tooltip; `name` is what tests and style sheets know it by.
+/// A button with text and tooltip; tests and style sheets identify it by `name`.
 QPushButton* pushButton(const QString& text, const char* name, const QString& tip);
 
 }  // namespace noonmark

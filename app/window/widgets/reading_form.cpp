@@ -16,7 +16,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr int asInFile = -1;  // data of the choice that states no unit
+constexpr int asInFile = -1;  // item data for "as in the file"
 
 QLineEdit* textField(const QString& whenEmpty) {
     auto* field = new QLineEdit;
@@ -41,30 +41,29 @@ ReadingForm::ReadingForm(QWidget* parent) : QWidget(parent) {
 }
 
 void ReadingForm::makeFields() {
-    heightField_ = textField(tr("found by its name"));
-    levelsField_ = textField(tr("found by its name"));
+    heightField_ = textField(tr("found by name"));
+    levelsField_ = textField(tr("found by name"));
     heightUnit_ = new QComboBox;
     heightUnit_->addItem(tr("as in the file"), asInFile);
     addUnits(*heightUnit_);
     metresPerLevel_ = numberField(2, 6, 2, 0.1, tr(" m"));
     defaultHeight_ = numberField(1, 1000, 2, 1, tr(" m"));
-    layer_ = textField(tr("every layer of polygons"));
+    layer_ = textField(tr("all layers with polygons"));
     crs_ = textField(tr("as in the file (example: EPSG:2263)"));
     lod_ = textField(tr("the highest"));
     farAway_ = numberField(100, 200000, 0, 1000, tr(" m"));
     terrainFromBases_ = new QComboBox;
-    terrainFromBases_->addItem(tr("where neighbours stand at different heights"),
-                               int(TerrainFromBases::automatic));
+    terrainFromBases_->addItem(tr("if neighbours' ground heights differ"), int(TerrainFromBases::automatic));
     terrainFromBases_->addItem(tr("always"), int(TerrainFromBases::always));
-    terrainFromBases_->addItem(tr("never: flat ground"), int(TerrainFromBases::never));
+    terrainFromBases_->addItem(tr("never (flat ground)"), int(TerrainFromBases::never));
     upAxis_ = upAxisField();
     meshUnit_ = meshUnitField();
     meshNorth_ = numberField(-360, 360, 4, 1, tr("°"));
-    anchored_ = new QCheckBox(tr("The origin stands at"));
+    anchored_ = new QCheckBox(tr("Origin located at"));
     longitude_ = numberField(-180, 180, 7, 0.001, tr("° east"));
     latitude_ = numberField(-90, 90, 7, 0.001, tr("° north"));
     toMiddle_ = new QPushButton(tr("Middle of the open city"));
-    toMiddle_->setAutoDefault(false);  // Enter opens
+    toMiddle_->setAutoDefault(false);  // Enter must trigger Open
 }
 
 QGroupBox* ReadingForm::makeHeights() {
@@ -74,7 +73,7 @@ QGroupBox* ReadingForm::makeHeights() {
     form->addRow(tr("Storeys field"), levelsField_);
     form->addRow(tr("Unit of heights"), heightUnit_);
     form->addRow(tr("Height of a storey"), metresPerLevel_);
-    form->addRow(tr("Height when unknown"), defaultHeight_);
+    form->addRow(tr("Default height"), defaultHeight_);
     return group;
 }
 
@@ -84,17 +83,17 @@ QGroupBox* ReadingForm::makeData() {
     form->addRow(tr("Coordinate system"), crs_);
     form->addRow(tr("Layer"), layer_);
     form->addRow(tr("Level of detail"), lod_);
-    form->addRow(tr("Farthest kept"), farAway_);
-    form->addRow(tr("Terrain from buildings' bases"), terrainFromBases_);
+    form->addRow(tr("Maximum distance"), farAway_);
+    form->addRow(tr("Terrain from building bases"), terrainFromBases_);
     return group;
 }
 
 QGroupBox* ReadingForm::makeMeshes() {
     auto* group = new QGroupBox(tr("Meshes (OBJ, PLY, glTF)"));
     auto* form = new QFormLayout(group);
-    form->addRow(tr("Axis that points up"), upAxis_);
+    form->addRow(tr("Up axis"), upAxis_);
     form->addRow(tr("Unit of coordinates"), meshUnit_);
-    form->addRow(tr("Mesh's north"), meshNorth_);
+    form->addRow(tr("Mesh north"), meshNorth_);
     form->addRow(anchored_, makeAnchor());
     form->addRow(QString(), toMiddle_);
     return group;
@@ -120,38 +119,36 @@ void ReadingForm::tell() {
         field->setToolTip(tip);
     };
     add(heightField_, "heightField",
-        tr("Name of the field with the heights.\nEmpty: the reader looks for the usual names."));
+        tr("Name of the field with the heights.\nEmpty: the usual names are tried."));
     add(levelsField_, "levelsField",
-        tr("Name of the field with the storeys above the ground.\nEmpty: the reader looks for the usual "
-           "names."));
+        tr("Name of the field with the storeys above ground.\nEmpty: the usual names are tried."));
     add(heightUnit_, "heightUnit",
-        tr("Unit of heights that are bare numbers.\nAs in the file: metres, unless the value or the field "
-           "says otherwise."));
+        tr("Unit of heights given as plain numbers.\nAs in the file: metres, unless the value or the field "
+           "states otherwise."));
     add(terrainFromBases_, "terrainFromBases",
-        tr("Where no terrain is read: make one from the ground elevations that the buildings state.\n"
-           "By default where more than one pair of neighbours in twenty stands more than 1 m apart in "
-           "height."));
+        tr("If no terrain is read: derive it from the buildings' ground elevations.\nDefault: if more than "
+           "one in twenty pairs of neighbours differ by more than 1 m in height."));
     add(metresPerLevel_, "metresPerLevel",
-        tr("For buildings of which only the storeys are known, metres, 2 to 6"));
+        tr("For buildings with known storeys but no height, metres, 2 to 6"));
     add(defaultHeight_, "defaultHeight",
-        tr("For buildings of which neither height nor storeys are known, metres, 1 to 1000"));
-    add(layer_, "layer", tr("Read this layer only.\nEmpty: every layer that holds polygons."));
+        tr("For buildings with neither height nor storeys, metres, 1 to 1000"));
+    add(layer_, "layer", tr("Read this layer only.\nEmpty: all layers with polygons."));
     add(crs_, "crs",
-        tr("Coordinate reference system of files that do not state it: EPSG:number.\nEmpty: what the file "
-           "says."));
+        tr("Coordinate reference system of files that do not state it: EPSG:number.\nEmpty: as in the "
+           "file."));
     add(lod_, "lod",
-        tr("CityJSON: read this level of detail, 2.2 for example.\nEmpty: the highest there is."));
+        tr("CityJSON: read this level of detail, 2.2 for example.\nEmpty: the highest available."));
     add(farAway_, "farAway",
-        tr("What lies further from the middle of the data is left out, with a warning; metres, 100 to "
+        tr("Objects farther from the middle of the data are left out, with a warning; metres, 100 to "
            "200000"));
     add(meshNorth_, "meshNorth",
         tr("Direction of the mesh's north axis, degrees clockwise from true north, -360 to 360"));
     add(anchored_, "anchored",
-        tr("Where the mesh's origin stands on the earth. A mesh that is opened alone needs it.\nOff: at the "
-           "origin of the other files' city."));
+        tr("Geographic location of the mesh's origin. Required for a mesh opened alone.\nOff: at the origin "
+           "of the city from the other files."));
     add(longitude_, "longitude", tr("Longitude of the mesh's origin, degrees, east positive, -180 to 180"));
     add(latitude_, "latitude", tr("Latitude of the mesh's origin, degrees, north positive, -90 to 90"));
-    add(toMiddle_, "toMiddle", tr("Put the mesh's origin where the middle of the open city is"));
+    add(toMiddle_, "toMiddle", tr("Places the mesh's origin at the middle of the open city"));
 }
 
 void ReadingForm::setMiddle(std::optional<LonLat> middle) {

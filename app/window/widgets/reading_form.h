@@ -13,8 +13,7 @@ class QPushButton;
 
 namespace noonmark {
 
-/// Fields for ReadSettings: what a file does not say by itself. ReadSettings::frame is no field: it stays
-/// empty.
+/// Fields for ReadSettings: what a file may not state. ReadSettings::frame has no field and stays empty.
 class ReadingForm final : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +21,7 @@ public:
 
     [[nodiscard]] ReadSettings settings() const;
     void show(const ReadSettings& settings);
-    void setMiddle(std::optional<LonLat> middle);  ///< of the open city; none: the button is off
+    void setMiddle(std::optional<LonLat> middle);  ///< of the open city; none: disables the button
 
 private:
     void makeFields();

@@ -8,11 +8,11 @@ class QMenu;
 
 namespace noonmark {
 
-/// The menu of what was opened lately; what was read with settings of its own says so and gets them again.
+/// The menu of recent files. An entry read with its own settings is labelled, and opens with them again.
 class RecentMenu final : public QObject {
     Q_OBJECT
 public:
-    RecentMenu(QMenu& menu, QSettings& settings);  ///< both outlive it
+    RecentMenu(QMenu& menu, QSettings& settings);  ///< both must outlive it
     void add(const QStringList& files, const ReadSettings& reading = {});
 
 Q_SIGNALS:
