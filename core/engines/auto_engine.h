@@ -38,21 +38,6 @@ struct EstimatedSeconds {
 };
 EstimatedSeconds estimateSeconds(const EngineLoad& load);
 
-/// An engine that was chosen, and why.
-struct EngineChoice {
-    std::string_view key;  ///< of coreEngines()
-    std::unique_ptr<Engine> engine;
-    std::string why;  ///< "rays, since there is terrain"
-
-    /// The engine's field, which says that it was chosen and why.
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const;
-};
-
-/// The ray reference, where the chosen engine refused: it takes every case.
-EngineChoice fallBackToRays(const EngineChoice& refused, const Error& error);
-
 /// Chooses the engine and says in the field's `engine` which one and why. On flat ground projected shadows,
 /// which are exact, where they are expected to take no longer than the horizon sweep or no more than 2 s; on
 /// terrain and roofs the ray reference on the same terms; else the horizon sweep, whose cells are off by 0.04
@@ -60,14 +45,30 @@ EngineChoice fallBackToRays(const EngineChoice& refused, const Error& error);
 class AutoEngine final : public Engine {
 public:
     explicit AutoEngine(HorizonSweepSettings sweep = {}) : sweep_(sweep) {}
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "The automatic choice"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{.terrain = true,
+                                             .roofs = true,
+                                             .sets = true,
+                                             .attribution = true,
+                                             .cache = true,
+                                             .choosesEngine = true};
 
-    /// One engine for fields that are to be compared with each other, by the city that costs most: fields of
-    /// two engines would differ where the cities do not.
-    [[nodiscard]] EngineChoice choose(std::span<const City* const> cities, const Receivers& receivers,
-                                      const SunSteps& sun) const;
+    [[nodiscard]] std::optional<EngineChoice> choose(std::span<const City* const> cities,
+                                                     const Receivers& receivers,
+                                                     const SunSteps& sun) const override;
+    /// The ray reference, which takes every case; none where it, or the user, ended the work.
+    [[nodiscard]] std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
+                                                            const Error& error) const override;
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
+    [[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
+                                                           const SunSteps& sun, const StepSets& sets,
+                                                           bool byBuilding, Progress& progress,
+                                                           std::stop_token stop) const override;
 
 private:
     HorizonSweepSettings sweep_;

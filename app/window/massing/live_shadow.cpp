@@ -21,14 +21,6 @@ SunSteps spread(const SunSteps& sun) {
     return chosen;
 }
 
-Result<SunSteps> daylight(const SunQuestion& question, const std::stop_token& stop) {
-    auto sun = computeSunSteps(question.period, question.observer, stop);
-    if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(question.period),
-                       "Choose other hours or days");
-    return sun;
-}
-
 // Only what can shade: each picture looks through it.
 City shading(const City& city, const Receivers& receivers, const SunSteps& sun) {
     City around{.frame = city.frame, .terrain = city.terrain};
@@ -73,7 +65,7 @@ Result<LiveReceivers> receiversOf(const LivePlace& place, const LiveQuestion& qu
 Result<std::shared_ptr<LiveShadow>> LiveShadow::at(LivePlace place, const LiveQuestion& question,
                                                    std::shared_ptr<SharedHorizonCache> horizons,
                                                    Progress& progress, const std::stop_token& stop) {
-    const auto sun = daylight(question.sun, stop);
+    const auto sun = computeDaylightSteps(question.sun.period, question.sun.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     auto receivers = receiversOf(place, question, *sun, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());

@@ -1,3 +1,11 @@
+
+protected:
+[[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                          Progress& progress, std::stop_token stop) const override;
+[[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
+                                                       const SunSteps& sun, const StepSets& sets,
+                                                       bool byBuilding, Progress& progress,
+                                                       std::stop_token stop) const override;
 #pragma once
 
 #include <vector>
@@ -16,9 +24,10 @@ namespace noonmark {
 /// rows.
 class ProjectedShadows final : public Engine {
 public:
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Projected shadows"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{
+        .sets = true, .cache = true, .independence = Independence::always};
 };
 
 /// The rasters themselves, step after step (core/engines/projected/filling/bit_raster.h), for comparisons and
