@@ -8,11 +8,12 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
-#include "core/engines/graph/steps_around.h"
 #include "core/receivers/surface_points.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
+
+struct StepMemory;  // core/engines/graph/steps_around.h
 
 /// Shadow on surface points for one period: what ShadowField is for a grid.
 struct SurfaceShadow {
