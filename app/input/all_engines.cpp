@@ -1,6 +1,5 @@
 #include "app/input/all_engines.h"
 
-#include "core/engines/engine_ground.h"
 #include "render/gl/gl_engines.h"
 
 namespace noonmark {
@@ -18,9 +17,9 @@ const EngineList& enginesWith(std::string_view key) {
     return findEngine(coreEngines(), key) != nullptr ? coreEngines() : allEngines();
 }
 
-// All OpenGL engines require level ground.
 bool isOnLevelGroundOnly(std::string_view key) {
-    return onLevelGroundOnly(key) || findEngine(coreEngines(), key) == nullptr;
+    const EngineEntry* engine = findEngine(enginesWith(key), key);
+    return engine != nullptr && !engine->info.capabilities.terrain;
 }
 
 }  // namespace noonmark

@@ -3,7 +3,7 @@
 #include <mutex>
 
 #include "core/base/gdal_calls.h"
-#include "core/io/files/gdal_setup.h"
+#include "core/base/gdal_setup.h"
 
 namespace noonmark {
 

@@ -3,8 +3,6 @@
 namespace noonmark {
 
 namespace {
-constexpr std::string_view cancelledText = "Cancelled";
-
 void appendSentence(std::string& text, const std::string& sentence) {
     if (sentence.empty()) return;
     if (!text.empty()) text += text.back() == '.' ? " " : ". ";
@@ -19,11 +17,25 @@ std::string Error::text() const {
 }
 
 tl::unexpected<Error> failure(std::string what, std::string where, std::string advice) {
-    return tl::make_unexpected(Error{std::move(what), std::move(where), std::move(advice)});
+    return tl::make_unexpected(Error{std::move(what), std::move(where), std::move(advice), ErrorKind::input});
 }
 
-tl::unexpected<Error> cancelled() { return failure(std::string(cancelledText)); }
+tl::unexpected<Error> unsupported(std::string what, std::string where, std::string advice) {
+    return tl::make_unexpected(
+        Error{std::move(what), std::move(where), std::move(advice), ErrorKind::unsupported});
+}
 
-bool isCancelled(const Error& error) { return error.what == cancelledText; }
+tl::unexpected<Error> limitReached(std::string what, std::string where, std::string advice) {
+    return tl::make_unexpected(Error{std::move(what), std::move(where), std::move(advice), ErrorKind::limit});
+}
+
+tl::unexpected<Error> internalError(std::string what, std::string where) {
+    return tl::make_unexpected(
+        Error{std::move(what), std::move(where), "This is a defect: please report it", ErrorKind::internal});
+}
+
+tl::unexpected<Error> cancelled() {
+    return tl::make_unexpected(Error{"Cancelled", "", "", ErrorKind::cancelled});
+}
 
 }  // namespace noonmark

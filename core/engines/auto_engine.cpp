@@ -65,47 +65,52 @@ EstimatedSeconds estimateSeconds(const EngineLoad& load) {
             .horizon = bins * sweepOfABin + (load.runs ? receivers * steps * 5e-12 : 0)};
 }
 
-Result<ShadowField> EngineChoice::accumulate(const City& city, const Receivers& receivers,
-                                             const SunSteps& sun, Progress& progress,
-                                             std::stop_token stop) const {
-    return engine->accumulate(city, receivers, sun, progress, std::move(stop)).map([&](ShadowField field) {
-        field.engine = fmt::format("{} (chosen: {})", field.engine, why);
-        field.engineKey = key;
-        return field;
-    });
-}
-
-EngineChoice fallBackToRays(const EngineChoice& refused, const Error& error) {
-    return {referenceEngine, std::make_unique<RayReference>(),
-            fmt::format("rays, since {} refused: {}", refused.why, error.what)};
-}
-
-// Chooses the exact engine if it takes no longer than the sweep or is fast anyway; otherwise the sweep.
-EngineChoice AutoEngine::choose(std::span<const City* const> cities, const Receivers& receivers,
-                                const SunSteps& sun) const {
+// The exact engine where it takes no longer than the sweep, or not long; else the sweep.
+std::optional<EngineChoice> AutoEngine::choose(std::span<const City* const> cities,
+                                               const Receivers& receivers, const SunSteps& sun) const {
     const EngineLoad load = measureEngineLoad(cities, receivers, sun, sweep_);
     const EstimatedSeconds seconds = estimateSeconds(load);
     const double exact = load.level ? seconds.projected : seconds.ray;
     const std::string expected = fmt::format("expected {:.2g} s by {}, {:.2g} s by the sweep", exact,
                                              load.level ? "projected shadows" : "rays", seconds.horizon);
     if (exact > std::max(shortSeconds, seconds.horizon))
-        return {"horizon", std::make_unique<HorizonSweep>(sweep_),
-                fmt::format("the horizon sweep, since the period is long ({})", expected)};
+        return EngineChoice{"horizon", std::make_unique<HorizonSweep>(sweep_),
+                            fmt::format("the horizon sweep, since the period is long ({})", expected)};
     if (load.level)
-        return {"projected", std::make_unique<ProjectedShadows>(),
-                fmt::format("projected shadows, exact and quick enough here ({})", expected)};
-    return {referenceEngine, std::make_unique<RayReference>(),
-            fmt::format("rays, since {} and they are quick enough here ({})",
-                        load.terrainCells > 0 ? "there is terrain" : "receivers lie on roofs", expected)};
+        return EngineChoice{"projected", std::make_unique<ProjectedShadows>(),
+                            fmt::format("projected shadows, exact and quick enough here ({})", expected)};
+    return EngineChoice{
+        referenceEngine, std::make_unique<RayReference>(),
+        fmt::format("rays, since {} and they are quick enough here ({})",
+                    load.terrainCells > 0 ? "there is terrain" : "receivers lie on roofs", expected)};
 }
 
-Result<ShadowField> AutoEngine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                           Progress& progress, std::stop_token stop) const {
+std::optional<EngineChoice> AutoEngine::chooseInstead(const EngineChoice& failed, const Error& error) const {
+    if (isCancelled(error) || failed.key == referenceEngine) return std::nullopt;
+    return EngineChoice{referenceEngine, std::make_unique<RayReference>(),
+                        fmt::format("rays, since {} refused: {}", failed.why, error.what)};
+}
+
+Result<ShadowField> AutoEngine::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                        Progress& progress, std::stop_token stop) const {
     const City* const cities[]{&city};
-    const EngineChoice choice = choose(cities, receivers, sun);
-    Result<ShadowField> field = choice.accumulate(city, receivers, sun, progress, stop);
-    if (field || isCancelled(field.error()) || choice.key == referenceEngine) return field;
-    return fallBackToRays(choice, field.error()).accumulate(city, receivers, sun, progress, std::move(stop));
+    const auto choice = choose(cities, receivers, sun);
+    Result<ShadowField> field = choice->accumulate(city, receivers, sun, progress, stop);
+    if (field) return field;
+    const auto other = chooseInstead(*choice, field.error());
+    return other ? other->accumulate(city, receivers, sun, progress, std::move(stop)) : field;
+}
+
+// Months by projected shadows where these make the field: both state the same then.
+Result<ShadowBreakdown> AutoEngine::computeBreakdown(const City& city, const Receivers& receivers,
+                                                     const SunSteps& sun, const StepSets& sets,
+                                                     bool byBuilding, Progress& progress,
+                                                     std::stop_token stop) const {
+    const City* const cities[]{&city};
+    const auto choice = choose(cities, receivers, sun);
+    const bool able = !byBuilding && choice->engine->capabilities().sets;
+    if (able) return choice->engine->breakDown(city, receivers, sun, sets, byBuilding, progress, stop);
+    return HorizonSweep(sweep_).breakDown(city, receivers, sun, sets, byBuilding, progress, stop);
 }
 
 }  // namespace noonmark

@@ -42,37 +42,37 @@ struct EstimatedSeconds {
 };
 EstimatedSeconds estimateSeconds(const EngineLoad& load);
 
-/// A chosen engine and the reason for the choice.
-struct EngineChoice {
-    std::string_view key;  ///< in coreEngines()
-    std::unique_ptr<Engine> engine;
-    std::string why;  ///< "rays, since there is terrain"
-
-    /// Runs the engine; the field's `engine` text states that it was chosen automatically and why.
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const;
-};
-
-/// The ray reference, which accepts every case, for use after the chosen engine refused.
-EngineChoice fallBackToRays(const EngineChoice& refused, const Error& error);
-
-/// Chooses an engine and states in the field's `engine` which one and why. On flat ground it chooses
-/// projected shadows, which are exact, if they are expected to take no longer than the horizon sweep or at
-/// most 2 s; on terrain and roofs it chooses the ray reference under the same condition. Otherwise it chooses
-/// the horizon sweep, whose cells are off by 0.04 % of a long period on average. If the chosen engine refuses
-/// the case, the ray reference takes over.
+/// Chooses the engine and says in the field's `engine` which one and why. On flat ground projected shadows,
+/// which are exact, where they are expected to take no longer than the horizon sweep or no more than 2 s; on
+/// terrain and roofs the ray reference on the same terms; else the horizon sweep, whose cells are off by 0.04
+/// % of a long period in the mean. Where the one chosen refuses the case the ray reference takes it.
 class AutoEngine final : public Engine {
 public:
     explicit AutoEngine(HorizonSweepSettings sweep = {}) : sweep_(sweep) {}
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "The automatic choice"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{.terrain = true,
+                                             .roofs = true,
+                                             .sets = true,
+                                             .attribution = true,
+                                             .cache = true,
+                                             .choosesEngine = true};
 
-    /// Chooses one engine for fields that will be compared with each other, based on the city that costs
-    /// most. Fields of two different engines would differ even where the cities do not.
-    [[nodiscard]] EngineChoice choose(std::span<const City* const> cities, const Receivers& receivers,
-                                      const SunSteps& sun) const;
+    [[nodiscard]] std::optional<EngineChoice> choose(std::span<const City* const> cities,
+                                                     const Receivers& receivers,
+                                                     const SunSteps& sun) const override;
+    /// The ray reference, which takes every case; none where it, or the user, ended the work.
+    [[nodiscard]] std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
+                                                            const Error& error) const override;
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
+    [[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
+                                                           const SunSteps& sun, const StepSets& sets,
+                                                           bool byBuilding, Progress& progress,
+                                                           std::stop_token stop) const override;
 
 private:
     HorizonSweepSettings sweep_;

@@ -4,7 +4,6 @@
 #include "core/engines/accrual/shadow_accrual_map.h"
 #include "core/engines/api/engine_registry.h"
 #include "core/engines/auto_engine.h"
-#include "core/engines/engine_ground.h"
 #include "core/engines/graph/graph_engine.h"
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/horizon/sweep_options.h"
@@ -28,19 +27,20 @@ EngineOption levelsOption() {
             1,
             RayScene::maxLevels,
             usual,
-            true,
+            OptionKind::wholeNumber,
             "How many occluders, nearest first, are followed from each cell"};
 }
 
 EngineOption sourcesOption() {
-    return {"rays",
-            "Sources by rays",
-            "",
-            0,
-            1,
-            0,
-            true,
-            "1: Embree finds what throws the shadow at an interval's ends; 0: filled polygons do, faster"};
+    return {
+        "rays",
+        "Sources by rays",
+        "",
+        0,
+        1,
+        0,
+        OptionKind::yesNo,
+        "Embree finds the occluders at an interval's ends; otherwise filled polygons do, which is faster"};
 }
 
 EngineOption nearestHitOption() {
@@ -50,7 +50,7 @@ EngineOption nearestHitOption() {
             InverseAccrualSettings::lowestNearestHitM,
             InverseAccrualSettings::highestNearestHitM,
             double(InverseAccrualSettings{}.nearestHitM),
-            false,
+            OptionKind::number,
             "Occluders nearer to a cell than this are left out (the paper: 1 m)"};
 }
 
@@ -61,19 +61,21 @@ EngineOption deviceOption() {
             -1,
             63,
             -1,
-            true,
+            OptionKind::wholeNumber,
             "Which OpenCL device draws, as 'noonmark-cli devices' counts them; -1: the processor itself"};
 }
 
 EngineEntry rayReference() {
     return {{referenceEngine, "Ray reference",
-             "One ray per receiver and step, traced by Embree: the truth that others are measured against"},
+             "One ray per receiver and step, traced by Embree: the truth that others are measured against",
+             RayReference::able},
             [](const EngineSettings&) -> Made { return std::make_unique<RayReference>(); }};
 }
 
 EngineEntry projectedShadows() {
     return {{"projected", "Projected shadows",
-             "Each building's shadow filled as polygons at every step: exact and fast on flat ground", 16},
+             "Each building's shadow filled as polygons at every step: exact and fast on flat ground",
+             ProjectedShadows::able, 16},
             [](const EngineSettings&) -> Made { return std::make_unique<ProjectedShadows>(); }};
 }
 
@@ -81,7 +83,7 @@ EngineEntry horizonSweep() {
     return {{"horizon", "Horizon sweep",
              "The slope of each receiver's horizon, azimuth by azimuth: a year in moments, on terrain and "
              "roofs too",
-             24, sweepOptions()},
+             HorizonSweep::able, 24, sweepOptions()},
             [](const EngineSettings& settings) -> Made {
                 return std::make_unique<HorizonSweep>(readSweepSettings(settings));
             }};
@@ -91,7 +93,7 @@ EngineEntry autoEngine() {
     return {{"auto", "Automatic",
              "Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result "
              "says which and why",
-             24, sweepOptions()},
+             AutoEngine::able, 24, sweepOptions()},
             [](const EngineSettings& settings) -> Made {
                 return std::make_unique<AutoEngine>(readSweepSettings(settings));
             }};
@@ -116,18 +118,22 @@ std::vector<EngineOption> inverseAccrualOptions() {
 
 EngineEntry inverseAccrualMap() {
     return {
-        {"iam", "Inverse accrual map",
+        {"iam",
+         "Inverse accrual map",
          "What throws the shadows at the ends of each hour, moved along straight lines between; hours that "
          "look alike computed once",
-         // Shadow sources of two instants, masks, and some 30 maps of runs alive during a year.
-         200, inverseAccrualOptions()},
+         {},
+         // Sources of two instants, masks, and some 30 maps of runs alive in a year.
+         200,
+         inverseAccrualOptions()},
         inverseAccrual};
 }
 
 EngineEntry rayGraph() {
     return {{"ray-graph", "Ray reference through the direction graph",
              "Rays, with hours that look alike traced once: what the graph alone does to the error",
-             // Masks, and some 30 maps of runs alive during a year.
+             RayIntervals::able,
+             // Masks, and some 30 maps of runs alive in a year.
              130, graphOptions()},
             [](const EngineSettings& settings) -> Made {
                 return std::make_unique<GraphEngine>(std::make_shared<RayIntervals>(),
@@ -143,10 +149,13 @@ Made shadowAccrual(const EngineSettings& settings) {
 }
 
 EngineEntry shadowAccrualMap() {
-    return {{"sam", "Shadow accrual map",
+    return {{"sam",
+             "Shadow accrual map",
              "A depth map of each step of an hour, drawn from a city placed once; hours that look alike "
              "computed once",
-             accrualBytesPerCell, accrualOptions(AccrualSettings::maxMapSize)},
+             {},
+             accrualBytesPerCell,
+             accrualOptions(AccrualSettings::maxMapSize)},
             shadowAccrual};
 }
 
@@ -156,11 +165,6 @@ const EngineList& coreEngines() {
     static const EngineList list{rayReference(),      projectedShadows(), horizonSweep(), shadowAccrualMap(),
                                  inverseAccrualMap(), rayGraph(),         autoEngine()};
     return list;
-}
-
-bool onLevelGroundOnly(std::string_view engineKey) {
-    constexpr std::string_view keys[] = {"projected", "sam", "iam"};
-    return std::ranges::find(keys, engineKey) != std::end(keys);
 }
 
 }  // namespace noonmark

@@ -1,6 +1,7 @@
 #include "core/study/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -9,8 +10,6 @@
 
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
-#include "core/engines/horizon/sweep_options.h"
-#include "core/engines/projected/projected_breakdown.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 
@@ -39,44 +38,32 @@ Result<void> checkReceivers(const Study& study) {
                    "Choose a region outside the buildings, or smaller cells");
 }
 
-Result<void> checkSun(const Study& study) {
-    if (!study.sun.steps.empty()) return {};
-    return failure("The sun is below the horizon all the time", textOf(study.settings.period),
-                   "Choose other hours or days");
-}
-
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
 
-Result<void> checkBreakdown(const StudySettings& settings) {
-    const bool months = !settings.contributions && settings.engine == "projected";
-    if (!wantsBreakdown(settings) || months || settings.engine == "horizon" || settings.engine == "auto")
-        return {};
-    return failure(fmt::format("{} by the engine '{}'",
-                               settings.contributions
-                                   ? "Contributions are computed by the horizon sweep, not"
-                                   : "Months are computed by the horizon sweep or projected shadows, not",
-                               settings.engine),
-                   "engine", "Choose --engine horizon");
+std::string enginesThatSum(bool byBuilding, const EngineList& engines) {
+    std::vector<std::string_view> keys;
+    for (const EngineEntry& engine : engines)
+        if (byBuilding ? engine.info.capabilities.attribution : engine.info.capabilities.sets)
+            keys.push_back(engine.info.key);
+    return fmt::format("{}", fmt::join(keys, ", "));
 }
 
-// Months are computed by projected shadows if these made the field, so that months and field agree.
-Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std::stop_token stop) {
-    const StudySettings& settings = study.settings;
-    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
-    const bool projected = settings.engine == "projected" || study.field.engineKey == "projected";
-    if (projected && !settings.contributions)
-        return computeProjectedBreakdown(study.city, study.receivers, study.sun, sets, progress,
-                                         std::move(stop));
-    const BreakdownSettings breakdown{.sweep = readSweepSettings(settings.engineSettings),
-                                      .byBuilding = settings.contributions};
-    return computeHorizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
-                                   std::move(stop));
+Result<void> checkBreakdown(const StudySettings& settings, const EngineCapabilities& able,
+                            const EngineList& engines) {
+    const bool byBuilding = settings.contributions;
+    if (!wantsBreakdown(settings) || (byBuilding ? able.attribution : able.sets)) return {};
+    return unsupported(fmt::format("The engine '{}' does not sum shadow by {}", settings.engine,
+                                   byBuilding ? "building" : "month"),
+                       "engine", fmt::format("Choose one of: {}", enginesThatSum(byBuilding, engines)));
 }
 
-Result<void> brokenDown(Study& study, Progress& progress, std::stop_token stop) {
+Result<void> breakDown(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     if (!wantsBreakdown(study.settings)) return {};
-    return timed(study, "breakdown", study.breakdown, stop,
-                 [&] { return breakdownOf(study, progress, stop); });
+    const StepSets sets = study.settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
+    return timed(study, "breakdown", study.breakdown, stop, [&] {
+        return engine.breakDown(study.city, study.receivers, study.sun, sets, study.settings.contributions,
+                                progress, stop);
+    });
 }
 
 Result<void> computed(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
@@ -86,9 +73,8 @@ Result<void> computed(Study& study, const Engine& engine, Progress& progress, st
         .and_then([&] { return checkReceivers(study); })
         .and_then([&] {
             return timed(study, "sun", study.sun, stop,
-                         [&] { return computeSunSteps(settings.period, observerOf(study), stop); });
+                         [&] { return computeDaylightSteps(settings.period, observerOf(study), stop); });
         })
-        .and_then([&] { return checkSun(study); })
         .and_then([&] {
             study.terrainCoverage = terrainCoverage(study.city, study.receivers, study.sun);
             return checkCoverage(study.terrainCoverage, settings.region.name);
@@ -98,7 +84,7 @@ Result<void> computed(Study& study, const Engine& engine, Progress& progress, st
                 return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
             });
         })
-        .and_then([&] { return brokenDown(study, progress, stop); });
+        .and_then([&] { return breakDown(study, engine, progress, stop); });
 }
 
 bool wantsError(const Study& study) {
@@ -151,7 +137,8 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     if (!period) return tl::make_unexpected(period.error());
     const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
-    if (auto able = checkBreakdown(settings); !able) return tl::make_unexpected(able.error());
+    if (auto able = checkBreakdown(settings, (*engine)->capabilities(), engines); !able)
+        return tl::make_unexpected(able.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};
@@ -166,8 +153,8 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     study.seconds["total"] = watch.seconds();
     return study;
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this study", "",
-                   "Choose larger cells, a smaller region or fewer steps");
+    return limitReached("There is not enough memory for this study", "",
+                        "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

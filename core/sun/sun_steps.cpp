@@ -197,4 +197,12 @@ Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
     return joined(std::move(days), stepMinutesOf(period));
 }
 
+Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer, std::stop_token stop) {
+    auto sun = computeSunSteps(period, observer, std::move(stop));
+    if (sun && sun->steps.empty())
+        return failure("The sun is below the horizon all the time", textOf(period),
+                       "Choose other hours or days");
+    return sun;
+}
+
 }  // namespace noonmark

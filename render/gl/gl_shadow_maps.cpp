@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/stopwatch.h"
-#include "core/engines/common/level_ground.h"
+#include "core/engines/api/engine.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/counting/receiver_count.h"
 #include "render/gl/depth_maps.h"
@@ -146,7 +146,7 @@ Result<std::shared_ptr<const GlShadowMaps>> GlShadowMaps::make(GlPasses passes,
 Result<std::unique_ptr<IntervalScene>> GlShadowMaps::prepare(const City& city, const Receivers& receivers,
                                                              const SunSteps& directions,
                                                              std::stop_token stop) const {
-    if (const auto level = checkLevelGround(city, receivers, "This engine's shadow maps lie"); !level)
+    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
         return tl::make_unexpected(level.error());
     const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions);
     CasterFaces faces = makeCasterFaces(city, used, stop);

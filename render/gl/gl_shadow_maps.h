@@ -31,6 +31,7 @@ public:
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Shadow maps"; }
     [[nodiscard]] std::string describe() const override;
     [[nodiscard]] const GlLimits& limits() const { return context_->limits(); }
 

@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "core/base/progress_share.h"
-#include "core/engines/auto_engine.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
@@ -40,10 +40,11 @@ std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     return fresh;
 }
 
-// Whether the minutes of a receiver do not depend on the other receivers. With engines that use maps of the
-// whole region they may; on terrain the horizon sweep rounds heights relative to the lowest receiver.
-bool looksAtEachReceiverAlone(std::string_view engineKey, bool flat) {
-    return engineKey == referenceEngine || engineKey == "projected" || (engineKey == "horizon" && flat);
+// Whether the engine finds the same minutes for a receiver whichever other receivers there are.
+bool isIndependent(const EngineList& engines, std::string_view key, bool flat) {
+    const EngineEntry* engine = findEngine(engines, key);
+    const Independence how = engine == nullptr ? Independence::none : engine->info.capabilities.independence;
+    return how == Independence::always || (how == Independence::onLevelGround && flat);
 }
 
 // Computes the same study for several cities.
@@ -56,8 +57,10 @@ public:
     Result<ImpactStudy> run(const City& before, const City& after) {
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
         auto study = compare(before, after);
-        if (study || isCancelled(study.error()) || !choice_ || choice_->key == referenceEngine) return study;
-        choice_ = fallBackToRays(*choice_, study.error());
+        if (study || !choice_) return study;
+        auto other = engine_->chooseInstead(*choice_, study.error());
+        if (!other) return study;
+        choice_ = std::move(other);
         return compare(before, after);
     }
 
@@ -112,29 +115,20 @@ private:
             return failure("No cell of the region is open ground in both cities", study.region.name,
                            "Choose a larger region, or smaller cells");
         return checked(study.period).and_then([&](const Period& period) {
-            return computeSunSteps(period, observerOf(after, study), stop_)
-                .and_then([&](SunSteps sun) { return keep(std::move(sun)); })
-                .and_then([&] {
+            return computeDaylightSteps(period, observerOf(after, study), stop_)
+                .and_then([&](SunSteps sun) {
+                    sun_ = std::move(sun);
                     return checkCoverage(terrainCoverage(after, common_.receivers, sun_), study.region.name);
                 })
                 .map([&] { chooseOnce(before, after); });
         });
     }
 
-    // Otherwise `auto` would choose an engine for each city, and the difference would include that of the
-    // engines.
+    // Left to itself, an engine that chooses would choose for every city anew, and the fields would differ by
+    // the engines too.
     void chooseOnce(const City& before, const City& after) {
-        const auto* automatic = dynamic_cast<const AutoEngine*>(engine_.get());
-        if (automatic == nullptr) return;
         const City* const cities[]{&before, &after};
-        choice_ = automatic->choose(cities, common_.receivers, sun_);
-    }
-
-    Result<void> keep(SunSteps sun) {
-        sun_ = std::move(sun);
-        if (!sun_.steps.empty()) return {};
-        return failure("The sun is below the horizon all the time", textOf(settings_.study.period),
-                       "Choose other hours or days");
+        choice_ = engine_->choose(cities, common_.receivers, sun_);
     }
 
     Result<ShadowField> fieldOf(const City& city) { return fieldOf(city, common_.receivers); }
@@ -158,7 +152,7 @@ private:
 
     // Computes only where the building's shadow can fall; elsewhere the field with the building is the same.
     Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
-        if (!looksAtEachReceiverAlone(with.engineKey, common_.receivers.flat())) return fieldOf(without);
+        if (!isIndependent(engines_, with.engineKey, common_.receivers.flat())) return fieldOf(without);
         if (!reach_) reach_.emplace(sun_);
         const Receivers reached = findReached(building, common_.receivers, *reach_);
         if (reached.cells.empty()) {
@@ -218,8 +212,8 @@ Result<ImpactStudy> runImpact(const City& before, const City& after, const Impac
                               Progress& progress, std::stop_token stop, const EngineList& engines) try {
     return Comparison(settings, engines, progress, std::move(stop)).run(before, after);
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this comparison", "",
-                   "Choose larger cells, a smaller region or fewer steps");
+    return limitReached("There is not enough memory for this comparison", "",
+                        "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

@@ -7,9 +7,6 @@
 #include <optional>
 
 #include "core/base/progress_share.h"
-#include "core/engines/auto_engine.h"
-#include "core/engines/projected/projected_breakdown.h"
-#include "core/engines/projected/projected_shadows.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
@@ -38,53 +35,39 @@ public:
           stop_(std::move(stop)) {}
 
     Result<Score> run(const Engine& engine) {
-        const auto* automatic = dynamic_cast<const AutoEngine*>(&engine);
-        if (automatic == nullptr) return by(engine);
         const City* const cities[]{&city_};
-        EngineChoice choice = automatic->choose(cities, receivers_, sun_);
-        auto score = by(*choice.engine);
-        if (!score && !isCancelled(score.error()) && choice.key != referenceEngine) {
-            choice = fallBackToRays(choice, score.error());
-            score = by(*choice.engine);
-        }
-        if (!score) return score;
-        score->engine += fmt::format(" (chosen: {})", choice.why);
-        score->engineKey = choice.key;
-        return score;
+        auto choice = engine.choose(cities, receivers_, sun_);
+        if (!choice) return by(engine);
+        auto score = by(*choice->engine);
+        if (score) return stated(*std::move(score), *choice);
+        auto other = engine.chooseInstead(*choice, score.error());
+        if (!other) return score;
+        return by(*other->engine).map([&](Score made) { return stated(std::move(made), *other); });
     }
 
 private:
+    static Score stated(Score score, const EngineChoice& choice) {
+        score.engine += fmt::format(" (chosen: {})", choice.why);
+        score.engineKey = choice.key;
+        return score;
+    }
+
     Result<Score> by(const Engine& engine) {
-        if (pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce)
-            if (auto score = atOnce(engine)) return *std::move(score);
-        return pieceByPiece(engine);
+        const bool fits =
+            pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce;
+        return fits && engine.capabilities().sets ? atOnce(engine) : pieceByPiece(engine);
     }
 
-    // Empty where the engine cannot process step sets.
-    std::optional<Result<Score>> atOnce(const Engine& engine) {
-        const StepSets sets = makeSets(pieces_, sun_);
-        if (const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine))
-            return computeHorizonBreakdown(city_, receivers_, sun_, sets, {.sweep = sweep->settings()},
-                                           progress_, stop_)
-                .map([&](const ShadowBreakdown& breakdown) {
-                    return summed(breakdown,
-                                  fmt::format("Horizon sweep: {}, one sweep for all months and intervals",
-                                              breakdown.bins));
-                });
-        if (dynamic_cast<const ProjectedShadows*>(&engine) == nullptr) return std::nullopt;
-        return computeProjectedBreakdown(city_, receivers_, sun_, sets, progress_, stop_)
-            .map([&](const ShadowBreakdown& breakdown) {
-                return summed(
-                    breakdown,
-                    "Projected shadows: exact on flat ground, one run for all months and intervals");
-            });
+    Result<Score> atOnce(const Engine& engine) {
+        return engine.breakDown(city_, receivers_, sun_, makeSets(pieces_, sun_), false, progress_, stop_)
+            .map([&](const ShadowBreakdown& breakdown) { return summed(breakdown); });
     }
 
-    Score summed(const ShadowBreakdown& breakdown, std::string engine) const {
+    Score summed(const ShadowBreakdown& breakdown) const {
         ScoreSum sum(receivers_, weights_, pieces_);
         for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown.minutes[i]);
         Score score = std::move(sum).finish();
-        score.engine = std::move(engine);
+        score.engine = breakdown.engine;
         return score;
     }
 
@@ -139,18 +122,15 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
         return failure("No cell of the region lies on open ground", settings.region.name,
                        "Choose a region outside the buildings, or smaller cells");
     const auto sun = checked(settings.period).and_then([&](const Period& period) {
-        return computeSunSteps(period, observerOf(city, settings), stop);
+        return computeDaylightSteps(period, observerOf(city, settings), stop);
     });
     if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(settings.period),
-                       "Choose other hours or days");
     auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
     if (score && score->engineKey.empty()) score->engineKey = settings.engine;
     return score;
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this score", "",
-                   "Choose larger cells, a smaller region or fewer steps");
+    return limitReached("There is not enough memory for this score", "",
+                        "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

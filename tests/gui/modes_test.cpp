@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QSettings>
 #include <QSignalSpy>
@@ -63,10 +64,17 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
         StudySettings settings;
         settings.engine = engine.key;
         form.show(settings);
-        EXPECT_EQ(form.findChildren<QDoubleSpinBox*>().size(), qsizetype(1 + engine.options.size()));
+        EXPECT_EQ(form.findChildren<QDoubleSpinBox*>().size() + form.findChildren<QCheckBox*>().size(),
+                  qsizetype(1 + engine.options.size()));
         for (const EngineOption& option : engine.options) {
-            const auto* field = form.findChild<QDoubleSpinBox*>(
-                QStringLiteral("option_") + QString::fromStdString(std::string(option.key)));
+            const auto name = QStringLiteral("option_") + QString::fromStdString(std::string(option.key));
+            if (option.kind == OptionKind::yesNo) {
+                const auto* check = form.findChild<QCheckBox*>(name);
+                ASSERT_NE(check, nullptr) << option.key;
+                EXPECT_EQ(check->isChecked(), option.usual != 0) << option.key;
+                continue;
+            }
+            const auto* field = form.findChild<QDoubleSpinBox*>(name);
             ASSERT_NE(field, nullptr) << option.key;
             EXPECT_NEAR(field->minimum(), option.lowest, 1e-9);
             EXPECT_NEAR(field->maximum(), option.highest, 1e-9);
@@ -77,17 +85,18 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
     }
 }
 
-TEST(AccuracyForm, ASwitchSaysYesOrNo) {
+TEST(AccuracyForm, ASwitchIsACheckBox) {
     AccuracyForm form;
     StudySettings settings;
     settings.engine = "horizon";
     form.show(settings);
-    auto* runs = form.findChild<QDoubleSpinBox*>(QStringLiteral("option_runs"));
-    EXPECT_EQ(runs->text(), QStringLiteral("yes"));
-    EXPECT_TRUE(runs->toolTip().contains(QStringLiteral("no: gross shadow only")))
-        << qPrintable(runs->toolTip());
-    runs->stepDown();
-    EXPECT_EQ(runs->text(), QStringLiteral("no"));
+    auto* runs = form.findChild<QCheckBox*>(QStringLiteral("option_runs"));
+    ASSERT_NE(runs, nullptr);
+    EXPECT_TRUE(runs->isChecked());
+    EXPECT_TRUE(runs->toolTip().contains(QStringLiteral("gross shadow only"))) << qPrintable(runs->toolTip());
+    QSignalSpy edits(&form, &AccuracyForm::edited);
+    runs->click();
+    EXPECT_EQ(edits.size(), 1);
     EXPECT_EQ(form.applied(settings).engineSettings, (EngineSettings{{"runs", 0}}));
 }
 

@@ -137,8 +137,14 @@ TEST(Score, AnIntervalOverSeveralMonthsIsOneFraction) {
 // The horizon sweep as an engine that cannot process step sets: it runs once for every month.
 class PlainSweep final : public Engine {
 public:
-    Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                   Progress& progress, std::stop_token stop) const override {
+    [[nodiscard]] std::string_view name() const override { return "PlainSweep"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override {
+        return {.terrain = true, .roofs = true};
+    }
+
+protected:
+    Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                Progress& progress, std::stop_token stop) const override {
         return HorizonSweep().accumulate(city, receivers, sun, progress, std::move(stop));
     }
 };
@@ -175,8 +181,14 @@ TEST(Score, OneSweepForAllMonthsIsASweepForEach) {
 
 class PlainProjection final : public Engine {
 public:
-    Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                   Progress& progress, std::stop_token stop) const override {
+    [[nodiscard]] std::string_view name() const override { return "PlainProjection"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override {
+        return {.terrain = true, .roofs = true};
+    }
+
+protected:
+    Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                Progress& progress, std::stop_token stop) const override {
         return ProjectedShadows().accumulate(city, receivers, sun, progress, std::move(stop));
     }
 };

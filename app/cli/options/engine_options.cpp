@@ -1,6 +1,5 @@
 #include "app/cli/options/engine_options.h"
 
-#include <charconv>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,17 +12,16 @@ namespace {
 std::optional<std::pair<std::string, double>> settingFrom(const std::string& text) {
     const auto equals = text.find('=');
     if (equals == 0 || equals == std::string::npos) return std::nullopt;
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data() + equals + 1, end, value);
-    if (error != std::errc{} || rest != end) return std::nullopt;
-    return std::pair{text.substr(0, equals), value};
+    const auto value = parseOptionValue(std::string_view(text).substr(equals + 1));
+    if (!value) return std::nullopt;
+    return std::pair{text.substr(0, equals), *value};
 }
 
 CLI::Validator engineSetting() {
     return CLI::Validator(
         [](std::string& text) {
-            return settingFrom(text) ? std::string() : text + " is not NAME=NUMBER, for example levels=4";
+            return settingFrom(text) ? std::string()
+                                     : text + " is not NAME=VALUE, like levels=4 or check=yes";
         },
         "");
 }
@@ -40,9 +38,9 @@ void addEngineOptions(CLI::App& command, StudySettings& settings) {
             [&settings](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) settings.engineSettings.insert(*settingFrom(text));
             },
-            "An option of the engine, for example levels=4; may be repeated")
+            "A setting of the engine: levels=4, check=yes; may be repeated")
         ->check(engineSetting())
-        ->type_name("NAME=NUMBER");
+        ->type_name("NAME=VALUE");
 }
 
 }  // namespace noonmark::cli

@@ -21,15 +21,7 @@ SunSteps spread(const SunSteps& sun) {
     return chosen;
 }
 
-Result<SunSteps> daylight(const SunQuestion& question, const std::stop_token& stop) {
-    auto sun = computeSunSteps(question.period, question.observer, stop);
-    if (sun && sun->steps.empty())
-        return failure("The sun stays below the horizon", textOf(question.period),
-                       "Choose other hours or days");
-    return sun;
-}
-
-// Only the buildings that can shade the receivers, since each update searches them.
+// Only what can shade: each picture looks through it.
 City shading(const City& city, const Receivers& receivers, const SunSteps& sun) {
     City around{.frame = city.frame, .terrain = city.terrain};
     for (const std::uint32_t building : findBuildingsInReach(city, receivers, sun))
@@ -74,7 +66,7 @@ Result<LiveReceivers> receiversOf(const LivePlace& place, const LiveQuestion& qu
 Result<std::shared_ptr<LiveShadow>> LiveShadow::at(LivePlace place, const LiveQuestion& question,
                                                    std::shared_ptr<SharedHorizonCache> horizons,
                                                    Progress& progress, const std::stop_token& stop) {
-    const auto sun = daylight(question.sun, stop);
+    const auto sun = computeDaylightSteps(question.sun.period, question.sun.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     auto receivers = receiversOf(place, question, *sun, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());

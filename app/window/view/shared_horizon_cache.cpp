@@ -42,10 +42,8 @@ void SharedHorizonCache::forget() {
 
 Result<void> SharedHorizonCache::setSun(const SunQuestion& question, const std::stop_token& stop) {
     if (question_ == question) return {};
-    auto sun = computeSunSteps(question.period, question.observer, stop);
+    auto sun = computeDaylightSteps(question.period, question.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->steps.empty())
-        return failure("The sun is below the horizon", textOf(question.period), "Choose other hours or days");
     sun_ = *std::move(sun);
     question_ = question;
     counted_ = false;

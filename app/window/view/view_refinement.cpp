@@ -20,11 +20,8 @@ Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, cons
     if (question.sun) return question.sun;
     const auto period = checked(question.period);
     if (!period) return tl::make_unexpected(period.error());
-    auto sun = computeSunSteps(question.period, question.observer, stop);
+    auto sun = computeDaylightSteps(question.period, question.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->steps.empty())
-        return failure("The sun stays below the horizon", textOf(question.period),
-                       "Choose other hours or days");
     return std::make_shared<const SunSteps>(*std::move(sun));
 }
 

@@ -6,6 +6,8 @@
 #include "app/window/study/open_city.h"
 #include "app/window/view/view_turn.h"
 #include "core/engines/api/partial_field.h"
+#include "core/engines/api/surface_engine.h"
+#include "core/engines/graph/steps_around.h"
 #include "render/view/explored_view.h"
 
 namespace noonmark {

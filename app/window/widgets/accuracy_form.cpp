@@ -1,9 +1,9 @@
 #include "app/window/widgets/accuracy_form.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QLineEdit>
 #include <QSignalBlocker>
 #include <cmath>
 
@@ -15,23 +15,11 @@ namespace {
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), qsizetype(view.size())); }
 
-bool isSwitch(const EngineOption& option) {
-    return option.whole && option.unit.empty() && option.lowest == 0 && option.highest == 1;
-}
-
-QString switchWords(bool on) { return on ? QObject::tr("yes") : QObject::tr("no"); }
-
-// Replaces the values 1 and 0 in an option's description by yes and no.
-QString switchTipOf(const EngineOption& option) {
-    QString about = text(option.about);
-    for (const bool on : {true, false})
-        about.replace(QStringLiteral("%1:").arg(int(on)), QStringLiteral("%1:").arg(switchWords(on)));
-    return QObject::tr("%1.\nDefault: %2").arg(about, switchWords(option.usual != 0));
-}
-
 QString tipOf(const EngineOption& option) {
-    if (isSwitch(option)) return switchTipOf(option);
-    return QObject::tr("%1.\n%2 to %3 %4, default %5")
+    if (option.kind == OptionKind::yesNo)
+        return QObject::tr("%1.\nDefault: %2")
+            .arg(text(option.about), text(formatOptionValue(option, option.usual)));
+    return QObject::tr("%1.\n%2 to %3 %4, usually %5")
         .arg(text(option.about))
         .arg(option.lowest)
         .arg(option.highest)
@@ -41,7 +29,7 @@ QString tipOf(const EngineOption& option) {
 
 // As many decimals as the option's own values have.
 int decimalsOf(const EngineOption& option) {
-    if (option.whole) return 0;
+    if (option.kind != OptionKind::number) return 0;
     for (int decimals = 2; decimals < 9; ++decimals) {
         const double grains = std::pow(10, decimals);
         const auto shows = [grains](double value) {
@@ -52,37 +40,15 @@ int decimalsOf(const EngineOption& option) {
     return 9;
 }
 
-/// A number field that shows yes for 1 and no for 0.
-class SwitchField final : public QDoubleSpinBox {
-public:
-    SwitchField() {
-        setDecimals(0);
-        setRange(0, 1);
-        setWrapping(true);
-        lineEdit()->setReadOnly(true);
-    }
-    [[nodiscard]] QString textFromValue(double value) const override { return switchWords(value != 0); }
-    [[nodiscard]] double valueFromText(const QString& text) const override {
-        return text == textFromValue(1) ? 1 : 0;
-    }
-    QValidator::State validate(QString&, int&) const override { return QValidator::Acceptable; }
-};
-
 QDoubleSpinBox* numberFieldOf(const EngineOption& option) {
     const QString unit = option.unit.empty() ? QString() : QLatin1Char(' ') + text(option.unit);
     // A default of 0 that is also the minimum means that the engine chooses.
     const bool byItself = option.usual == 0 && option.lowest == 0;
-    const double step = option.whole ? 1 : byItself ? option.highest / 20 : option.usual / 10;
+    const double step = option.kind != OptionKind::number ? 1
+                        : byItself                        ? option.highest / 20
+                                                          : option.usual / 10;
     QDoubleSpinBox* box = numberField(option.lowest, option.highest, decimalsOf(option), step, unit);
     if (byItself) box->setSpecialValueText(QObject::tr("automatic"));
-    return box;
-}
-
-QDoubleSpinBox* fieldOf(const EngineOption& option) {
-    QDoubleSpinBox* box = isSwitch(option) ? new SwitchField : numberFieldOf(option);
-    box->setObjectName(QStringLiteral("option_") + text(option.key));
-    box->setToolTip(tipOf(option));
-    box->setValue(option.usual);
     return box;
 }
 
@@ -132,12 +98,34 @@ void AccuracyForm::makeFields(const EngineInfo& engine) {
     while (form_->rowCount() > fixedRows_) form_->removeRow(fixedRows_);
     fields_.clear();
     shown_ = std::string(engine.key);
-    for (const EngineOption& option : engine.options) {
-        fields_.push_back({option, fieldOf(option)});
-        form_->addRow(text(option.name), fields_.back().box);
-        connect(fields_.back().box, &QDoubleSpinBox::valueChanged, this,
-                [this, name = text(option.name)] { Q_EMIT edited(name); });
+    for (const EngineOption& option : engine.options) addField(option);
+}
+
+void AccuracyForm::addField(const EngineOption& option) {
+    const auto tell = [this, name = text(option.name)] { Q_EMIT edited(name); };
+    if (option.kind == OptionKind::yesNo) {
+        auto* box = new QCheckBox(text(option.name));
+        fields_.push_back({option, box, nullptr, box});
+        form_->addRow(box);
+        connect(box, &QCheckBox::toggled, this, tell);
+    } else {
+        QDoubleSpinBox* box = numberFieldOf(option);
+        fields_.push_back({option, box, box, nullptr});
+        form_->addRow(text(option.name), box);
+        connect(box, &QDoubleSpinBox::valueChanged, this, tell);
     }
+    const QSignalBlocker quiet(this);
+    const Field& field = fields_.back();
+    field.widget->setObjectName(QStringLiteral("option_") + text(option.key));
+    field.widget->setToolTip(tipOf(option));
+    setValue(field, option.usual);
+}
+
+void AccuracyForm::setValue(const Field& field, double value) {
+    if (field.check != nullptr)
+        field.check->setChecked(value != 0);
+    else
+        field.number->setValue(value);
 }
 
 void AccuracyForm::show(const StudySettings& settings) {
@@ -146,7 +134,7 @@ void AccuracyForm::show(const StudySettings& settings) {
     engine_->setCurrentIndex(engine_->findData(QString::fromStdString(settings.engine)));
     for (const Field& field : fields_) {
         const auto set = settings.engineSettings.find(field.option.key);
-        field.box->setValue(set == settings.engineSettings.end() ? field.option.usual : set->second);
+        setValue(field, set == settings.engineSettings.end() ? field.option.usual : set->second);
     }
 }
 
@@ -155,9 +143,11 @@ StudySettings AccuracyForm::applied(StudySettings settings) const {
     settings.engine = shown_;
     settings.engineSettings.clear();
     for (const Field& field : fields_) {
-        const double halfGrain = 0.5 * std::pow(10, -field.box->decimals());
-        if (std::abs(field.box->value() - field.option.usual) >= halfGrain)
-            settings.engineSettings.emplace(field.option.key, field.box->value());
+        const double value =
+            field.check != nullptr ? double(field.check->isChecked()) : field.number->value();
+        const double halfGrain = field.check != nullptr ? 0.5 : 0.5 * std::pow(10, -field.number->decimals());
+        if (std::abs(value - field.option.usual) >= halfGrain)
+            settings.engineSettings.emplace(field.option.key, value);
     }
     return settings;
 }

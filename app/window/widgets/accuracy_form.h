@@ -5,6 +5,7 @@
 
 #include "core/study/study.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -30,8 +31,12 @@ private:
 
     struct Field {
         EngineOption option;
-        QDoubleSpinBox* box;
+        QWidget* widget;         // one of:
+        QDoubleSpinBox* number;  // null for a switch
+        QCheckBox* check;        // null for a number
     };
+    void addField(const EngineOption& option);
+    static void setValue(const Field& field, double value);
     const EngineList& engines_;
     QDoubleSpinBox* cell_;
     QComboBox* engine_;

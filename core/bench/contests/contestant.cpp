@@ -16,7 +16,7 @@ std::string settingWords(const EngineOption& option, double value) {
 
 double fitToMasks(const EngineOption& option, double value) {
     value = std::clamp(value, option.lowest, option.highest);
-    return option.whole ? std::round(value) : value;
+    return option.kind != OptionKind::number ? std::round(value) : value;
 }
 
 void add(StartList& list, const EngineEntry& engine, const EngineSettings& settings, std::string words,

@@ -11,7 +11,7 @@ EngineOption mapOption(int largestMap) {
             AccrualSettings::minMapSize,
             double(largestMap),
             double(AccrualSettings{}.mapSize),
-            true,
+            OptionKind::wholeNumber,
             "Texels along a side of the depth map that is stretched over the region; no more than cells are "
             "used"};
 }
@@ -23,22 +23,30 @@ EngineOption biasOption() {
             0,
             double(AccrualSettings::maxBiasM),
             double(AccrualSettings{}.biasM),
-            false,
+            OptionKind::number,
             "How high above the ground something must be to shade it"};
 }
 
 EngineOption intervalOption() {
-    return {"interval", "Interval",
-            "min",      0.1,
-            120,        DirectionGraphSettings{}.intervalMinutes,
-            false,      "How long the sun is taken to move in a straight line"};
+    return {"interval",
+            "Interval",
+            "min",
+            0.1,
+            120,
+            DirectionGraphSettings{}.intervalMinutes,
+            OptionKind::number,
+            "How long the sun is taken to move in a straight line"};
 }
 
 EngineOption boundOption() {
-    return {"bound", "Direction bound",
-            "deg",   0.1,
-            20,      DirectionGraphSettings{}.boundDeg,
-            false,   "Hours whose sun is less than this apart are computed once"};
+    return {"bound",
+            "Direction bound",
+            "deg",
+            0.1,
+            20,
+            DirectionGraphSettings{}.boundDeg,
+            OptionKind::number,
+            "Hours whose sun is less than this apart are computed once"};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "core/base/stopwatch.h"
 #include "core/engines/accrual/ground_lookup.h"
 #include "core/engines/accrual/slice_stack.h"
-#include "core/engines/common/level_ground.h"
+#include "core/engines/api/engine.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/counting/receiver_count.h"
 
@@ -107,7 +107,7 @@ Result<std::shared_ptr<const ShadowAccrualMap>> ShadowAccrualMap::make(const Acc
 Result<std::unique_ptr<IntervalScene>> ShadowAccrualMap::prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const {
-    if (const auto level = checkLevelGround(city, receivers, "This engine's shadow accrual map lies"); !level)
+    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
         return tl::make_unexpected(level.error());
     const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions);
     CasterFaces faces = makeCasterFaces(city, used, stop);

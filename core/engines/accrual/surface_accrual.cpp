@@ -111,6 +111,7 @@ public:
         return std::make_unique<SurfaceScene>(std::move(faces), points_, settings_, std::move(cost));
     }
 
+    [[nodiscard]] std::string_view name() const override { return "Shadow accrual map"; }
     [[nodiscard]] std::string describe() const override {
         return fmt::format(
             "Shadow accrual map on surfaces, {} texels a side{}, bias {:g} m, on the processor",

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace noonmark {
@@ -11,13 +12,14 @@ namespace noonmark {
 namespace {
 
 std::string rangeOf(const EngineOption& option) {
+    if (option.kind == OptionKind::yesNo) return "yes or no";
     return fmt::format("{:g} to {:g}{}{}{}", option.lowest, option.highest, option.unit.empty() ? "" : " ",
-                       option.unit, option.whole ? ", whole numbers" : "");
+                       option.unit, option.kind == OptionKind::wholeNumber ? ", whole numbers" : "");
 }
 
 Result<void> check(const EngineOption& option, double value) {
     const bool inRange = value >= option.lowest && value <= option.highest;  // false for NaN
-    if (inRange && (!option.whole || value == std::floor(value))) return {};
+    if (inRange && (option.kind == OptionKind::number || value == std::floor(value))) return {};
     return failure(fmt::format("{:g} is out of range for {}", value, option.key), "engine option",
                    fmt::format("Choose {}", rangeOf(option)));
 }
@@ -41,6 +43,20 @@ Result<EngineSettings> complete(const EngineInfo& engine, EngineSettings setting
 }
 
 }  // namespace
+
+std::string formatOptionValue(const EngineOption& option, double value) {
+    if (option.kind == OptionKind::yesNo) return value != 0 ? "yes" : "no";
+    return fmt::format("{:g}", value);
+}
+
+std::optional<double> parseOptionValue(std::string_view text) {
+    if (text == "yes") return 1;
+    if (text == "no") return 0;
+    double value = 0;
+    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || rest != text.data() + text.size()) return std::nullopt;
+    return value;
+}
 
 const EngineEntry* findEngine(const EngineList& engines, std::string_view key) {
     const auto found =

@@ -8,13 +8,14 @@
 #include "core/base/result.h"
 #include "core/city/city.h"
 #include "core/engines/api/shadow_field.h"
-#include "core/engines/graph/steps_around.h"
 #include "core/receivers/surface_points.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
-/// Shadow on surface points for one period; the counterpart of ShadowField for points.
+struct StepMemory;  // core/engines/graph/steps_around.h
+
+/// Shadow on surface points for one period: what ShadowField is for a grid.
 struct SurfaceShadow {
     std::vector<float> grossMin;  ///< minutes in shadow per day, mean over the period's days; one per point
     std::vector<float> continuousMin;  ///< longest unbroken run on any day, minutes; one per point

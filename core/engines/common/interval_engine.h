@@ -68,7 +68,10 @@ public:
                                                                          const SunSteps& directions,
                                                                          std::stop_token stop) const = 0;
 
-    /// "Inverse accrual map, 3 levels, C++"
+    /// Names the engine in errors: "Inverse accrual map".
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual EngineCapabilities capabilities() const { return {}; }
+    /// With its settings: "Inverse accrual map, 3 levels, C++".
     [[nodiscard]] virtual std::string describe() const = 0;
 };
 

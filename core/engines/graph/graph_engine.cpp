@@ -177,8 +177,8 @@ private:
 GraphEngine::GraphEngine(std::shared_ptr<const IntervalEngine> engine, DirectionGraphSettings settings)
     : engine_(std::move(engine)), settings_(settings) {}
 
-Result<ShadowField> GraphEngine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                            Progress& progress, std::stop_token stop) const {
+Result<ShadowField> GraphEngine::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                         Progress& progress, std::stop_token stop) const {
     return accumulate(city, receivers, sun, progress, std::move(stop), {});
 }
 

@@ -22,13 +22,18 @@ namespace noonmark {
 class GraphEngine final : public Engine {
 public:
     GraphEngine(std::shared_ptr<const IntervalEngine> engine, DirectionGraphSettings settings);
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
-    /// The same result. Shows running results based on `memory.around` and stores masks in `memory.found`.
+    [[nodiscard]] std::string_view name() const override { return engine_->name(); }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return engine_->capabilities(); }
+    using Engine::accumulate;
+    /// The same result; on the way it shows, and remembers, what `memory` says.
     [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
                                                  const SunSteps& sun, Progress& progress,
                                                  std::stop_token stop, const StepMemory& memory) const;
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
 
 private:
     std::shared_ptr<const IntervalEngine> engine_;

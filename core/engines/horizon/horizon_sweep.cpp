@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <new>
 #include <optional>
 
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/engines/horizon/check_horizon_study.h"
 #include "core/engines/horizon/counting/run_rays.h"
 #include "core/engines/horizon/geometry/azimuth_bins.h"
@@ -66,17 +66,19 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
 
 HorizonSweep::HorizonSweep(HorizonSweepSettings settings) : settings_(settings) {}
 
-Result<ShadowField> HorizonSweep::accumulate(const City& city, const Receivers& receivers,
-                                             const SunSteps& sun, Progress& progress,
-                                             std::stop_token stop) const {
+Result<ShadowField> HorizonSweep::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                          Progress& progress, std::stop_token stop) const {
     if (const auto able = checkSweepSettings(settings_); !able) return tl::make_unexpected(able.error());
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
-    try {
-        return accumulated(city, receivers, sun, settings_, progress, stop);
-    } catch (const std::bad_alloc&) {
-        return failure("There is not enough memory for this study", "horizon sweep",
-                       "Choose a smaller region or larger cells");
-    }
+    return accumulated(city, receivers, sun, settings_, progress, stop);
+}
+
+Result<ShadowBreakdown> HorizonSweep::computeBreakdown(const City& city, const Receivers& receivers,
+                                                       const SunSteps& sun, const StepSets& sets,
+                                                       bool byBuilding, Progress& progress,
+                                                       std::stop_token stop) const {
+    return computeHorizonBreakdown(city, receivers, sun, sets, {settings_, byBuilding}, progress,
+                                   std::move(stop));
 }
 
 }  // namespace noonmark

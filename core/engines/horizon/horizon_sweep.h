@@ -70,10 +70,24 @@ struct HorizonSweepSettings {
 class HorizonSweep final : public Engine {
 public:
     explicit HorizonSweep(HorizonSweepSettings settings = {});
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Horizon sweep"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{.terrain = true,
+                                             .roofs = true,
+                                             .sets = true,
+                                             .attribution = true,
+                                             .cache = true,
+                                             .independence = Independence::onLevelGround};
     [[nodiscard]] const HorizonSweepSettings& settings() const { return settings_; }
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
+    [[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
+                                                           const SunSteps& sun, const StepSets& sets,
+                                                           bool byBuilding, Progress& progress,
+                                                           std::stop_token stop) const override;
 
 private:
     HorizonSweepSettings settings_;

@@ -12,7 +12,7 @@ EngineOption errorOption() {
         HorizonSweepSettings::minErrorPercent,
         HorizonSweepSettings::maxErrorPercent,
         HorizonSweepSettings{}.errorTargetPercent,
-        false,
+        OptionKind::number,
         "Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets "
         "them be; half of it takes twice as long"};
 }
@@ -24,17 +24,18 @@ EngineOption binOption() {
             0,
             HorizonSweepSettings::maxBinDeg,
             HorizonSweepSettings{}.binDeg,
-            false,
+            OptionKind::number,
             "Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks"};
 }
 
 EngineOption runsOption() {
-    return {
-        .key = "runs",
-        .name = "Continuous shadow",
-        .usual = 1,
-        .whole = true,
-        .about = "1: longest unbroken shadow is counted too; 0: gross shadow only, in about half the time"};
+    return {.key = "runs",
+            .name = "Continuous shadow",
+            .usual = 1,
+            .kind = OptionKind::yesNo,
+            .about =
+                "The longest unbroken shadow is counted too; without it, gross shadow only, in about half "
+                "the time"};
 }
 
 EngineOption checkOption() {
@@ -42,11 +43,12 @@ EngineOption checkOption() {
         .key = "check",
         .name = "Check runs",
         .usual = 0,
-        .whole = true,
+        .kind = OptionKind::yesNo,
         .about =
-            "1: rays look along every longest run, so that a gap narrower than a bin is found at steps of a "
-            "few minutes too, in several times the time; 0: rays decide only what neighbouring bins leave in "
-            "doubt"};
+            "Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few "
+            "minutes too, in several times the time; without it, rays decide only what neighbouring bins "
+            "leave "
+            "in doubt"};
 }
 
 double valueOf(const EngineSettings& settings, const EngineOption& option) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/engines/common/level_ground.h"
+#include "core/engines/api/engine.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/inverse/inverse_accrual_scene.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
@@ -66,7 +66,7 @@ Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& ci
                                                                   const Receivers& receivers,
                                                                   const SunSteps& directions,
                                                                   std::stop_token stop) const {
-    if (const auto level = checkLevelGround(city, receivers, "Inverse accrual maps draw shadows"); !level)
+    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
         return tl::make_unexpected(level.error());
     const LowSun lowSun(settings_.lowestSunDeg);
     const SunSteps low = lowSun.of(directions, true), high = lowSun.of(directions, false);

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Inverse accrual map"; }
     [[nodiscard]] std::string describe() const override;
 
 private:

@@ -1,22 +1,19 @@
 #include "core/engines/projected/projected_breakdown.h"
 
-#include <new>
-
 #include "core/base/progress_share.h"
 #include "core/engines/api/blank_field.h"
-#include "core/engines/common/level_ground.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/casters/projection.h"
 
 namespace noonmark {
 
-namespace {
-
-Result<ShadowBreakdown> brokenDown(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                   const StepSets& sets, Progress& progress, const std::stop_token& stop) {
+Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receivers& receivers,
+                                                  const SunSteps& sun, const StepSets& sets,
+                                                  Progress& progress, const std::stop_token& stop) {
     const ShadowCasters casters =
         makeShadowCasters(city, findBuildingsInReach(city, receivers, sun), receivers.grid);
-    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}};
+    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}, {}, {}};
+    breakdown.engine = "Projected shadows: exact on flat ground, one run for all months and intervals";
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         const SunSteps own = sets.stepsOf(set, sun);
         ShadowField field = blankField(receivers, own);
@@ -27,19 +24,6 @@ Result<ShadowBreakdown> brokenDown(const City& city, const Receivers& receivers,
         breakdown.minutes.push_back(std::move(field.grossMin));
     }
     return breakdown;
-}
-
-}  // namespace
-
-Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receivers& receivers,
-                                                  const SunSteps& sun, const StepSets& sets,
-                                                  Progress& progress, std::stop_token stop) try {
-    if (const auto flat = checkLevelGround(city, receivers, "Projected shadows fall"); !flat)
-        return tl::make_unexpected(flat.error());
-    return brokenDown(city, receivers, sun, sets, progress, stop);
-} catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this study", "projected shadows",
-                   "Choose a smaller region or larger cells");
 }
 
 }  // namespace noonmark

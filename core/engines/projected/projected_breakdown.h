@@ -1,6 +1,13 @@
 #pragma once
 
-#include "core/engines/horizon/attribution/horizon_breakdown.h"
+#include <stop_token>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/shadow_breakdown.h"
+#include "core/receivers/receivers.h"
+#include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
@@ -10,6 +17,6 @@ namespace noonmark {
 /// 3 ms per set for 800 x 800 cells. `sets.ofStep`: one entry per step. Does not break down by building.
 Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receivers& receivers,
                                                   const SunSteps& sun, const StepSets& sets,
-                                                  Progress& progress, std::stop_token stop);
+                                                  Progress& progress, const std::stop_token& stop);
 
 }  // namespace noonmark

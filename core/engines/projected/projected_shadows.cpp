@@ -2,27 +2,22 @@
 
 #include <algorithm>
 #include <functional>
-#include <new>
 
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/api/partial_field.h"
 #include "core/engines/common/day_sum.h"
-#include "core/engines/common/level_ground.h"
 #include "core/engines/common/scattered_order.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/casters/projection.h"
 #include "core/engines/projected/filling/step_filler.h"
+#include "core/engines/projected/projected_breakdown.h"
 #include "core/sun/chosen_days.h"
 
 namespace noonmark {
 
 namespace {
-
-Result<void> checkFlat(const City& city, const Receivers& receivers) {
-    return checkLevelGround(city, receivers, "Projected shadows fall");
-}
 
 using Shade = std::function<Result<FillCount>(const SunSteps&, ShadowField&, Progress&)>;
 
@@ -82,21 +77,25 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
 
 }  // namespace
 
-Result<ShadowField> ProjectedShadows::accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const {
-    if (const auto flat = checkFlat(city, receivers); !flat) return tl::make_unexpected(flat.error());
-    try {
-        return accumulated(city, receivers, sun, progress, stop);
-    } catch (const std::bad_alloc&) {
-        return failure("There is not enough memory for this study", "projected shadows",
-                       "Choose a smaller region or larger cells");
-    }
+Result<ShadowField> ProjectedShadows::compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const {
+    return accumulated(city, receivers, sun, progress, stop);
+}
+
+Result<ShadowBreakdown> ProjectedShadows::computeBreakdown(const City& city, const Receivers& receivers,
+                                                           const SunSteps& sun, const StepSets& sets,
+                                                           bool /*byBuilding*/, Progress& progress,
+                                                           std::stop_token stop) const {
+    return computeProjectedBreakdown(city, receivers, sun, sets, progress, stop);
 }
 
 Result<std::vector<std::uint64_t>> computeShadowRasters(const City& city, const Receivers& receivers,
                                                         const SunSteps& sun) {
-    if (const auto flat = checkFlat(city, receivers); !flat) return tl::make_unexpected(flat.error());
+    if (const auto flat =
+            checkGround(city, receivers, ProjectedShadows::able, "The raster of projected shadows");
+        !flat)
+        return tl::make_unexpected(flat.error());
     const ShadowCasters casters =
         makeShadowCasters(city, findBuildingsInReach(city, receivers, sun), receivers.grid);
     const ReceiverCount where(receivers);

@@ -1,3 +1,11 @@
+
+protected:
+[[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                          Progress& progress, std::stop_token stop) const override;
+[[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
+                                                       const SunSteps& sun, const StepSets& sets,
+                                                       bool byBuilding, Progress& progress,
+                                                       std::stop_token stop) const override;
 #pragma once
 
 // Projected shadows, the exact engine for flat ground, and its cache. casters/ turns buildings into convex
@@ -21,9 +29,10 @@ namespace noonmark {
 /// one core: 20 ns for each polygon that meets the region, and 1 ns for each of its rows.
 class ProjectedShadows final : public Engine {
 public:
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Projected shadows"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{
+        .sets = true, .cache = true, .independence = Independence::always};
 };
 
 /// The rasters themselves, step by step (core/engines/projected/filling/bit_raster.h), for comparisons and

@@ -12,10 +12,10 @@
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/changed_buildings.h"
-#include "core/engines/common/level_ground.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/casters/shadow_offsets.h"
 #include "core/engines/projected/counting/cached_band.h"
+#include "core/engines/projected/projected_shadows.h"
 
 namespace noonmark {
 
@@ -182,7 +182,7 @@ ShadowCache::~ShadowCache() = default;
 Result<ShadowCache> ShadowCache::make(const City& city, const Receivers& receivers, const SunSteps& sun,
                                       Progress& progress, const std::stop_token& stop,
                                       ShadowCacheSettings settings) {
-    if (const auto able = checkLevelGround(city, receivers, "Kept shadows fall"); !able)
+    if (const auto able = checkGround(city, receivers, ProjectedShadows::able, "The shadow cache"); !able)
         return tl::make_unexpected(able.error());
     const std::uint64_t oneRaster = BitLayout(receivers.grid).words() * sizeof(std::uint64_t);
     if (oneRaster * sun.steps.size() > settings.memoryBytes)
@@ -198,7 +198,8 @@ Result<void> ShadowCache::change(const City& city, const Receivers& receivers, P
     if (!sameRegion(state_->kinds, receivers, state_->field.grid))
         return failure("The kept shadows are those of another region", "kept shadows",
                        "Make new ones for this region");
-    if (const auto able = checkLevelGround(city, receivers, "Kept shadows fall"); !able) return able;
+    if (const auto able = checkGround(city, receivers, ProjectedShadows::able, "The shadow cache"); !able)
+        return able;
     return state_->follow(city, receivers, progress, stop);
 }
 

@@ -12,6 +12,11 @@ public:
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override {
+        return "Ray reference through the direction graph";
+    }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{.terrain = true, .roofs = true};
     [[nodiscard]] std::string describe() const override;
 };
 

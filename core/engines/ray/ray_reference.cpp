@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <new>
 
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
@@ -161,15 +160,9 @@ glm::vec3 placeRayOrigin(glm::vec3 receiver) {
 
 RayReference::RayReference(RayReferenceSettings settings) : settings_(settings) {}
 
-Result<ShadowField> RayReference::accumulate(const City& city, const Receivers& receivers,
-                                             const SunSteps& sun, Progress& progress,
-                                             std::stop_token stop) const {
-    try {
-        return accumulated(city, receivers, sun, settings_.threads, progress, stop);
-    } catch (const std::bad_alloc&) {
-        return failure("There is not enough memory for this study", "ray reference",
-                       "Choose a smaller region or larger cells");
-    }
+Result<ShadowField> RayReference::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                          Progress& progress, std::stop_token stop) const {
+    return accumulated(city, receivers, sun, settings_.threads, progress, stop);
 }
 
 }  // namespace noonmark

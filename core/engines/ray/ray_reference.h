@@ -27,9 +27,15 @@ struct RayReferenceSettings {
 class RayReference final : public Engine {
 public:
     explicit RayReference(RayReferenceSettings settings = {});
-    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
-                                                 const SunSteps& sun, Progress& progress,
-                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Ray reference"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
+    static constexpr EngineCapabilities able{
+        .terrain = true, .roofs = true, .independence = Independence::always};
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
 
 private:
     RayReferenceSettings settings_;

@@ -55,7 +55,6 @@ Words driversOf(DatasetContent content) {
     return mapDrivers.data();
 }
 
-constexpr const char* unknownFormat = "Its format is not supported";
 constexpr const char* vectorAdvice =
     "Export it as GeoPackage, GeoJSON, Shapefile, FlatGeobuf, GML or OpenStreetMap";
 constexpr const char* elevationAdvice = "Export it as a GeoTIFF";
@@ -119,10 +118,10 @@ bool isVirtual(const fs::path& file) {
 
 tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, const std::string& why) {
     if (isVirtual(file))
-        return failure(
-            "It is a virtual dataset: it holds no data, but refers to files, databases or addresses",
-            file.string(), adviceOf(content));
-    if (why.empty()) return failure(unknownFormat, file.string(), adviceOf(content));
+        return failure("It is a virtual dataset: it holds no data, and names files, databases or addresses",
+                       file.string(), adviceOf(content));
+    if (why.empty())
+        return unsupported("It is of no format that is read here", file.string(), adviceOf(content));
     return failure(fmt::format("It cannot be read ({})", why), file.string(),
                    "Check that it is complete, or export it again");
 }
@@ -169,7 +168,7 @@ Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content
     return dataset;
 }
 
-bool isUnknownFormat(const Error& error) { return error.what == unknownFormat; }
+bool isUnknownFormat(const Error& error) { return error.kind == ErrorKind::unsupported; }
 
 Result<DatasetPointer> openMapInMemory(const std::string& name) {
     DatasetPointer dataset(GDALDataset::Open(

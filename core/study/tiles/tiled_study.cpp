@@ -43,11 +43,7 @@ Result<void> checkTileMemory(const City& city, const TilePlan& plan, StudySettin
 }
 
 Result<SunSteps> computeSunOver(const Study& study, const std::stop_token& stop) {
-    auto sun = computeSunSteps(study.settings.period, observerOf(study), stop);
-    if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(study.settings.period),
-                       "Choose other hours or days");
-    return sun;
+    return computeDaylightSteps(study.settings.period, observerOf(study), stop);
 }
 
 double cellsOf(const TilePlan& plan, const std::map<std::size_t, TileResult>& tiles) {
@@ -191,7 +187,8 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
     return computed({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
                     {file, settings.tags}, progress, stop);
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this study", "", "Choose smaller tiles or fewer steps");
+    return limitReached("There is not enough memory for this study", "",
+                        "Choose smaller tiles or fewer steps");
 }
 
 }  // namespace noonmark

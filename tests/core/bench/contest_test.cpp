@@ -19,8 +19,12 @@ public:
     Made(double addedMin, double seconds, bool refuses = false)
         : addedMin_(addedMin), seconds_(seconds), refuses_(refuses) {}
 
-    Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                   Progress& progress, std::stop_token stop) const override {
+    [[nodiscard]] std::string_view name() const override { return "Made"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return {}; }
+
+protected:
+    Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                Progress& progress, std::stop_token stop) const override {
         if (refuses_) return failure("Not on such ground");
         for (double waited = 0; waited < seconds_; waited += 0.01) {
             if (stop.stop_requested()) return cancelled();

@@ -65,6 +65,7 @@ public:
                                                                  std::stop_token) const override {
         return std::make_unique<Scene>();
     }
+    [[nodiscard]] std::string_view name() const override { return "Pattern"; }
     [[nodiscard]] std::string describe() const override { return "pattern"; }
 };
 

@@ -4,7 +4,6 @@
 
 #include <limits>
 
-#include "core/engines/engine_ground.h"
 #include "tests/core/engines/terrain_scenes.h"
 
 namespace noonmark::tests {
@@ -56,7 +55,19 @@ TEST(Engines, AnUnknownOptionNamesTheKnownOnes) {
     EXPECT_THAT(makeEngine("ray", {{"levels", 2}}).error().text(), HasSubstr("Leave it out"));
 }
 
-TEST(Engines, ThoseThatTakeLevelGroundOnlyAreKnownBeforeTheyRefuseTerrain) {
+TEST(Engines, AnEngineIsWhatItsEntryStates) {
+    for (const EngineEntry& entry : coreEngines()) {
+        const auto engine = makeEngine(entry.info.key).value();
+        EXPECT_EQ(engine->capabilities().terrain, entry.info.capabilities.terrain) << entry.info.key;
+        EXPECT_EQ(engine->capabilities().roofs, entry.info.capabilities.roofs) << entry.info.key;
+        EXPECT_EQ(engine->capabilities().sets, entry.info.capabilities.sets) << entry.info.key;
+        EXPECT_EQ(engine->capabilities().attribution, entry.info.capabilities.attribution) << entry.info.key;
+        EXPECT_EQ(engine->capabilities().choosesEngine, entry.info.capabilities.choosesEngine)
+            << entry.info.key;
+    }
+}
+
+TEST(Engines, ThoseForLevelGroundRefuseTerrainAndTheOthersTakeIt) {
     City city = groundOf(12, [](glm::dvec2 place) { return place.x / 10; });
     city.buildings.push_back(standingBox(city, -5, -5, 5, 5, 20));
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
@@ -65,9 +76,41 @@ TEST(Engines, ThoseThatTakeLevelGroundOnlyAreKnownBeforeTheyRefuseTerrain) {
         const auto field = makeEngine(engine.info.key)
                                .value()
                                ->accumulate(city, receivers, oneDay({{150, 40}, {180, 45}}), progress, {});
-        EXPECT_EQ(!field, onLevelGroundOnly(engine.info.key)) << engine.info.key;
-        EXPECT_THAT(field ? "flat ground only" : field.error().what, HasSubstr("flat ground only"));
+        EXPECT_EQ(bool(field), engine.info.capabilities.terrain) << engine.info.key;
+        if (field) continue;
+        EXPECT_THAT(field.error().what, HasSubstr("flat ground only"));
+        EXPECT_EQ(field.error().kind, ErrorKind::unsupported);
     }
+}
+
+TEST(Engines, ThoseWithoutSetsOrAttributionRefuseABreakdownAndTheOthersMakeIt) {
+    const City city = cityOf({{{-5, -5, 0}, {5, 5, 20}}});
+    const Receivers receivers = receiversOver(city, -20, -20, 20, 20, 4);
+    const SunSteps sun = oneDay({{150, 40}, {180, 45}});
+    NoProgress progress;
+    for (const EngineEntry& entry : coreEngines())
+        for (const bool byBuilding : {false, true}) {
+            const auto made =
+                makeEngine(entry.info.key)
+                    .value()
+                    ->breakDown(city, receivers, sun, makeOneSet(sun), byBuilding, progress, {});
+            const EngineCapabilities& able = entry.info.capabilities;
+            EXPECT_EQ(bool(made), byBuilding ? able.attribution : able.sets) << entry.info.key;
+            if (!made) {
+                EXPECT_EQ(made.error().kind, ErrorKind::unsupported) << entry.info.key;
+            }
+        }
+}
+
+TEST(Options, AreReadAndWrittenByTheirKind) {
+    const EngineOption yesNo{.key = "check", .kind = OptionKind::yesNo}, number{.key = "bin"};
+    EXPECT_EQ(formatOptionValue(yesNo, 1), "yes");
+    EXPECT_EQ(formatOptionValue(number, 0.5), "0.5");
+    EXPECT_EQ(parseOptionValue("yes"), 1);
+    EXPECT_EQ(parseOptionValue("no"), 0);
+    EXPECT_EQ(parseOptionValue("0.5"), 0.5);
+    EXPECT_EQ(parseOptionValue("half"), std::nullopt);
+    EXPECT_EQ(parseOptionValue(""), std::nullopt);
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 #include "core/engines/horizon/attribution/horizon_breakdown.h"
 
+#include <fmt/format.h>
+
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <new>
 
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/horizon/check_horizon_study.h"
@@ -175,8 +176,9 @@ private:
 
 ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const StepSets& sets,
                       const BinnedSun& binned) {
-    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}};
-    breakdown.bins = textOf(binned);
+    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}, {}, {}};
+    breakdown.engine =
+        fmt::format("Horizon sweep: {}, one sweep for all months and intervals", textOf(binned));
     std::vector<float> none(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
     for (const std::uint32_t cell : receivers.cells) none[cell] = 0;
     breakdown.minutes.assign(sets.names.size(), none);
@@ -188,7 +190,7 @@ ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const Ste
 Result<ShadowBreakdown> computeHorizonBreakdown(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun, const StepSets& sets,
                                                 const BreakdownSettings& settings, Progress& progress,
-                                                std::stop_token stop) try {
+                                                std::stop_token stop) {
     if (const auto able = checkSweepSettings(settings.sweep); !able) return tl::make_unexpected(able.error());
     OverhangParts overhangs;
     const WallList walls =
@@ -201,9 +203,6 @@ Result<ShadowBreakdown> computeHorizonBreakdown(const City& city, const Receiver
     if (const auto done = work.run(breakdown, sun.stepMinutes); !done)
         return tl::make_unexpected(done.error());
     return breakdown;
-} catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this study", "horizon sweep",
-                   "Choose a smaller region or larger cells");
 }
 
 }  // namespace noonmark

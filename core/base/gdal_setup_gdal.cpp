@@ -10,7 +10,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/io/files/gdal_setup.h"
+#include "core/base/gdal_setup.h"
 
 namespace noonmark {
 
