@@ -72,7 +72,7 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
     });
 }
 
-Result<void> checked(const std::vector<Scenario>& scenarios) {
+Result<void> validate(const std::vector<Scenario>& scenarios) {
     if (scenarios.size() > mostScenarios)
         return failure(fmt::format("There are more than {} scenarios", mostScenarios), "scenarios",
                        "Move some to another project");

@@ -44,6 +44,6 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
                           const std::string& name);
 
 /// Error: a name is missing, used twice or equal to existingCity, or a base is unknown or part of a cycle.
-Result<void> checked(const std::vector<Scenario>& scenarios);
+Result<void> validate(const std::vector<Scenario>& scenarios);
 
 }  // namespace noonmark

@@ -21,7 +21,7 @@ Result<Place> placeOf(std::vector<Scenario>& scenarios, const std::string& name)
 
 // Takes over the changed list if it is valid.
 Result<void> keepSound(std::vector<Scenario>& scenarios, std::vector<Scenario> changed) {
-    if (const auto sound = checked(changed); !sound) return sound;
+    if (const auto sound = validate(changed); !sound) return sound;
     scenarios = std::move(changed);
     return {};
 }

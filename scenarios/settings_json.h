@@ -14,7 +14,8 @@ namespace noonmark {
 /// as in study.json.
 nlohmann::ordered_json settingsJson(const StudySettings& settings);
 
-/// The inputs of repeatCommand() for an impact or a score, which read a project and have their own `options`.
+/// The inputs of makeRepeatCommand() for an impact or a score, which read a project and have their own
+/// `options`.
 RepeatQuestion projectQuestion(const std::string& command, const StudySettings& settings,
                                const Provenance& provenance, const std::string& engineKey,
                                std::vector<RepeatOption> options);

@@ -14,7 +14,7 @@ namespace {
 
 Result<LoadedCity> projectCity(const std::string& file) {
     return ProjectFile::open(file).map(
-        [&](const ProjectFile& disk) { return loadedFrom(disk.project(), file); });
+        [&](const ProjectFile& disk) { return loadProjectCity(disk.project(), file); });
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ Result<void> checkProjectAlone(const ReadOptions& options) {
     const std::string& file = options.files.front();
     if (options.files.size() > 1)
         return failure("A project cannot be combined with other files", file, "Give only the project file");
-    if (textOf(options.settings).empty()) return {};
+    if (formatText(options.settings).empty()) return {};
     return failure("The city of a project has already been read: reading options have no effect", file,
                    "Omit them, or create a new project from the files with these options");
 }

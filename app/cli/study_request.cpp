@@ -60,7 +60,7 @@ Result<StudyRequest> askedOfProject(const StudyOptions& options) {
     auto region = regionIn(project, city->city, options.region);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
-    LoadedCity loaded = loadedFrom(project, file);
+    LoadedCity loaded = loadProjectCity(project, file);
     loaded.read.city = std::move(city->city);
     loaded.seconds = watch.seconds();
     Provenance provenance = provenanceOf(project, &*disk, {scenario, {}, settings.region, {}});
@@ -75,7 +75,7 @@ Result<void> checkBeforeReading(const StudyOptions& options, const std::vector<s
 
 bool needsRegionFile(const StudyRequest& asked) {
     const Region& region = asked.settings.region;
-    return (asked.provenance ? asked.provenance->region : regionText(region, asked.loaded.read.city)) ==
+    return (asked.provenance ? asked.provenance->region : formatRegion(region, asked.loaded.read.city)) ==
            regionFileName;
 }
 

@@ -41,8 +41,8 @@ void addCost(Table& table, const Study& study) {
 void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
     const ShadowStatistics& figures = study.statistics;
     Table table;
-    if (const auto headline = assumedHeadline(countHeights(study.city))) table.add("heights", *headline);
-    table.add("period", textOf(study.settings.period));
+    if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
+    table.add("period", formatText(study.settings.period));
     table.add("engine", study.field.engine);
     table.add("steps",
               fmt::format("{} with the sun up, {} left out below the horizon; each counts {:.6g} min",
@@ -59,8 +59,8 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
                                        ? fmt::format("mean {:.1f}, longest {:.1f} min",
                                                      figures.meanContinuousMin, figures.maxContinuousMin)
                                        : "not counted");
-    if (study.city.terrain) table.add("terrain", textOf(*study.city.terrain));
-    for (const ErrorLine& line : errorLines(study)) table.add(line.name, line.value);
+    if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
+    for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
     addCost(table, study);
     table.print(out);
     out << "\nFiles\n";

@@ -23,7 +23,7 @@ void printWarnings(std::ostream& out, const Warnings& warnings) {
     if (warnings.empty()) return;
     out << "\n"
            "Warnings (--json lists all of them)\n";
-    for (const WarningGroup& group : grouped(warnings)) out << "  " << lineOf(group) << '\n';
+    for (const WarningGroup& group : groupWarnings(warnings)) out << "  " << lineOf(group) << '\n';
 }
 
 }  // namespace noonmark::cli

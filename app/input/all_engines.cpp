@@ -17,7 +17,7 @@ const EngineList& enginesWith(std::string_view key) {
     return findEngine(coreEngines(), key) != nullptr ? coreEngines() : allEngines();
 }
 
-bool isOnLevelGroundOnly(std::string_view key) {
+bool takesLevelGroundOnly(std::string_view key) {
     const EngineEntry* engine = findEngine(enginesWith(key), key);
     return engine != nullptr && !engine->info.capabilities.terrain;
 }

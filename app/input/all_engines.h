@@ -15,6 +15,6 @@ const EngineList& allEngines();
 const EngineList& enginesWith(std::string_view key);
 
 /// Whether an engine of allEngines() requires level ground.
-bool isOnLevelGroundOnly(std::string_view key);
+bool takesLevelGroundOnly(std::string_view key);
 
 }  // namespace noonmark

@@ -39,7 +39,7 @@ Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
             inputs.push_back({.path = file});
             continue;
         }
-        const auto some = inputFiles(file);
+        const auto some = describeInputFiles(file);
         if (!some) return tl::make_unexpected(some.error());
         inputs.insert(inputs.end(), some->begin(), some->end());
     }

@@ -9,7 +9,7 @@ bool isProjectFile(const std::string& file) {
     return file.ends_with(projectEnding) || holdsProject(file).value_or(false);
 }
 
-LoadedCity loadedFrom(const Project& project, const std::string& file) {
+LoadedCity loadProjectCity(const Project& project, const std::string& file) {
     LoadedCity loaded;
     loaded.files = {file};
     loaded.inputs = project.inputs;

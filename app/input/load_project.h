@@ -11,6 +11,6 @@ namespace noonmark {
 bool isProjectFile(const std::string& file);
 
 /// The project's existing city, with the warnings of reading its files. `file`: the path of the project.
-LoadedCity loadedFrom(const Project& project, const std::string& file);
+LoadedCity loadProjectCity(const Project& project, const std::string& file);
 
 }  // namespace noonmark

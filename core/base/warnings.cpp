@@ -25,7 +25,7 @@ std::string_view nameOf(WarningKind kind) {
     return "unknown";
 }
 
-std::vector<WarningGroup> grouped(const Warnings& warnings) {
+std::vector<WarningGroup> groupWarnings(const Warnings& warnings) {
     std::vector<WarningGroup> groups;
     std::map<std::pair<WarningKind, std::string_view>, std::size_t> groupOf;
     for (const Warning& warning : warnings) {

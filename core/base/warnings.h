@@ -35,7 +35,7 @@ struct WarningGroup {
 };
 
 /// Groups in order of first appearance. O(n log n).
-std::vector<WarningGroup> grouped(const Warnings& warnings);
+std::vector<WarningGroup> groupWarnings(const Warnings& warnings);
 
 /// "28 mended: outline crossed itself (way 264768896, way 3, ...)"; lists at most `most` locations.
 std::string lineOf(const WarningGroup& group, std::size_t most = 3);

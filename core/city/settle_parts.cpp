@@ -25,7 +25,7 @@ Parts carriersOf(const Part& part, const Parts& standing, float reachM) {
     return carriers;
 }
 
-bool areCarrying(const Part& part, const Parts& carriers) {
+bool isCarried(const Part& part, const Parts& carriers) {
     if (carriers.empty()) return false;
     std::vector<Footprint> footprints;
     for (const Part* carrier : carriers) footprints.push_back(carrier->footprint);
@@ -43,9 +43,9 @@ void lower(Part& part, float bottomM, Warnings& warnings) {
 
 void settle(Part& part, const Parts& standing, const SettleRules& rules, Warnings& warnings) {
     if (part.bottomM <= rules.groundM + sameHeightM) return;
-    if (areCarrying(part, carriersOf(part, standing, sameHeightM))) return;
+    if (isCarried(part, carriersOf(part, standing, sameHeightM))) return;
     const Parts near = carriersOf(part, standing, rules.carryGapM);
-    if (areCarrying(part, near)) return lower(part, std::min(part.bottomM, lowestTop(near)), warnings);
+    if (isCarried(part, near)) return lower(part, std::min(part.bottomM, lowestTop(near)), warnings);
     if (part.bottomM <= rules.groundM + rules.groundGapM) return lower(part, rules.groundM, warnings);
     part.isOverhanging = true;
 }

@@ -7,6 +7,6 @@ namespace noonmark {
 /// Metres between two places along the earth's surface, taken as a sphere: accurate to 0.5 %, which is enough
 /// to tell near from far. Valid all round the earth, where a local plane folds back beyond its horizon. NaN
 /// for NaN.
-double greatCircleM(LonLat a, LonLat b);
+double computeGreatCircleM(LonLat a, LonLat b);
 
 }  // namespace noonmark

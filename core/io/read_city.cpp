@@ -26,7 +26,7 @@ struct InputFile {
     FilePiece piece;
 };
 
-Result<std::vector<InputFile>> recognised(const std::vector<Path>& paths) {
+Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths) {
     if (paths.empty()) return failure("No file is named", {}, "Name at least one file with buildings");
     std::vector<InputFile> files;
     for (const Path& path : paths) {
@@ -109,7 +109,7 @@ void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, Te
     all.warnings.push_back(
         {WarningKind::assumed,
          "there is no terrain: the ground between the buildings was interpolated from their bases",
-         fmt::format("{} buildings; {}", based.size(), textOf(relief))});
+         fmt::format("{} buildings; {}", based.size(), formatText(relief))});
     all.city.terrain = std::make_shared<const Terrain>(*std::move(terrain));
 }
 
@@ -182,7 +182,7 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
 
 Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
                           std::stop_token stop) {
-    auto files = recognised(paths);
+    auto files = recogniseFiles(paths);
     if (!files) return tl::make_unexpected(files.error());
     const auto frame = readPieces(*files, settings, progress, stop);
     if (!frame) return tl::make_unexpected(frame.error());

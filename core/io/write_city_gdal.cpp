@@ -50,7 +50,7 @@ void addRing(OGRPolygon& polygon, const Ring& ring, const Frame& frame, double n
     OGRLinearRing line;
     for (const glm::vec2 point : ring) {
         const LonLat place = frame.lonLatFromLocal(glm::dvec2(point));
-        line.addPoint(longitudeNear(place.lonDeg, nearDeg), place.latDeg);
+        line.addPoint(wrapLongitudeNear(place.lonDeg, nearDeg), place.latDeg);
     }
     line.closeRings();
     polygon.addRing(&line);

@@ -22,7 +22,7 @@ tl::unexpected<Error> notWritten(const std::filesystem::path& file, const std::s
                    "Check that the folder exists, is writable and has space");
 }
 
-GDALDatasetUniquePtr created(const std::filesystem::path& file, const Grid& grid, std::size_t bands) {
+GDALDatasetUniquePtr createDataset(const std::filesystem::path& file, const Grid& grid, std::size_t bands) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     if (driver == nullptr) return nullptr;
     const std::string block = fmt::format("{}", GeoTiffWriter::blockCells);
@@ -101,7 +101,7 @@ Result<GeoTiffWriter> GeoTiffWriter::create(const std::filesystem::path& file, c
         return notWritten(file, "there are no cells or no bands");
     const GdalCalls calls;
     std::unique_ptr<Pending> pending(new Pending{PendingFile(file), file, grid, nullptr});
-    pending->dataset = created(pending->pending.path(), grid, bands.size());
+    pending->dataset = createDataset(pending->pending.path(), grid, bands.size());
     if (!pending->dataset || !place(*pending->dataset, frame, grid)) return notWritten(file, calls.why());
     describe(*pending->dataset, bands, tags);
     if (calls.failed()) return notWritten(file, calls.why());

@@ -19,7 +19,7 @@ private:
 };
 
 // The field's minutes are floats, so the reference's are rounded to float too.
-ComparedCell compared(const ShadowField& field, std::uint32_t cell, const PointMinutes& truth) {
+ComparedCell compareCell(const ShadowField& field, std::uint32_t cell, const PointMinutes& truth) {
     const auto columns = std::uint32_t(field.grid.columns);
     return {field.grid.centre(int(cell % columns), int(cell / columns)), field.grossMin[cell],
             float(truth.gross), field.continuousMin[cell], float(truth.continuous)};
@@ -38,7 +38,7 @@ Result<std::vector<ComparedCell>> compareByRays(const RayScene& scene, const Rec
         .map([&](const std::vector<PointMinutes>& truths) {
             std::vector<ComparedCell> pairs;
             for (std::size_t i = 0; i < cells.size(); ++i)
-                pairs.push_back(compared(field, cells[i], truths[i]));
+                pairs.push_back(compareCell(field, cells[i], truths[i]));
             return pairs;
         });
 }

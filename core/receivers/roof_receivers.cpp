@@ -86,7 +86,7 @@ std::string_view describe(ReceiverPlaces places) {
     return words[std::size_t(places)];
 }
 
-Receivers placed(Receivers receivers, const City& city, ReceiverPlaces places) {
+Receivers placeAtHeights(Receivers receivers, const City& city, ReceiverPlaces places) {
     if (places == ReceiverPlaces::ground) return receivers;
     addRoofs(receivers, city);
     if (places == ReceiverPlaces::roofs)
@@ -103,10 +103,10 @@ Result<void> checkOnGround(ReceiverPlaces places) {
                    "Choose the ground, or run a study of the roofs");
 }
 
-Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
-                              const std::stop_token& stop) {
+Result<Receivers> placeReceivers(const City& city, const Region& region, const ReceiverSettings& settings,
+                                 const std::stop_token& stop) {
     return placeReceiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {
-        return placed(std::move(receivers), city, settings.places);
+        return placeAtHeights(std::move(receivers), city, settings.places);
     });
 }
 

@@ -24,12 +24,12 @@ std::string_view describe(ReceiverPlaces places);
 Result<void> checkOnGround(ReceiverPlaces places);
 
 /// The receivers of a region at the places of its settings. The same errors as placeReceiversOnGround().
-Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
-                              const std::stop_token& stop = {});
+Result<Receivers> placeReceivers(const City& city, const Region& region, const ReceiverSettings& settings,
+                                 const std::stop_token& stop = {});
 
 /// Makes the receivers for `places` from receivers on the ground of a city. A roof is the highest surface of
 /// a building at a cell's centre, for cells whose centre is where a part touches the ground: decks over open
 /// ground are left out, and so are roof overhangs. O(cells of the buildings + triangles of their meshes).
-Receivers placed(Receivers onGround, const City& city, ReceiverPlaces places);
+Receivers placeAtHeights(Receivers onGround, const City& city, ReceiverPlaces places);
 
 }  // namespace noonmark

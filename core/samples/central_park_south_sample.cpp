@@ -25,13 +25,13 @@ double medianHeight(glm::dvec2 place) {
     return (onPark ? 44.0 : 26.0) + 40 / (1 + share * share);
 }
 
-StreetBox widened(const StreetBox& box, double byM) {
+StreetBox widen(const StreetBox& box, double byM) {
     return {box.west - byM, box.south - byM, box.east + byM, box.north + byM};
 }
 
 std::vector<StreetBox> clearedBoxes() {
-    std::vector<StreetBox> boxes{columbusCircle(), widened(timeWarnerPodium(), clearM)};
-    for (const NamedTower& tower : caseStudyTowers()) boxes.push_back(widened(tower.floor, clearM));
+    std::vector<StreetBox> boxes{columbusCircle(), widen(timeWarnerPodium(), clearM)};
+    for (const NamedTower& tower : caseStudyTowers()) boxes.push_back(widen(tower.floor, clearM));
     return boxes;
 }
 
@@ -112,7 +112,7 @@ std::vector<Lot> emptiedLots(const StreetBox& floor) {
         for (int avenue = int(Avenue::tenth); avenue < int(Avenue::third); ++avenue) {
             if (!blockAt(Avenue(avenue), street).overlaps(floor)) continue;
             for (const Lot& lot : lotsOfBlock(Avenue(avenue), street))
-                if (lot.box.overlaps(widened(floor, clearM))) emptied.push_back(lot);
+                if (lot.box.overlaps(widen(floor, clearM))) emptied.push_back(lot);
         }
     return emptied;
 }

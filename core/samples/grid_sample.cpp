@@ -81,7 +81,7 @@ void addRow(City& city, const GridSampleSettings& settings, const Extent& extent
     }
 }
 
-Result<void> checked(const GridSampleSettings& settings) {
+Result<void> validate(const GridSampleSettings& settings) {
     const auto refuse = [](std::string what, const char* where, const char* advice) {
         return failure(std::move(what), where, advice);
     };
@@ -101,7 +101,7 @@ Result<void> checked(const GridSampleSettings& settings) {
 }  // namespace
 
 Result<City> makeGridSample(const GridSampleSettings& settings) {
-    if (const auto good = checked(settings); !good) return tl::make_unexpected(good.error());
+    if (const auto good = validate(settings); !good) return tl::make_unexpected(good.error());
     City city;
     city.frame = Frame(settings.origin);
     const Extent extent = extentFor(settings.buildings);

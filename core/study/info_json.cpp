@@ -71,7 +71,7 @@ std::string infoJson(const CityRead& read) {
     info["terrain_source"] = read.city.terrain ? terrainJson(*read.city.terrain) : Json();
     info["attribution"] = read.attribution;
     info["warnings"] = warningsJson(read.warnings);
-    return jsonText(info);
+    return toJsonText(info);
 }
 
 }  // namespace noonmark

@@ -54,14 +54,14 @@ double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
 
 }  // namespace
 
-std::uint64_t memoryNeed(const City& city, const StudySettings& settings, const EngineList& engines) {
+std::uint64_t estimateMemory(const City& city, const StudySettings& settings, const EngineList& engines) {
     const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(engines, settings.engine)) +
                          countTriangles(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
     constexpr double most = double(std::numeric_limits<std::int64_t>::max());
     return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
 }
 
-std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminfo) {
+std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo) {
     std::ifstream file(meminfo);
     std::string key;
     std::uint64_t kibibytes = 0;
@@ -73,8 +73,9 @@ std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminf
 
 Result<void> checkMemory(const City& city, const StudySettings& settings, const EngineList& engines) {
     std::uint64_t limit = settings.memoryLimit;
-    if (limit == 0) limit = availableMemory().value_or(std::numeric_limits<std::uint64_t>::max()) / 4 * 3;
-    const std::uint64_t need = memoryNeed(city, settings, engines);
+    if (limit == 0)
+        limit = measureAvailableMemory().value_or(std::numeric_limits<std::uint64_t>::max()) / 4 * 3;
+    const std::uint64_t need = estimateMemory(city, settings, engines);
     if (need <= limit) return {};
     return failure(fmt::format("The study would need {:.2f} GB of memory; {:.2f} GB may be used",
                                gigabytes(need), gigabytes(limit)),

@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-std::string remainingWords(double seconds) {
+std::string describeRemaining(double seconds) {
     if (seconds < 100)
         return fmt::format("about {:.0f} s left", std::max(10.0, std::ceil(seconds / 10) * 10));
     if (seconds < 100 * 60) return fmt::format("about {:.0f} min left", std::ceil(seconds / 60));
@@ -27,7 +27,7 @@ void PiecewiseProgress::report(double fraction, std::string_view stage) {
     const double left = whole_ - before_ - here;
     // The first seconds do not show the speed.
     const std::string time = here > 0 && watch_.seconds() > 2
-                                 ? ", " + remainingWords(watch_.seconds() / here * left)
+                                 ? ", " + describeRemaining(watch_.seconds() / here * left)
                                  : std::string();
     progress_.report((before_ + here) / whole_, fmt::format("{}{}: {}", name_, time, stage));
 }

@@ -8,7 +8,7 @@
 namespace noonmark {
 
 /// "about 14 min left", "about 20 s left"; rounded so that the text does not flicker.
-std::string remainingWords(double seconds);
+std::string describeRemaining(double seconds);
 
 /// Progress of work in pieces of known sizes. Each piece reports its own fraction; `progress` receives the
 /// fraction of the whole and the remaining time, estimated from the speed of the pieces done so far in this

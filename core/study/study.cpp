@@ -19,7 +19,7 @@ namespace {
 
 // Runs one stage, stores its result in `place` and its duration in `study.seconds`.
 template <class T, class Stage>
-Result<void> timed(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
+Result<void> timeStage(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
     if (stop.stop_requested()) return cancelled();
     const Stopwatch watch;
     auto made = std::forward<Stage>(stage)();
@@ -60,27 +60,28 @@ Result<void> checkBreakdown(const StudySettings& settings, const EngineCapabilit
 Result<void> breakDown(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     if (!wantsBreakdown(study.settings)) return {};
     const StepSets sets = study.settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
-    return timed(study, "breakdown", study.breakdown, stop, [&] {
+    return timeStage(study, "breakdown", study.breakdown, stop, [&] {
         return engine.breakDown(study.city, study.receivers, study.sun, sets, study.settings.contributions,
                                 progress, stop);
     });
 }
 
-Result<void> computed(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
+Result<void> computeStudy(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
-    return timed(study, "receivers", study.receivers, stop,
-                 [&] { return receiversIn(study.city, settings.region, settings.receivers, stop); })
+    return timeStage(study, "receivers", study.receivers, stop,
+                     [&] { return placeReceivers(study.city, settings.region, settings.receivers, stop); })
         .and_then([&] { return checkReceivers(study); })
         .and_then([&] {
-            return timed(study, "sun", study.sun, stop,
-                         [&] { return computeDaylightSteps(settings.period, observerOf(study), stop); });
+            return timeStage(study, "sun", study.sun, stop, [&] {
+                return computeDaylightSteps(settings.period, makeObserver(study), stop);
+            });
         })
         .and_then([&] {
-            study.terrainCoverage = terrainCoverage(study.city, study.receivers, study.sun);
+            study.terrainCoverage = computeTerrainCoverage(study.city, study.receivers, study.sun);
             return checkCoverage(study.terrainCoverage, settings.region.name);
         })
         .and_then([&] {
-            return timed(study, "accumulate", study.field, stop, [&] {
+            return timeStage(study, "accumulate", study.field, stop, [&] {
                 return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
             });
         })
@@ -108,7 +109,7 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
 
 }  // namespace
 
-Observer observerOf(const City& city, const StudySettings& settings) {
+Observer makeObserver(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);
     Observer observer = placeObserver(city, glm::dvec2(box.low + box.high) / 2.0);
     observer.pressureHPa = settings.pressureHPa;
@@ -116,9 +117,9 @@ Observer observerOf(const City& city, const StudySettings& settings) {
     return observer;
 }
 
-SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings) {
+SunFrameFacts computeSunFrame(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);
-    const glm::dmat3 turn = observerOf(city, settings).frameFromPlace;
+    const glm::dmat3 turn = makeObserver(city, settings).frameFromPlace;
     const glm::dvec3 up = glm::normalize(glm::cross(turn[0], turn[1]));
     SunFrameFacts facts;
     facts.convergenceDeg = Radians{std::atan2(turn[1].x, turn[1].y)}.degrees().value;
@@ -128,12 +129,12 @@ SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings) {
     return facts;
 }
 
-Observer observerOf(const Study& study) { return observerOf(study.city, study.settings); }
+Observer makeObserver(const Study& study) { return makeObserver(study.city, study.settings); }
 
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
                        std::stop_token stop, const EngineList& engines) try {
     const Stopwatch watch;
-    const auto period = checked(settings.period);
+    const auto period = validate(settings.period);
     if (!period) return tl::make_unexpected(period.error());
     const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
@@ -142,12 +143,12 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};
-    if (auto done = computed(study, **engine, progress, stop); !done)
+    if (auto done = computeStudy(study, **engine, progress, stop); !done)
         return tl::make_unexpected(done.error());
     if (study.field.engineKey.empty()) study.field.engineKey = settings.engine;
     study.statistics = computeStatistics(study.field);
     study.warnings = study.field.warnings;
-    for (Warning& warning : warningsOf(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
+    for (Warning& warning : makeWarnings(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
     if (wantsError(study))
         if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();

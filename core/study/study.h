@@ -75,8 +75,8 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
 
 /// The observer of a study's sun: at the middle of its region, at the frame's elevation, in the air of its
 /// settings.
-Observer observerOf(const City& city, const StudySettings& settings);
-Observer observerOf(const Study& study);
+Observer makeObserver(const City& city, const StudySettings& settings);
+Observer makeObserver(const Study& study);
 
 /// How the observer's directions differ from the frame of the geometry, for reports.
 struct SunFrameFacts {
@@ -85,7 +85,7 @@ struct SunFrameFacts {
     double farthestM = 0;         ///< from the observer to the farthest corner of the region
     double verticalErrorDeg = 0;  ///< the largest error, at that corner (core/city/city_observer.h)
 };
-SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings);
+SunFrameFacts computeSunFrame(const City& city, const StudySettings& settings);
 
 /// The study as the JSON of `study.json`: keys are stable, units are in their names. Includes row order,
 /// definitions and what was left out.

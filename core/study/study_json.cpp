@@ -22,15 +22,15 @@ namespace {
 
 Json periodJson(const Period& period, const SunSteps& sun) {
     Json json;
-    json["text"] = textOf(period);
-    json["start"] = textOf(period.start);
+    json["text"] = formatText(period);
+    json["start"] = formatText(period.start);
     json["days"] = period.days;
     json["step_min"] = period.stepMinutes;
     json["counted_step_min"] = sun.stepMinutes;
     json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.windowMinutes / double(sun.days.size());
     json["day_rounding_min"] = sun.mostOffADayMin;
     json["zone"] = period.zone;
-    json["from"] = period.window ? Json() : Json(textOf(period.from));
+    json["from"] = period.window ? Json() : Json(formatText(period.from));
     json["hours"] = period.window ? Json() : Json(period.hours);
     json["window"] = nullptr;
     if (period.window)
@@ -54,7 +54,7 @@ Json observerJson(const Observer& observer) {
 /// Facts about the sun's direction in the frame of the geometry, with the remaining error at the region's
 /// farthest corner.
 Json sunFrameJson(const Study& study) {
-    const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
+    const SunFrameFacts facts = computeSunFrame(study.city, study.settings);
     return {{"north_turned_deg", facts.convergenceDeg},
             {"vertical_turned_deg", facts.tiltDeg},
             {"farthest_from_observer_m", facts.farthestM},
@@ -182,15 +182,15 @@ std::string studyJson(const Study& study) {
     json["region"] = regionJson(study);
     json["cells"] = cellsJson(study);
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();
-    if (study.city.terrain) json["beyond_terrain"] = coverageJson(study.terrainCoverage);
-    json["observer"] = observerJson(observerOf(study));
+    if (study.city.terrain) json["beyond_terrain"] = makeCoverageJson(study.terrainCoverage);
+    json["observer"] = observerJson(makeObserver(study));
     json["sun_frame"] = sunFrameJson(study);
     addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
-    addRepeat(json, repeatCommand(study, std::numeric_limits<std::size_t>::max()));
+    addRepeat(json, makeRepeatCommand(study, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions(hasRuns(study.statistics));
     json["warnings"] = warningsJson(study.warnings);
-    return jsonText(json);
+    return toJsonText(json);
 }
 
 }  // namespace noonmark

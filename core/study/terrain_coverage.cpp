@@ -64,7 +64,7 @@ TerrainCoverage::Share placeCasters(const City& city, const Grid& cells, const S
 
 }  // namespace
 
-TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun) {
+TerrainCoverage computeTerrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun) {
     if (!city.terrain) return {};
     TerrainCoverage coverage{.casters = placeCasters(city, receivers.grid, sun)};
     if (coversAll(*city.terrain, receivers.grid)) {
@@ -76,8 +76,8 @@ TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, co
     return coverage;
 }
 
-TerrainCoverage terrainCoverage(const City& city, const Region& region, const Grid& cells,
-                                const SunSteps& sun) {
+TerrainCoverage computeTerrainCoverage(const City& city, const Region& region, const Grid& cells,
+                                       const SunSteps& sun) {
     if (!city.terrain) return {};
     TerrainCoverage coverage{.casters = placeCasters(city, cells, sun)};
     Counter counter(*city.terrain, coverage.receivers);
@@ -107,7 +107,7 @@ Result<void> checkCoverage(const TerrainCoverage& coverage, const std::string& r
     return {};
 }
 
-Warnings warningsOf(const TerrainCoverage& coverage) {
+Warnings makeWarnings(const TerrainCoverage& coverage) {
     Warnings warnings;
     const auto add = [&](const char* what, const TerrainCoverage::Share& share) {
         if (share.off > 0)

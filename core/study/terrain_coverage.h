@@ -27,15 +27,15 @@ struct TerrainCoverage {
 
 /// Receivers are cells. The second form is for tiles: it takes the region's own cells, at most some 10^6 of
 /// them, spread evenly. O(cells): some 0.1 us each, less if the whole region lies on the terrain.
-TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun);
-TerrainCoverage terrainCoverage(const City& city, const Region& region, const Grid& cells,
-                                const SunSteps& sun);
+TerrainCoverage computeTerrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun);
+TerrainCoverage computeTerrainCoverage(const City& city, const Region& region, const Grid& cells,
+                                       const SunSteps& sun);
 
 /// Error: more than half of the receivers lie beyond the terrain, or more than half of the buildings in reach
 /// are farther from it than its shorter side. `region`: its name.
 Result<void> checkCoverage(const TerrainCoverage& coverage, const std::string& region);
 
 /// Warnings that results have to state.
-Warnings warningsOf(const TerrainCoverage& coverage);
+Warnings makeWarnings(const TerrainCoverage& coverage);
 
 }  // namespace noonmark

@@ -51,7 +51,7 @@ Result<CivilDate> parseDate(std::string_view text);  ///< "2026-03-21"
 Result<std::chrono::minutes> parseTimeOfDay(std::string_view text);
 /// "2003-10-17T12:30:30-07:00"; a text without an offset is in `zone`.
 Result<Instant> parseInstant(std::string_view text, const Zone& zone);
-std::string textOf(CivilDate date);                  ///< "2026-03-21"
-std::string textOf(std::chrono::minutes timeOfDay);  ///< "09:00"
+std::string formatText(CivilDate date);                  ///< "2026-03-21"
+std::string formatText(std::chrono::minutes timeOfDay);  ///< "09:00"
 
 }  // namespace noonmark

@@ -69,7 +69,7 @@ Ephemeris::Ephemeris(Ephemeris&&) noexcept = default;
 Ephemeris& Ephemeris::operator=(Ephemeris&&) noexcept = default;
 
 Result<Ephemeris> Ephemeris::over(const Observer& observer, Instant from, Instant to) {
-    if (const auto good = checked(observer); !good) return tl::make_unexpected(good.error());
+    if (const auto good = validate(observer); !good) return tl::make_unexpected(good.error());
     if (to < from)
         return failure("The end of the time span lies before its start", "time span", "Swap the two");
     if (from < earliest || to > latest) {

@@ -29,7 +29,7 @@ std::optional<Error> troubleWithDates(const Period& period) {
     const year_month_day last{sys_days{period.start} + days{period.days - 1}};
     if (period.start.year() >= firstYear && last.year() <= lastYear) return std::nullopt;
     return Error{fmt::format("The period from {} to {} is not within the years 1900 to 2100",
-                             textOf(period.start), textOf(last)),
+                             formatText(period.start), formatText(last)),
                  "start", "Choose other dates; the position of the sun is known for these years only"};
 }
 
@@ -59,9 +59,9 @@ std::optional<Error> troubleWithStep(const Period& period) {
 }
 
 std::string hoursText(const Period& period) {
-    if (period.window) return textOf(*period.window);
-    if (period.hours == 0) return fmt::format("at {}", textOf(period.from));
-    return fmt::format("{} for {:g} h", textOf(period.from), period.hours);
+    if (period.window) return formatText(*period.window);
+    if (period.hours == 0) return fmt::format("at {}", formatText(period.from));
+    return fmt::format("{} for {:g} h", formatText(period.from), period.hours);
 }
 
 /// "+1.5h", "-30m"; nothing for 0.
@@ -74,7 +74,7 @@ std::string offsetText(minutes offset) {
 
 }  // namespace
 
-Result<Period> checked(const Period& period) {
+Result<Period> validate(const Period& period) {
     for (const auto& trouble :
          {troubleWithDates(period), troubleWithHours(period), troubleWithStep(period)}) {
         if (trouble) return tl::make_unexpected(*trouble);
@@ -86,15 +86,15 @@ Result<Period> checked(const Period& period) {
     return period;
 }
 
-std::string textOf(const SolarWindow& window) {
+std::string formatText(const SolarWindow& window) {
     return fmt::format("sunrise{}..sunset{}{}", offsetText(window.afterSunrise),
                        offsetText(-window.beforeSunset),
                        window.rule == SunriseRule::centre ? " (sun's centre)" : "");
 }
 
-std::string textOf(const Period& period) {
+std::string formatText(const Period& period) {
     const bool instant = !period.window && period.hours == 0;
-    return fmt::format("{}, {} day{}, {}{}, {}{}", textOf(period.start), period.days,
+    return fmt::format("{}, {} day{}, {}{}, {}{}", formatText(period.start), period.days,
                        period.days == 1 ? "" : "s", hoursText(period),
                        instant ? "" : fmt::format(", every {:g} min", period.stepMinutes), period.zone,
                        period.refraction ? "" : ", no refraction");

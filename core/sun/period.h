@@ -36,13 +36,13 @@ struct Period {
 };
 
 /// The period itself, or an error that names the value out of range.
-Result<Period> checked(const Period& period);
+Result<Period> validate(const Period& period);
 
 /// "2026-03-21, 1 day, 09:00 for 6 h, every 1 min, America/New_York"
-std::string textOf(const Period& period);
+std::string formatText(const Period& period);
 
 /// "sunrise+1.5h..sunset-1.5h"
-std::string textOf(const SolarWindow& window);
+std::string formatText(const SolarWindow& window);
 
 /// Parses "sunrise+1.5h..sunset-1.5h", "sunrise-30m..sunset", "+1h..-1h"; whole minutes, at most 12 h. A
 /// value without a sign shortens the window: "90m..90m" begins after sunrise and ends before sunset. The

@@ -25,7 +25,7 @@ bool inRange(const Field& field) { return field.value >= field.lowest && field.v
 
 }  // namespace
 
-Result<Observer> checked(const Observer& observer) {
+Result<Observer> validate(const Observer& observer) {
     const Field fields[] = {{"longitude", observer.place.lonDeg, -180, 180, "degrees"},
                             {"latitude", observer.place.latDeg, -90, 90, "degrees"},
                             {"elevation", observer.elevationM, -500, 9000, "m"},

@@ -33,7 +33,7 @@ struct Observer {
 };
 
 /// The observer itself, or an error that names the value out of range.
-Result<Observer> checked(const Observer& observer);
+Result<Observer> validate(const Observer& observer);
 
 /// Centre of the sun's disc, topocentric.
 struct SolarPosition {

@@ -32,7 +32,7 @@ double stepMinutesOf(const Period& period) {
 
 /// Divides a window into equal steps as near to the requested step as possible; at least one if the window is
 /// not empty. A window that the step divides, apart from rounding, gets exactly that step.
-Window filled(Instant from, double minutes, double stepMinutes) {
+Window fillWindow(Instant from, double minutes, double stepMinutes) {
     constexpr double rounding = 1e-6;  // as a share of a step: 6 h of 0.1 min are 3600 steps
     if (!(minutes > rounding * stepMinutes)) return {from};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(minutes / stepMinutes));
@@ -46,7 +46,7 @@ Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant m
     if (events.kind == DayKind::polarNight) return {midnight};
     const Instant from = events.sunrise ? *events.sunrise + window.afterSunrise : midnight;
     const Instant to = events.sunset ? *events.sunset - window.beforeSunset : nextMidnight;
-    return filled(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
+    return fillWindow(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
 }
 
 /// The direction of a sun above the observer's horizon, in the frame of the geometry. Far from the frame's
@@ -103,7 +103,7 @@ private:
             return solarWindow(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
         }
         const Instant from = zone_.instantAt(date, period_.from);
-        return filled(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
+        return fillWindow(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
     }
 
     /// Nothing if the sun is below the horizon.
@@ -154,7 +154,7 @@ void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes)
     }
 }
 
-SunSteps joined(std::vector<Days::Steps> days, double stepMinutes) {
+SunSteps joinDays(std::vector<Days::Steps> days, double stepMinutes) {
     SunSteps sun;
     weigh(sun, days, stepMinutes);
     std::size_t count = 0;
@@ -184,7 +184,7 @@ std::optional<Error> tooManySteps(const Period& period) {
 
 Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
                                  const std::stop_token& stop) {
-    if (const auto good = checked(period); !good) return tl::make_unexpected(good.error());
+    if (const auto good = validate(period); !good) return tl::make_unexpected(good.error());
     if (const auto trouble = tooManySteps(period)) return tl::make_unexpected(*trouble);
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
@@ -194,13 +194,13 @@ Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
     if (!sun) return tl::make_unexpected(sun.error());
     auto days = allDays(period, Days(period, *zone, *sun, observer.frameFromPlace), stop);
     if (stop.stop_requested()) return cancelled();
-    return joined(std::move(days), stepMinutesOf(period));
+    return joinDays(std::move(days), stepMinutesOf(period));
 }
 
 Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer, std::stop_token stop) {
     auto sun = computeSunSteps(period, observer, std::move(stop));
     if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(period),
+        return failure("The sun is below the horizon all the time", formatText(period),
                        "Choose other hours or days");
     return sun;
 }

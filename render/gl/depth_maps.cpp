@@ -24,7 +24,7 @@ struct PackedReceiver {
     glm::vec4 normal;
 };
 
-std::vector<PackedReceiver> packed(const PlacedSurface& surface) {
+std::vector<PackedReceiver> packReceivers(const PlacedSurface& surface) {
     std::vector<PackedReceiver> all(surface.count);
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i] = {{surface.x[i], surface.y[i], surface.w[i], 0},
@@ -133,7 +133,7 @@ void DepthMaps::take(const MapFrame& frame, const PlacedSurface& receivers, cons
          {glm::dvec2(-0.5, -0.5), glm::dvec2(frame.columns - 0.5, -0.5), glm::dvec2(-0.5, frame.rows - 0.5),
           glm::dvec2(frame.columns - 0.5, frame.rows - 0.5)})
         p.smallestQ = std::min(p.smallestQ, 1 / (inverse * glm::dvec3(corner, 1)).z);
-    upload(GL_SHADER_STORAGE_BUFFER, p.receivers, packed(receivers));
+    upload(GL_SHADER_STORAGE_BUFFER, p.receivers, packReceivers(receivers));
     upload(GL_SHADER_STORAGE_BUFFER, p.masks, std::vector<ShadowMask>(receivers.count));
 }
 

@@ -66,7 +66,7 @@ EGLContext contextOn(EGLDisplay display) {
     return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
 }
 
-std::string textOf(GLenum name) {
+std::string formatText(GLenum name) {
     const GLubyte* text = glGetString(name);
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
@@ -87,8 +87,8 @@ bool choosesLayerInVertex() {
 
 GlLimits limitsOfCurrent() {
     GlLimits limits;
-    limits.device = textOf(GL_RENDERER);
-    limits.version = textOf(GL_VERSION);
+    limits.device = formatText(GL_RENDERER);
+    limits.version = formatText(GL_VERSION);
     limits.mapSize = numberOf(GL_MAX_TEXTURE_SIZE);
     limits.layers = numberOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
     limits.layerInVertex = choosesLayerInVertex();

@@ -20,7 +20,7 @@ EngineEntry engineOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
             }};
 }
 
-EngineList found() {
+EngineList findEngines() {
     const auto context = GlContext::make();
     if (!context) return {};
     const GlLimits& limits = (*context)->limits();
@@ -37,7 +37,7 @@ EngineList found() {
 }  // namespace
 
 const EngineList& glEngines() {
-    static const EngineList engines = found();
+    static const EngineList engines = findEngines();
     return engines;
 }
 

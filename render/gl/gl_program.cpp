@@ -21,7 +21,7 @@ tl::unexpected<Error> refused(const std::string& log) {
                    "Choose an engine that runs on the processor, or update the graphics card's driver");
 }
 
-Result<GLuint> compiled(const std::string& head, const GlProgram::Stage& stage) {
+Result<GLuint> compileStage(const std::string& head, const GlProgram::Stage& stage) {
     const GLuint shader = glCreateShader(stage.kind);
     const char* texts[] = {head.c_str(), stage.text};
     glShaderSource(shader, 2, texts, nullptr);
@@ -39,7 +39,7 @@ Result<GLuint> compiled(const std::string& head, const GlProgram::Stage& stage) 
 Result<GlProgram> GlProgram::make(const std::string& head, const std::vector<Stage>& stages) {
     GlProgram program(glCreateProgram());
     for (const Stage& stage : stages) {
-        const auto shader = compiled(head, stage);
+        const auto shader = compileStage(head, stage);
         if (!shader) return tl::make_unexpected(shader.error());
         glAttachShader(program.name_, *shader);
         glDeleteShader(*shader);  // deleted together with the program

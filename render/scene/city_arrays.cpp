@@ -77,7 +77,7 @@ CityArrays makeBuildingArrays(const City& city, std::size_t mostEdgeTriangles) {
     return arrays;
 }
 
-ArrayDifference differenceOf(const CityArrays& drawn, const City& city) {
+ArrayDifference computeDifference(const CityArrays& drawn, const City& city) {
     ArrayDifference difference;
     const auto before = sortedAddresses(drawn.buildings);
     const auto after = sortedAddresses(city.buildings);

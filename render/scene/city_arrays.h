@@ -46,7 +46,7 @@ struct ArrayDifference {
 };
 
 /// O(buildings x log buildings): about 10 ms for 43,000.
-ArrayDifference differenceOf(const CityArrays& drawn, const City& city);
+ArrayDifference computeDifference(const CityArrays& drawn, const City& city);
 
 /// The bounding box of all buildings, or of the terrain where there are none; 1 km around the origin where
 /// there is neither.

@@ -28,7 +28,7 @@ int ceilDivided(int a, int b) { return (a + b - 1) / b; }
 
 }  // namespace
 
-GroundPicture fitted(GroundPicture picture, int most) {
+GroundPicture fitPicture(GroundPicture picture, int most) {
     const int k = ceilDivided(std::max(picture.grid.columns, picture.grid.rows), most);
     if (k <= 1) return picture;
     GroundPicture small;

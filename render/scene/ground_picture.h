@@ -23,6 +23,6 @@ struct GroundPicture {
 };
 
 /// The picture itself, or one in which k x k pixels are averaged where a side is longer than `most`.
-GroundPicture fitted(GroundPicture picture, int most = GroundPicture::mostPixels);
+GroundPicture fitPicture(GroundPicture picture, int most = GroundPicture::mostPixels);
 
 }  // namespace noonmark

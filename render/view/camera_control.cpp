@@ -32,7 +32,8 @@ std::array<glm::dvec3, 8> cornersOf(const ViewBounds& bounds) {
 }
 
 // One iteration towards a view that the points fill: centres them and zooms to their extent.
-CameraPose framed(const CameraPose& pose, const std::array<glm::dvec3, 8>& points, const ViewLens& lens) {
+CameraPose framePoints(const CameraPose& pose, const std::array<glm::dvec3, 8>& points,
+                       const ViewLens& lens) {
     glm::dvec2 low(1e30);
     glm::dvec2 high(-1e30);
     for (const glm::dvec3 point : points) {
@@ -67,7 +68,7 @@ CameraPose wholeCity(const ViewBounds& bounds, const ViewLens& lens) {
     pose.target = {bounds.centre().x, bounds.centre().y, double(bounds.groundM)};
     pose.pitchDeg = 40;
     pose.distanceM = 4 * bounds.radiusM();
-    for (int i = 0; i < framingRounds; ++i) pose = framed(pose, cornersOf(bounds), lens);
+    for (int i = 0; i < framingRounds; ++i) pose = framePoints(pose, cornersOf(bounds), lens);
     return pose;
 }
 
@@ -110,7 +111,7 @@ CameraPose zoom(const CameraPose& pose, glm::dvec3 point, double factor) {
     return nearer;
 }
 
-CameraPose moved(const CameraPose& pose, double right, double ahead) {
+CameraPose moveCamera(const CameraPose& pose, double right, double ahead) {
     const double heading = glm::radians(pose.headingDeg);
     const glm::dvec3 northward{std::sin(heading), std::cos(heading), 0};
     CameraPose there = pose;

@@ -32,7 +32,7 @@ CameraPose zoom(const CameraPose& pose, glm::dvec3 point, double factor);
 
 /// Moves over the ground by shares of the distance to the target, to the right and ahead in the view
 /// direction.
-CameraPose moved(const CameraPose& pose, double right, double ahead);
+CameraPose moveCamera(const CameraPose& pose, double right, double ahead);
 
 /// The same pose with its target on the ground and within the limits, and its eye above the ground. Where
 /// needed the pitch increases, which raises the eye.

@@ -56,7 +56,7 @@ GroundPicture noPicture() {
 // Puts a picture onto a material. `texture` is replaced by the new one; the old one is deleted.
 void lay(const GroundPicture& given, bool soFar, ShaderMaterial& material, Qt3DCore::QNode*& texture,
          Qt3DCore::QNode* parent) {
-    const GroundPicture picture = fitted(given);
+    const GroundPicture picture = fitPicture(given);
     const Grid& grid = picture.grid;
     Qt3DCore::QNode* const previous = texture;
     Qt3DRender::QAbstractTexture* made = makeTexture(picture, parent);

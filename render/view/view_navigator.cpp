@@ -121,16 +121,16 @@ bool ViewNavigator::key(const QKeyEvent& event) {
     const CameraPose& pose = view_.pose();
     switch (event.key()) {
         case Qt::Key_Left:
-            go(moved(pose, -keyStep, 0));
+            go(moveCamera(pose, -keyStep, 0));
             return true;
         case Qt::Key_Right:
-            go(moved(pose, keyStep, 0));
+            go(moveCamera(pose, keyStep, 0));
             return true;
         case Qt::Key_Up:
-            go(moved(pose, 0, keyStep));
+            go(moveCamera(pose, 0, keyStep));
             return true;
         case Qt::Key_Down:
-            go(moved(pose, 0, -keyStep));
+            go(moveCamera(pose, 0, -keyStep));
             return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:

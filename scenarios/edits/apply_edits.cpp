@@ -47,7 +47,7 @@ public:
         if (!(scale >= 0.001 && scale <= 1000))
             return failure(fmt::format("A mesh cannot be scaled by {:g}", scale), edit.file,
                            "Give a scale of 0.001 to 1000");
-        const Building there = placed(*edit.shape, edit.placement);
+        const Building there = placeBuilding(*edit.shape, edit.placement);
         if (double(topM(there)) > tallestBuildingM)
             return failure(fmt::format("The building would be {:.0f} m high", topM(there)), edit.file,
                            fmt::format("Give a smaller scale: at most {:g} m are allowed", tallestBuildingM));
@@ -96,7 +96,7 @@ private:
         };
         if (std::ranges::any_of(buildings(), clashes))
             return failure("Another building has this id", shape.sourceId, "Choose another name");
-        return lifted(shape, lowestGround(shape, edited_.city));
+        return liftBuilding(shape, lowestGround(shape, edited_.city));
     }
 
     Result<void> add(const Building& shape) {
@@ -113,9 +113,9 @@ private:
                            "Give at most 1,000,000 metres or degrees");
         return with(id, [&](std::size_t i) -> Result<void> {
             const Building& old = *buildings()[i];
-            const Building there = placed(old, placement);
+            const Building there = placeBuilding(old, placement);
             const City& city = edited_.city;
-            put(i, lifted(there, lowestGround(there, city) - lowestGround(old, city)));
+            put(i, liftBuilding(there, lowestGround(there, city) - lowestGround(old, city)));
             return {};
         });
     }
@@ -140,7 +140,7 @@ Result<EditedCity> applied(const City& city, std::span<const Edit> edits) {
     for (std::size_t i = 0; i < edits.size(); ++i)
         if (const auto done = std::visit(work, edits[i]); !done)
             return failure(done.error().what,
-                           fmt::format("edit {} ({}): {}", i + 1, textOf(edits[i]), done.error().where),
+                           fmt::format("edit {} ({}): {}", i + 1, formatText(edits[i]), done.error().where),
                            done.error().advice);
     return std::move(work).take();
 }

@@ -30,7 +30,7 @@ struct Words {
 
 }  // namespace
 
-std::string textOf(const Edit& edit) { return std::visit(Words{}, edit); }
+std::string formatText(const Edit& edit) { return std::visit(Words{}, edit); }
 
 std::string_view getKind(const Edit& edit) {
     constexpr std::array<std::string_view, std::variant_size_v<Edit>> kinds{

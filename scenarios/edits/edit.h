@@ -65,7 +65,7 @@ struct ImportMesh {
 using Edit = std::variant<Demolish, Replace, AddBuilding, ChangeHeight, Move, Rotate, ImportMesh>;
 
 /// "Demolish One57", "Move lot 17 by 3.0 m east, 0.0 m north": for edit lists and undo menus.
-std::string textOf(const Edit& edit);
+std::string formatText(const Edit& edit);
 
 /// The keyword in the project file and on the command line: "demolish", "replace", "add", "height", "move",
 /// "rotate", "import".

@@ -18,10 +18,10 @@ struct Placement {
 
 /// Returns the building at its placement. Outlines that rounding to float32 broke are repaired; an outline
 /// that falls into pieces becomes several parts. The identity placement returns the building unchanged.
-Building placed(const Building& building, const Placement& placement);
+Building placeBuilding(const Building& building, const Placement& placement);
 
 /// Raises the whole building by `byM`, or lowers it where `byM` is negative.
-Building lifted(Building building, double byM);
+Building liftBuilding(Building building, double byM);
 
 /// Changes the height of a building above `groundM` (local z). Prisms: parts that reach the highest point get
 /// the new height, and everything above it is cut off. If any part is a mesh, the whole building is stretched

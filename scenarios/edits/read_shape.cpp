@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-Building joined(const City& city, const std::string& id) {
+Building joinBuildings(const City& city, const std::string& id) {
     Building whole{.sourceId = id, .name = id};
     for (const auto& building : city.buildings)
         whole.parts.insert(whole.parts.end(), building->parts.begin(), building->parts.end());
@@ -34,11 +34,11 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     auto read = readCity({file}, here, progress, std::move(stop));
     if (!read) return tl::make_unexpected(read.error());
     std::ranges::move(read->warnings, std::back_inserter(warnings));
-    Building whole = joined(read->city, id);
+    Building whole = joinBuildings(read->city, id);
     if (whole.parts.empty())
         return failure("The file contains no building", file.string(),
                        "Export the building as a closed solid");
-    if (*kind != FileKind::mesh) whole = lifted(std::move(whole), -lowestM(whole));
+    if (*kind != FileKind::mesh) whole = liftBuilding(std::move(whole), -lowestM(whole));
     return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
 }
 

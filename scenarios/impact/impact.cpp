@@ -78,7 +78,7 @@ private:
         study.after = *std::move(second);
         for (ShadowField* field : {&study.before, &study.after})
             if (field->engineKey.empty()) field->engineKey = settings_.study.engine;
-        study.total = differenceOf(study.before, study.after, common_.change);
+        study.total = computeDifference(study.before, study.after, common_.change);
         for (const std::size_t i : fresh)
             if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
         if (auto done = measureError(before, after, study); !done) return tl::make_unexpected(done.error());
@@ -114,11 +114,12 @@ private:
         if (common_.receivers.cells.empty())
             return failure("No cell of the region is open ground in both cities", study.region.name,
                            "Choose a larger region, or smaller cells");
-        return checked(study.period).and_then([&](const Period& period) {
-            return computeDaylightSteps(period, observerOf(after, study), stop_)
+        return validate(study.period).and_then([&](const Period& period) {
+            return computeDaylightSteps(period, makeObserver(after, study), stop_)
                 .and_then([&](SunSteps sun) {
                     sun_ = std::move(sun);
-                    return checkCoverage(terrainCoverage(after, common_.receivers, sun_), study.region.name);
+                    return checkCoverage(computeTerrainCoverage(after, common_.receivers, sun_),
+                                         study.region.name);
                 })
                 .map([&] { chooseOnce(before, after); });
         });
@@ -146,7 +147,7 @@ private:
         auto field = fieldWithout(without, building, study.after);
         if (!field) return tl::make_unexpected(field.error());
         study.byBuilding.push_back(
-            {building.sourceId, building.name, differenceOf(*field, study.after, common_.change)});
+            {building.sourceId, building.name, computeDifference(*field, study.after, common_.change)});
         return {};
     }
 
@@ -196,7 +197,8 @@ Result<CommonReceivers> findCommonReceivers(const City& before, const City& afte
     return common;
 }
 
-Impact differenceOf(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change) {
+Impact computeDifference(const ShadowField& before, const ShadowField& after,
+                         std::vector<CellChange> change) {
     Impact impact{.grid = after.grid};
     impact.grossMin = difference(before.grossMin, after.grossMin);
     impact.continuousMin = difference(before.continuousMin, after.continuousMin);

@@ -51,7 +51,7 @@ Result<CommonReceivers> findCommonReceivers(const City& before, const City& afte
                                             const std::stop_token& stop = {});
 
 /// The difference of two fields on the same receivers.
-Impact differenceOf(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);
+Impact computeDifference(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);
 
 struct ImpactSettings {
     StudySettings study;      ///< region, cells, period and engine: the same for both cities

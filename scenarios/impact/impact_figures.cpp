@@ -45,7 +45,7 @@ private:
 };
 
 template <class IsCounted>
-ImpactFigures counted(const Impact& impact, double thresholdMin, IsCounted&& isCounted) {
+ImpactFigures countCells(const Impact& impact, double thresholdMin, IsCounted&& isCounted) {
     const double cellM2 = impact.grid.cellAreaM2();
     ImpactFigures figures{.thresholdMin = thresholdMin};
     Sum gross(thresholdMin), continuous(thresholdMin);
@@ -71,7 +71,7 @@ ImpactFigures counted(const Impact& impact, double thresholdMin, IsCounted&& isC
 }  // namespace
 
 ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
-    return counted(impact, thresholdMin, [](std::size_t) { return true; });
+    return countCells(impact, thresholdMin, [](std::size_t) { return true; });
 }
 
 ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin) {
@@ -80,7 +80,7 @@ ImpactFigures computeFigures(const Impact& impact, const Region& region, double 
         forEachRun(polygon, impact.grid, [&](int row, int first, int end) {
             for (int column = first; column < end; ++column) inside[impact.grid.index(column, row)] = true;
         });
-    return counted(impact, thresholdMin, [&](std::size_t i) { return inside[i]; });
+    return countCells(impact, thresholdMin, [&](std::size_t i) { return inside[i]; });
 }
 
 }  // namespace noonmark

@@ -80,7 +80,7 @@ std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
 
 ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
-    ComparisonFigures figures{answer.from, answer.to, {}, {}, textOf(answer.settings.study.period),
+    ComparisonFigures figures{answer.from, answer.to, {}, {}, formatText(answer.settings.study.period),
                               total.engine};
     for (const double threshold : answer.thresholdsMin)
         figures.all.push_back(computeFigures(total, threshold));
@@ -90,10 +90,10 @@ ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     return figures;
 }
 
-Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width) {
-    return repeatCommand(projectQuestion("impact", answer.settings.study, answer.provenance,
-                                         answer.study.after.engineKey, optionsOf(answer)),
-                         width);
+Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width) {
+    return makeRepeatCommand(projectQuestion("impact", answer.settings.study, answer.provenance,
+                                             answer.study.after.engineKey, optionsOf(answer)),
+                             width);
 }
 
 std::string impactJson(const ImpactAnswer& answer) {
@@ -113,10 +113,10 @@ std::string impactJson(const ImpactAnswer& answer) {
                                        {"name", building.name},
                                        {"impact", figuresJson(building.impact, answer.thresholdsMin)}});
     addProvenance(json, answer.provenance);
-    addRepeat(json, repeatCommand(answer, std::numeric_limits<std::size_t>::max()));
+    addRepeat(json, makeRepeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions();
     json["warnings"] = warningsJson(total.warnings);
-    return jsonText(json);
+    return toJsonText(json);
 }
 
 std::string impactCsv(const ImpactAnswer& answer) {

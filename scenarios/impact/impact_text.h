@@ -33,7 +33,7 @@ struct ComparisonFigures {
 ComparisonFigures computeFigures(const ImpactAnswer& answer);
 
 /// The command line that repeats this impact; see core/study/provenance/repeat_command.h.
-Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width = 120);
+Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width = 120);
 
 /// Stable keys with their units; figures per threshold for the total and for each new building.
 std::string impactJson(const ImpactAnswer& answer);

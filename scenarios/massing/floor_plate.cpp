@@ -23,11 +23,11 @@ Building asBuilding(const Plate& plate) {
     return building;
 }
 
-Plate moved(const Plate& plate, Placement placement) {
+Plate movePlate(const Plate& plate, Placement placement) {
     const Building building = asBuilding(plate);
     placement.about = findMiddle(building);
     Plate result;
-    for (Part& part : placed(building, placement).parts) result.push_back(std::move(part.footprint));
+    for (Part& part : placeBuilding(building, placement).parts) result.push_back(std::move(part.footprint));
     return result;
 }
 
@@ -74,8 +74,8 @@ Result<Plate> makePlate(const Footprint& lot, const PlateSize& size) {
                    "Choose a larger plate");
 }
 
-Plate turned(const Plate& plate, double clockwiseDeg) {
-    return clockwiseDeg == 0 ? plate : moved(plate, {.clockwiseDeg = clockwiseDeg});
+Plate turnPlate(const Plate& plate, double clockwiseDeg) {
+    return clockwiseDeg == 0 ? plate : movePlate(plate, {.clockwiseDeg = clockwiseDeg});
 }
 
 Result<Plate> insetPlate(const Plate& plate, double insetM) {
@@ -98,9 +98,9 @@ bool liesOn(const Plate& plate, const Plate& ground) {
     return outside <= 0.0002 * computeArea(plate) + 0.05;
 }
 
-Plate resized(const Plate& plate, const Footprint& lot, double areaM2) {
+Plate resizePlate(const Plate& plate, const Footprint& lot, double areaM2) {
     const auto at = [&](double scale) {
-        const Plate scaled = moved(plate, {.scale = scale});
+        const Plate scaled = movePlate(plate, {.scale = scale});
         return scale > 1 ? cutSharedPieces(scaled, {lot}) : scaled;
     };
     const double even = std::sqrt(areaM2 / computeArea(plate));

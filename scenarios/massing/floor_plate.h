@@ -15,7 +15,7 @@ double computeArea(const Plate& plate);
 Result<Plate> makePlate(const Footprint& lot, const PlateSize& size);
 
 /// Turns the plate about the centroid of its area.
-Plate turned(const Plate& plate, double clockwiseDeg);
+Plate turnPlate(const Plate& plate, double clockwiseDeg);
 
 /// Moves all edges inwards. Error, with the largest possible inset, where nothing is left.
 Result<Plate> insetPlate(const Plate& plate, double insetM);
@@ -26,6 +26,6 @@ bool liesOn(const Plate& plate, const Plate& ground);
 
 /// Scales the plate about its centroid until it has `areaM2` (to 1e-4); an enlarged plate is cut by the lot.
 /// `areaM2` is at most the lot's area, and the plate lies on the lot.
-Plate resized(const Plate& plate, const Footprint& lot, double areaM2);
+Plate resizePlate(const Plate& plate, const Footprint& lot, double areaM2);
 
 }  // namespace noonmark

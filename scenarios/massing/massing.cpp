@@ -64,7 +64,7 @@ tl::unexpected<Error> doesNotTurn(const Footprint& lot, double degrees) {
     for (int i = 0; i < 10; ++i) {
         const double share = (fits + tooLarge) / 2;
         const auto plate = makePlate(lot, {.shareOfLot = share});
-        (plate && liesOn(turned(*plate, degrees), {lot}) ? fits : tooLarge) = share;
+        (plate && liesOn(turnPlate(*plate, degrees), {lot}) ? fits : tooLarge) = share;
     }
     return failure(
         fmt::format("Turned by {:g} degrees the floor plate leaves the lot", degrees), "massing",
@@ -74,7 +74,7 @@ tl::unexpected<Error> doesNotTurn(const Footprint& lot, double degrees) {
 Result<Plate> towerPlate(const Footprint& lot, const MassingSettings& settings, const Plate& ground) {
     const auto plate = makePlate(lot, settings.plate);
     if (!plate) return plate;
-    const Plate there = turned(*plate, settings.clockwiseDeg);
+    const Plate there = turnPlate(*plate, settings.clockwiseDeg);
     if (settings.clockwiseDeg != 0 && !liesOn(there, {lot})) return doesNotTurn(lot, settings.clockwiseDeg);
     if (liesOn(there, ground)) return there;
     return failure(fmt::format("The tower's plate of {:.0f} m2 extends beyond its podium of {:.0f} m2",
@@ -120,7 +120,7 @@ Result<void> checkSolid(const Part& part, const std::string& id) {
 
 }  // namespace
 
-Massing parseMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM) {
+Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM) {
     Massing massing{.tiers = std::move(tiers), .storeyHeightM = storeyHeightM};
     MassingFigures& figures = massing.figures;
     figures.lotM2 = area(lot);
@@ -150,7 +150,7 @@ Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& setting
         return outOfRange("The turn in degrees", settings.clockwiseDeg, "Give -360 to 360");
     auto tiers = tiersOn(lot, settings, *heights);
     if (!tiers) return tl::make_unexpected(tiers.error());
-    return parseMassing(lot, *std::move(tiers), settings.storeyHeightM);
+    return assembleMassing(lot, *std::move(tiers), settings.storeyHeightM);
 }
 
 Result<Building> buildingOf(const Massing& massing, const std::string& id) {

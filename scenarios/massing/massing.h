@@ -77,7 +77,7 @@ struct Massing {
 Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings);
 
 /// Builds a massing from given tiers and computes its figures, for shapes that do not come from settings.
-Massing parseMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
+Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
 
 /// A building of prisms on z = 0 with status "proposed", one part per piece of a tier. Error: a prism is not
 /// a closed, outward-oriented solid of the expected volume.

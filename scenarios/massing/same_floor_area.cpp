@@ -15,7 +15,7 @@ namespace {
 
 constexpr int mostStoreys = 500;
 
-Result<void> checked(const Footprint& lot, const GivenMass& given, double plateFactor) {
+Result<void> validate(const Footprint& lot, const GivenMass& given, double plateFactor) {
     if (!(plateFactor > 0))
         return failure(fmt::format("A floor plate cannot be {:g} times as large", plateFactor), "variant",
                        "Give a factor over 0");
@@ -64,7 +64,7 @@ Result<GivenMass> givenBy(const Building& building, double groundM, double store
 }
 
 Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, double plateFactor) {
-    if (const auto sound = checked(lot, given, plateFactor); !sound)
+    if (const auto sound = validate(lot, given, plateFactor); !sound)
         return tl::make_unexpected(sound.error());
     const bool wider = plateFactor > 1;
     const double wanted = std::min(area(lot), computeArea(given.plate) * plateFactor);
@@ -75,8 +75,8 @@ Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, 
                        fmt::format("Give a floor plate of {:.0f} m2 or more: {} storeys",
                                    given.grossFloorM2 / most, most));
     const double plateM2 = std::min(given.grossFloorM2 / storeys, area(lot));
-    Tier tier{.plate = resized(given.plate, lot, plateM2), .topM = storeys * given.storeyHeightM};
-    Massing massing = parseMassing(lot, {std::move(tier)}, given.storeyHeightM);
+    Tier tier{.plate = resizePlate(given.plate, lot, plateM2), .topM = storeys * given.storeyHeightM};
+    Massing massing = assembleMassing(lot, {std::move(tier)}, given.storeyHeightM);
     if (std::abs(massing.figures.grossFloorM2 - given.grossFloorM2) <= 0.001 * given.grossFloorM2)
         return massing;
     return failure(fmt::format("The lot allows {:.0f} m2 of the {:.0f} m2 of floor area",

@@ -94,6 +94,6 @@ Result<Scenario> findScenarioByName(const Project& project, const std::string& n
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario);
 
 /// Error: a name is missing or used twice, or a scenario or weight table is invalid.
-Result<void> checked(const Project& project);
+Result<void> validate(const Project& project);
 
 }  // namespace noonmark

@@ -95,7 +95,7 @@ Result<void> isOurs(Database& database, const ProjectFile& file) {
 }  // namespace
 
 Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& project, IfThere ifThere) {
-    if (auto sound = checked(project); !sound) return tl::make_unexpected(sound.error());
+    if (auto sound = validate(project); !sound) return tl::make_unexpected(sound.error());
     std::error_code ignored;
     if (ifThere == IfThere::refuse && fs::exists(file, ignored))
         return failure("There is a file of this name already", file.string(), "Choose another name");
@@ -125,7 +125,7 @@ Result<ProjectFile> ProjectFile::open(const fs::path& file) {
         opened.id_ = readFact(database, "project_id");
         opened.saves_ = savesIn(database);
         opened.project_ = readAnyVersion(database);
-        if (auto sound = checked(opened.project_); !sound)
+        if (auto sound = validate(opened.project_); !sound)
             throwDamaged(fmt::format("{}: {}", sound.error().where, sound.error().what));
         return opened;
     });
@@ -140,7 +140,7 @@ bool ProjectFile::isUnchanged() const {
 }
 
 Result<void> ProjectFile::save(const Project& project) {
-    if (auto sound = checked(project); !sound) return sound;
+    if (auto sound = validate(project); !sound) return sound;
     if (auto writable = checkWritable(path_); !writable) return writable;
     if (auto whole = checkWhole(path_); !whole) return whole;
     return guarded(path_, [&]() -> Result<void> {

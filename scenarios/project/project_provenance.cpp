@@ -42,7 +42,7 @@ MeasuredPart asIn(const Project& project, MeasuredPart part) {
 bool holds(const ProjectFile& file, const Project& project, const std::string& citySha256,
            const std::string& contentSha256, const MeasuredPart& part) {
     const Project& saved = file.project();
-    const std::string city = saved.city == project.city ? citySha256 : cityHash(*saved.city);
+    const std::string city = saved.city == project.city ? citySha256 : hashCity(*saved.city);
     const auto content = hashContent(saved, city, asIn(saved, part));
     return content && *content == contentSha256 && file.isUnchanged();
 }
@@ -51,37 +51,37 @@ ScenarioRecord recordOf(const Project& project, const std::string& scenario, con
     ScenarioRecord record{scenario, {}, {}};
     const auto edits = collectEdits(project.scenarios, scenario);
     if (edits)
-        for (const Edit& edit : *edits) record.edits.push_back(textOf(edit));
+        for (const Edit& edit : *edits) record.edits.push_back(formatText(edit));
     const auto city = cityOf(project, scenario);
-    if (city) record.citySha256 = record.edits.empty() ? citySha256 : cityHash(city->city);
+    if (city) record.citySha256 = record.edits.empty() ? citySha256 : hashCity(city->city);
     return record;
 }
 
 ProjectRecord recordOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {
-    const std::string citySha256 = cityHash(*project.city);
+    const std::string citySha256 = hashCity(*project.city);
     ProjectRecord record{.scenario = recordOf(project, part.scenario, citySha256)};
     record.contentSha256 = hashContent(project, citySha256, part).value_or(std::string());
     if (!part.baseline.empty()) record.baseline = recordOf(project, part.baseline, citySha256);
     if (onDisk == nullptr) return record;
     record.file = onDisk->path().filename().string();
     if (!holds(*onDisk, project, citySha256, record.contentSha256, part)) return record;
-    if (const auto file = inputFile(onDisk->path())) record.fileSha256 = file->sha256;
+    if (const auto file = describeInputFile(onDisk->path())) record.fileSha256 = file->sha256;
     return record;
 }
 
 // A region of the saved project is given by its name, which identifies it exactly.
 std::string regionTextOf(const Project& project, const ProjectFile* onDisk, const ProjectRecord& record,
                          const Region& region) {
-    if (!record.saved()) return regionText(region, *project.city);
+    if (!record.saved()) return formatRegion(region, *project.city);
     for (const Region& named : onDisk->project().regions)
         if (named.polygons == region.polygons) return named.name;
-    return boxTextOf(region, project.city->frame).value_or(regionFileName);
+    return formatBox(region, project.city->frame).value_or(regionFileName);
 }
 
 }  // namespace
 
 Result<std::string> hashContent(const Project& project, const MeasuredPart& part) {
-    return hashContent(project, cityHash(*project.city), part);
+    return hashContent(project, hashCity(*project.city), part);
 }
 
 Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part) {

@@ -83,7 +83,7 @@ void writePeriods(Database& database, const std::vector<NamedPeriod>& periods) {
             before = int(period.window->beforeSunset.count());
             rule = period.window->rule == SunriseRule::centre ? "centre" : "upper limb";
         }
-        add.run(name, textOf(period.start), period.days, int(period.from.count()), period.hours,
+        add.run(name, formatText(period.start), period.days, int(period.from.count()), period.hours,
                 period.stepMinutes, after, before, rule, period.zone, period.refraction);
     }
 }

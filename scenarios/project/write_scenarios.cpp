@@ -13,7 +13,7 @@ struct BuiltBy {
     NewShape operator()(const Replace& edit) const { return edit.with; }
     NewShape operator()(const AddBuilding& edit) const { return edit.building; }
     NewShape operator()(const ImportMesh& edit) const {
-        return std::make_shared<const Building>(placed(*edit.shape, edit.placement));
+        return std::make_shared<const Building>(placeBuilding(*edit.shape, edit.placement));
     }
     template <class Other>
     NewShape operator()(const Other&) const {
@@ -38,7 +38,7 @@ public:
             .run(id, scenario.name, scenario.base);
         for (std::size_t i = first; i < scenario.edits.size(); ++i) {
             const Edit& edit = scenario.edits[i];
-            addEdit_.run(id, i, getKind(edit), textOf(edit), toJson(edit));
+            addEdit_.run(id, i, getKind(edit), formatText(edit), toJson(edit));
             addProposals(database_.lastRow(), scenario.name, std::visit(BuiltBy{}, edit));
         }
     }

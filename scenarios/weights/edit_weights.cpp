@@ -85,7 +85,7 @@ Result<AddedInterval> addInterval(TimeWeights table, std::size_t after) {
 Result<TimeWeights> removeInterval(TimeWeights table, std::size_t position) {
     if (position < table.intervals.size())
         table.intervals.erase(table.intervals.begin() + std::ptrdiff_t(position));
-    return checked(table).map([&] { return std::move(table); });
+    return validate(table).map([&] { return std::move(table); });
 }
 
 }  // namespace noonmark

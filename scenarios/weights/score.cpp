@@ -103,7 +103,7 @@ private:
 Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
                            const Zone& zone, const TimeWeights& weights, const Engine& engine,
                            Progress& progress, const std::stop_token& stop) {
-    if (const auto sound = checked(weights); !sound) return tl::make_unexpected(sound.error());
+    if (const auto sound = validate(weights); !sound) return tl::make_unexpected(sound.error());
     return Scoring(city, receivers, sun, zone, weights, progress, stop).run(engine);
 }
 
@@ -121,8 +121,8 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
     if (receivers->cells.empty())
         return failure("No cell of the region lies on open ground", settings.region.name,
                        "Choose a region outside the buildings, or smaller cells");
-    const auto sun = checked(settings.period).and_then([&](const Period& period) {
-        return computeDaylightSteps(period, observerOf(city, settings), stop);
+    const auto sun = validate(settings.period).and_then([&](const Period& period) {
+        return computeDaylightSteps(period, makeObserver(city, settings), stop);
     });
     if (!sun) return tl::make_unexpected(sun.error());
     auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);

@@ -16,7 +16,7 @@ struct ScoreAnswer {
 };
 
 /// The command line that repeats it; see core/study/provenance/repeat_command.h.
-Result<std::string> repeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
+Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
 
 /// Stable keys with their units; lists months, and intervals with their weights.
 std::string scoreJson(const ScoreAnswer& answer);

@@ -20,7 +20,7 @@ bool holdsDate(const WeightedInterval& interval, month_day date) {
     return interval.first <= date || date <= interval.last;
 }
 
-Result<void> checked(const WeightedInterval& interval) {
+Result<void> validate(const WeightedInterval& interval) {
     if (!(interval.weight >= -1 && interval.weight <= 1))
         return failure(fmt::format("A weight cannot be {:g}", interval.weight), interval.name,
                        "Give -1 (unwanted shadow) to 1 (wanted shade)");
@@ -55,12 +55,12 @@ TimeWeights makeMonthlyWeights() {
     return table;
 }
 
-Result<void> checked(const TimeWeights& weights) {
+Result<void> validate(const TimeWeights& weights) {
     if (weights.name.empty()) return failure("The table has no name", "time weights", "Give it a name");
     if (weights.intervals.empty())
         return failure("The table has no intervals", weights.name, "Add months or dates with a weight");
     for (std::size_t i = 0; i < weights.intervals.size(); ++i) {
-        if (const auto sound = checked(weights.intervals[i]); !sound) return sound;
+        if (const auto sound = validate(weights.intervals[i]); !sound) return sound;
         for (std::size_t j = 0; j < i; ++j)
             if (overlap(weights.intervals[j], weights.intervals[i]))
                 return failure(fmt::format("'{}' and '{}' overlap", weights.intervals[j].name,

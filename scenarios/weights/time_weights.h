@@ -40,6 +40,6 @@ struct TimeWeights {
 TimeWeights makeMonthlyWeights();
 
 /// Error: no name or no interval; a weight, date or hour out of range; or two intervals that overlap.
-Result<void> checked(const TimeWeights& weights);
+Result<void> validate(const TimeWeights& weights);
 
 }  // namespace noonmark

@@ -35,7 +35,7 @@ struct Row {
     }
 };
 
-std::string textOf(std::chrono::month_day date) {
+std::string formatText(std::chrono::month_day date) {
     return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
 }
 
@@ -100,7 +100,7 @@ Result<WeightedInterval> intervalOf(const Row& row) {
     interval.from = *from;
     interval.to = *to;
     interval.weight = *weight;
-    if (interval.name.empty()) interval.name = textOf(*first) + " to " + textOf(*last);
+    if (interval.name.empty()) interval.name = formatText(*first) + " to " + formatText(*last);
     return interval;
 }
 
@@ -111,15 +111,15 @@ Result<TimeWeights> tableOf(const std::vector<Row>& rows, const std::string& nam
         if (!interval) return tl::make_unexpected(interval.error());
         table.intervals.push_back(*std::move(interval));
     }
-    return checked(table).map([&] { return table; });
+    return validate(table).map([&] { return table; });
 }
 
 }  // namespace
 
 std::map<std::string, std::string> textsOf(const WeightedInterval& interval) {
     return {{"name", interval.name},
-            {"first", textOf(interval.first)},
-            {"last", textOf(interval.last)},
+            {"first", formatText(interval.first)},
+            {"last", formatText(interval.last)},
             {"from", noonmark::textOf(interval.from)},
             {"to", noonmark::textOf(interval.to)},
             {"weight", fmt::to_string(interval.weight)}};
@@ -149,7 +149,7 @@ std::string weightsJson(const TimeWeights& weights) {
         for (const char* column : columns) entry[column] = texts.at(column);
         entry["weight"] = interval.weight;
     }
-    return jsonText(entries);
+    return toJsonText(entries);
 }
 
 Result<TimeWeights> parseWeightsCsv(std::string_view text, const std::string& name) {

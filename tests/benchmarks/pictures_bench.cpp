@@ -122,7 +122,7 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const ViewEn
                           nullptr};
     Onlooker onlooker(seconds);
     onlooker.shows = [](const PartialField&) { return false; };  // nothing is known of the view yet
-    auto answer = refined(question, nullptr, engine, onlooker, onlooker.token());
+    auto answer = refineView(question, nullptr, engine, onlooker, onlooker.token());
     while (answer && !onlooker.tired()) {
         onlooker.seen();
         if (isFinest(*answer)) break;
@@ -132,7 +132,7 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const ViewEn
         onlooker.shows = [&before](const PartialField& partial) {
             return withRunning(before, partial).has_value();
         };
-        answer = refined(question, &before, engine, onlooker, onlooker.token());
+        answer = refineView(question, &before, engine, onlooker, onlooker.token());
     }
     onlooker.print(fmt::format("exploring {}, {} days", name, days));
 }

@@ -37,7 +37,7 @@ namespace {
     std::_Exit(spoken.code);
 }
 
-TEST(CancelDeathTest, ctrlCEndsAStudyWithCode130) {
+TEST(CancelDeathTest, CtrlCEndsAStudyWithCode130) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const noonmark::tests::TemporaryFolder folder;
     EXPECT_EXIT(interruptedStudy(folder.path("out").string()), testing::ExitedWithCode(exitCancelled),
@@ -74,7 +74,7 @@ std::ptrdiff_t linesIn(const std::filesystem::path& file) {
     std::_Exit(0);
 }
 
-TEST(KillDeathTest, aKilledCityStudyGoesOnAndSaysTheSame) {
+TEST(KillDeathTest, AKilledCityStudyGoesOnAndSaysTheSame) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     // The process that will be killed runs this test again from the start and uses the folder of its parent.
     constexpr const char* handedOver = "NOONMARK_TEST_KILLED_STUDY";

@@ -6,7 +6,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string textOf(const std::filesystem::path& file) {
+std::string formatText(const std::filesystem::path& file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -24,8 +24,8 @@ TEST_F(ProjectCommand, AWholeStudy) {
     EXPECT_EQ(json["impact"][0]["gross"]["lost_m2"], 0);
     ASSERT_EQ(json["by_building"].size(), 2U);
     EXPECT_EQ(json["by_building"][0]["id"], "One57");
-    EXPECT_EQ(textOf(folder_.path("out/impact.json")) + "\n", impact.out);
-    EXPECT_THAT(textOf(folder_.path("out/impact.csv")),
+    EXPECT_EQ(formatText(folder_.path("out/impact.json")) + "\n", impact.out);
+    EXPECT_THAT(formatText(folder_.path("out/impact.csv")),
                 AllOf(HasSubstr("id,name,threshold_min"), HasSubstr("\r\nOne57,One57,20,")));
     for (const char* file : {"out/impact.tif", "out/impact.png", "out/impact.pdf"})
         EXPECT_GT(std::filesystem::file_size(folder_.path(file)), 1000U) << file;
@@ -76,7 +76,7 @@ TEST_F(ProjectCommand, TablesNameTheProject) {
                                             "--by", "month", "--contributions", "--engine", "horizon"});
     ASSERT_EQ(study.code, 0) << study.err;
     for (const char* name : {"out/by_month.csv", "out/contributions.csv"})
-        EXPECT_THAT(textOf(folder_.path(name)), HasSubstr(",park.noonmark.gpkg,A,,")) << name;
+        EXPECT_THAT(formatText(folder_.path(name)), HasSubstr(",park.noonmark.gpkg,A,,")) << name;
 }
 
 TEST_F(ProjectCommand, IsKnownByWhatItHolds) {
@@ -94,7 +94,7 @@ TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
                                             "--hours", "1", "--step", "10", "--zone", "America/New_York"});
     ASSERT_EQ(study.code, 0) << study.err;
     for (const char* name : {"out/shadow.tif", "out/shadow.png"}) {
-        const std::string bytes = textOf(folder_.path(name));
+        const std::string bytes = formatText(folder_.path(name));
         EXPECT_THAT(bytes, HasSubstr("park.noonmark.gpkg")) << name;
         EXPECT_THAT(bytes, HasSubstr("NOONMARK_SCENARIO_CITY_SHA256")) << name;
         EXPECT_THAT(bytes, HasSubstr("520 Park Avenue")) << name;
@@ -106,7 +106,7 @@ TEST_F(ProjectCommand, ScoresAYear) {
     ASSERT_EQ(score.code, 0) << score.err;
     EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: December appears twice
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
-    EXPECT_THAT(textOf(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
+    EXPECT_THAT(formatText(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
 }
 
 TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {

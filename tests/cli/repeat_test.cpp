@@ -226,7 +226,7 @@ TEST_F(Repeat, AStudyOfAScenario) {
     EXPECT_THAT(json["scenario_edits"][1].get<std::string>(), HasSubstr("Demolish c"));
     EXPECT_EQ(json["project"]["file"], "O'Brien plan.noonmark.gpkg");
     EXPECT_TRUE(json["project"]["saved_as_measured"].get<bool>());
-    EXPECT_EQ(json["project"]["file_sha256"], inputFile(file).value().sha256);
+    EXPECT_EQ(json["project"]["file_sha256"], describeInputFile(file).value().sha256);
     EXPECT_EQ(json["read_settings"]["height_field"], "roof top");
     EXPECT_FALSE(json["warnings"].empty()) << "what was noted at `project new` belongs to the city";
     const auto existing =

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)fuzzFolder();
     if (size == 0) return 0;
     const std::string kind = kinds[data[0] % std::size(kinds)];
-    const auto edit = noonmark::parseEdit(kind, std::string(textOf(data, size).substr(1)));
+    const auto edit = noonmark::parseEdit(kind, std::string(formatText(data, size).substr(1)));
     if (!edit) return requireSound(edit.error()), 0;
     const std::string text = toJson(*edit);
     const auto again = noonmark::parseEdit(kind, text);

@@ -5,7 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto kind = noonmark::detectFileKind(fuzzFile("file", textOf(data, size)));
+    const auto kind = noonmark::detectFileKind(fuzzFile("file", formatText(data, size)));
     if (!kind) requireSound(kind.error());
     return 0;
 }

@@ -9,7 +9,7 @@
 namespace noonmark::tests {
 
 /// The input as text.
-inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
+inline std::string_view formatText(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 

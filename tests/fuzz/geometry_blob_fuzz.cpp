@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto polygons = noonmark::toPolygons(textOf(data, size));
+    const auto polygons = noonmark::toPolygons(formatText(data, size));
     if (!polygons) return 0;
     requireSound(*polygons);
     const auto again = noonmark::toPolygons(noonmark::multiPolygonBlob(*polygons));

@@ -66,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)fuzzFolder();
     std::vector<noonmark::UnplacedFeature> features;
     noonmark::Warnings warnings;
-    std::istringstream lines{std::string(textOf(data, size))};
+    std::istringstream lines{std::string(formatText(data, size))};
     for (std::string line; std::getline(lines, line) && features.size() < 20;)
         if (auto feature = featureOf(line, warnings)) features.push_back(*std::move(feature));
     if (!features.empty()) assemble(std::move(features));

@@ -7,8 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto file =
-        fuzzFile(textOf(data, size).starts_with("glTF") ? "mesh.glb" : "mesh.gltf", textOf(data, size));
+    const auto file = fuzzFile(formatText(data, size).starts_with("glTF") ? "mesh.glb" : "mesh.gltf",
+                               formatText(data, size));
     if (!noonmark::checkMeshFile(file)) return 0;
     noonmark::MeshScene scene;
     if (noonmark::readScene(file, [&](const noonmark::MeshObject& object) { scene.push_back(object); }))

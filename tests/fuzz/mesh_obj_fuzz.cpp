@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto file = fuzzFile("mesh.obj", textOf(data, size));
+    const auto file = fuzzFile("mesh.obj", formatText(data, size));
     if (!noonmark::checkMeshFile(file)) return 0;
     noonmark::MeshScene scene;
     if (noonmark::readScene(file, [&](const noonmark::MeshObject& object) { scene.push_back(object); }))

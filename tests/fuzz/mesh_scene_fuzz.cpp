@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     (void)fuzzFolder();
     bool complete = false;
-    const auto scene = noonmark::parseScene(textOf(data, size), complete);
+    const auto scene = noonmark::parseScene(formatText(data, size), complete);
     if (scene) useScene(*scene);
     return 0;
 }

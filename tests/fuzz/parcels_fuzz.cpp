@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto file = fuzzFile("parcels.geojson", textOf(data, size));
+    const auto file = fuzzFile("parcels.geojson", formatText(data, size));
     const auto parcels = noonmark::readParcels(file, {}, noonmark::Frame({-73.98, 40.75}), {});
     if (!parcels) return requireSound(parcels.error()), 0;
     for (const noonmark::Parcel& parcel : *parcels) {

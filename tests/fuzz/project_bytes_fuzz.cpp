@@ -4,6 +4,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    useProject(fuzzFile("project.noonmark.gpkg", textOf(data, size)), Save::yes);
+    useProject(fuzzFile("project.noonmark.gpkg", formatText(data, size)), Save::yes);
     return 0;
 }

@@ -12,9 +12,9 @@ using noonmark::tests::require;
 void readSettings(const std::string& text) {
     const auto settings = noonmark::readSettingsFrom(text);
     if (!settings) return;
-    const std::string written = textOf(*settings);
+    const std::string written = formatText(*settings);
     const auto again = noonmark::readSettingsFrom(written);
-    require(again && textOf(*again) == written, "settings come back");
+    require(again && formatText(*again) == written, "settings come back");
 }
 
 void readFacts(const std::string& text) {

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     constexpr const char* kinds[] = {"study", "impact", "score"};
     if (size == 0) return 0;
     noonmark::SavedResult result{.name = "result", .kind = kinds[data[0] % std::size(kinds)]};
-    result.settings = textOf(data, size).substr(1);
+    result.settings = formatText(data, size).substr(1);
     result.grid = {0, 0, 2, 4, 3};
     for (int layer = 0; layer < 2; ++layer)
         result.layers.push_back({"layer", "min/day", std::vector<float>(result.grid.size(), float(layer))});

@@ -65,7 +65,7 @@ void writeTexts(const SeedFolder& seeds, const Project& project) {
     seeds.write("weights_csv", "school", weightsCsv(project.weights.back()));
     seeds.write("weights_json", "months", weightsJson(makeMonthlyWeights()));
     seeds.write("weights_json", "school", weightsJson(project.weights.back()));
-    seeds.write("reading_text", "settings", textOf(*project.reading->settings));
+    seeds.write("reading_text", "settings", formatText(*project.reading->settings));
     seeds.write("reading_text", "terrain", sourceText(*project.city->terrain));
     seeds.write("reading_text", "heights", heightFactsJson(project.reading->heights).dump());
     TileResult tile{.number = 1, .engineKey = "ray", .engine = "rays"};

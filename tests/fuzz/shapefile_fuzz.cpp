@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     constexpr std::array names{"footprints.shp", "footprints.shx", "footprints.dbf"};
     if (size < 2 * names.size()) return 0;
-    std::string_view rest = textOf(data, size).substr(2 * names.size());
+    std::string_view rest = formatText(data, size).substr(2 * names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::size_t length = std::min<std::size_t>(data[2 * i] + 256U * data[2 * i + 1], rest.size());
         fuzzFile(names[i], rest.substr(0, length));

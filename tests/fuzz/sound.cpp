@@ -84,7 +84,7 @@ void requireSound(const Error& error) {
 // As in readCity().
 static void standOnBases(const FilePiece& piece) {
     const std::vector<BasedBuilding> based = basedBuildings(piece);
-    (void)textOf(measureRelief(based));
+    (void)formatText(measureRelief(based));
     const auto terrain = interpolateBases(based);
     if (!terrain) return;
     requireSound(*terrain);

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     const std::string head = R"({"noonmark_tiles":1,"side":10,"study":"hash","tiles":12})"
                              "\n";
-    fuzzFile("journal.jsonl", head + std::string(textOf(data, size)) + "\n");
+    fuzzFile("journal.jsonl", head + std::string(formatText(data, size)) + "\n");
     const auto journal = openedJournal();
     if (!journal) return requireSound(journal.error()), 0;
     for (const auto& [number, result] : journal->finished()) {

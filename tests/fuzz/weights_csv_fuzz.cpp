@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto weights = noonmark::parseWeightsCsv(textOf(data, size), "table");
+    const auto weights = noonmark::parseWeightsCsv(formatText(data, size), "table");
     if (!weights) return requireSound(weights.error()), 0;
     const auto again = noonmark::parseWeightsCsv(noonmark::weightsCsv(*weights), "table");
     require(again.has_value(), "a table that is written is read");

@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto weights = noonmark::parseWeightsJson(textOf(data, size), "table");
+    const auto weights = noonmark::parseWeightsJson(formatText(data, size), "table");
     if (!weights) return requireSound(weights.error()), 0;
     const auto again = noonmark::parseWeightsJson(noonmark::weightsJson(*weights), "table");
     require(again.has_value(), "a table that is written is read");

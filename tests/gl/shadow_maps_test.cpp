@@ -55,7 +55,7 @@ double differentPercent(const std::vector<ShadowMask>& a, const std::vector<Shad
 using ShadowMapsGl = OpenGl;
 
 // Paper, section 4, theorem 1.
-TEST_F(ShadowMapsGl, oneDrawEqualsSixtyPassesBitForBit) {
+TEST_F(ShadowMapsGl, OneDrawEqualsSixtyPassesBitForBit) {
     const City city = cityOf(randomBoxes(21, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     for (const CasterSide side : {CasterSide::towardsSun, CasterSide::awayFromSun})
@@ -92,7 +92,7 @@ struct DeviceScene {
     }
 };
 
-TEST_F(ShadowMapsGl, depthsOfOneDrawAreThoseOfSixtyPasses) {
+TEST_F(ShadowMapsGl, DepthsOfOneDrawAreThoseOfSixtyPasses) {
     const GlContext::Current current(*context_);
     const DeviceScene scene;
     const auto separate = scene.depths(context_->limits(), 1);
@@ -101,7 +101,7 @@ TEST_F(ShadowMapsGl, depthsOfOneDrawAreThoseOfSixtyPasses) {
     EXPECT_NE(separate.front(), separate.back());
 }
 
-TEST_F(ShadowMapsGl, aGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer) {
+TEST_F(ShadowMapsGl, AGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer) {
     const GlContext::Current current(*context_);
     const DeviceScene scene;
     GlLimits old = context_->limits();
@@ -110,7 +110,7 @@ TEST_F(ShadowMapsGl, aGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer)
 }
 
 // The two rasterisers round vertices differently: to 1/256 of a texel, or in double precision.
-TEST_F(ShadowMapsGl, agreesWithTheProcessorsRasteriser) {
+TEST_F(ShadowMapsGl, AgreesWithTheProcessorsRasteriser) {
     const City city = cityOf(randomBoxes(23, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     for (const bool texelsOnCells : {true, false}) {
@@ -121,7 +121,7 @@ TEST_F(ShadowMapsGl, agreesWithTheProcessorsRasteriser) {
     }
 }
 
-TEST_F(ShadowMapsGl, agreesWithTheRays) {
+TEST_F(ShadowMapsGl, AgreesWithTheRays) {
     const City city = cityOf(randomBoxes(24, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     SunSteps sun;
@@ -140,7 +140,7 @@ TEST_F(ShadowMapsGl, agreesWithTheRays) {
     }
 }
 
-TEST_F(ShadowMapsGl, refusesMapsLargerThanTheDeviceAllowsWithTheRange) {
+TEST_F(ShadowMapsGl, RefusesMapsLargerThanTheDeviceAllowsWithTheRange) {
     const int most = std::min(context_->limits().mapSize, AccrualSettings::maxMapSize);
     const auto refused = GlShadowMaps::make(GlPasses::oneAStep, {.mapSize = most + 1});
     ASSERT_FALSE(refused);
@@ -154,7 +154,7 @@ TEST_F(ShadowMapsGl, refusesMapsLargerThanTheDeviceAllowsWithTheRange) {
     EXPECT_FALSE(scene->shade({interval.first, interval.last, 65}, masks, {}));
 }
 
-TEST_F(ShadowMapsGl, scenesWorkOnAnyThreadAndSideBySide) {
+TEST_F(ShadowMapsGl, ScenesWorkOnAnyThreadAndSideBySide) {
     const City city = cityOf(randomBoxes(25, 6));
     const Receivers receivers = receiversOver(city, -10, -10, 130, 130);
     const auto expected = masksOf(*onDevice(GlPasses::oneAnInterval, {}), city, receivers);
@@ -167,7 +167,7 @@ TEST_F(ShadowMapsGl, scenesWorkOnAnyThreadAndSideBySide) {
     EXPECT_EQ(second, expected);
 }
 
-TEST_F(ShadowMapsGl, stops) {
+TEST_F(ShadowMapsGl, Stops) {
     const City city = cityOf(randomBoxes(26, 4));
     const Receivers receivers = receiversOver(city, -10, -10, 90, 90);
     std::stop_source stop;
@@ -179,7 +179,7 @@ TEST_F(ShadowMapsGl, stops) {
     }
 }
 
-TEST_F(ShadowMapsGl, enginesAreChosenByTheirKeys) {
+TEST_F(ShadowMapsGl, EnginesAreChosenByTheirKeys) {
     for (const char* key : {"shadow-map-gl", "sam-gl"})
         EXPECT_TRUE(makeEngine(key, {{"map", 256}}, glEngines())) << key;
     EXPECT_FALSE(makeEngine("sam-gl", {{"map", 1e6}}, glEngines()));

@@ -52,10 +52,10 @@ TEST(CityArrays, KnowWhereEachBuildingLies) {
 TEST(CityArrays, ACityThatSharesItsBuildingsDiffersByTheOthers) {
     City city = test::smallCity();
     const CityArrays arrays = makeArrays(city);
-    EXPECT_TRUE(differenceOf(arrays, city).gone.empty());
+    EXPECT_TRUE(computeDifference(arrays, city).gone.empty());
     city.buildings[1] = std::make_shared<const Building>(*city.buildings[1]);
     city.buildings.erase(city.buildings.begin());
-    const ArrayDifference difference = differenceOf(arrays, city);
+    const ArrayDifference difference = computeDifference(arrays, city);
     EXPECT_EQ(difference.gone, (std::vector<std::uint32_t>{0, 1}));
     ASSERT_EQ(difference.added.buildings.size(), 1U);
     EXPECT_EQ(difference.added.buildings.front(), city.buildings.front());
@@ -82,7 +82,7 @@ TEST(CityArrays, TerrainIsTheGround) {
 
 TEST(GroundPicture, WhatFitsIsLeftAlone) {
     const GroundPicture picture{{0, 0, 1, 3, 2}, std::vector<GroundPicture::Pixel>(6, {1, 2, 3, 4})};
-    EXPECT_EQ(fitted(picture, 3).pixels, picture.pixels);
+    EXPECT_EQ(fitPicture(picture, 3).pixels, picture.pixels);
 }
 
 TEST(GroundPicture, TooManyPixelsAreAveragedInPlace) {
@@ -90,7 +90,7 @@ TEST(GroundPicture, TooManyPixelsAreAveragedInPlace) {
     const GroundPicture picture{
         {100, 200, 2, 3, 2},
         {{0, 0, 0, 0}, {8, 8, 8, 8}, {40, 0, 0, 0}, {4, 4, 4, 4}, {4, 4, 4, 4}, {80, 0, 0, 0}}};
-    const GroundPicture small = fitted(picture, 2);
+    const GroundPicture small = fitPicture(picture, 2);
     EXPECT_EQ(small.grid, (Grid{100, 200, 4, 2, 1}));
     EXPECT_EQ(small.pixels, (std::vector<Pixel>{{4, 4, 4, 4}, {60, 0, 0, 0}}));
 }

@@ -87,7 +87,7 @@ struct EditToolsTest : ::testing::Test {
         tools.building().setMoving(true);
         ASSERT_TRUE(tools.building().moveTool().grab(pixelAt({75, 35, 25})));
         tools.building().moveTool().dragTo(pixelAt({95, 25, 25}));
-        ASSERT_TRUE(waitFor([this] { return tools.workspace().preview.shown(); }));
+        ASSERT_TRUE(waitFor([this] { return tools.context().preview.shown(); }));
     }
     [[nodiscard]] double massOf(std::size_t building) const {
         return collectFacts(*city->city().buildings[building], city->city()).grossFloorM2;
@@ -122,13 +122,13 @@ TEST_F(EditToolsTest, HeightIsPreviewedAndThenOneEdit) {
     tools.building().select(2);
     number("buildingHeight").setValue(120);
     EXPECT_TRUE(made.empty()) << "still being typed";
-    ASSERT_EQ(tools.workspace().preview.changes().added.size(), 1U);
-    EXPECT_FLOAT_EQ(topM(*tools.workspace().preview.changes().added.front()), 120);
+    ASSERT_EQ(tools.context().preview.changes().added.size(), 1U);
+    EXPECT_FLOAT_EQ(topM(*tools.context().preview.changes().added.front()), 120);
     enter(number("buildingHeight"));
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(lastEdit<ChangeHeight>(), (ChangeHeight{"Tower", 120}));
     EXPECT_EQ(tools.building().id(), "Tower") << "still selected";
-    EXPECT_FALSE(tools.workspace().preview.shown());
+    EXPECT_FALSE(tools.context().preview.shown());
     enter(number("buildingHeight"));
     EXPECT_EQ(made.size(), 1U) << "nothing new";
 }
@@ -161,7 +161,7 @@ TEST_F(EditToolsTest, ADragOnAHouseMovesIt) {
 TEST_F(EditToolsTest, EscLetsGoOfWhatIsDragged) {
     dragTheLowHouse();
     Q_EMIT view.navigator().keyPressed(Qt::Key_Escape);
-    EXPECT_FALSE(tools.workspace().preview.shown()) << "it has not moved";
+    EXPECT_FALSE(tools.context().preview.shown()) << "it has not moved";
     EXPECT_EQ(tools.building().id(), "Low House") << "still selected";
     EXPECT_EQ(number("moveEast").value(), 0);
     tools.building().moveTool().drop();
@@ -269,7 +269,7 @@ TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
     tools.mesh().begin(file);
     ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 10000));
     EXPECT_FALSE(tools.tower().active());
-    EXPECT_FALSE(tools.workspace().preview.shown());
+    EXPECT_FALSE(tools.context().preview.shown());
     tools.tower().begin(lots.front(), {});
     EXPECT_TRUE(tools.tower().active());
     EXPECT_FALSE(tools.mesh().active());
@@ -289,7 +289,7 @@ TEST_F(EditToolsTest, AMeshStandsUprightWithTheAxisAndUnitThatAreSaid) {
         Q_EMIT combo.activated(item);
     };
     const auto shownHeight = [this] {
-        const auto& built = tools.workspace().preview.changes().added;
+        const auto& built = tools.context().preview.changes().added;
         return built.empty() ? 0 : double(topM(*built.back()));
     };
     EXPECT_NEAR(shownHeight(), 10, 1e-3) << "Y is up";
@@ -315,13 +315,13 @@ TEST_F(EditToolsTest, AMassingThatCannotBeSaysItsLimitAndIsNotBuilt) {
     tools.tower().resume(draft);
     EXPECT_TRUE(panel.message().isEmpty());
     tools.cancel();
-    EXPECT_FALSE(tools.workspace().preview.shown());
+    EXPECT_FALSE(tools.context().preview.shown());
     EXPECT_TRUE(made.empty());
 }
 
 TEST_F(EditToolsTest, TheArrowStatesTheHeight) {
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
-    ExtrudeHandle& handle = tools.workspace().handle;
+    ExtrudeHandle& handle = tools.context().handle;
     const ViewLens lens = view.view().lens();
     const auto grip = view.view().overlay().handlePixel(view.view().pose(), lens);
     ASSERT_TRUE(grip);

@@ -41,9 +41,9 @@ struct Refinement : ::testing::Test {
 
     // All answers, from the coarsest to the finest.
     std::vector<ViewAnswer> answers() {
-        std::vector<ViewAnswer> all{refined(question, nullptr, engine, progress, {}).value()};
+        std::vector<ViewAnswer> all{refineView(question, nullptr, engine, progress, {}).value()};
         while (!isFinest(all.back()))
-            all.push_back(refined(question, &all.back(), engine, progress, {}).value());
+            all.push_back(refineView(question, &all.back(), engine, progress, {}).value());
         return all;
     }
 
@@ -69,12 +69,12 @@ TEST_F(Refinement, BeginsCoarserWhereAViewHasVeryManyPixels) {
     question.lens = {40, 4096, 3072};
     question.period.hours = 10;
     question.period.stepMinutes = 1;
-    const ViewAnswer first = refined(question, nullptr, engine, progress, {}).value();
+    const ViewAnswer first = refineView(question, nullptr, engine, progress, {}).value();
     EXPECT_EQ(first.view.spacingPx, 16);
     EXPECT_EQ(first.view.daysDone, 1) << "and has no holes";
     question.sun = first.sun;
     question.turnTests = 1e9;
-    EXPECT_EQ(refined(question, nullptr, engine, progress, {}).value().view.spacingPx, 8)
+    EXPECT_EQ(refineView(question, nullptr, engine, progress, {}).value().view.spacingPx, 8)
         << "where the machine is quick";
 }
 
@@ -197,7 +197,7 @@ TEST_F(Refinement, ByAccrualMapsEachLevelOfADaySharpensStepByStep) {
     ASSERT_EQ(all.size(), 7U);
     for (const std::size_t begun : {1U, 3U, 5U}) {
         Onlooker onlooker;
-        const ViewAnswer done = refined(question, &all[begun], engine, onlooker, {}).value();
+        const ViewAnswer done = refineView(question, &all[begun], engine, onlooker, {}).value();
         EXPECT_EQ(done.view.shadow.grossMin, all[begun + 1].view.shadow.grossMin);
         ASSERT_GT(onlooker.seen.size(), 3U);
         double before = offBy(all[begun].view, done.view);
@@ -253,7 +253,7 @@ TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     question.period = morning(300);
     question.period.stepMinutes = 2;
     question.lens = {40, 400, 300};
-    ViewAnswer answer = refined(question, nullptr, engine, progress, {}).value();
+    ViewAnswer answer = refineView(question, nullptr, engine, progress, {}).value();
     ASSERT_EQ(answer.view.days, 300);
     const int coarseDays = answer.view.daysDone;
     EXPECT_GT(coarseDays, 1);
@@ -299,7 +299,7 @@ TEST_F(Refinement, PointsAndDaysTakenInTurnsAddUp) {
 TEST_F(Refinement, ASunThatNeverRisesIsSaid) {
     question.period.from = std::chrono::hours(0);
     question.period.hours = 2;
-    const auto answer = refined(question, nullptr, engine, progress, {});
+    const auto answer = refineView(question, nullptr, engine, progress, {});
     ASSERT_FALSE(answer);
     EXPECT_NE(answer.error().what.find("below the horizon"), std::string::npos);
 }

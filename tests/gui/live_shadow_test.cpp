@@ -144,7 +144,7 @@ TEST_F(LiveShadowTest, OnRoofsTheyFollowToo) {
     for (const float east : {0.0F, 45.0F, -10.0F}) {
         const City edited = with(city, tower(east));
         const LiveAnswer shown = answer(*live, tower(east));
-        const Receivers fresh = receiversIn(edited, question.region, question.receivers).value();
+        const Receivers fresh = placeReceivers(edited, question.region, question.receivers).value();
         ASSERT_EQ(shown.receivers.grid, fresh.grid) << "the study's cells";
         EXPECT_EQ(shown.receivers.kind, fresh.kind);
         EXPECT_EQ(shown.receivers.groundM, fresh.groundM);

@@ -196,7 +196,7 @@ TEST_F(OpenOptionsTest, TheStudyRepeatsWhatWasStated) {
     window.workbench().document().change(question, QStringLiteral("test"));
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
-    const std::string command = repeatCommand(*window.workbench().study(), 1000).value();
+    const std::string command = makeRepeatCommand(*window.workbench().study(), 1000).value();
     EXPECT_NE(command.find("--up z --mesh-anchor -73.98,40.76"), std::string::npos) << command;
 }
 

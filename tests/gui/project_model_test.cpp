@@ -56,7 +56,7 @@ TEST_F(ProjectTree, ScenariosHaveTheirEditsAndTheShownOneIsBold) {
     EXPECT_TRUE(a.data(Qt::FontRole).value<QFont>().bold());
     EXPECT_FALSE(scenario(existingCity).data(Qt::FontRole).value<QFont>().bold());
     ASSERT_EQ(model.rowCount(a), 2);
-    EXPECT_EQ(childrenOf(a)[0].toStdString(), textOf(session.project().scenarios[0].edits[0]));
+    EXPECT_EQ(childrenOf(a)[0].toStdString(), formatText(session.project().scenarios[0].edits[0]));
     session.goTo(existingCity);
     EXPECT_TRUE(scenario(existingCity).data(Qt::FontRole).value<QFont>().bold());
 }

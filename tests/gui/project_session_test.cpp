@@ -205,7 +205,7 @@ TEST(ProposalNames, GoOnAfterZ) {
     EXPECT_EQ(scenarios[1].name, "Proposal B");
     EXPECT_EQ(scenarios[25].name, "Proposal Z");
     EXPECT_EQ(scenarios[26].name, "Proposal 27");
-    EXPECT_TRUE(checked(scenarios));
+    EXPECT_TRUE(validate(scenarios));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST_F(RecentFilesTest, HowAFileWasReadComesBackWithIt) {
     recent.add({QStringLiteral("/mesh.obj")}, every);
     recent.add({QStringLiteral("/plain.gpkg")});
     const ReadSettings back = recent.readingOf(QStringLiteral("/mesh.obj"));
-    EXPECT_EQ(textOf(back), textOf(every));
+    EXPECT_EQ(formatText(back), formatText(every));
     EXPECT_EQ(back.crs, every.crs);
     EXPECT_EQ(back.heightUnit, every.heightUnit);
     EXPECT_EQ(back.meshUnit, every.meshUnit);

@@ -68,7 +68,7 @@ TEST(StudyDock, FieldsChangeTheDocumentAndUndoChangesTheFields) {
     dock.findChild<QDateEdit*>(QStringLiteral("startDate"))->setDate(QDate(2026, 6, 21));
     dock.findChild<QSpinBox*>(QStringLiteral("days"))->setValue(7);
     dock.findChild<QDoubleSpinBox*>(QStringLiteral("cell"))->setValue(3);
-    EXPECT_EQ(textOf(document.settings().period.start), "2026-06-21");
+    EXPECT_EQ(formatText(document.settings().period.start), "2026-06-21");
     EXPECT_EQ(document.settings().period.days, 7);
     EXPECT_EQ(document.settings().receivers.cellM, 3);
     while (document.undoStack().canUndo()) document.undoStack().undo();

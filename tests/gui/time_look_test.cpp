@@ -77,7 +77,7 @@ TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
     look.at -= 7min;
     ASSERT_TRUE(waitFor([&] { return looking.answer() && looking.answer()->look == look; }));
     NoProgress progress;
-    const auto sun = computeSunSteps(periodOf(look, study->settings.period), observerOf(*study)).value();
+    const auto sun = computeSunSteps(periodOf(look, study->settings.period), makeObserver(*study)).value();
     const ShadowField exact =
         ProjectedShadows().accumulate(study->city, study->receivers, sun, progress, {}).value();
     std::size_t shaded = 0, other = 0;

@@ -9,7 +9,7 @@ namespace {
 
 TEST(ChangeScales, AreReadAndWrittenAndRefusedWhereTheyAreNone) {
     for (const char* text : {"60", "0.5", "1440", "auto"})
-        EXPECT_EQ(textOf(parseChangeScale(text).value()), text);
+        EXPECT_EQ(formatText(parseChangeScale(text).value()), text);
     for (const char* text : {"", "0", "-60", "1441", "60 min", "60,5", "nan", "inf", "Auto", " 60"})
         EXPECT_FALSE(parseChangeScale(text)) << text;
     EXPECT_EQ(changeScaleIn({}), ChangeScale{60});

@@ -21,7 +21,7 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder) {
     return names;
 }
 
-TEST(OutputFolder, writesAllOrNothing) {
+TEST(OutputFolder, WritesAllOrNothing) {
     const tests::TemporaryFolder folder;
     OutputFolder files(folder.path("out"));
     files.add("a.txt", textContent("a"));
@@ -38,7 +38,7 @@ TEST(OutputFolder, writesAllOrNothing) {
 }
 
 // Simulates a full disk: no file may grow beyond 64 KiB.
-TEST(OutputFolderDeathTest, aFullDiskIsSaidAndLeavesNothing) {
+TEST(OutputFolderDeathTest, AFullDiskIsSaidAndLeavesNothing) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const tests::TemporaryFolder folder;
     const auto fill = [&] {

@@ -112,7 +112,7 @@ TEST(ApplyEdits, RotationKeepsTheMiddleAndTheArea) {
 TEST(ApplyEdits, ClockwiseIsSeenFromAbove) {
     City city = threeHouses();
     Building corner = house("a", {{{0, 0}, {10, 0}, {0, 4}}, {}}, 10);
-    const Building turned = placed(corner, {.clockwiseDeg = 90});
+    const Building turned = placeBuilding(corner, {.clockwiseDeg = 90});
     // East becomes south.
     EXPECT_NEAR(bounds(turned).low.y, -10, 1e-4);
     EXPECT_NEAR(bounds(turned).high.x, 4, 1e-4);

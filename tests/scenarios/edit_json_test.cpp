@@ -16,7 +16,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
     return text.replace(at, old.size(), with);
 }
 
-TEST(EditJson, cornersThatNoWholeNumberNamesAreRefused) {
+TEST(EditJson, CornersThatNoWholeNumberNamesAreRefused) {
     const Project project = sampleProject();
     const Edit import = project.scenarios.at(1).edits.back();
     const std::string text = toJson(import);

@@ -241,7 +241,7 @@ TEST(Impact, ByBuildingIsThatOfTheWholeFieldToTheLastBit) {
                     .value()
                     ->accumulate(with(after, {Demolish{made.id}}), common.receivers, study.sun, progress, {})
                     .value();
-            const Impact plain = differenceOf(whole, study.after, common.change);
+            const Impact plain = computeDifference(whole, study.after, common.change);
             for (const std::uint32_t cell : common.receivers.cells) {
                 ASSERT_EQ(made.impact.grossMin[cell], plain.grossMin[cell]) << engine << ' ' << made.id;
                 ASSERT_EQ(made.impact.continuousMin[cell], plain.continuousMin[cell]) << engine;
@@ -255,7 +255,8 @@ TEST(Impact, ALowBuildingReachesFewReceivers) {
     const ImpactSettings settings = morning();
     const auto receivers =
         placeReceiversOnGround(city, settings.study.region, settings.study.receivers).value();
-    const SunSteps sun = computeSunSteps(settings.study.period, observerOf(city, settings.study), {}).value();
+    const SunSteps sun =
+        computeSunSteps(settings.study.period, makeObserver(city, settings.study), {}).value();
     const Receivers reached = findReached(*city.buildings.back(), receivers, ShadowReach(sun));
     EXPECT_GT(reached.cells.size(), 100U);
     EXPECT_LT(reached.cells.size(), receivers.cells.size() / 2);

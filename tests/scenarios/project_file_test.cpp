@@ -58,7 +58,7 @@ void expectSame(const Project& a, const Project& b) {
     ASSERT_EQ(a.inputs.size(), b.inputs.size());
     ASSERT_EQ(bool(a.reading->settings), bool(b.reading->settings));
     if (a.reading->settings) {
-        EXPECT_EQ(textOf(*a.reading->settings), textOf(*b.reading->settings));
+        EXPECT_EQ(formatText(*a.reading->settings), formatText(*b.reading->settings));
     }
     EXPECT_EQ(a.reading->heights, b.reading->heights);
     ASSERT_EQ(a.reading->warnings.size(), b.reading->warnings.size());
@@ -145,7 +145,7 @@ TEST_F(ProjectFileTest, ATerrainOnAMapsOwnRowsAndColumnsComesBackToTheLastBit) {
     const Project back = opened();
     ASSERT_TRUE(back.city->terrain);
     EXPECT_EQ(*back.city->terrain, *project.city->terrain);
-    EXPECT_EQ(cityHash(*back.city), cityHash(*project.city));
+    EXPECT_EQ(hashCity(*back.city), hashCity(*project.city));
 }
 
 // The file contains sampleProject() as it was when version 1 was current.

@@ -74,7 +74,7 @@ bool same(const std::vector<float>& a, const std::vector<float>& b) {
                               [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-TEST(SavedAnswers, aStudyComesBackWithItsFiguresAndOrigin) {
+TEST(SavedAnswers, AStudyComesBackWithItsFiguresAndOrigin) {
     const Study study = studied(town());
     const Project project = saved(addResult(town(), "June", existingCity, study, keptAt));
     const auto result = project.results.at(0);
@@ -82,7 +82,7 @@ TEST(SavedAnswers, aStudyComesBackWithItsFiguresAndOrigin) {
     EXPECT_EQ(saved.origin.at, "2026-03-04T05:06:07Z");
     EXPECT_EQ(saved.origin.engine, study.field.engine);
     EXPECT_EQ(saved.origin.region, "Square");
-    EXPECT_EQ(saved.origin.period, textOf(question().period));
+    EXPECT_EQ(saved.origin.period, formatText(question().period));
     const auto& back = std::get<SavedStudy>(saved.answer);
     EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
     EXPECT_TRUE(same(back.field.continuousMin, study.field.continuousMin));
@@ -95,7 +95,7 @@ TEST(SavedAnswers, aStudyComesBackWithItsFiguresAndOrigin) {
     EXPECT_THAT(findChangesSince(*result, saved.origin, project), IsEmpty());
 }
 
-TEST(SavedAnswers, anImpactComesBackWithThresholdsAndBuildings) {
+TEST(SavedAnswers, AnImpactComesBackWithThresholdsAndBuildings) {
     const ImpactAnswer answer = compared(town());
     const Project project = saved(addResult(town(), "Tower", answer, keptAt));
     const auto result = project.results.at(0);
@@ -116,7 +116,7 @@ TEST(SavedAnswers, anImpactComesBackWithThresholdsAndBuildings) {
     EXPECT_THAT(findChangesSince(*result, saved.origin, project), IsEmpty());
 }
 
-TEST(SavedAnswers, whatHasNoRunsComesBackWithoutThem) {
+TEST(SavedAnswers, WhatHasNoRunsComesBackWithoutThem) {
     StudySettings gross = question();
     gross.engine = "horizon";
     gross.engineSettings["runs"] = 0;
@@ -144,7 +144,7 @@ TEST(SavedAnswers, whatHasNoRunsComesBackWithoutThem) {
     EXPECT_GT(impact.figures.all.at(0).gross.touchedM2, 0);
 }
 
-TEST(SavedAnswers, aScoreComesBackMonthByMonth) {
+TEST(SavedAnswers, AScoreComesBackMonthByMonth) {
     const ScoreAnswer answer = scored(town());
     const Project project = saved(addResult(town(), "Score", answer, keptAt));
     const auto result = project.results.at(0);
@@ -161,7 +161,7 @@ TEST(SavedAnswers, aScoreComesBackMonthByMonth) {
     EXPECT_TRUE(same(back.score.score, answer.score.score));
 }
 
-TEST(SavedAnswers, whatChangedSinceIsSaid) {
+TEST(SavedAnswers, WhatChangedSinceIsSaid) {
     const Project project = addResult(town(), "Tower", compared(town()), keptAt);
     const SavedResult& result = *project.results[0];
     const SavedOrigin origin = readSavedAnswer(result)->origin;
@@ -187,7 +187,7 @@ TEST(SavedAnswers, whatChangedSinceIsSaid) {
     EXPECT_THAT(findChangesSince(result, origin, named), IsEmpty()) << "lots shade nothing";
 }
 
-TEST(SavedAnswers, aScoreIsOutOfDateWhenItsWeightsAre) {
+TEST(SavedAnswers, AScoreIsOutOfDateWhenItsWeightsAre) {
     const Project project = addResult(town(), "Score", scored(town()), keptAt);
     const SavedOrigin origin = readSavedAnswer(*project.results[0])->origin;
     Project other = project;
@@ -202,7 +202,7 @@ TEST(SavedAnswers, aScoreIsOutOfDateWhenItsWeightsAre) {
                 ElementsAre(HasSubstr("weight table 'default' no longer exists")));
 }
 
-TEST(SavedAnswers, cellsThatChangedOutsideOfTheGridAreAnError) {
+TEST(SavedAnswers, CellsThatChangedOutsideOfTheGridAreAnError) {
     SavedResult result = *addResult(town(), "Tower", compared(town()), keptAt).results[0];
     auto json = nlohmann::ordered_json::parse(result.settings);
     using Cells = nlohmann::ordered_json;
@@ -223,7 +223,7 @@ TEST(SavedAnswers, cellsThatChangedOutsideOfTheGridAreAnError) {
     EXPECT_EQ(std::ranges::count(older.impact.change, CellChange::none), std::ptrdiff_t(result.grid.size()));
 }
 
-TEST(SavedAnswers, settingsOfAnotherShapeAreAnError) {
+TEST(SavedAnswers, SettingsOfAnotherShapeAreAnError) {
     SavedResult result = *addResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
     SavedResult broken = result;
     broken.settings = "{";
@@ -241,7 +241,7 @@ TEST(SavedAnswers, settingsOfAnotherShapeAreAnError) {
     EXPECT_THAT(readSavedAnswer(broken).error().advice, HasSubstr("newer Noonmark"));
 }
 
-TEST(SavedAnswers, aResultWithoutAHashSaysThatChangesAreNotKnown) {
+TEST(SavedAnswers, AResultWithoutAHashSaysThatChangesAreNotKnown) {
     SavedResult result = *addResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
     auto json = nlohmann::ordered_json::parse(result.settings);
     json.erase("kept");

@@ -47,21 +47,21 @@ TEST(TimeWeights, TheDefaultIsThePapersTable) {
     std::vector<double> weights;
     for (const WeightedInterval& interval : table.intervals) weights.push_back(interval.weight);
     EXPECT_THAT(weights, testing::ElementsAre(-1, -1, -0.5, 0, 0.5, 1, 1, 1, 0.5, 0, -0.5, -1));
-    EXPECT_TRUE(checked(table));
+    EXPECT_TRUE(validate(table));
     EXPECT_TRUE(table.intervals[1].holds(2028y / February / 29, 12h));
     EXPECT_FALSE(table.intervals[1].holds(2026y / March / 1, 0h));
 }
 
 TEST(TimeWeights, WhatMakesNoSenseIsRefused) {
     TimeWeights table{"mine", {{.name = "all", .weight = 2}}};
-    EXPECT_THAT(checked(table).error().text(), HasSubstr("-1 (unwanted"));
+    EXPECT_THAT(validate(table).error().text(), HasSubstr("-1 (unwanted"));
     table.intervals[0].weight = 1;
-    EXPECT_TRUE(checked(table));
+    EXPECT_TRUE(validate(table));
     table.intervals.push_back({.name = "winter", .first = December / 1, .last = February / 1, .weight = -1});
-    EXPECT_THAT(checked(table).error().text(), HasSubstr("'all' and 'winter' overlap"));
-    EXPECT_FALSE(checked(TimeWeights{"", {{.weight = 1}}}));
-    EXPECT_FALSE(checked(TimeWeights{"none", {}}));
-    EXPECT_FALSE(checked(TimeWeights{"backwards", {{.from = 12h, .to = 9h, .weight = 1}}}));
+    EXPECT_THAT(validate(table).error().text(), HasSubstr("'all' and 'winter' overlap"));
+    EXPECT_FALSE(validate(TimeWeights{"", {{.weight = 1}}}));
+    EXPECT_FALSE(validate(TimeWeights{"none", {}}));
+    EXPECT_FALSE(validate(TimeWeights{"backwards", {{.from = 12h, .to = 9h, .weight = 1}}}));
 }
 
 TEST(TimeWeights, AnIntervalGoesOverNewYear) {
@@ -151,7 +151,7 @@ protected:
 
 Score scoredBy(const Engine& engine, const City& city, const StudySettings& settings) {
     const Receivers receivers = placeReceiversOnGround(city, settings.region, settings.receivers).value();
-    const SunSteps sun = computeSunSteps(settings.period, observerOf(city, settings), {}).value();
+    const SunSteps sun = computeSunSteps(settings.period, makeObserver(city, settings), {}).value();
     const Zone zone = Zone::named(settings.period.zone).value();
     NoProgress progress;
     return computeScore(city, receivers, sun, zone, makeMonthlyWeights(), engine, progress, {}).value();

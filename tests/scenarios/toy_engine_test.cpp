@@ -20,7 +20,7 @@ public:
 protected:
     Result<ShadowField> compute(const City&, const Receivers& receivers, const SunSteps& sun, Progress&,
                                 std::stop_token) const override {
-        ShadowField field = blankField(receivers, sun);
+        ShadowField field = makeBlankField(receivers, sun);
         field.engine = "Half dark";
         for (const std::uint32_t cell : receivers.cells)
             field.grossMin[cell] = float(field.sunlitMinutesPerDay / 2);

@@ -34,7 +34,7 @@ tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, cons
     const auto asked = parseStudyRequest(options.study, {mapName, jsonName}, progress, interrupt.token());
     if (!asked) return tl::make_unexpected(asked.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
-    const FileTags tags = provenanceTags(provenanceOf(*asked));
+    const FileTags tags = makeProvenanceTags(provenanceOf(*asked));
     auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells, tags},
                                       file, progress, interrupt.token(), enginesWith(asked->settings.engine)),
                         exitFailed);

@@ -27,7 +27,8 @@ struct ImpactOptions {
     std::string scale;  // empty: the project's scale
 };
 
-Result<ImpactAnswer> answered(const ImpactOptions& options, const ProjectFile& disk, const Console& console) {
+Result<ImpactAnswer> computeAnswer(const ImpactOptions& options, const ProjectFile& disk,
+                                   const Console& console) {
     const Project& project = disk.project();
     const auto study = settingsFrom(options.measure, project);
     if (!study) return tl::make_unexpected(study.error());
@@ -79,7 +80,7 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
     const ImpactFigures figures = computeFigures(impact, 0);
     Table table;
     table.add("from, to", fmt::format("{} -> {}", answer.from, answer.to));
-    table.add("period", textOf(answer.settings.study.period));
+    table.add("period", formatText(answer.settings.study.period));
     table.add("engine", impact.engine);
     table.add("receivers", fmt::format("{:.0f} m2 of open ground in both", figures.receiverAreaM2));
     table.add("no receivers", fmt::format("{:.0f} m2 became building, {:.0f} m2 became ground",
@@ -99,7 +100,7 @@ void print(const ImpactAnswer& answer, std::ostream& out) {
 }
 
 int runImpactCommand(const ImpactOptions& options, const Console& console) {
-    const auto answer = [&](const ProjectFile& disk) { return answered(options, disk, console); };
+    const auto answer = [&](const ProjectFile& disk) { return computeAnswer(options, disk, console); };
     const auto write = [&](const ImpactAnswer& made, const Project& project) {
         return writeFiles(made, options, project);
     };

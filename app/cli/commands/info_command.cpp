@@ -31,7 +31,7 @@ std::string sourceWords(const nlohmann::ordered_json& sources) {
 
 // Warns of assumed heights and names the fields that may hold heights.
 void printHeights(std::ostream& out, const CityRead& read) {
-    if (const auto headline = assumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
+    if (const auto headline = makeAssumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
     if (read.heights.unknown.empty()) return;
     out << "fields that may hold heights or storeys; select one with:\n";
     for (const UnknownField& field : read.heights.unknown)
@@ -52,7 +52,7 @@ void print(const CityRead& read, std::ostream& out) {
     for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));
-    table.add("terrain", read.city.terrain ? textOf(*read.city.terrain) : "none: flat ground");
+    table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");
     if (const auto& box = info["extent_lonlat"]; !box.is_null())
         table.add("extent",
                   fmt::format("{:.5f},{:.5f},{:.5f},{:.5f} (west,south,east,north)", box[0].get<double>(),

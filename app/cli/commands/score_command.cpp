@@ -22,7 +22,8 @@ struct ScoreOptions {
     std::string weights;
 };
 
-Result<ScoreAnswer> answered(const ScoreOptions& options, const ProjectFile& disk, const Console& console) {
+Result<ScoreAnswer> computeAnswer(const ScoreOptions& options, const ProjectFile& disk,
+                                  const Console& console) {
     const Project& project = disk.project();
     auto settings = settingsFrom(options.measure, project);
     if (!settings) return tl::make_unexpected(settings.error());
@@ -55,7 +56,7 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
     const Score& score = answer.score;
     Table table;
     table.add("scenario", answer.scenario);
-    table.add("period", textOf(answer.settings.period));
+    table.add("period", formatText(answer.settings.period));
     table.add("weights", answer.weights.name);
     table.add("engine", score.engine);
     table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
@@ -70,7 +71,7 @@ void print(const ScoreAnswer& answer, std::ostream& out) {
 }
 
 int runScoreCommand(const ScoreOptions& options, const Console& console) {
-    const auto answer = [&](const ProjectFile& disk) { return answered(options, disk, console); };
+    const auto answer = [&](const ProjectFile& disk) { return computeAnswer(options, disk, console); };
     const auto write = [&](const ScoreAnswer& made, const Project& project) {
         return writeFiles(made, options, project);
     };

@@ -82,7 +82,7 @@ Result<Period> periodFrom(const PeriodOptions& options) {
     period.zone = *zone;
     period.refraction = !options.noRefraction;
     if (auto read = readTexts(options, period); !read) return tl::make_unexpected(read.error());
-    return checked(period);
+    return validate(period);
 }
 
 }  // namespace noonmark::cli

@@ -73,7 +73,7 @@ Result<std::string> withEdits(Project& project, const std::string& name, const s
     std::string words;
     for (const Edit& edit : edits) {
         (*scenario)->edits.push_back(edit);
-        words += fmt::format("{}: {}\n", name, textOf(edit));
+        words += fmt::format("{}: {}\n", name, formatText(edit));
     }
     return stillWorks(project, name).map([&] { return words; });
 }

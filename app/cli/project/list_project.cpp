@@ -23,7 +23,7 @@ void printJson(const std::vector<Listed>& lines, std::ostream& out) {
         one.update(line.json);
         all.push_back(std::move(one));
     }
-    out << jsonText(all) << '\n';
+    out << toJsonText(all) << '\n';
 }
 
 int runList(const ListOptions& options, Lister lister, const Console& console) {

@@ -72,7 +72,7 @@ Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, c
 
 // The shape at its placement.
 Result<Building> standOnTerrain(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
-    Building building = placed(*shape.import.shape, placement);
+    Building building = placeBuilding(*shape.import.shape, placement);
     if (topM(building) > 0) return building;
     return failure("The building would lie below the ground", options.mesh,
                    "A mesh's heights count from its own zero: check --up, or raise it in the file");

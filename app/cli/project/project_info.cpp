@@ -34,7 +34,7 @@ constexpr auto sharedName = [](const auto& one) { return one->name; };
 
 Json scenarioJson(const Scenario& scenario) {
     Json edits = Json::array();
-    for (const Edit& edit : scenario.edits) edits.push_back(textOf(edit));
+    for (const Edit& edit : scenario.edits) edits.push_back(formatText(edit));
     return {{"name", scenario.name},
             {"base", scenario.base.empty() ? existingCity : scenario.base.c_str()},
             {"edits", edits}};
@@ -89,7 +89,7 @@ int runInfo(const InfoOptions& options, const Console& console) {
     if (!disk) return fail(console, disk.error(), exitUsage);
     const Json info = infoJson(*disk);
     if (options.json)
-        console.out << jsonText(info) << '\n';
+        console.out << toJsonText(info) << '\n';
     else {
         print(info, console.out);
         printWarnings(console.out, disk->project().reading->warnings);

@@ -17,14 +17,14 @@ struct AddOptions {
 Result<std::string> add(const AddOptions& options, Project& project) {
     return periodFrom(options.period).map([&](const Period& period) {
         project.periods.push_back({options.name, period});
-        return options.name + ": " + textOf(period) + "\n";
+        return options.name + ": " + formatText(period) + "\n";
     });
 }
 
 std::vector<Listed> list(const Project& project) {
     std::vector<Listed> lines;
     for (const NamedPeriod& period : project.periods)
-        lines.push_back({period.name, textOf(period.period), {{"period", textOf(period.period)}}});
+        lines.push_back({period.name, formatText(period.period), {{"period", formatText(period.period)}}});
     return lines;
 }
 

@@ -30,7 +30,7 @@ struct RemoveEditOptions : EditOptions {
 Result<std::string> add(const AddOptions& options, Project& project) {
     const std::string base = options.base == existingCity ? "" : options.base;
     project.scenarios.push_back({options.name, base, {}});
-    return checked(project.scenarios).map([&] {
+    return validate(project.scenarios).map([&] {
         return fmt::format("{}: starts from {}\n", options.name, options.base);
     });
 }
@@ -65,7 +65,7 @@ Result<std::string> removeEdits(const RemoveEditOptions& options, Project& proje
                            fmt::format("scenario '{}'", options.scenario),
                            edits.empty() ? "It has none" : fmt::format("Give 1 to {}", edits.size()));
         goes[number - 1] = true;
-        words += fmt::format("{}: no longer {}\n", options.scenario, textOf(edits[number - 1]));
+        words += fmt::format("{}: no longer {}\n", options.scenario, formatText(edits[number - 1]));
     }
     std::size_t at = 0;
     std::erase_if(edits, [&](const Edit&) { return goes[at++]; });

@@ -70,7 +70,7 @@ Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, c
     const Frame& frame = source.city.frame;
     return writeFiles({"impact", impactJson(answer), impactCsv(answer),
                        regionFileOf(answer.settings.study.region, answer.provenance, frame),
-                       provenanceTags(answer.provenance)},
+                       makeProvenanceTags(answer.provenance)},
                       makeSheet(answer, source, scale), impact.grid, frame, bandsOf(impact), folder, rules);
 }
 
@@ -78,10 +78,11 @@ Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, con
                       const OutputRules& rules) {
     const Score& score = answer.score;
     const Frame& frame = source.city.frame;
-    return writeFiles(
-        {"score", scoreJson(answer), scoreCsv(answer),
-         regionFileOf(answer.settings.region, answer.provenance, frame), provenanceTags(answer.provenance)},
-        makeSheet(answer, source), score.grid, frame, {{"shadow score", "", &score.score}}, folder, rules);
+    return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
+                       regionFileOf(answer.settings.region, answer.provenance, frame),
+                       makeProvenanceTags(answer.provenance)},
+                      makeSheet(answer, source), score.grid, frame, {{"shadow score", "", &score.score}},
+                      folder, rules);
 }
 
 std::vector<std::string> impactFileNames(const Provenance& provenance) {

@@ -21,7 +21,8 @@ namespace {
 
 Result<void> writeRaster(const Study& study, const std::filesystem::path& file) {
     return writeGeoTiff(file, study.city.frame, study.field.grid,
-                        mapBands(study.field, hasRuns(study.statistics)), provenanceTags(study.provenance));
+                        makeMapBands(study.field, hasRuns(study.statistics)),
+                        makeProvenanceTags(study.provenance));
 }
 
 Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
@@ -29,7 +30,7 @@ Result<void> writeMonths(const Study& study, const std::filesystem::path& file) 
     const ShadowBreakdown& months = *study.breakdown;
     for (std::size_t set = 0; set < months.sets.names.size(); ++set)
         bands.push_back({months.sets.names[set], "min", &months.minutes[set]});
-    return writeGeoTiff(file, study.city.frame, months.grid, bands, provenanceTags(study.provenance));
+    return writeGeoTiff(file, study.city.frame, months.grid, bands, makeProvenanceTags(study.provenance));
 }
 
 double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
@@ -64,7 +65,8 @@ Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
     OutputFolder files(folder, options.rules);
     files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
     files.add("shadow.png", [&](QIODevice& device) {
-        return writePng(mapPicture(study, ShadowMeasure::gross), provenanceTags(study.provenance), device);
+        return writePng(mapPicture(study, ShadowMeasure::gross), makeProvenanceTags(study.provenance),
+                        device);
     });
     files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
     files.add("study.json", textContent(studyJson(study)));

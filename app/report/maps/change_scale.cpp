@@ -30,7 +30,7 @@ ChangeSpread changeSpreadOf(const std::vector<float>& values, float least) {
     return {double(amounts[(amounts.size() - 1) * 98 / 100]), double(amounts.back())};
 }
 
-std::string textOf(const ChangeScale& scale) {
+std::string formatText(const ChangeScale& scale) {
     return scale.lockedMin ? fmt::format("{:g}", *scale.lockedMin) : "auto";
 }
 

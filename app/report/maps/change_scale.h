@@ -28,7 +28,7 @@ struct ChangeScale {
 };
 
 /// "60" or "auto", as in a project's view and on the command line.
-std::string textOf(const ChangeScale& scale);
+std::string formatText(const ChangeScale& scale);
 /// Empty where the text is neither "auto" nor minutes above 0 and up to mostMin.
 std::optional<ChangeScale> parseChangeScale(const std::string& text);
 

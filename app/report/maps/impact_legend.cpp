@@ -31,9 +31,10 @@ Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale
     legend.scale = legendScaleOf(scale, spread);
     legend.unit = measure == ShadowMeasure::gross ? QObject::tr("min a day") : QObject::tr("min");
     if (!legend.instant)
-        legend.unit += scale.lockedMin
-                           ? QObject::tr(", scale locked: ±%1 min").arg(QString::fromStdString(textOf(scale)))
-                           : QObject::tr(", scale fitted to this difference");
+        legend.unit +=
+            scale.lockedMin
+                ? QObject::tr(", scale locked: ±%1 min").arg(QString::fromStdString(formatText(scale)))
+                : QObject::tr(", scale fitted to this difference");
     if (spread.most > legend.scale.top)
         legend.unit += QObject::tr(", largest %1").arg(spread.most, 0, 'f', 0);
     addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));

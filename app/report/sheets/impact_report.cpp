@@ -108,7 +108,7 @@ std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSourc
     addBuildings(sections, computeFigures(answer));
     for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
     sections.push_back(
-        repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;
 }
 

@@ -35,8 +35,9 @@ QString receiverWords(const Study& study) {
 }
 
 QString terrainWords(const Study& study) {
-    QString words = QStringLiteral("Terrain: %1.").arg(QString::fromStdString(textOf(*study.city.terrain)));
-    if (const std::string beyond = textOf(study.terrainCoverage); !beyond.empty())
+    QString words =
+        QStringLiteral("Terrain: %1.").arg(QString::fromStdString(formatText(*study.city.terrain)));
+    if (const std::string beyond = formatText(study.terrainCoverage); !beyond.empty())
         words += QStringLiteral(" %1.").arg(QString::fromStdString(beyond));
     return words;
 }
@@ -72,7 +73,7 @@ QString airWords(const StudySettings& settings) {
 }
 
 QString sunFrameWords(const Study& study) {
-    const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
+    const SunFrameFacts facts = computeSunFrame(study.city, study.settings);
     const QString levelled = study.sun.levelled == 0
                                  ? QString()
                                  : QStringLiteral(
@@ -89,7 +90,7 @@ QString sunFrameWords(const Study& study) {
 }
 
 QString sunWords(const Study& study) {
-    const Observer observer = observerOf(study);
+    const Observer observer = makeObserver(study);
     return QStringLiteral(
                "Sun: ERFA, topocentric, seen from the centre of the region (%1, %2 m); %3. Civil time of %4 "
                "from the tz database.%5")
@@ -153,7 +154,7 @@ QString modelErrorWords() {
 
 TextBlocks definitionBlocks(const Study& study) {
     TextBlocks blocks;
-    if (const auto headline = assumedHeadline(countHeights(study.city)))
+    if (const auto headline = makeAssumedHeadline(countHeights(study.city)))
         blocks.push_back(heading(QString::fromStdString(*headline)));
     blocks.push_back(
         body(QStringLiteral("Shadow area: sum over the receivers of share of the sunlit time in shadow × "

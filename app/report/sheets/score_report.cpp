@@ -80,7 +80,7 @@ std::vector<TextBlocks> sourcesOf(const ScoreAnswer& answer, const AnswerSource&
     std::vector<TextBlocks> sections = sourceSections(study);
     sections.pop_back();  // cost and skipped work belong to a field
     sections.push_back(
-        repeatBlocks(repeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
     return sections;
 }
 

@@ -22,7 +22,7 @@ constexpr double figurePt = 7.4;
 constexpr double textMostPt = 8.2;
 constexpr double textLeastPt = 5.6;
 
-std::pair<TextBlocks, TextBlocks> parted(const std::vector<TextBlocks>& sections, std::size_t split) {
+std::pair<TextBlocks, TextBlocks> splitSections(const std::vector<TextBlocks>& sections, std::size_t split) {
     std::pair<TextBlocks, TextBlocks> columns;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         TextBlocks& column = i < split ? columns.first : columns.second;
@@ -120,7 +120,7 @@ private:
         std::pair<TextBlocks, TextBlocks> best;
         double bestHeight = std::numeric_limits<double>::max();
         for (std::size_t split = 1; split < sections.size(); ++split) {
-            auto columns = parted(sections, split);
+            auto columns = splitSections(sections, split);
             const double height = std::max(heightOf(canvas_, columns.first, width, textMostPt),
                                            heightOf(canvas_, columns.second, width, textMostPt));
             if (height >= bestHeight) continue;

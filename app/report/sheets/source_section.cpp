@@ -36,20 +36,20 @@ TextBlocks inputsOf(const Study& study) {
     return blocks;
 }
 
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+QString formatText(const std::string& text) { return QString::fromStdString(text); }
 
 // Lists the first edits and the number of the others.
 void addEdits(TextBlocks& blocks, const ScenarioRecord& scenario) {
     const std::size_t shown = std::min(mostEdits, scenario.edits.size());
     for (std::size_t i = 0; i < shown; ++i)
-        blocks.push_back(body(QStringLiteral("%1. %2").arg(i + 1).arg(textOf(scenario.edits[i]))));
+        blocks.push_back(body(QStringLiteral("%1. %2").arg(i + 1).arg(formatText(scenario.edits[i]))));
     if (shown < scenario.edits.size())
         blocks.push_back(
             body(QStringLiteral("and %1 more: see the JSON file").arg(scenario.edits.size() - shown)));
 }
 
 void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& scenario) {
-    const QString name = textOf(scenario.name);
+    const QString name = formatText(scenario.name);
     const std::size_t edits = scenario.edits.size();
     const QString what = edits == 1 ? QStringLiteral("edit") : QStringLiteral("edits");
     blocks.push_back(
@@ -61,8 +61,8 @@ void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& 
 QString fileWords(const ProjectRecord& project) {
     if (project.file.empty()) return QStringLiteral("The project has not been saved yet.");
     if (!project.saved())
-        return QStringLiteral("%1, which does not contain the latest changes.").arg(textOf(project.file));
-    return QStringLiteral("%1, SHA-256 of the file:").arg(textOf(project.file));
+        return QStringLiteral("%1, which does not contain the latest changes.").arg(formatText(project.file));
+    return QStringLiteral("%1, SHA-256 of the file:").arg(formatText(project.file));
 }
 
 /// Empty for a city read directly from its files.
@@ -70,10 +70,10 @@ TextBlocks projectOf(const Study& study) {
     const auto& project = study.provenance.project;
     if (!project) return {};
     TextBlocks blocks{heading(QStringLiteral("Project and scenario")), body(fileWords(*project))};
-    if (project->saved()) blocks.push_back({TextKind::code, textOf(project->fileSha256)});
+    if (project->saved()) blocks.push_back({TextKind::code, formatText(project->fileSha256)});
     blocks.push_back(
         body(QStringLiteral("SHA-256 of the content behind the result (defined in the JSON file):")));
-    blocks.push_back({TextKind::code, textOf(project->contentSha256)});
+    blocks.push_back({TextKind::code, formatText(project->contentSha256)});
     addScenario(blocks, QStringLiteral("Scenario"), project->scenario);
     if (project->baseline) addScenario(blocks, QStringLiteral("Baseline"), *project->baseline);
     return blocks;
@@ -119,9 +119,9 @@ QString groupWords(const WarningGroup& group) {
 }
 
 /// The most frequent kinds, one per line.
-TextBlocks warningsOf(const Study& study) {
+TextBlocks makeWarnings(const Study& study) {
     TextBlocks blocks{heading(QStringLiteral("Warnings"))};
-    std::vector<WarningGroup> groups = grouped(study.warnings);
+    std::vector<WarningGroup> groups = groupWarnings(study.warnings);
     std::ranges::stable_sort(groups, std::greater<>{},
                              [](const WarningGroup& group) { return group.where.size(); });
     for (std::size_t i = 0; i < std::min(mostWarnings, groups.size()); ++i)
@@ -159,14 +159,14 @@ QString costWords(const Study& study) {
 std::vector<TextBlocks> sourceSections(const Study& study) {
     std::vector<TextBlocks> sections{inputsOf(study),
                                      heightsOf(study),
-                                     warningsOf(study),
+                                     makeWarnings(study),
                                      {heading(QStringLiteral("Computation")), body(costWords(study))}};
     if (study.provenance.project) sections.insert(sections.begin(), projectOf(study));
     return sections;
 }
 
 TextBlocks repeatBlocks(const Study& study) {
-    return repeatBlocks(repeatCommand(study), needsRegionFile(study));
+    return repeatBlocks(makeRepeatCommand(study), needsRegionFile(study));
 }
 
 TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile) {

@@ -6,7 +6,7 @@
 namespace noonmark {
 
 namespace {
-QFont sized(const Canvas& canvas, QFont font, double points) {
+QFont sizeFont(const Canvas& canvas, QFont font, double points) {
     font.setPixelSize(std::max(1, int(std::lround(points * canvas.point))));
     font.setHintingPreference(QFont::PreferNoHinting);
     return font;
@@ -18,7 +18,7 @@ QFont textFont(const Canvas& canvas, double points, QFont::Weight weight) {
     font.setFamilies({QStringLiteral("Roboto"), QStringLiteral("DejaVu Sans"), QStringLiteral("Noto Sans")});
     font.setStyleHint(QFont::SansSerif);
     font.setWeight(weight);
-    return sized(canvas, font, points);
+    return sizeFont(canvas, font, points);
 }
 
 QFont codeFont(const Canvas& canvas, double points) {
@@ -26,7 +26,7 @@ QFont codeFont(const Canvas& canvas, double points) {
     font.setFamilies(
         {QStringLiteral("DejaVu Sans Mono"), QStringLiteral("Noto Sans Mono"), QStringLiteral("monospace")});
     font.setStyleHint(QFont::Monospace);
-    return sized(canvas, font, points);
+    return sizeFont(canvas, font, points);
 }
 
 QPen linePen(const Canvas& canvas, const QColor& colour, double points) {

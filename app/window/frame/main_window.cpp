@@ -207,7 +207,7 @@ void MainWindow::showDocument() {
     const StudySettings& settings = workbench_.document().settings();
     panel_->showRegion(settings.region);
     if (workbench_.city())
-        exploration_.setPeriod(settings.period, observerOf(workbench_.city()->city(), settings));
+        exploration_.setPeriod(settings.period, makeObserver(workbench_.city()->city(), settings));
     askLive();
     showOutdated();
     showExport();

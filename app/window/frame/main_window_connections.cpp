@@ -21,7 +21,7 @@ void MainWindow::connectJobs() {
     progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
     for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing()})
         progress_->follow(*slot);
-    for (JobSlot* slot : {&workbench_.keeping(), &tools_.workspace().preview.working(), &looking_.working()})
+    for (JobSlot* slot : {&workbench_.keeping(), &tools_.context().preview.working(), &looking_.working()})
         progress_->follow(*slot, ProgressStrip::Jobs::often);
     docks_.study->progress().follow(workbench_.running());
     connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {

@@ -30,7 +30,7 @@ void MainWindow::connectEditing() {
             [this] { tools_.setLots(workbench_.session().project().lots); });
     connect(&mode_, &ModeSwitch::changed, this, &MainWindow::askLive);
     connect(&workbench_, &Workbench::projectOpened, this, [this] { horizons_->forget(); });
-    connect(&tools_.workspace().preview, &EditPreview::shownChanged, this, &MainWindow::showOutdated);
+    connect(&tools_.context().preview, &EditPreview::shownChanged, this, &MainWindow::showOutdated);
     connect(&tools_, &EditTools::failed, &panel_->messages(), &MessageBar::showError);
     // In the status bar, since the message bar would move the view under the cursor.
     connect(&tools_, &EditTools::hinted, this,
@@ -43,7 +43,7 @@ void MainWindow::connectEditing() {
 void MainWindow::askLive() {
     if (!workbench_.city()) return;
     const StudySettings& settings = workbench_.document().settings();
-    tools_.setQuestion({{settings.period, observerOf(workbench_.city()->city(), settings)},
+    tools_.setQuestion({{settings.period, makeObserver(workbench_.city()->city(), settings)},
                         settings.region,
                         settings.receivers,
                         mode_.mode() != ViewMode::exploration});

@@ -206,7 +206,7 @@ void MainWindow::showProject() {
 // Reports assumptions that are not in the files: heights and time zone.
 void MainWindow::showGuesses() {
     const CityRead& read = workbench_.city()->loaded.read;
-    const auto heights = assumedHeightsMessage(countHeights(read.city), read.heights);
+    const auto heights = makeAssumedHeightsMessage(countHeights(read.city), read.heights);
     const ZoneGuess& zone = workbench_.zone();
     QStringList lines;
     if (heights) lines << QString::fromStdString(*heights) + u'.';
@@ -293,7 +293,7 @@ void MainWindow::keepRegion() {
 void MainWindow::keepPeriod() {
     Project next = workbench_.session().project();
     const Period& period = workbench_.document().settings().period;
-    const std::string name = freeName(next, ProjectPart::period, textOf(period.start));
+    const std::string name = freeName(next, ProjectPart::period, formatText(period.start));
     next.periods.push_back({name, period});
     workbench_.session().change(std::move(next), tr("save period %1").arg(QString::fromStdString(name)));
 }

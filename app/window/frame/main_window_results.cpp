@@ -17,7 +17,7 @@ namespace {
 QString text(const std::string& name) { return QString::fromStdString(name); }
 
 std::vector<ResultRow> scoreRows(const ScoreAnswer& score) {
-    return makeScoreRows(score.score, score.scenario, score.weights.name, textOf(score.settings.period));
+    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period));
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ void MainWindow::showOutdated() {
     const auto saved = workbench_.saved();
     const auto score = workbench_.score();
     docks_.results->offerWayBack(saved || score);
-    if (tools_.workspace().preview.shown())
+    if (tools_.context().preview.shown())
         return docks_.results->setNote(
             tr("These figures do not include the building being designed. Build it, then run."));
     if (workbench_.past().any())
@@ -197,7 +197,7 @@ void MainWindow::keepResult() {
         name = tr("Score of %1 with %2").arg(text(scenario), text(score->weights.name));
     else if (comparison)
         name = tr("%1 compared with %2").arg(text(comparison->to), text(comparison->from));
-    workbench_.keepAnswer(tr("%1, %2").arg(name, text(textOf(answered_.period.start))));
+    workbench_.keepAnswer(tr("%1, %2").arg(name, text(formatText(answered_.period.start))));
 }
 
 }  // namespace noonmark

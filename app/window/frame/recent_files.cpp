@@ -40,7 +40,8 @@ void RecentFiles::keepReading(const QStringList& entries, const QString& newest,
                               const ReadSettings& reading) {
     QVariantMap saved;
     for (const QString& entry : entries) {
-        const QString text = entry == newest ? QString::fromStdString(textOf(reading)) : readingTextOf(entry);
+        const QString text =
+            entry == newest ? QString::fromStdString(formatText(reading)) : readingTextOf(entry);
         if (!text.isEmpty()) saved[entry] = text;
     }
     settings_.setValue(readingKey, saved);

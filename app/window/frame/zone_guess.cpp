@@ -28,7 +28,7 @@ struct NearestCity {
 
     void look(const std::vector<ZoneCity>& cities, LonLat place) {
         for (const ZoneCity& one : cities) {
-            const double away = greatCircleM(one.place, place);
+            const double away = computeGreatCircleM(one.place, place);
             if (away >= metres) continue;
             city = &one;
             metres = away;
@@ -50,7 +50,7 @@ bool showTheSameTime(const QString& one, const QString& other) {
 
 void addOthers(ZoneGuess& guess, const std::vector<ZoneCity>& cities, LonLat place, double withinM) {
     for (const ZoneCity& city : cities)
-        if (!guess.others.contains(city.zone) && greatCircleM(city.place, place) <= withinM &&
+        if (!guess.others.contains(city.zone) && computeGreatCircleM(city.place, place) <= withinM &&
             !showTheSameTime(city.zone, guess.zone))
             guess.others << city.zone;
 }

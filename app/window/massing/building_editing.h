@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/window/massing/edit_desk.h"
+#include "app/window/massing/edit_context.h"
 #include "app/window/massing/move_tool.h"
 
 namespace noonmark {
@@ -15,7 +15,7 @@ class SelectionPanel;
 class BuildingEditing final : public QObject {
     Q_OBJECT
 public:
-    BuildingEditing(EditSession& workspace, SelectionPanel& panel,
+    BuildingEditing(EditContext& context, SelectionPanel& panel,
                     QObject* parent = nullptr);  ///< both outlive it
 
     void cityChanged();
@@ -54,7 +54,7 @@ private:
     void showHandle();
     [[nodiscard]] const Building& building() const;
 
-    EditSession& desk_;
+    EditContext& context_;
     SelectionPanel& panel_;
     MoveTool move_;
     std::optional<std::uint32_t> selected_;

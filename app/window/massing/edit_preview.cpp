@@ -76,7 +76,7 @@ void EditPreview::clear() {
 }
 
 void EditPreview::hide(const Buildings& removed) {
-    panel_.view().showChanges(differenceOf(*city_->arrays, without(city_->city(), removed)));
+    panel_.view().showChanges(computeDifference(*city_->arrays, without(city_->city(), removed)));
 }
 
 void EditPreview::begin() {

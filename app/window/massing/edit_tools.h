@@ -38,7 +38,7 @@ public:
     [[nodiscard]] BuildingEditing& building() { return building_; }
     [[nodiscard]] TowerEditing& tower() { return tower_; }
     [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
-    [[nodiscard]] EditSession& workspace() { return desk_; }
+    [[nodiscard]] EditContext& context() { return context_; }
 
     void drawLot();
     void lotFromFootprint();
@@ -78,7 +78,7 @@ private:
     PlacingPanel* placing_;
     QPointer<MassingPanel> massing_;
     QPointer<QWidget> dock_;
-    EditSession desk_;
+    EditContext context_;
     BuildingEditing building_;
     TowerEditing tower_;
     MeshPlacing mesh_;

@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-QString grouped(double number, int decimals) {
+QString groupDigits(double number, int decimals) {
     return QLocale(QLocale::English).toString(number, 'f', decimals);
 }
 
@@ -17,14 +17,14 @@ QString describeStoreys(int storeys) {
 
 QString describeFigures(const MassingFigures& figures) {
     return QObject::tr("%1 m, %2\n%3 m² floor area, FAR %4")
-        .arg(grouped(figures.heightM, 1), describeStoreys(figures.storeys), grouped(figures.grossFloorM2),
-             grouped(figures.floorAreaRatio, 2));
+        .arg(groupDigits(figures.heightM, 1), describeStoreys(figures.storeys),
+             groupDigits(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
 }
 
 QString describeMove(glm::dvec2 byM) {
     return QObject::tr("%1 m %2, %3 m %4")
-        .arg(grouped(std::abs(byM.x), 1), byM.x < 0 ? QObject::tr("west") : QObject::tr("east"),
-             grouped(std::abs(byM.y), 1), byM.y < 0 ? QObject::tr("south") : QObject::tr("north"));
+        .arg(groupDigits(std::abs(byM.x), 1), byM.x < 0 ? QObject::tr("west") : QObject::tr("east"),
+             groupDigits(std::abs(byM.y), 1), byM.y < 0 ? QObject::tr("south") : QObject::tr("north"));
 }
 
 }  // namespace noonmark

@@ -17,6 +17,6 @@ QString describeFigures(const MassingFigures& figures);
 QString describeMove(glm::dvec2 byM);
 
 /// 12,345
-QString grouped(double number, int decimals = 0);
+QString groupDigits(double number, int decimals = 0);
 
 }  // namespace noonmark

@@ -66,7 +66,7 @@ void listReceivers(Receivers& receivers) {
 
 Result<LiveReceivers> LiveReceivers::of(const City& city, const Region& region,
                                         const ReceiverSettings& settings, const std::stop_token& stop) {
-    auto base = receiversIn(city, region, settings, stop);
+    auto base = placeReceivers(city, region, settings, stop);
     if (!base) return tl::make_unexpected(base.error());
     LiveReceivers made;
     made.near_ = within(city, base->grid);
@@ -89,7 +89,7 @@ void LiveReceivers::patch(Receivers& receivers, const Building& added, const Sha
     City city = within(near_, patch->grid);
     city.buildings.insert(city.buildings.end(), shape.begin(), shape.end());
     const auto ground = placeReceiversInPart(city, region_, patch->grid);
-    if (ground) paste(placed(*ground, city, places_), *patch, receivers);  // fails only if stopped
+    if (ground) paste(placeAtHeights(*ground, city, places_), *patch, receivers);  // fails only if stopped
 }
 
 }  // namespace noonmark

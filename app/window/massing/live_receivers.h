@@ -13,12 +13,12 @@ class LiveReceivers {
 public:
     using Shape = std::vector<std::shared_ptr<const Building>>;
 
-    /// `city` is the city without the shape. Errors as of receiversIn().
+    /// `city` is the city without the shape. Errors as of placeReceivers().
     static Result<LiveReceivers> of(const City& city, const Region& region, const ReceiverSettings& settings,
                                     const std::stop_token& stop);
 
     [[nodiscard]] const Receivers& base() const { return base_; }
-    /// The receivers of the city with these buildings: the same, cell for cell, as those of receiversIn().
+    /// The receivers of the city with these buildings: the same, cell for cell, as those of placeReceivers().
     [[nodiscard]] Receivers with(const Shape& shape) const;
 
 private:

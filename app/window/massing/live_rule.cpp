@@ -7,10 +7,10 @@ namespace noonmark {
 
 namespace {
 
-QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
+QString groupDigits(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
 
 QString stepWords(std::size_t steps) {
-    return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(grouped(steps));
+    return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(groupDigits(steps));
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, 
             return QObject::tr("With the proposal: exact at %1").arg(stepWords(steps));
         case LiveEngine::moments:
             return QObject::tr("With the proposal: exact at %1 of %2 steps")
-                .arg(grouped(counted), grouped(steps));
+                .arg(groupDigits(counted), groupDigits(steps));
         case LiveEngine::horizons:
             break;
     }

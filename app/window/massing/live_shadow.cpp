@@ -44,7 +44,7 @@ bool suits(const LiveQuestion& question, const LivePlace& place, const SunSteps&
 
 // Roof receivers alone would come and go with the shape, and each change would sweep all horizons anew. So
 // the ground is computed too, and not shown.
-ReceiverSettings saved(ReceiverSettings settings) {
+ReceiverSettings makeCacheSettings(ReceiverSettings settings) {
     if (settings.places == ReceiverPlaces::roofs) settings.places = ReceiverPlaces::both;
     return settings;
 }
@@ -52,10 +52,10 @@ ReceiverSettings saved(ReceiverSettings settings) {
 Result<LiveReceivers> receiversOf(const LivePlace& place, const LiveQuestion& question, const SunSteps& sun,
                                   const std::stop_token& stop) {
     if (suits(question, place, sun))
-        return LiveReceivers::of(place.rest, question.region, saved(question.receivers), stop);
+        return LiveReceivers::of(place.rest, question.region, makeCacheSettings(question.receivers), stop);
     const glm::vec2 centre = (place.volume.box.low + place.volume.box.high) / 2.0F;
     const auto half = glm::vec2(float(place.halfM));
-    ReceiverSettings settings = saved(question.receivers);
+    ReceiverSettings settings = makeCacheSettings(question.receivers);
     settings.cellM = 2 * place.halfM / cellsToASide;
     return LiveReceivers::of(place.rest, makeRegionFromLocalBox({centre - half, centre + half}), settings,
                              stop);

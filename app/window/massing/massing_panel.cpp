@@ -24,10 +24,10 @@ QString makeRows(const MassingFigures& figures, std::size_t demolished) {
             .arg(name, value);
     };
     return QStringLiteral("<table>") +
-           row(QObject::tr("Gross floor area"), grouped(figures.grossFloorM2) + QStringLiteral(" m²")) +
-           row(QObject::tr("Floor area ratio (FAR)"), grouped(figures.floorAreaRatio, 2)) +
-           row(QObject::tr("Lot coverage"), grouped(figures.coverage * 100) + QStringLiteral(" %")) +
-           row(QObject::tr("Height"), grouped(figures.heightM, 1) + QStringLiteral(" m")) +
+           row(QObject::tr("Gross floor area"), groupDigits(figures.grossFloorM2) + QStringLiteral(" m²")) +
+           row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
+           row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
+           row(QObject::tr("Height"), groupDigits(figures.heightM, 1) + QStringLiteral(" m")) +
            row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
            row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
            row(QObject::tr("Buildings demolished"), QString::number(demolished)) + QStringLiteral("</table>");

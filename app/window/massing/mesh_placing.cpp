@@ -20,8 +20,8 @@ std::string freeId(const City& city, const std::string& wanted) {
 
 }  // namespace
 
-MeshPlacing::MeshPlacing(EditSession& workspace, PlacingPanel& panel, QObject* parent)
-    : QObject(parent), desk_(workspace), panel_(panel) {
+MeshPlacing::MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* parent)
+    : QObject(parent), context_(context), panel_(panel) {
     connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
     connect(&panel_, &PlacingPanel::readingEdited, this, &MeshPlacing::read);
     connect(&panel_, &PlacingPanel::applied, this, &MeshPlacing::build);
@@ -29,7 +29,7 @@ MeshPlacing::MeshPlacing(EditSession& workspace, PlacingPanel& panel, QObject* p
 }
 
 void MeshPlacing::begin(const QString& file) {
-    if (!desk_.city) return;
+    if (!context_.city) return;
     mesh_.reset();
     place_.reset();
     file_ = file;
@@ -37,10 +37,10 @@ void MeshPlacing::begin(const QString& file) {
 }
 
 void MeshPlacing::read() {
-    const std::string id = freeId(desk_.city->city(), QFileInfo(file_).completeBaseName().toStdString());
+    const std::string id = freeId(context_.city->city(), QFileInfo(file_).completeBaseName().toStdString());
     reading_.start<Read>(
         tr("Reading %1").arg(QFileInfo(file_).fileName()),
-        [file = file_.toStdString(), id, settings = panel_.reading(), frame = desk_.city->city().frame](
+        [file = file_.toStdString(), id, settings = panel_.reading(), frame = context_.city->city().frame](
             Progress& progress, std::stop_token stop) {
             Warnings warnings;
             return readShape(file, id, settings, frame, warnings, progress, std::move(stop))
@@ -73,7 +73,7 @@ void MeshPlacing::show() {
                         .scale = panel_.scale(),
                         .clockwiseDeg = panel_.clockwiseDeg(),
                         .byM = *place_ - middle};
-    if (const auto shown = desk_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
+    if (const auto shown = context_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
     panel_.showPlaced(double(topM(*mesh_->shape)) * panel_.scale());
 }
 
@@ -88,7 +88,7 @@ void MeshPlacing::cancel() {
     reading_.drop();
     if (!mesh_) return;
     mesh_.reset();
-    desk_.preview.clear();
+    context_.preview.clear();
     Q_EMIT ended();
 }
 

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <optional>
 
-#include "app/window/massing/edit_desk.h"
+#include "app/window/massing/edit_context.h"
 #include "scenarios/edits/edit.h"
 
 namespace noonmark {
@@ -14,7 +14,7 @@ class PlacingPanel;
 class MeshPlacing final : public QObject {
     Q_OBJECT
 public:
-    MeshPlacing(EditSession& workspace, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
 
     void begin(const QString& file);
     void show();  ///< again, in the current city
@@ -37,7 +37,7 @@ private:
     void read();
     void take(Result<Read> read);
 
-    EditSession& desk_;
+    EditContext& context_;
     PlacingPanel& panel_;
     QString file_;
     std::optional<ImportMesh> mesh_;

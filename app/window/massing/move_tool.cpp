@@ -11,7 +11,7 @@ namespace {
 
 constexpr double stepM = 0.1;
 
-double rounded(double metres) { return std::round(metres / stepM) * stepM; }
+double roundToStep(double metres) { return std::round(metres / stepM) * stepM; }
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void MoveTool::follow() {
     const auto there =
         findPlaneHit(makeRayThrough(view.pose(), view.lens(), {pixel_.x(), pixel_.y()}), from_->z);
     if (!there) return;
-    byM_ = {rounded(there->x - from_->x), rounded(there->y - from_->y)};
+    byM_ = {roundToStep(there->x - from_->x), roundToStep(there->y - from_->y)};
     panel_.cursorLabel().show(pixel_, describeMove(byM_));
     Q_EMIT dragged(byM_);
 }

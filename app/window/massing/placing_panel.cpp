@@ -68,12 +68,12 @@ void PlacingPanel::begin(const QString& file) {
 
 void PlacingPanel::showPlaced(double heightM) {
     apply_->setEnabled(true);
-    what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, grouped(heightM, 1)));
+    what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, groupDigits(heightM, 1)));
 }
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {
     QStringList lines;
-    for (const WarningGroup& group : grouped(warnings)) lines << QString::fromStdString(lineOf(group));
+    for (const WarningGroup& group : groupWarnings(warnings)) lines << QString::fromStdString(lineOf(group));
     warnings_->setText(lines.mid(0, 1).join(QString()) +
                        (lines.size() > 1 ? tr(" (and %1 more)").arg(lines.size() - 1) : QString()));
     warnings_->setToolTip(lines.join(QLatin1Char('\n')));

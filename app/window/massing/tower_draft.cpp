@@ -19,7 +19,7 @@ std::string firstFree(const char* word, IsTaken&& isTaken) {
 
 // The demolitions on the lot, without that of the replaced building, of which only a corner may be on the
 // lot.
-std::vector<Edit> cleared(const City& city, const TowerDraft& draft) {
+std::vector<Edit> clearLot(const City& city, const TowerDraft& draft) {
     std::vector<Edit> edits = clearing(city, draft.lot.outline);
     std::erase_if(edits,
                   [&](const Edit& edit) { return std::get<Demolish>(edit).building == draft.replaces; });
@@ -34,7 +34,7 @@ Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft) {
     auto building = buildingOf(*massing, draft.tower);
     if (!building) return tl::make_unexpected(building.error());
     auto shape = std::make_shared<const Building>(*std::move(building));
-    std::vector<Edit> edits = cleared(city, draft);
+    std::vector<Edit> edits = clearLot(city, draft);
     if (draft.replaces.empty())
         edits.emplace_back(AddBuilding{std::move(shape)});
     else

@@ -2,7 +2,7 @@
 
 // Editing of buildings and design of towers in the view. EditTools owns the tools and their menu actions;
 // BuildingEditing (select, demolish, move, resize), TowerEditing (a tower on a lot) and MeshPlacing (a mesh
-// file as a building) share one EditSession: the view, the preview and the drag handle. No tool knows the
+// file as a building) share one EditContext: the view, the preview and the drag handle. No tool knows the
 // project: each emits its edits as one undo step and gets back the changed city. EditPreview shows edits
 // before they are made; LiveFollower keeps their shadow up to date with LiveShadow, whose receivers and
 // engines are in live_receivers and live_rule. The panels, forms, fields and tables only show and change
@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/window/massing/edit_desk.h"
+#include "app/window/massing/edit_context.h"
 #include "app/window/massing/tower_draft.h"
 
 namespace noonmark {
@@ -25,7 +25,7 @@ class MassingPanel;
 class TowerEditing final : public QObject {
     Q_OBJECT
 public:
-    TowerEditing(EditSession& workspace, MassingPanel& panel,
+    TowerEditing(EditContext& context, MassingPanel& panel,
                  QObject* parent = nullptr);  ///< both outlive it
 
     /// `replaces`: id of the building that the tower replaces; empty: none.
@@ -55,7 +55,7 @@ private:
 
     void take();
 
-    EditSession& desk_;
+    EditContext& context_;
     MassingPanel& panel_;
     std::optional<TowerDraft> draft_;
     std::vector<Edit> edits_;  ///< of the draft; empty while it is invalid

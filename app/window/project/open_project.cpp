@@ -21,7 +21,7 @@ Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened,
     opened.project = disk->project();
     opened.view = parseViewState(opened.project.view);
     opened.file = *std::move(disk);
-    LoadedCity loaded = loadedFrom(opened.project, file);
+    LoadedCity loaded = loadProjectCity(opened.project, file);
     goToScenario(opened, loaded);
     return loaded;
 }

@@ -12,7 +12,7 @@ namespace {
 using Kind = ProjectNode::Kind;
 
 QString tr(const char* text) { return QObject::tr(text); }
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+QString formatText(const std::string& text) { return QString::fromStdString(text); }
 
 ProjectNode& added(ProjectNode& parent, ProjectNode node) {
     node.parent = &parent;
@@ -31,7 +31,8 @@ ProjectNode& addGroup(ProjectNode& root, ProjectPart part, const QString& text, 
 
 ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& about = {},
                      const QString& tip = {}) {
-    const QString text = about.isEmpty() ? textOf(name) : QStringLiteral("%1   %2").arg(textOf(name), about);
+    const QString text =
+        about.isEmpty() ? formatText(name) : QStringLiteral("%1   %2").arg(formatText(name), about);
     return added(group, {.kind = Kind::part, .part = group.part, .name = name, .text = text, .tip = tip});
 }
 
@@ -47,13 +48,13 @@ void addCity(ProjectNode& root, const Project& project) {
                 : tr("Flat ground"));
     if (!project.attribution.empty()) addFact(group, describeData(project.attribution));
     for (const InputFile& input : project.inputs)
-        addFact(group, textOf(input.path.filename().string()),
-                QStringLiteral("%1\n%2").arg(textOf(input.path.string()), textOf(input.sha256)));
+        addFact(group, formatText(input.path.filename().string()),
+                QStringLiteral("%1\n%2").arg(formatText(input.path.string()), formatText(input.sha256)));
 }
 
 void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
     QStringList notes;
-    if (!scenario.base.empty()) notes << tr("from %1").arg(textOf(scenario.base));
+    if (!scenario.base.empty()) notes << tr("from %1").arg(formatText(scenario.base));
     if (baseline) notes << tr("baseline");
     ProjectNode& node =
         addPart(group, scenario.name,
@@ -66,8 +67,9 @@ void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool 
                .part = ProjectPart::scenario,
                .name = scenario.name,
                .position = i,
-               .text = textOf(noonmark::textOf(scenario.edits[i])),
-               .tip = tr("Step %1 of %2; press Delete to remove it").arg(i + 1).arg(textOf(scenario.name))});
+               .text = formatText(noonmark::textOf(scenario.edits[i])),
+               .tip =
+                   tr("Step %1 of %2; press Delete to remove it").arg(i + 1).arg(formatText(scenario.name))});
 }
 
 void addScenarios(ProjectNode& root, const Project& project, const std::string& shown,
@@ -105,7 +107,7 @@ void addPeriods(ProjectNode& root, const Project& project) {
     for (const NamedPeriod& period : project.periods)
         addPart(group, period.name, {},
                 tr("%1\nPress Enter or double-click to use it as the study period")
-                    .arg(textOf(noonmark::textOf(period.period))));
+                    .arg(formatText(noonmark::textOf(period.period))));
 }
 
 void addWeights(ProjectNode& root, const Project& project) {
@@ -116,7 +118,7 @@ void addWeights(ProjectNode& root, const Project& project) {
         ProjectNode& node = addPart(group, table.name, {},
                                     tr("Press Enter or double-click to edit it and compute scores with it"));
         for (const WeightedInterval& interval : table.intervals)
-            addFact(node, QStringLiteral("%1   %2").arg(textOf(interval.name)).arg(interval.weight));
+            addFact(node, QStringLiteral("%1   %2").arg(formatText(interval.name)).arg(interval.weight));
     }
 }
 
@@ -126,10 +128,11 @@ void addResults(ProjectNode& root, const Project& project) {
     for (const auto& result : project.results) {
         const QString of =
             result->baseline.empty()
-                ? textOf(result->scenario)
-                : tr("%1 compared with %2").arg(textOf(result->scenario), textOf(result->baseline));
-        addPart(group, result->name, {},
-                tr("%1 of %2\nPress Enter or double-click to show it again").arg(textOf(result->kind), of));
+                ? formatText(result->scenario)
+                : tr("%1 compared with %2").arg(formatText(result->scenario), formatText(result->baseline));
+        addPart(
+            group, result->name, {},
+            tr("%1 of %2\nPress Enter or double-click to show it again").arg(formatText(result->kind), of));
     }
 }
 

@@ -52,7 +52,7 @@ Result<std::shared_ptr<const City>> ProjectSession::cityOf(const std::string& sc
 }
 
 bool ProjectSession::isSound(const Project& project) {
-    Result<void> sound = checked(project);
+    Result<void> sound = validate(project);
     for (const Scenario& scenario : project.scenarios)
         if (sound) sound = cities_.cityOf(project, scenario.name).map([](const auto&) {});
     if (!sound) Q_EMIT refused(sound.error());

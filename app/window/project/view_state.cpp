@@ -49,9 +49,9 @@ SolarWindow windowFrom(const Json& json) {
 }
 
 Json periodJson(const Period& period) {
-    Json json{{"start", textOf(period.start)},   {"days", period.days},
-              {"from_min", period.from.count()}, {"hours", period.hours},
-              {"step_min", period.stepMinutes},  {"zone", period.zone},
+    Json json{{"start", formatText(period.start)}, {"days", period.days},
+              {"from_min", period.from.count()},   {"hours", period.hours},
+              {"step_min", period.stepMinutes},    {"zone", period.zone},
               {"refraction", period.refraction}};
     if (period.window) json["window"] = windowJson(*period.window);
     return json;
@@ -94,7 +94,7 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
     study.byMonth = json.at("by_month");
     study.contributions = json.at("contributions");
-    if (!checked(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
+    if (!validate(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
     return study;
 } catch (const std::exception&) {  // unexpected JSON structure, a ring of two points, unnamed places
     return std::nullopt;
@@ -138,7 +138,7 @@ ViewMode modeFrom(const std::string& text) {
 Texts textsOf(const ViewState& state) {
     Texts texts{{"mode", modes[int(state.mode)]},
                 {"measure", state.measure == ShadowMeasure::gross ? "gross" : "continuous"},
-                {changeScaleKey, textOf(state.changeScale)},
+                {changeScaleKey, formatText(state.changeScale)},
                 {"scenario", state.scenario},
                 {"baseline", state.baseline}};
     if (!state.answer.empty()) {

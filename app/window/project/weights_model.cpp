@@ -80,7 +80,7 @@ void WeightsModel::become(TimeWeights table) {
 }
 
 bool WeightsModel::change(const Result<TimeWeights>& next) {
-    const Result<void> sound = next ? checked(*next) : tl::make_unexpected(next.error());
+    const Result<void> sound = next ? validate(*next) : tl::make_unexpected(next.error());
     if (!sound) {
         Q_EMIT refused(sound.error());
         return false;

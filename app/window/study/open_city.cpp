@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t mostAdded = 1000;
 
 bool serves(const std::shared_ptr<const CityArrays>& drawn, const City& city) {
-    return drawn && differenceOf(*drawn, city).added.buildings.size() <= mostAdded;
+    return drawn && computeDifference(*drawn, city).added.buildings.size() <= mostAdded;
 }
 
 }  // namespace

@@ -60,9 +60,15 @@ void addTimeRows(std::vector<ResultRow>& rows, const StudyFigures& figures) {
 }
 
 StudyFigures figuresOfStudy(const Study& study) {
-    return {study.statistics,         isInstant(study.field),          study.sun.steps.size(),
-            study.sun.belowHorizon,   study.field.sunlitMinutesPerDay, study.field.cost.rays,
-            accumulateSeconds(study), textOf(study.settings.period),   errorLines(study),
+    return {study.statistics,
+            isInstant(study.field),
+            study.sun.steps.size(),
+            study.sun.belowHorizon,
+            study.field.sunlitMinutesPerDay,
+            study.field.cost.rays,
+            accumulateSeconds(study),
+            formatText(study.settings.period),
+            makeErrorLines(study),
             study.field.engine};
 }
 

@@ -12,9 +12,9 @@ namespace noonmark {
 
 Result<RunEstimate> estimateRays(const City& city, const StudySettings& settings,
                                  const std::stop_token& stop) {
-    const auto receivers = receiversIn(city, settings.region, settings.receivers, stop);
+    const auto receivers = placeReceivers(city, settings.region, settings.receivers, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
-    const auto sun = computeSunSteps(settings.period, observerOf(city, settings), stop);
+    const auto sun = computeSunSteps(settings.period, makeObserver(city, settings), stop);
     if (!sun) return tl::make_unexpected(sun.error());
     const std::array cities{&city};
     const EngineLoad load = measureEngineLoad(cities, *receivers, *sun, HorizonSweepSettings());

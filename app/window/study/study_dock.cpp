@@ -126,7 +126,7 @@ void StudyDock::setTerrain(bool terrain) {
 void StudyDock::showRefusal() {
     const StudySettings& settings = document_.settings();
     const bool roofs = settings.receivers.places != ReceiverPlaces::ground;
-    const bool refused = (roofs || terrain_) && isOnLevelGroundOnly(settings.engine);
+    const bool refused = (roofs || terrain_) && takesLevelGroundOnly(settings.engine);
     refusal_->setVisible(refused);
     refusal_->setText(tr("This engine supports level ground only, but %1. Choose the horizon sweep, the ray "
                          "reference or automatic.")

@@ -39,7 +39,7 @@ WarningsDock::WarningsDock(QWidget* parent) : QTreeWidget(parent) {
 
 void WarningsDock::show(const Warnings& warnings) {
     clear();
-    for (const WarningGroup& group : grouped(warnings)) addTopLevelItem(itemOf(group));
+    for (const WarningGroup& group : groupWarnings(warnings)) addTopLevelItem(itemOf(group));
     if (warnings.empty()) addTopLevelItem(new QTreeWidgetItem({tr("No warnings")}));
 }
 

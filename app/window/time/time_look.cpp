@@ -29,7 +29,7 @@ QString describe(const TimeLook& look) {
     if (look.span == TimeSpan::period) return {};
     const QString date = QLocale(QLocale::English).toString(dateOf(look.date), QStringLiteral("d MMMM yyyy"));
     if (look.span == TimeSpan::day) return date;
-    return QStringLiteral("%1, %2").arg(date, QString::fromStdString(textOf(look.at)));
+    return QStringLiteral("%1, %2").arg(date, QString::fromStdString(formatText(look.at)));
 }
 
 }  // namespace noonmark

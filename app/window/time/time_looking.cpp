@@ -36,7 +36,7 @@ void TimeLooking::ask() {
 Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizonCache& horizons,
                                          Progress& progress, const std::stop_token& stop) {
     const Study& study = *question.study;
-    const SunQuestion sun{periodOf(question.look, study.settings.period), observerOf(study)};
+    const SunQuestion sun{periodOf(question.look, study.settings.period), makeObserver(study)};
     auto field = horizons.field(study.city, study.receivers, sun, ShadowCounts::gross, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     question.field = std::move(*field);

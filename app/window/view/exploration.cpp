@@ -82,7 +82,7 @@ void Exploration::refine() {
     slot_.start<ViewAnswer>(
         tr("Exploring"),
         [question = question_, before = answer_, engine = engine_](Progress& progress, std::stop_token stop) {
-            return refined(question, before.get(), engine, progress, std::move(stop));
+            return refineView(question, before.get(), engine, progress, std::move(stop));
         },
         [this](Result<ViewAnswer> answer) { take(std::move(answer)); });
 }

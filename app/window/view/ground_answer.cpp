@@ -26,7 +26,7 @@ auto over(const GroundAnswer::Map& map, Cases... cases) {
     return std::visit([visitor = Overloaded{cases...}](const auto& shared) { return visitor(*shared); }, map);
 }
 
-ShadowMeasure shown(const GroundAnswer& answer, ShadowMeasure wanted) {
+ShadowMeasure chooseShownMeasure(const GroundAnswer& answer, ShadowMeasure wanted) {
     return answer.grossOnly ? ShadowMeasure::gross : wanted;
 }
 
@@ -81,30 +81,30 @@ GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
 }
 
 QString makeNote(const GroundAnswer& answer, ShadowMeasure measure) {
-    if (shown(answer, measure) == measure || answer.whyGross.isEmpty()) return answer.note;
+    if (chooseShownMeasure(answer, measure) == measure || answer.whyGross.isEmpty()) return answer.note;
     return answer.note.isEmpty() ? answer.whyGross : QObject::tr("%1. %2").arg(answer.note, answer.whyGross);
 }
 
 Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale) {
     return over(
         answer.map, [&](const Score& score) { return makeLegend(score); },
-        [&](const Impact& impact) { return makeLegend(impact, shown(answer, measure), scale); },
-        [&](const ShadowField& field) { return makeLegend(field, shown(answer, measure)); });
+        [&](const Impact& impact) { return makeLegend(impact, chooseShownMeasure(answer, measure), scale); },
+        [&](const ShadowField& field) { return makeLegend(field, chooseShownMeasure(answer, measure)); });
 }
 
 GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, double top) {
     return over(
         answer.map, [&](const Score& score) { return scorePicture(score, top); },
-        [&](const Impact& impact) { return impactPicture(impact, shown(answer, measure), top); },
+        [&](const Impact& impact) { return impactPicture(impact, chooseShownMeasure(answer, measure), top); },
         [&](const ShadowField& field) {
-            return fieldPicture(field, answer.receivers.get(), shown(answer, measure), top);
+            return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure), top);
         });
 }
 
 std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {
     const auto* field = std::get_if<std::shared_ptr<const ShadowField>>(&answer.map);
     if (!field || !answer.receivers) return std::nullopt;
-    return roofPicture(**field, *answer.receivers, shown(answer, measure), top);
+    return roofPicture(**field, *answer.receivers, chooseShownMeasure(answer, measure), top);
 }
 
 bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point) {

@@ -112,7 +112,7 @@ void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
         if (PolygonTool* tool = activeTool()) tool->cancel();
         view_->showCity(city_->arrays);
     }
-    view_->showChanges(differenceOf(*city_->arrays, city_->city()));
+    view_->showChanges(computeDifference(*city_->arrays, city_->city()));
     results_->forget();
 }
 

@@ -18,7 +18,7 @@ constexpr double turnSeconds = 0.12;     // half the time of a picture at five p
 
 Result<std::shared_ptr<const SunSteps>> sunOf(const ViewQuestion& question, const std::stop_token& stop) {
     if (question.sun) return question.sun;
-    const auto period = checked(question.period);
+    const auto period = validate(question.period);
     if (!period) return tl::make_unexpected(period.error());
     auto sun = computeDaylightSteps(question.period, question.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
@@ -160,8 +160,8 @@ double turnTestsAfter(const ViewAnswer& answer) {
     return std::clamp(asFast, leastTurnTests, 1e10);
 }
 
-Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* before, const ViewEngine& engine,
-                           Progress& progress, std::stop_token stop) {
+Result<ViewAnswer> refineView(const ViewQuestion& question, const ViewAnswer* before,
+                              const ViewEngine& engine, Progress& progress, std::stop_token stop) {
     if (!before) return firstAnswer(question, engine, progress, stop);
     if (before->level < finestLevel && before->view.daysDone == wantedDays(*before).all)
         return finerAnswer(question, *before, engine, progress, stop);

@@ -57,8 +57,8 @@ double turnTestsAfter(const ViewAnswer& answer);
 /// values of the coarser one and then computes its own points and days in turns; the finest takes all days,
 /// the others as many as the first. Each answer is correct for the samples and days that it states. Error: a
 /// period out of range, a sun that never rises; cancelled() within 0.2 s.
-Result<ViewAnswer> refined(const ViewQuestion& question, const ViewAnswer* before, const ViewEngine& engine,
-                           Progress& progress, std::stop_token stop);
+Result<ViewAnswer> refineView(const ViewQuestion& question, const ViewAnswer* before,
+                              const ViewEngine& engine, Progress& progress, std::stop_token stop);
 
 /// Combines `answer` with a partial result of its next turn, if that shows more than the answer does: more
 /// samples times days than the coarser level behind it, or the whole period in finer detail; else nothing.

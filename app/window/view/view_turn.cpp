@@ -12,7 +12,7 @@ namespace {
 
 constexpr double coarseTests = 1e7;
 
-ViewTurn counted(ViewTurn turn, const SunSteps& sun) {
+ViewTurn countTurn(ViewTurn turn, const SunSteps& sun) {
     turn.tests = double(turn.points) * turn.days * stepsADay(sun);
     return turn;
 }
@@ -60,13 +60,13 @@ ViewTurn nextTurn(const ExploredView& view, const WantedDays& wanted, const SunS
     const double pointDays = mostTests / stepsADay(sun);
     const double whole = std::floor(pointDays / std::max(1.0, double(all)));
     if (view.pointsDone == 0 && whole >= days)
-        return counted({0, all, int(std::min(whole, double(wanted.all - view.daysDone)))}, sun);
+        return countTurn({0, all, int(std::min(whole, double(wanted.all - view.daysDone)))}, sun);
     const auto some = std::size_t(std::max(1.0, pointDays / days));
-    return counted({view.pointsDone, std::min(all - view.pointsDone, some), days}, sun);
+    return countTurn({view.pointsDone, std::min(all - view.pointsDone, some), days}, sun);
 }
 
 ViewTurn allTheRest(const ExploredView& view, int days, const SunSteps& sun) {
-    return counted({0, view.surface->points.size(), days - view.daysDone}, sun);
+    return countTurn({0, view.surface->points.size(), days - view.daysDone}, sun);
 }
 
 SurfacePoints pointsOf(const SurfacePoints& all, const ViewTurn& turn) {

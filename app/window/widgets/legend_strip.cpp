@@ -64,7 +64,7 @@ QSpinBox* changeScaleField() {
 }
 
 // The note, shortened to its first words if it does not fit.
-QString fitted(const QString& note, const QFont& font, const QSizeF& room) {
+QString elideNote(const QString& note, const QFont& font, const QSizeF& room) {
     const auto fits = [&](const QString& words) {
         const QSizeF size = sizeOf(words, font, room.width());
         return size.width() <= room.width() && size.height() <= room.height();
@@ -161,7 +161,7 @@ QSizeF LegendStrip::noteRoom() const {
 }
 
 QString LegendStrip::paintedNote() const {
-    return note_.isEmpty() ? QString() : fitted(note_, noteFont(), noteRoom());
+    return note_.isEmpty() ? QString() : elideNote(note_, noteFont(), noteRoom());
 }
 
 // A tooltip shows the whole note if it was shortened.

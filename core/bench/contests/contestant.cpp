@@ -14,7 +14,7 @@ std::string settingWords(const EngineOption& option, double value) {
     return fmt::format("{} {:g}{}{}", option.key, value, option.unit.empty() ? "" : " ", option.unit);
 }
 
-double fitToMasks(const EngineOption& option, double value) {
+double clampToRange(const EngineOption& option, double value) {
     value = std::clamp(value, option.lowest, option.highest);
     return option.kind != OptionKind::number ? std::round(value) : value;
 }
@@ -31,7 +31,7 @@ void add(StartList& list, const EngineEntry& engine, const EngineSettings& setti
 
 void addLadder(StartList& list, const EngineEntry& engine, const EngineOption& option,
                std::vector<double> values, const EngineList& engines) {
-    for (double& value : values) value = fitToMasks(option, value);
+    for (double& value : values) value = clampToRange(option, value);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     for (const double value : values)
         add(list, engine, {{std::string(option.key), value}}, settingWords(option, value), engines);
@@ -58,7 +58,7 @@ StartList listVariedEngines(const EngineList& engines, const std::vector<double>
         for (const EngineOption& option : engine.info.options) {
             std::vector<double> values;
             for (const double factor : factors) values.push_back(factor * option.usual);
-            std::erase_if(values, [&](double value) { return fitToMasks(option, value) == option.usual; });
+            std::erase_if(values, [&](double value) { return clampToRange(option, value) == option.usual; });
             addLadder(list, engine, option, values, engines);
         }
     }

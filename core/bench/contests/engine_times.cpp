@@ -102,7 +102,7 @@ void addRows(Finding& finding, const StartList& engines, const std::vector<Meeti
             TableCell seconds;
             if (placing.timed()) seconds = placing.medianS / hours;
             finding.table.rows.push_back({engines.contestants[i].engine, double(one.position),
-                                          textOf(one.date), seconds, double(placing.runs),
+                                          formatText(one.date), seconds, double(placing.runs),
                                           placing.error.areaPct, placing.error.cellMeanPct, placing.refusal});
             if (!placing.refusal.empty())
                 refusals.insert(engines.contestants[i].name + ": " + placing.refusal);

@@ -45,8 +45,8 @@ Result<void> checkedEdit(ShadowCache& kept, const TowerPlace& place, const SunSt
     return failure("The edited field differs from a fresh one", "cached shadows");
 }
 
-Result<DayTimes> measured(const BenchSite& site, const Extent& extent, const SunSteps& day,
-                          const Work& work) {
+Result<DayTimes> measureDay(const BenchSite& site, const Extent& extent, const SunSteps& day,
+                            const Work& work) {
     const auto here = placeTower(site, 0, work), there = placeTower(site, towerMoveM, work);
     if (!here || !there) return tl::make_unexpected(here ? there.error() : here.error());
     DayTimes times;
@@ -80,7 +80,7 @@ Result<Finding> benchDayEdits(const BenchSite& site, const Extent& extent, const
     work.progress.report(0, "cached shadows");
     const auto day = computeSunOver(site, site.date, 1);
     if (!day) return tl::make_unexpected(day.error());
-    const auto times = measured(site, extent, *day, work);
+    const auto times = measureDay(site, extent, *day, work);
     if (!times) return tl::make_unexpected(times.error());
     Finding finding;
     finding.key = "day_edits";
@@ -90,7 +90,7 @@ Result<Finding> benchDayEdits(const BenchSite& site, const Extent& extent, const
         "turn with edits that move a tower of 40 x 40 x 200 m in the middle by 10 m and back with cached "
         "shadows. After every move the field equals that of the full run, bit for bit. Making the cache took "
         "{:.3g} s and {:.0f} MB.",
-        textOf(site.date), times->keepS, double(times->bytes) * 1e-6);
+        formatText(site.date), times->keepS, double(times->bytes) * 1e-6);
     finding.table.columns = {"what", "time_s"};
     finding.comparisons[0].header = {"", "median, ms", "least", "most"};
     finding.charts = {{"Time of each run", {.label = "run", .whole = true}, {"time, ms", true}, {}}};

@@ -75,7 +75,7 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent) {
     finding.text = fmt::format(
         "6 h around noon on {} at every minute, gross and continuous, in the middle of the city, all engines "
         "in turn; medians of {} runs. Errors are of the sunlit time; an error of zero is shown as 0.0001 %.",
-        textOf(site.date), extent.runs);
+        formatText(site.date), extent.runs);
     finding.table.columns = {
         "engine", "time_s", "runs", "area_error_pct", "cell_error_mean_pct", "cell_error_max_pct", "refusal"};
     finding.comparisons[0].header = {"engine", "s", "x rays", "error, %", "largest"};

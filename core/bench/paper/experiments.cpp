@@ -8,7 +8,7 @@ namespace noonmark::bench {
 
 namespace {
 
-Finding failed(const char* title, const Error& error) {
+Finding makeFailedFinding(const char* title, const Error& error) {
     return {.title = title, .text = "This experiment failed: " + error.text(), .comparisons = {}};
 }
 
@@ -26,7 +26,7 @@ void Experiments::add(const char* title, const Make& make, double share) {
     Result<Finding> finding =
         make({work_.progress, work_.stop, Allowance(shares_ * budgetS_ - watch_.seconds())});
     if (!finding && isCancelled(finding.error())) return;
-    if (!finding) finding = failed(title, finding.error());
+    if (!finding) finding = makeFailedFinding(title, finding.error());
     finding->seconds = watch.seconds();
     findings_.push_back(std::move(*finding));
 }

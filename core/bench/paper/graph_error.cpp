@@ -44,7 +44,7 @@ public:
             taken.push_back(edge->sun.at(step));
         }
         return difference(rays.of(is), rays.of(taken), day.date,
-                          textOf(std::chrono::minutes((9 + int(hour)) * 60)));
+                          formatText(std::chrono::minutes((9 + int(hour)) * 60)));
     }
 
 private:
@@ -131,7 +131,7 @@ Finding findingOf(const std::vector<Hour>& hours) {
     ChartSeries errors{.name = "area error", .colourOf = "ours", .joined = false};
     double most = 0;
     for (const Hour& hour : hours) {
-        finding.table.rows.push_back({double(hour.position), textOf(hour.date), hour.begin, hour.truePct,
+        finding.table.rows.push_back({double(hour.position), formatText(hour.date), hour.begin, hour.truePct,
                                       hour.graphPct, std::abs(hour.graphPct - hour.truePct),
                                       hour.mistaggedPct});
         points.points.push_back({hour.truePct, hour.graphPct, {}});

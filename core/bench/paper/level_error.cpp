@@ -76,7 +76,7 @@ private:
 void addHours(Finding& finding, const std::vector<LevelErrors>& hours) {
     for (const LevelErrors& hour : hours)
         for (std::size_t level = 0; level < hour.errors.size(); ++level)
-            finding.table.rows.push_back({double(level + 1), double(hour.position), textOf(hour.date),
+            finding.table.rows.push_back({double(level + 1), double(hour.position), formatText(hour.date),
                                           hour.altitudeDeg, hour.errors[level].areaPct,
                                           hour.errors[level].cellMeanPct, hour.errors[level].cellMaxPct});
 }

@@ -40,7 +40,7 @@ Finding emptyFinding(const BenchSite& site, const Extent& extent, const StartLis
         "{:g} m in the middle of the city, divided into increasing numbers of cells, over the hour from noon "
         "on {} at every minute. Medians of {} runs in turn, after the check against rays. The paper found "
         "both accrual maps linear in the number of cells.",
-        site.sideM, textOf(site.date), extent.runs);
+        site.sideM, formatText(site.date), extent.runs);
     finding.table.columns = {"engine",         "cells_a_side",        "time_s", "runs",
                              "area_error_pct", "cell_error_mean_pct", "refusal"};
     finding.comparisons[0].header = {"engine", fmt::format("{}, s", extent.resolutions.front()),

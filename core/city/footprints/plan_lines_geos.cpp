@@ -11,7 +11,7 @@ namespace {
 
 using Geometry = Geos::Geometry;
 
-Geometry polygonized(const Geos& geos, const Geometry& lines) {
+Geometry polygonize(const Geos& geos, const Geometry& lines) {
     if (!lines) return geos.owned(nullptr);
     const GEOSGeometry* const all[] = {lines.get()};
     return geos.owned(GEOSPolygonize_r(geos, all, 1));
@@ -45,7 +45,7 @@ void addClosingLine(const Geos& geos, const GEOSGeometry* chain, std::vector<Pla
 
 std::vector<Footprint> findFaces(const std::vector<PlanLine>& lines) {
     const Geos geos;
-    return toPolygons(geos, polygonized(geos, nodeLines(geos, lines)));
+    return toPolygons(geos, polygonize(geos, nodeLines(geos, lines)));
 }
 
 std::vector<Footprint> findEnclosedFaces(const std::vector<PlanLine>& lines) {

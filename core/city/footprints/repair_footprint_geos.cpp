@@ -42,7 +42,7 @@ Geometry madeValid(const Geos& geos, const Geometry& geometry) {
 }
 
 // Snap rounding: moves all points to multiples of the step and keeps the geometry valid.
-Geometry snapped(const Geos& geos, const Geometry& geometry, double stepM) {
+Geometry snapToGrid(const Geos& geos, const Geometry& geometry, double stepM) {
     return geos.owned(GEOSGeom_setPrecision_r(geos, geometry.get(), stepM, 0));
 }
 
@@ -60,7 +60,7 @@ Points withoutRepeats(Points ring) {
 }
 
 // Copies through a Ring: GCC 12 takes dvec2(vec2(point)) for the point itself.
-RawRing rounded(const RawRing& ring) {
+RawRing roundRing(const RawRing& ring) {
     Ring inFloat;
     for (const glm::dvec2 point : ring) inFloat.emplace_back(point);
     inFloat = withoutRepeats(std::move(inFloat));
@@ -68,7 +68,7 @@ RawRing rounded(const RawRing& ring) {
 }
 
 // Drops holes that are not rings; empty if the outline is not a ring.
-std::vector<RawRing> cleaned(const std::vector<RawRing>& rings, RepairedFootprint& result) {
+std::vector<RawRing> cleanRings(const std::vector<RawRing>& rings, RepairedFootprint& result) {
     std::vector<RawRing> good;
     for (const RawRing& ring : rings) {
         const bool placed = std::all_of(ring.begin(), ring.end(), usable);
@@ -116,9 +116,9 @@ void say(RepairedFootprint& result, const std::string& what) {
 }
 
 // Valid polygons whose points are all float32; null if GEOS fails.
-Geometry mended(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
+Geometry mendRings(const Geos& geos, const std::vector<RawRing>& rings, RepairedFootprint& result) {
     auto inFloat = rings;
-    for (RawRing& ring : inFloat) ring = rounded(ring);
+    for (RawRing& ring : inFloat) ring = roundRing(ring);
     const auto isRing = [](const RawRing& ring) { return ring.size() >= fewestPoints; };
     if (std::all_of(inFloat.begin(), inFloat.end(), isRing)) {
         auto polygon = makePolygonGeometry(geos, inFloat);
@@ -133,21 +133,21 @@ Geometry mended(const Geos& geos, const std::vector<RawRing>& rings, RepairedFoo
         }
         polygon = madeValid(geos, polygon);
     }
-    return polygon ? snapped(geos, polygon, floatStep(rings)) : std::move(polygon);
+    return polygon ? snapToGrid(geos, polygon, floatStep(rings)) : std::move(polygon);
 }
 
 }  // namespace
 
 RepairedFootprint repairFootprint(const std::vector<RawRing>& rings) {
     RepairedFootprint result;
-    const auto good = cleaned(rings, result);
+    const auto good = cleanRings(rings, result);
     if (good.empty()) {
         if (rings.empty()) result.what = "outline had fewer than three points";
         result.kind = WarningKind::dropped;
         return result;
     }
     const Geos geos;
-    const auto geometry = mended(geos, good, result);
+    const auto geometry = mendRings(geos, good, result);
     bool sliver = false;
     result.pieces = toPolygons(geos, geometry, &sliver);
     if (sliver) say(result, "slivers under 0.01 m2 left out");

@@ -45,7 +45,7 @@ std::vector<Edge> computeOutline(const Triangulation& cap) {
 
 // The walls use the points of the two caps, whose indices differ by `top`, so that the solid is closed by
 // index.
-TriangleMesh extruded(const Part& part) {
+TriangleMesh extrude(const Part& part) {
     TriangleMesh mesh;
     const Triangulation cap = triangulate(part.footprint);
     addCap(mesh, cap, part.bottomM, false);
@@ -93,7 +93,7 @@ CityMesh withRoomFor(const std::vector<TriangleMesh>& meshes) {
 
 }  // namespace
 
-TriangleMesh meshOf(const Part& part) { return part.mesh ? *part.mesh : extruded(part); }
+TriangleMesh meshOf(const Part& part) { return part.mesh ? *part.mesh : extrude(part); }
 
 CityMesh meshOf(const City& city, const std::stop_token& stop) {
     const std::vector<TriangleMesh> meshes = meshesOf(city, stop);

@@ -51,7 +51,7 @@ struct Plane {
     }
 };
 
-Ring projected(const IndexRing& ring, Points points, const Plane& plane) {
+Ring projectRing(const IndexRing& ring, Points points, const Plane& plane) {
     Ring result;
     for (const auto index : ring) result.push_back(plane.project(points[index]));
     return result;
@@ -111,10 +111,10 @@ bool SurfaceMesher::addConvexQuad(const std::vector<std::uint32_t>& ring, glm::d
 
 SurfaceMesher::Outcome SurfaceMesher::addTriangulated(const Surface& surface, glm::dvec3 normal) {
     const Plane plane(points_[surface[0][0]], normal);
-    Footprint flat{projected(surface[0], points_, plane), {}};
+    Footprint flat{projectRing(surface[0], points_, plane), {}};
     IndexRing own = surface[0];
     for (std::size_t i = 1; i < surface.size(); ++i) {
-        flat.holes.push_back(projected(surface[i], points_, plane));
+        flat.holes.push_back(projectRing(surface[i], points_, plane));
         own.insert(own.end(), surface[i].begin(), surface[i].end());
     }
     const Triangulation triangulation = triangulate(flat);

@@ -18,7 +18,7 @@ void countSkipped(Cost& cost, const Receivers& receivers, const SunSteps& sun) {
 
 }  // namespace
 
-ShadowField blankField(const Receivers& receivers, const SunSteps& sun) {
+ShadowField makeBlankField(const Receivers& receivers, const SunSteps& sun) {
     ShadowField field;
     field.grid = receivers.grid;
     field.grossMin.assign(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());

@@ -13,9 +13,9 @@ inline constexpr const char* cellsOutside = "cells outside the region";
 /// The field that every engine starts from: the receivers' grid, 0 minutes at receivers and NaN elsewhere,
 /// the period's day count, sunlit minutes and step length, and in Cost::skipped the cells and steps that no
 /// engine has to process.
-ShadowField blankField(const Receivers& receivers, const SunSteps& sun);
+ShadowField makeBlankField(const Receivers& receivers, const SunSteps& sun);
 
-/// Sets everything blankField() sets except the minutes. For reusing a field of the same receivers for
+/// Sets everything makeBlankField() sets except the minutes. For reusing a field of the same receivers for
 /// another period.
 void setPeriod(ShadowField& field, const Receivers& receivers, const SunSteps& sun);
 

@@ -32,7 +32,7 @@ void DaySum::writeTo(ShadowField& field) const {
 }
 
 PartialField DaySum::partial() const {
-    PartialField partial{blankField(receivers_, sun_), double(days_) / double(sun_.dayCount()),
+    PartialField partial{makeBlankField(receivers_, sun_), double(days_) / double(sun_.dayCount()),
                          fmt::format("{} of {} days", days_, sun_.dayCount())};
     writeTo(partial.field);
     partial.field.sunlitMinutesPerDay = double(sunlit_) * sun_.stepMinutes / partial.field.days;

@@ -191,7 +191,7 @@ Result<ShadowField> GraphEngine::accumulate(const City& city, const Receivers& r
     auto scene = engine_->prepare(city, receivers, collectDirections(*graph), stop);
     if (!scene) return tl::make_unexpected(scene.error());
     const double build = watch.seconds();
-    ShadowField field = blankField(receivers, sun);
+    ShadowField field = makeBlankField(receivers, sun);
     const Cost untouched = field.cost;
     GraphRun run(*graph, **scene, receivers, field, progress, stop, memory);
     if (const auto done = run.run(); !done) return tl::make_unexpected(done.error());

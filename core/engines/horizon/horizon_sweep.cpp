@@ -26,10 +26,10 @@ void addDecided(const RunRays& rays, const Receivers& receivers, ShadowField& fi
                                 receivers.cells.size());
 }
 
-Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                const HorizonSweepSettings& settings, Progress& progress,
-                                const std::stop_token& stop) {
-    ShadowField field = blankField(receivers, sun);
+Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                  const HorizonSweepSettings& settings, Progress& progress,
+                                  const std::stop_token& stop) {
+    ShadowField field = makeBlankField(receivers, sun);
     if (settings.counts == ShadowCounts::gross)
         std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
     const Stopwatch watch;
@@ -41,7 +41,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
     const BinnedSun binned = binSun(sun, settings);
     field.engine = fmt::format(
         "Horizon sweep: the slope of each receiver's horizon in {}, every step of every day counted{}",
-        textOf(binned), settings.counts == ShadowCounts::gross ? ", gross shadow only" : "");
+        formatText(binned), settings.counts == ShadowCounts::gross ? ", gross shadow only" : "");
     field.cost.buildingsUsed = std::uint32_t(used.size());
     field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
         city.buildings.size() - used.size();
@@ -70,7 +70,7 @@ Result<ShadowField> HorizonSweep::compute(const City& city, const Receivers& rec
                                           Progress& progress, std::stop_token stop) const {
     if (const auto able = checkSweepSettings(settings_); !able) return tl::make_unexpected(able.error());
     if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
-    return accumulated(city, receivers, sun, settings_, progress, stop);
+    return sweepHorizons(city, receivers, sun, settings_, progress, stop);
 }
 
 Result<ShadowBreakdown> HorizonSweep::computeBreakdown(const City& city, const Receivers& receivers,

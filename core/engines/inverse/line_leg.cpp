@@ -16,7 +16,7 @@ constexpr double crowdedShare = 0.4;
 // At a leg's first and last step the sources give the shadow exactly; lines do not.
 void takeMasks(const LineLeg& leg, const BlockWork& work, int slot, std::span<ShadowMask> masks) {
     const ShadowMask lastBit = ShadowMask{1} << (leg.interval.steps - 1), between = ~(lastBit | 1);
-    const ShadowMask cached = fullMask(leg.firstStep);
+    const ShadowMask kept = fullMask(leg.firstStep);
     for (int major = 0; major < work.masks.majors; ++major)
         for (int lane = 0; lane < Lanes::perBlock; ++lane) {
             const std::uint32_t number = work.numbers[std::size_t(slot)][std::size_t(major)].values[lane];
@@ -24,7 +24,7 @@ void takeMasks(const LineLeg& leg, const BlockWork& work, int slot, std::span<Sh
             const ShadowMask known = (work.first.shades(slot, major, lane) ? 1 : 0) |
                                      (work.last.shades(slot, major, lane) ? lastBit : 0);
             const ShadowMask drawn = (work.masks.lane(slot, lane)[major] & between) | known;
-            masks[number] = (masks[number] & cached) | drawn << leg.firstStep;
+            masks[number] = (masks[number] & kept) | drawn << leg.firstStep;
         }
 }
 

@@ -53,7 +53,7 @@ std::vector<cl::Device> allDevices() {
     return devices;
 }
 
-ComputeDevice described(const cl::Device& device) {
+ComputeDevice describeDevice(const cl::Device& device) {
     return {device.getInfo<CL_DEVICE_NAME>(),
             cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>(), isGpu(device),
             device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>(), device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()};
@@ -131,7 +131,7 @@ private:
 
 std::vector<ComputeDevice> listComputeDevices() {
     std::vector<ComputeDevice> list;
-    for (const cl::Device& device : allDevices()) list.push_back(described(device));
+    for (const cl::Device& device : allDevices()) list.push_back(describeDevice(device));
     return list;
 }
 

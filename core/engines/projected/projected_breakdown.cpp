@@ -16,7 +16,7 @@ Result<ShadowBreakdown> computeProjectedBreakdown(const City& city, const Receiv
     breakdown.engine = "Projected shadows: exact on flat ground, one run for all months and intervals";
     for (std::size_t set = 0; set < sets.names.size(); ++set) {
         const SunSteps own = sets.stepsOf(set, sun);
-        ShadowField field = blankField(receivers, own);
+        ShadowField field = makeBlankField(receivers, own);
         field.days = 1;  // so that minutes are totals
         ProgressShare share(progress, set, sets.names.size());
         if (const auto filled = Projection(casters, receivers, own, share, stop).run(field); !filled)

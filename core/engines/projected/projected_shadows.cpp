@@ -35,7 +35,7 @@ Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, c
         std::vector<std::size_t> numbers(std::min(count, all - done));
         for (std::size_t& number : numbers) number = done++ * stride % all;
         const SunSteps days = chooseDays(sun, numbers);
-        ShadowField part = blankField(receivers, days);
+        ShadowField part = makeBlankField(receivers, days);
         ProgressShare share(progress, done - numbers.size(), all, numbers.size());
         const auto filled = shade(days, part, share);
         if (!filled) return filled;
@@ -50,9 +50,9 @@ Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, c
     return total;
 }
 
-Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
+Result<ShadowField> fillShadows(const City& city, const Receivers& receivers, const SunSteps& sun,
                                 Progress& progress, const std::stop_token& stop) {
-    ShadowField field = blankField(receivers, sun);
+    ShadowField field = makeBlankField(receivers, sun);
     field.engine =
         "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground";
     const Stopwatch watch;
@@ -80,7 +80,7 @@ Result<ShadowField> accumulated(const City& city, const Receivers& receivers, co
 Result<ShadowField> ProjectedShadows::compute(const City& city, const Receivers& receivers,
                                               const SunSteps& sun, Progress& progress,
                                               std::stop_token stop) const {
-    return accumulated(city, receivers, sun, progress, stop);
+    return fillShadows(city, receivers, sun, progress, stop);
 }
 
 Result<ShadowBreakdown> ProjectedShadows::computeBreakdown(const City& city, const Receivers& receivers,

@@ -21,8 +21,8 @@ namespace noonmark {
 
 namespace {
 
-SavedPeriod periodOf(const SunSteps& sun, double cellM) {
-    SavedPeriod period{sun.steps.size(), computeOffsetsByEight(sun, cellM), {}, findRunStarts(sun)};
+CachedPeriod periodOf(const SunSteps& sun, double cellM) {
+    CachedPeriod period{sun.steps.size(), computeOffsetsByEight(sun, cellM), {}, findRunStarts(sun)};
     if (!sun.steps.empty()) period.whole = computeOffsets(sun, cellM, 0, sun.steps.size());
     return period;
 }
@@ -63,7 +63,7 @@ Error tooMuch(const Grid& grid, std::size_t steps, const ShadowCacheSettings& se
 struct ShadowCache::State {
     ShadowCacheSettings settings;
     SunSteps sun;
-    SavedPeriod period;
+    CachedPeriod period;
     ShadowReach reach;
     std::vector<CellKind> kinds;
     Buildings buildings;
@@ -78,7 +78,7 @@ struct ShadowCache::State {
           period(periodOf(steps, receivers.grid.cellM)),
           reach(steps),
           kinds(receivers.kind),
-          field(blankField(receivers, steps)) {
+          field(makeBlankField(receivers, steps)) {
         memory.most = chosen.memoryBytes;
         field.engine =
             "Kept shadows: each building's shadow filled as polygons at every step and kept, exact on flat "

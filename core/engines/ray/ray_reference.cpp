@@ -127,9 +127,9 @@ Result<RayScene> buildScene(const City& city, const Receivers& receivers, const 
     return scene;
 }
 
-Result<ShadowField> accumulated(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                int threads, Progress& progress, const std::stop_token& stop) {
-    ShadowField field = blankField(receivers, sun);
+Result<ShadowField> traceRays(const City& city, const Receivers& receivers, const SunSteps& sun, int threads,
+                              Progress& progress, const std::stop_token& stop) {
+    ShadowField field = makeBlankField(receivers, sun);
     field.engine = fmt::format("Ray reference, {}, robust, packets of {}", RayScene::backend(),
                                DirectionPacket::capacity);
     if (stop.stop_requested()) return cancelled();
@@ -162,7 +162,7 @@ RayReference::RayReference(RayReferenceSettings settings) : settings_(settings) 
 
 Result<ShadowField> RayReference::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
                                           Progress& progress, std::stop_token stop) const {
-    return accumulated(city, receivers, sun, settings_.threads, progress, stop);
+    return traceRays(city, receivers, sun, settings_.threads, progress, stop);
 }
 
 }  // namespace noonmark

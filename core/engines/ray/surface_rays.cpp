@@ -92,9 +92,9 @@ private:
     std::atomic<std::uint64_t> turnedAway_{0};
 };
 
-Result<SurfaceShadow> traced(const City& city, const std::optional<RayScene>& ready,
-                             const SurfacePoints& points, const SunSteps& sun, Progress& progress,
-                             const std::stop_token& stop) {
+Result<SurfaceShadow> tracePoints(const City& city, const std::optional<RayScene>& ready,
+                                  const SurfacePoints& points, const SunSteps& sun, Progress& progress,
+                                  const std::stop_token& stop) {
     auto shadow = makeBlankSurfaceShadow(points, sun);
     if (!shadow) return shadow;
     progress.report(0, "building the ray scene");
@@ -122,7 +122,7 @@ Result<SurfaceShadow> SurfaceRays::accumulate(const City& city, const SurfacePoi
                                               const SunSteps& sun, Progress& progress,
                                               std::stop_token stop) const {
     try {
-        return traced(city, scene_, points, sun, progress, stop);
+        return tracePoints(city, scene_, points, sun, progress, stop);
     } catch (const std::bad_alloc&) {
         return failure("There is not enough memory for this view", "ray reference", "Choose a smaller view");
     }

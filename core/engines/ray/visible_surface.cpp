@@ -40,7 +40,7 @@ std::optional<double> distanceToGround(const PixelCamera& camera, glm::dvec3 dir
     return distance;
 }
 
-PointSeen seen(const RayScene& scene, bool flatGround, const PixelCamera& camera, glm::dvec3 direction) {
+PointSeen lookAt(const RayScene& scene, bool flatGround, const PixelCamera& camera, glm::dvec3 direction) {
     const auto hit = scene.firstHit(glm::vec3(camera.eye), glm::vec3(direction));
     const auto ground = flatGround ? distanceToGround(camera, direction) : std::nullopt;
     const double groundM = ground.value_or(1e30);
@@ -54,7 +54,7 @@ PointSeen seen(const RayScene& scene, bool flatGround, const PixelCamera& camera
     return {{place.x, place.y, 0}, {0, 0, camera.eye.z >= 0 ? 1 : -1}, true};
 }
 
-VisibleSurface gathered(const std::vector<PointSeen>& pixels, glm::vec3 eye) {
+VisibleSurface gatherPoints(const std::vector<PointSeen>& pixels, glm::vec3 eye) {
     VisibleSurface surface;
     surface.points.eye = eye;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -92,10 +92,10 @@ Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround
         for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
             for (int column = 0; column < camera.widthPx; ++column)
                 pixels[std::size_t(row) * std::size_t(camera.widthPx) + std::size_t(column)] =
-                    seen(scene, flatGround, camera, glm::normalize(directionThrough(camera, column, row)));
+                    lookAt(scene, flatGround, camera, glm::normalize(directionThrough(camera, column, row)));
     });
     if (stop.stop_requested()) return cancelled();
-    return gathered(pixels, glm::vec3(camera.eye));
+    return gatherPoints(pixels, glm::vec3(camera.eye));
 }
 
 }  // namespace noonmark

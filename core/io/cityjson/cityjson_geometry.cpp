@@ -16,12 +16,14 @@ const Json& member(const Json& object, const char* key) {
     return object.is_object() && place != object.end() ? *place : none;
 }
 
-std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+std::string formatText(const Json& value) {
+    return value.is_string() ? value.get<std::string>() : std::string();
+}
 
 // A number in version 1.0, text in later versions.
 std::optional<double> lodOf(const Json& value) {
     if (value.is_number()) return value.get<double>();
-    const std::string text = textOf(value);
+    const std::string text = formatText(value);
     double lod = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), lod);
     return error == std::errc() && end == text.data() + text.size() ? std::optional(lod) : std::nullopt;
@@ -88,8 +90,8 @@ bool isSolidType(const std::string& type) {
 }
 bool isSurfaceType(const std::string& type) { return type == "MultiSurface" || type == "CompositeSurface"; }
 
-CityJsonGeometry parsed(const Json& geometry, double lod, BoundaryReader& reader) {
-    const std::string type = textOf(member(geometry, "type"));
+CityJsonGeometry parseGeometry(const Json& geometry, double lod, BoundaryReader& reader) {
+    const std::string type = formatText(member(geometry, "type"));
     const Json& boundaries = member(geometry, "boundaries");
     CityJsonGeometry result{lod, isSolidType(type), {}};
     if (type == "Solid")
@@ -128,11 +130,11 @@ void keepBetter(std::optional<Candidate>& best, const Candidate& candidate, cons
     if (!best || isBetter(candidate, *best, choice)) best = candidate;
 }
 
-Chosen chosen(const Json& geometries, const LodChoice& choice) {
+Chosen choose(const Json& geometries, const LodChoice& choice) {
     Chosen result;
     if (!geometries.is_array()) return result;
     for (const Json& geometry : geometries) {
-        const std::string type = textOf(member(geometry, "type"));
+        const std::string type = formatText(member(geometry, "type"));
         result.templates = result.templates || type == "GeometryInstance";
         if (!isSolidType(type) && !isSurfaceType(type)) continue;
         const Candidate candidate{&geometry, lodOf(member(geometry, "lod")).value_or(1), isSolidType(type)};
@@ -147,10 +149,11 @@ Chosen chosen(const Json& geometries, const LodChoice& choice) {
 
 void chooseGeometry(const Json& geometries, const LodChoice& choice, std::size_t vertexCount,
                     const std::string& where, CityJsonObject& object, Warnings& warnings) {
-    const Chosen best = chosen(geometries, choice);
+    const Chosen best = choose(geometries, choice);
     BoundaryReader reader(vertexCount);
-    if (best.body) object.body = parsed(*best.body->geometry, best.body->lod, reader);
-    if (best.footprint) object.footprint = parsed(*best.footprint->geometry, best.footprint->lod, reader);
+    if (best.body) object.body = parseGeometry(*best.body->geometry, best.body->lod, reader);
+    if (best.footprint)
+        object.footprint = parseGeometry(*best.footprint->geometry, best.footprint->lod, reader);
     if (best.templates) warnings.push_back({WarningKind::dropped, "geometry templates are not read", where});
     if (best.body && choice.wished && best.body->lod != *choice.wished)
         warnings.push_back({WarningKind::assumed,

@@ -26,7 +26,7 @@ const Json& member(const Json& object, const char* key) {
     return place != object.end() ? *place : none;
 }
 
-std::string textOf(const Json& value) {
+std::string formatText(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     return value.is_number() ? value.dump() : std::string();
 }
@@ -63,9 +63,9 @@ std::vector<glm::dvec3> verticesOf(const Json& root, const Transform& transform)
 
 std::string crsOf(const Json& root) {
     const Json& metadata = member(root, "metadata");
-    const std::string stated = textOf(member(metadata, "referenceSystem"));
+    const std::string stated = formatText(member(metadata, "referenceSystem"));
     if (!stated.empty()) return stated;
-    const std::string epsg = textOf(member(member(metadata, "crs"), "epsg"));  // before 1.0
+    const std::string epsg = formatText(member(member(metadata, "crs"), "epsg"));  // before 1.0
     return epsg.empty() ? std::string() : "EPSG:" + epsg;
 }
 
@@ -74,7 +74,7 @@ bool isOfBuilding(const std::string& type) {
 }
 
 std::string firstOf(const Json& list) {
-    return list.is_array() && !list.empty() ? textOf(list[0]) : std::string();
+    return list.is_array() && !list.empty() ? formatText(list[0]) : std::string();
 }
 
 class Loader {
@@ -84,12 +84,13 @@ public:
     CityJsonData data;
 
     Result<void> addHeader(const Json& root) {
-        if (textOf(member(root, "type")) != "CityJSON")
+        if (formatText(member(root, "type")) != "CityJSON")
             return failure("This is not CityJSON", file_,
                            "A sequence (CityJSONSeq) must begin with a line of type CityJSON");
-        data.version = textOf(member(root, "version"));
+        data.version = formatText(member(root, "version"));
         data.crs = crsOf(root);
-        data.attribution = textOf(member(member(member(root, "metadata"), "pointOfContact"), "contactName"));
+        data.attribution =
+            formatText(member(member(member(root, "metadata"), "pointOfContact"), "contactName"));
         transform_ = transformOf(root);
         if (!data.version.starts_with("1.") && !data.version.starts_with("2."))
             warn(WarningKind::assumed, "its version is unknown; it was read as 2.0",
@@ -100,7 +101,7 @@ public:
 
     // One line of a sequence.
     void addFeature(const Json& feature, std::size_t line) {
-        if (textOf(member(feature, "type")) == "CityJSONFeature" &&
+        if (formatText(member(feature, "type")) == "CityJSONFeature" &&
             member(feature, "CityObjects").is_object())
             addBlock(feature);
         else
@@ -123,8 +124,9 @@ private:
 
     void addObject(const std::string& id, const Json& source, CityJsonBlock& block) {
         ++data.features;
-        CityJsonObject object{
-            .id = id, .type = textOf(member(source, "type")), .parent = firstOf(member(source, "parents"))};
+        CityJsonObject object{.id = id,
+                              .type = formatText(member(source, "type")),
+                              .parent = firstOf(member(source, "parents"))};
         const std::string where = file_ + ": " + id;
         if (!isOfBuilding(object.type) && object.type != "TINRelief")
             return warn(
@@ -132,8 +134,8 @@ private:
                 fmt::format("not a building but {}", object.type.empty() ? "without a type" : object.type),
                 where);
         const Json& attributes = member(source, "attributes");
-        object.name = textOf(member(attributes, "name"));
-        object.status = textOf(member(attributes, "status"));
+        object.name = formatText(member(attributes, "name"));
+        object.status = formatText(member(attributes, "status"));
         addValues(attributes, object);
         chooseGeometry(member(source, "geometry"), choice_, block.vertices.size(), where, object,
                        data.warnings);
@@ -148,7 +150,7 @@ private:
         for (const auto& [name, value] : attributes.items()) names.push_back(name);
         for (const KnownField& field : fieldsOf(names)) {
             const Json& value = attributes.at(field.name);
-            FeatureValue known{field.meaning.role, field.name, textOf(value), {}, field.unit};
+            FeatureValue known{field.meaning.role, field.name, formatText(value), {}, field.unit};
             if (value.is_number()) known.number = value.get<double>();
             if (!known.text.empty()) object.values.push_back(std::move(known));
         }
@@ -170,7 +172,7 @@ private:
 
     void addUnknown(const std::string& name, const Json& value) {
         if (value.is_number()) data.unknown.add(name, {}, value.get<double>());
-        if (value.is_string() && !textOf(value).empty()) data.unknown.add(name, textOf(value), {});
+        if (value.is_string() && !formatText(value).empty()) data.unknown.add(name, formatText(value), {});
     }
 
     std::vector<std::string> names_;

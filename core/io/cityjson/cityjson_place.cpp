@@ -59,7 +59,7 @@ void toPlaces(CityJsonData& data, const CrsToLonLat& crs) {
         const std::vector<LonLat> places = crs.lonLat(points);
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!nearDeg && std::isfinite(places[i].lonDeg)) nearDeg = places[i].lonDeg;
-            block.vertices[i] = {longitudeNear(places[i].lonDeg, nearDeg.value_or(0)), places[i].latDeg,
+            block.vertices[i] = {wrapLongitudeNear(places[i].lonDeg, nearDeg.value_or(0)), places[i].latDeg,
                                  block.vertices[i].z * crs.metresPerElevationUnit()};
         }
     }
@@ -89,7 +89,7 @@ std::optional<LonLat> medianOf(const std::vector<PlaceBox>& boxes) {
         lats.push_back(box.middle().latDeg);
     }
     if (lons.empty()) return std::nullopt;
-    return LonLat{usualLongitude(quantile(std::move(lons), 0.5)), quantile(std::move(lats), 0.5)};
+    return LonLat{wrapLongitude(quantile(std::move(lons), 0.5)), quantile(std::move(lats), 0.5)};
 }
 
 // Removes distant objects from the data and their boxes from the list.
@@ -100,7 +100,7 @@ void leaveOutFar(CityJsonData& data, std::vector<PlaceBox>& boxes, LonLat median
     for (CityJsonBlock& block : data.blocks)
         std::erase_if(block.objects, [&](const CityJsonObject& object) {
             const PlaceBox& box = boxes[next++];
-            const bool far = !box.empty() && greatCircleM(box.middle(), median) > farAwayM;
+            const bool far = !box.empty() && computeGreatCircleM(box.middle(), median) > farAwayM;
             if (far)
                 data.warnings.push_back(
                     {WarningKind::leftOut, "far from the middle of the data", file + ": " + object.id});
@@ -127,7 +127,7 @@ Frame chosenFrame(const CityJsonData& data, const std::vector<PlaceBox>& boxes) 
     PlaceBox all;
     for (const PlaceBox& box : boxes) all.add(box);
     const LonLat middle = all.middle();
-    return Frame({usualLongitude(middle.lonDeg), middle.latDeg}, groundLevel(data, boxes));
+    return Frame({wrapLongitude(middle.lonDeg), middle.latDeg}, groundLevel(data, boxes));
 }
 
 void toLocal(CityJsonData& data, const Frame& frame) {

@@ -39,7 +39,7 @@ std::string escaped(const std::string& path) {
 }
 
 // Opens without a lock and leaves no file beside the database, unless another program is writing to it.
-OpenFile opened(const std::filesystem::path& file) {
+OpenFile openFile(const std::filesystem::path& file) {
     const std::string uri = fmt::format("file:{}{}", escaped(std::filesystem::absolute(file).string()),
                                         isBeingWritten(file) ? "" : "?immutable=1");
     sqlite3* database = nullptr;
@@ -53,7 +53,7 @@ OpenFile opened(const std::filesystem::path& file) {
     return open;
 }
 
-Query prepared(const OpenFile& database, const char* sql) {
+Query prepareQuery(const OpenFile& database, const char* sql) {
     sqlite3_stmt* statement = nullptr;
     sqlite3_prepare_v2(database.get(), sql, -1, &statement, nullptr);
     return Query(statement);
@@ -90,8 +90,8 @@ bool isBeingWritten(const std::filesystem::path& database) {
 
 Result<bool> holdsProject(const std::filesystem::path& file) {
     if (!isDatabase(file)) return false;
-    const OpenFile database = opened(file);
-    const Query query = database ? prepared(database, projectTable) : Query();
+    const OpenFile database = openFile(file);
+    const Query query = database ? prepareQuery(database, projectTable) : Query();
     const int step = query ? sqlite3_step(query.get()) : SQLITE_CANTOPEN;
     if (step == SQLITE_ROW || step == SQLITE_DONE) return step == SQLITE_ROW;
     return failure(fmt::format("Whether this is a Noonmark project could not be determined ({})",
@@ -100,10 +100,10 @@ Result<bool> holdsProject(const std::filesystem::path& file) {
 }
 
 Result<void> checkGeoPackage(const std::filesystem::path& file) {
-    const OpenFile database = opened(file);
+    const OpenFile database = openFile(file);
     if (!database) return failure("The GeoPackage cannot be opened", file.string(), "Export it again");
     for (const char* tables : {standardTables, listedTables}) {
-        const Query query = prepared(database, tables);
+        const Query query = prepareQuery(database, tables);
         if (!query)
             return failure(fmt::format("The GeoPackage is damaged ({})", sqlite3_errmsg(database.get())),
                            file.string(), "Export it again");

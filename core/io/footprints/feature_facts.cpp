@@ -7,7 +7,7 @@ namespace noonmark {
 
 namespace {
 
-std::string_view textOf(const FeatureValues& values, FieldRole role) {
+std::string_view formatText(const FeatureValues& values, FieldRole role) {
     const FeatureValue* value = firstOf(values, role);
     return value != nullptr ? std::string_view(value->text) : std::string_view();
 }
@@ -28,41 +28,41 @@ enum class Place { surface, underground, contradictory };
 // or a deck; level is the number of a floor. A value of either below 0 means underground, unless a height,
 // storeys, an entrance or a location indicate a building above ground.
 Place placeOf(const FeatureValues& values, bool tagged) {
-    if (isYes(textOf(values, FieldRole::underground))) return Place::underground;
+    if (isYes(formatText(values, FieldRole::underground))) return Place::underground;
     if (!tagged) return Place::surface;  // in other data, fields of these names have other meanings
-    const std::string_view location = textOf(values, FieldRole::location);
+    const std::string_view location = formatText(values, FieldRole::location);
     if (location == "underground") return Place::underground;
-    const bool below = numberOf(textOf(values, FieldRole::layer)) < 0 ||
-                       numberOf(textOf(values, FieldRole::level)) < 0 ||
-                       textOf(values, FieldRole::tunnel) == "yes";
+    const bool below = numberOf(formatText(values, FieldRole::layer)) < 0 ||
+                       numberOf(formatText(values, FieldRole::level)) < 0 ||
+                       formatText(values, FieldRole::tunnel) == "yes";
     if (!below) return Place::surface;
-    const auto isAbove0 = [&](FieldRole role) { return numberOf(textOf(values, role)) > 0; };
+    const auto isAbove0 = [&](FieldRole role) { return numberOf(formatText(values, role)) > 0; };
     const bool above = isAbove0(FieldRole::height) || isAbove0(FieldRole::levels) ||
                        isAbove0(FieldRole::minHeight) || isAbove0(FieldRole::minLevel) ||
-                       isTagged(textOf(values, FieldRole::entrance)) || !location.empty();
+                       isTagged(formatText(values, FieldRole::entrance)) || !location.empty();
     return above ? Place::contradictory : Place::underground;
 }
 
 bool hasShapedRoof(const FeatureValues& values) {
-    const std::string_view shape = textOf(values, FieldRole::roofShape);
+    const std::string_view shape = formatText(values, FieldRole::roofShape);
     return !shape.empty() && shape != "flat" && shape != "no";
 }
 
 // Placeholders for "no id" would join many buildings into one.
 std::string buildingIdOf(const FeatureValues& values) {
-    const std::string_view id = textOf(values, FieldRole::buildingId);
+    const std::string_view id = formatText(values, FieldRole::buildingId);
     return id == "0" || id == "-1" ? "" : std::string(id);
 }
 
 std::string statusOf(const FeatureValues& values) {
-    if (textOf(values, FieldRole::building) == "construction") return "under construction";
-    return std::string(textOf(values, FieldRole::status));
+    if (formatText(values, FieldRole::building) == "construction") return "under construction";
+    return std::string(formatText(values, FieldRole::status));
 }
 
 // Classifies the feature; false if it is left out.
 bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules& rules, Warnings& warnings) {
-    const std::string_view building = textOf(values, FieldRole::building);
-    const std::string_view part = textOf(values, FieldRole::buildingPart);
+    const std::string_view building = formatText(values, FieldRole::building);
+    const std::string_view part = formatText(values, FieldRole::buildingPart);
     facts.part = isTagged(part);
     facts.outline = rules.tagged ? isTagged(building) : !facts.part;
     if (!facts.outline && !facts.part) {
@@ -87,15 +87,15 @@ std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const Laye
     FeatureFacts facts;
     facts.id = std::move(id);
     if (!classify(facts, values, rules, warnings)) return std::nullopt;
-    facts.name = textOf(values, FieldRole::name);
+    facts.name = formatText(values, FieldRole::name);
     facts.status = statusOf(values);
     facts.buildingId = buildingIdOf(values);
-    const bool canopy = rules.tagged && (textOf(values, FieldRole::building) == "roof" ||
-                                         textOf(values, FieldRole::buildingPart) == "roof");
+    const bool canopy = rules.tagged && (formatText(values, FieldRole::building) == "roof" ||
+                                         formatText(values, FieldRole::buildingPart) == "roof");
     facts.heights = readHeights(values, rules.heights, canopy, facts.id, warnings);
-    if (const auto source = parseHeightSource(textOf(values, FieldRole::heightSource)))
+    if (const auto source = parseHeightSource(formatText(values, FieldRole::heightSource)))
         facts.heights.source = *source;
-    if (const std::string_view isOverhanging = textOf(values, FieldRole::isOverhanging);
+    if (const std::string_view isOverhanging = formatText(values, FieldRole::isOverhanging);
         !isOverhanging.empty())
         facts.isOverhanging = isYes(isOverhanging);
     if (hasShapedRoof(values))

@@ -36,7 +36,7 @@ bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
     for (const LonLatPolygon& polygon : feature.polygons)
         for (const auto& ring : polygon)
             for (const LonLat place : ring)
-                if (!(greatCircleM(place, middle) <= farAwayM)) return false;
+                if (!(computeGreatCircleM(place, middle) <= farAwayM)) return false;
     return true;
 }
 
@@ -66,7 +66,7 @@ std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string
     return joined;
 }
 
-std::vector<Footprint> repaired(const UnplacedFeature& feature, const Frame& frame, Warnings& warnings) {
+std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame, Warnings& warnings) {
     std::vector<Footprint> pieces;
     for (const LonLatPolygon& polygon : feature.polygons) {
         RepairedFootprint result = repairFootprint(localRings(polygon, frame));
@@ -103,7 +103,7 @@ std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, 
                  feature.facts.id});
             continue;
         }
-        auto pieces = repaired(feature, frame, warnings);
+        auto pieces = repair(feature, frame, warnings);
         if (!pieces.empty()) placed.push_back({std::move(feature.facts), std::move(pieces)});
     }
     return placed;

@@ -30,7 +30,7 @@ void unwrap(OGRPolygon& polygon, double nearDeg) {
     for (OGRLinearRing* ring : polygon)
         for (int i = 0; i < ring->getNumPoints(); ++i)
             if (std::abs(ring->getX(i)) <= 360)  // otherwise it is not a longitude, which is reported later
-                ring->setPoint(i, longitudeNear(ring->getX(i), nearDeg), ring->getY(i));
+                ring->setPoint(i, wrapLongitudeNear(ring->getX(i), nearDeg), ring->getY(i));
 }
 
 bool isInDegrees(const OGRSpatialReference& crs) {
@@ -41,7 +41,7 @@ bool isInDegrees(const OGRSpatialReference& crs) {
 }  // namespace
 
 Result<void> checkedNear(LonLat place, const Frame& frame, const std::string& where) {
-    const double metres = greatCircleM(place, frame.origin());
+    const double metres = computeGreatCircleM(place, frame.origin());
     if (metres <= farthestM) return {};
     return failure(fmt::format("The position is {:.0f} km from the city", metres / 1000), where,
                    "Check the order of the numbers (west,south,east,north) and the CRS of the file");
@@ -121,7 +121,7 @@ bool PolygonLayer::mayReach(const OGRGeometry& geometry, const Box2& box) const 
         glm::dvec2{envelope.MaxX, envelope.MaxY}, glm::dvec2{envelope.MinX, envelope.MaxY}};
     Box2 reached;
     for (const LonLat place : toLonLat_.lonLat(corners)) {
-        if (std::isnan(place.lonDeg) || greatCircleM(place, frame_.origin()) > farthestM) return false;
+        if (std::isnan(place.lonDeg) || computeGreatCircleM(place, frame_.origin()) > farthestM) return false;
         reached.add(glm::vec2(frame_.localFromLonLat(place)));
     }
     return reached.low.x - marginM < box.high.x && box.low.x < reached.high.x + marginM &&

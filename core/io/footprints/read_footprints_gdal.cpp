@@ -29,7 +29,7 @@ struct OpenFile {
     [[nodiscard]] bool isOsm() const { return driver == "OSM"; }
 };
 
-Result<OpenFile> opened(const Path& file, const OsmConfiguration& configuration) {
+Result<OpenFile> openFile(const Path& file, const OsmConfiguration& configuration) {
     auto dataset = openDataset(file, DatasetContent::vectors, {"CONFIG_FILE=" + configuration.path()});
     if (!dataset) return tl::make_unexpected(dataset.error());
     OpenFile open{*std::move(dataset), {}};
@@ -102,7 +102,7 @@ int CPL_STDCALL goOn(double, const char*, void* stop) {
 
 // The most frequent warning, for an error; empty without warnings.
 std::string commonest(const Warnings& warnings) {
-    const auto groups = grouped(warnings);
+    const auto groups = groupWarnings(warnings);
     const auto most =
         std::ranges::max_element(groups, {}, [](const WarningGroup& group) { return group.where.size(); });
     return most == groups.end() ? "" : lineOf(*most);
@@ -209,7 +209,7 @@ void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::strin
         if (std::string what = makeMapRemark(said[i]); !what.empty())
             remarks.push_back({WarningKind::mended, std::move(what), file});
     }
-    for (const WarningGroup& group : grouped(remarks))
+    for (const WarningGroup& group : groupWarnings(remarks))
         warnings.push_back({group.kind, group.what, fmt::format("{} ({})", file, group.where.size())});
 }
 
@@ -246,7 +246,7 @@ Result<FilePiece> readFootprints(const Path& file, const ReadSettings& settings,
                                  std::stop_token stop) try {
     const GdalCalls calls;
     const OsmConfiguration configuration(settings.heightField, settings.levelsField);
-    auto open = opened(file, configuration);
+    auto open = openFile(file, configuration);
     if (!open) return tl::make_unexpected(open.error());
     const std::size_t atOpening = calls.complaints().size();
     FileReader reader(*open, file, settings, progress, stop);

@@ -46,16 +46,16 @@ private:
         return fmt::format("{}: {} = \"{}\"", id_, value.field, value.text);
     }
 
-    std::string textOf(const FeatureValue& value) const {
+    std::string formatText(const FeatureValue& value) const {
         return rules_.decimalComma ? withDecimalPoint(value.text) : value.text;
     }
     std::optional<double> lengthOf(const FeatureValue& value) const {
-        if (!value.number) return parseMetres(textOf(value), value.unit);
+        if (!value.number) return parseMetres(formatText(value), value.unit);
         if (!std::isfinite(*value.number)) return std::nullopt;
         return *value.number * metresPer(value.unit);
     }
     std::optional<double> levelsOf(const FeatureValue& value) const {
-        if (!value.number) return parseLevels(textOf(value));
+        if (!value.number) return parseLevels(formatText(value));
         return std::isfinite(*value.number) ? value.number : std::nullopt;
     }
 

@@ -49,7 +49,7 @@ void takeMeshSettings(const Json& json, ReadSettings& reading) {
 
 }  // namespace
 
-std::string textOf(const ReadSettings& reading) {
+std::string formatText(const ReadSettings& reading) {
     const ReadSettings usual;
     Json json = meshSettingsJson(reading);
     putUnusual(json, "height_field", reading.heightField, usual.heightField);

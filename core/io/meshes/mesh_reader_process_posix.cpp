@@ -136,8 +136,8 @@ tl::unexpected<Error> endedEarly(int status, const std::filesystem::path& file,
 }
 
 // Reads everything from the pipe until it is closed.
-Result<std::string> received(int from, const std::filesystem::path& file, const MeshReaderLimits& limits,
-                             const std::stop_token& stop) {
+Result<std::string> receive(int from, const std::filesystem::path& file, const MeshReaderLimits& limits,
+                            const std::stop_token& stop) {
     const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
     std::string bytes;
     std::vector<char> block(std::size_t(1) << 20);
@@ -187,7 +187,7 @@ Result<MeshScene> readMeshScene(const std::filesystem::path& file, const MeshRea
     if (!reader.start(program->string(), words, pipe.into))
         return readerStopped("could not be started", file);
     pipe.closeInto();
-    auto bytes = received(pipe.from, file, limits, stop);
+    auto bytes = receive(pipe.from, file, limits, stop);
     if (!bytes) return tl::make_unexpected(bytes.error());
     bool complete = false;
     auto scene = parseScene(*bytes, complete);

@@ -23,7 +23,7 @@ std::vector<glm::dvec2> PixelPlaces::local(const std::vector<glm::dvec2>& pixels
     std::vector<glm::dvec2> places;
     places.reserve(pixels.size());
     for (const LonLat place : crs_.lonLat(points))
-        places.push_back(greatCircleM(place, frame_.origin()) < farthestM
+        places.push_back(computeGreatCircleM(place, frame_.origin()) < farthestM
                              ? frame_.localFromLonLat(place)
                              : glm::dvec2(std::numeric_limits<double>::quiet_NaN()));
     return places;

@@ -65,7 +65,7 @@ void keepFirstBand(Source& source) {
     GDALTranslateOptionsFree(options);
 }
 
-Result<Source> opened(const std::filesystem::path& file, const ReadSettings& settings) {
+Result<Source> openSource(const std::filesystem::path& file, const ReadSettings& settings) {
     Source source{.file = file.string()};
     auto dataset = openDataset(file, DatasetContent::elevations);
     if (!dataset) return tl::make_unexpected(dataset.error());
@@ -233,8 +233,8 @@ struct Watcher {
 
 // Elevations in metres above the datum, grid order; NaN where there are none. Empty if GDAL failed or was
 // stopped.
-std::vector<float> resampled(Source& source, const Grid& grid, bool coarser, const std::string& target,
-                             Watcher& watcher) {
+std::vector<float> resample(Source& source, const Grid& grid, bool coarser, const std::string& target,
+                            Watcher& watcher) {
     const Options options = warpOptions(source, grid, coarser, &Watcher::report, &watcher, target);
     GDALDatasetH handle = GDALDataset::ToHandle(source.dataset.get());
     const GDALDatasetUniquePtr warped(
@@ -338,8 +338,8 @@ bool measureResampling(Source& source, const PixelPlaces& places, const Frame& f
 
 Result<std::vector<float>> elevationsOf(Source& source, const TerrainGrid& place, Watcher& watcher,
                                         const GdalCalls& gdal) {
-    std::vector<float> elevations = place.resampledTo ? resampled(source, *place.resampledTo, place.coarser(),
-                                                                  place.frame.projString(), watcher)
+    std::vector<float> elevations = place.resampledTo ? resample(source, *place.resampledTo, place.coarser(),
+                                                                 place.frame.projString(), watcher)
                                                       : savedElevations(source, place, watcher);
     if (watcher.stop.stop_requested()) return cancelled();
     if (elevations.empty())
@@ -351,7 +351,7 @@ Result<std::vector<float>> elevationsOf(Source& source, const TerrainGrid& place
 Result<FilePiece> read(const std::filesystem::path& file, const ReadSettings& settings, Progress& progress,
                        const std::stop_token& stop) {
     const GdalCalls gdal;
-    Result<Source> source = opened(file, settings);
+    Result<Source> source = openSource(file, settings);
     if (!source) return tl::make_unexpected(source.error());
     const Result<CrsToLonLat> crs = CrsToLonLat::of(source->crs);
     if (!crs) return failure(crs.error().what, source->file, crsAdvice);

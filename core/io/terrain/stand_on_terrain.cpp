@@ -30,7 +30,7 @@ float lowestInside(const Footprint& footprint, const Terrain& terrain) {
     return lowest;
 }
 
-std::shared_ptr<const TriangleMesh> lifted(const TriangleMesh& mesh, float byM) {
+std::shared_ptr<const TriangleMesh> liftMesh(const TriangleMesh& mesh, float byM) {
     auto moved = std::make_shared<TriangleMesh>(mesh);
     for (glm::vec3& vertex : moved->vertices) vertex.z += byM;
     return moved;
@@ -41,7 +41,7 @@ void lift(Building& building, float byM) {
     for (Part& part : building.parts) {
         part.bottomM += byM;
         part.topM += byM;
-        if (part.mesh) part.mesh = lifted(*part.mesh, byM);
+        if (part.mesh) part.mesh = liftMesh(*part.mesh, byM);
     }
 }
 

@@ -58,7 +58,7 @@ BaseRelief measureRelief(std::span<const BasedBuilding> buildings) {
     return relief;
 }
 
-std::string textOf(const BaseRelief& relief) {
+std::string formatText(const BaseRelief& relief) {
     return fmt::format(
         "{} of {} pairs of neighbours within {:.0f} m differ by more than {:.0f} m in ground elevation, by "
         "{:.1f} m at most",

@@ -31,7 +31,7 @@ BaseRelief measureRelief(std::span<const BasedBuilding> buildings);
 
 /// "120 of 400 pairs of neighbours within 100 m differ by more than 1 m in ground elevation, by 12.3 m at
 /// most"
-std::string textOf(const BaseRelief& relief);
+std::string formatText(const BaseRelief& relief);
 
 /// A terrain of triangles between the corners of the buildings that stand on the ground, each at its
 /// building's base (the lower one where two meet), as a grid over their box: interpolated between buildings,

@@ -20,7 +20,7 @@ std::string sha256Of(std::istream& file) {
 
 }  // namespace
 
-Result<InputFile> inputFile(const std::filesystem::path& path) {
+Result<InputFile> describeInputFile(const std::filesystem::path& path) {
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
@@ -31,12 +31,12 @@ Result<InputFile> inputFile(const std::filesystem::path& path) {
     return InputFile{path, bytes, sum};
 }
 
-Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path) {
-    auto main = inputFile(path);
+Result<std::vector<InputFile>> describeInputFiles(const std::filesystem::path& path) {
+    auto main = describeInputFile(path);
     if (!main) return tl::make_unexpected(main.error());
     std::vector<InputFile> files{*std::move(main)};
     for (const std::filesystem::path& name : listCompanionFiles(path)) {
-        auto companion = inputFile(name);
+        auto companion = describeInputFile(name);
         if (companion) files.push_back(*std::move(companion));
     }
     return files;

@@ -21,18 +21,18 @@ struct InputFile {
     std::uintmax_t bytes = 0;
     std::string sha256;  ///< lower-case hex; empty for a sample, which is generated
 };
-Result<InputFile> inputFile(const std::filesystem::path& path);
+Result<InputFile> describeInputFile(const std::filesystem::path& path);
 
 /// The file and its companions (listCompanionFiles). Missing companions are left out; `path` itself must
 /// exist.
-Result<std::vector<InputFile>> inputFiles(const std::filesystem::path& path);
+Result<std::vector<InputFile>> describeInputFiles(const std::filesystem::path& path);
 
 /// Describes the city of a scenario in outputs, with its edits as text: core does not know edits.
 struct ScenarioRecord {
     std::string name;  ///< "Existing" for the city without edits
     /// In the order in which they are applied, those of its base scenarios first
     std::vector<std::string> edits;
-    std::string citySha256;  ///< cityHash(); equal for cities with identical shadows
+    std::string citySha256;  ///< hashCity(); equal for cities with identical shadows
 };
 
 /// The project in which a result was computed.
@@ -63,7 +63,7 @@ struct Provenance {
     std::optional<ReadSettings> reading = ReadSettings{};
     std::string attribution;
     std::optional<ProjectRecord> project;  ///< nothing: the city came directly from its files
-    /// The region in the form of a command line; empty: not known yet, see regionText().
+    /// The region in the form of a command line; empty: not known yet, see formatRegion().
     std::string region;
 };
 

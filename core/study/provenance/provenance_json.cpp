@@ -27,7 +27,7 @@ void addScenario(Json& json, const std::string& role, const ScenarioRecord& scen
 
 Json readSettingsJson(const std::optional<ReadSettings>& reading) {
     if (!reading) return nullptr;
-    const std::string text = textOf(*reading);
+    const std::string text = formatText(*reading);
     return text.empty() ? Json::object() : Json::parse(text);
 }
 

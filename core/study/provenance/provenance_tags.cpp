@@ -37,7 +37,7 @@ std::string linesOf(const std::vector<InputFile>& inputs) {
 
 }  // namespace
 
-FileTags provenanceTags(const Provenance& provenance) {
+FileTags makeProvenanceTags(const Provenance& provenance) {
     FileTags tags{{"NOONMARK_VERSION", std::string(version())}};
     if (provenance.project) addProject(tags, *provenance.project);
     add(tags, "NOONMARK_INPUTS", linesOf(provenance.inputs));

@@ -7,6 +7,6 @@ namespace noonmark {
 
 /// What a result was made from, for files that cannot hold JSON: version, project, scenario, baseline, edits,
 /// input files with their SHA-256, and attribution. Unknown values are left out.
-FileTags provenanceTags(const Provenance& provenance);
+FileTags makeProvenanceTags(const Provenance& provenance);
 
 }  // namespace noonmark

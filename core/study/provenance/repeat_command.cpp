@@ -227,7 +227,7 @@ std::vector<RepeatOption> optionsOf(const StudySettings& settings) {
 
 std::string regionOf(const Study& study) {
     const std::string& known = study.provenance.region;
-    return known.empty() ? regionText(study.settings.region, study.city) : known;
+    return known.empty() ? formatRegion(study.settings.region, study.city) : known;
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>
         options.push_back({"--error-sample", {fmt::to_string(sample.receivers)}});
 }
 
-Result<std::string> repeatCommand(const RepeatQuestion& question, std::size_t width) {
+Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_t width) {
     if (!namesProject(question.provenance) && !namesInputs(question))
         return notRepeatable(question.provenance);
     CommandLine line("noonmark-cli " + question.command);
@@ -248,13 +248,13 @@ Result<std::string> repeatCommand(const RepeatQuestion& question, std::size_t wi
     return line.wrapped(width);
 }
 
-Result<std::string> repeatCommand(const Study& study, std::size_t width, const std::string& command,
-                                  std::vector<RepeatOption> more) {
+Result<std::string> makeRepeatCommand(const Study& study, std::size_t width, const std::string& command,
+                                      std::vector<RepeatOption> more) {
     RepeatQuestion question{command, study.settings, study.provenance, study.field.engineKey};
     question.provenance.region = regionOf(study);
     question.options = optionsOf(study.settings);
     question.options.insert(question.options.end(), more.begin(), more.end());
-    return repeatCommand(question, width);
+    return makeRepeatCommand(question, width);
 }
 
 bool needsRegionFile(const Study& study) { return regionOf(study) == regionFileName; }

@@ -33,11 +33,12 @@ struct RepeatQuestion {
 /// with default values, and those that do not affect the question, are left out. Lines longer than `width`
 /// letters are continued on the next after a backslash. Error, with advice: the project was not saved in the
 /// state that was measured, or the inputs of the city are not known.
-Result<std::string> repeatCommand(const RepeatQuestion& question, std::size_t width = 120);
+Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_t width = 120);
 
 /// The same for a study. `command`: "study", or another that takes its options plus `more`.
-Result<std::string> repeatCommand(const Study& study, std::size_t width = 120,
-                                  const std::string& command = "study", std::vector<RepeatOption> more = {});
+Result<std::string> makeRepeatCommand(const Study& study, std::size_t width = 120,
+                                      const std::string& command = "study",
+                                      std::vector<RepeatOption> more = {});
 
 /// Whether the command names region.geojson, which must then be written beside the outputs.
 bool needsRegionFile(const Study& study);

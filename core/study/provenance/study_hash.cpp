@@ -69,7 +69,7 @@ void addCity(Sha256& sum, const City& city) {
 // Hashes the settings as text with a fixed place for every setting that matters.
 void addSettings(Sha256& sum, const StudySettings& settings) {
     const Period& period = settings.period;
-    sum.add(fmt::format("{};{};{};{};{};{};", textOf(period), period.hours, period.stepMinutes,
+    sum.add(fmt::format("{};{};{};{};{};{};", formatText(period), period.hours, period.stepMinutes,
                         period.refraction, settings.pressureHPa, settings.temperatureC));
     if (period.window) sum.add(fmt::format("{};", int(period.window->rule)));
     sum.add(fmt::format("{};{};{};{};", settings.receivers.cellM, settings.engine,
@@ -82,13 +82,13 @@ void addSettings(Sha256& sum, const StudySettings& settings) {
 
 }  // namespace
 
-std::string cityHash(const City& city) {
+std::string hashCity(const City& city) {
     Sha256 sum;
     addCity(sum, city);
     return sum.hex();
 }
 
-std::string studyHash(const City& city, const StudySettings& settings) {
+std::string hashStudy(const City& city, const StudySettings& settings) {
     Sha256 sum;
     sum.add(version());
     sum.add(methodNumber);

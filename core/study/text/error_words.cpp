@@ -44,7 +44,7 @@ std::string whyNoError(const Study& study) {
     return "The engine's error against the ray reference could not be measured: see the warnings.";
 }
 
-std::vector<ErrorLine> errorLines(const Study& study) {
+std::vector<ErrorLine> makeErrorLines(const Study& study) {
     if (!study.error) return {{"error", whyNoError(study)}};
     const SampledError& error = *study.error;
     std::vector<ErrorLine> lines;

@@ -15,7 +15,7 @@ struct ErrorLine {
 
 /// The study's error against the ray reference, for display: the error of the area, of the cells, and the
 /// sample; or one row that says why there is none.
-std::vector<ErrorLine> errorLines(const Study& study);
+std::vector<ErrorLine> makeErrorLines(const Study& study);
 
 /// Why a study has no measured error, as a sentence; empty if it has one.
 std::string whyNoError(const Study& study);

@@ -9,15 +9,15 @@ namespace noonmark {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<std::string> assumedHeadline(const HeightCounts& counts) {
+std::optional<std::string> makeAssumedHeadline(const HeightCounts& counts) {
     if (!(counts.assumedShare() > mostAssumedShare)) return std::nullopt;
     return fmt::format("{} of {} heights are assumed ({}{:.4g} m)",
                        formatThousands(counts.of(HeightSource::assumed)), formatThousands(counts.parts),
                        counts.assumedAlike ? "" : "most of them ", counts.assumedM);
 }
 
-std::optional<std::string> assumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts) {
-    auto text = assumedHeadline(counts);
+std::optional<std::string> makeAssumedHeightsMessage(const HeightCounts& counts, const HeightFacts& facts) {
+    auto text = makeAssumedHeadline(counts);
     if (!text || facts.unknown.empty()) return text;
     std::vector<std::string> fields;
     for (const UnknownField& field : facts.unknown) fields.push_back(describe(field));

@@ -22,26 +22,26 @@ struct LonLatBox {
     }
 };
 
-double rounded(double degrees, int decimals) {
+double roundDegrees(double degrees, int decimals) {
     const double scale = std::pow(10.0, decimals);
     const double value = std::round(degrees * scale) / scale;
     return value == 0 ? 0.0 : value;  // avoids -0
 }
 
-LonLatBox rounded(const LonLatBox& box, int decimals) {
-    return {{rounded(box.low.lonDeg, decimals), rounded(box.low.latDeg, decimals)},
-            {rounded(box.high.lonDeg, decimals), rounded(box.high.latDeg, decimals)}};
+LonLatBox roundDegrees(const LonLatBox& box, int decimals) {
+    return {{roundDegrees(box.low.lonDeg, decimals), roundDegrees(box.low.latDeg, decimals)},
+            {roundDegrees(box.high.lonDeg, decimals), roundDegrees(box.high.latDeg, decimals)}};
 }
 
 // Longitudes continue across the antimeridian: 179.9, 180.1.
 LonLat placeOf(glm::dvec2 local, const Frame& frame) {
     const LonLat place = frame.lonLatFromLocal(local);
-    return {longitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg};
+    return {wrapLongitudeNear(place.lonDeg, frame.origin().lonDeg), place.latDeg};
 }
 
 bool isBox(const Region& region, const LonLatBox& box, const Frame& frame) {
-    const auto made = makeRegionFromLonLatBox(frame, usualLongitude(box.low.lonDeg), box.low.latDeg,
-                                              usualLongitude(box.high.lonDeg), box.high.latDeg);
+    const auto made = makeRegionFromLonLatBox(frame, wrapLongitude(box.low.lonDeg), box.low.latDeg,
+                                              wrapLongitude(box.high.lonDeg), box.high.latDeg);
     return made && made->polygons == region.polygons;
 }
 
@@ -78,23 +78,23 @@ nlohmann::ordered_json polygonJson(const Footprint& polygon, const Frame& frame)
 
 }  // namespace
 
-std::optional<std::string> boxTextOf(const Region& region, const Frame& frame) {
+std::optional<std::string> formatBox(const Region& region, const Frame& frame) {
     if (region.polygons.size() != 1 || !region.polygons[0].holes.empty()) return std::nullopt;
     LonLatBox box;
     for (const glm::vec2 point : region.polygons[0].outer) box.add(placeOf(glm::dvec2(point), frame));
     constexpr int mostDecimals = 14;
     for (int decimals = 2; decimals <= mostDecimals; ++decimals) {
-        const LonLatBox stated = rounded(box, decimals);
+        const LonLatBox stated = roundDegrees(box, decimals);
         if (isBox(region, stated, frame))
-            return fmt::format("{},{},{},{}", rounded(usualLongitude(stated.low.lonDeg), decimals),
-                               stated.low.latDeg, rounded(usualLongitude(stated.high.lonDeg), decimals),
+            return fmt::format("{},{},{},{}", roundDegrees(wrapLongitude(stated.low.lonDeg), decimals),
+                               stated.low.latDeg, roundDegrees(wrapLongitude(stated.high.lonDeg), decimals),
                                stated.high.latDeg);
     }
     return std::nullopt;
 }
 
-std::string regionText(const Region& region, const City& city) {
-    if (const auto box = boxTextOf(region, city.frame)) return *box;
+std::string formatRegion(const Region& region, const City& city) {
+    if (const auto box = formatBox(region, city.frame)) return *box;
     const Box2 whole = bounds(city);
     const bool isCity = !whole.empty() && region.polygons == makeRegionFromLocalBox(whole).polygons;
     return isCity ? "city" : regionFileName;

@@ -18,11 +18,11 @@ inline constexpr const char* regionFileName = "region.geojson";
 
 /// "W,S,E,N" in degrees if makeRegionFromLonLatBox makes exactly this region of these four numbers, with as
 /// few digits as possible; else nothing. Across the antimeridian W is the larger number.
-std::optional<std::string> boxTextOf(const Region& region, const Frame& frame);
+std::optional<std::string> formatBox(const Region& region, const Frame& frame);
 
 /// The region in the form of a study's `--region`: a box, "city" for the box around all buildings, or
 /// regionFileName.
-std::string regionText(const Region& region, const City& city);
+std::string formatRegion(const Region& region, const City& city);
 
 /// The region as GeoJSON (RFC 7946): a feature whose geometry is a MultiPolygon in degrees, in full
 /// precision. Long straight sides get as many points as readRegion would add, so that it reads the same

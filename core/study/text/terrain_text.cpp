@@ -152,7 +152,7 @@ std::string shareText(std::size_t off, std::size_t all, double farthestM) {
 
 }  // namespace
 
-std::string textOf(const Terrain& terrain) {
+std::string formatText(const Terrain& terrain) {
     const TerrainSource& source = terrain.source;
     std::string text = methodText(terrain);
     if (source.filled > 0)
@@ -160,7 +160,7 @@ std::string textOf(const Terrain& terrain) {
     return text;
 }
 
-std::string textOf(const TerrainCoverage& coverage) {
+std::string formatText(const TerrainCoverage& coverage) {
     if (coverage.receivers.off == 0 && coverage.casters.off == 0) return {};
     std::string text = "Beyond the terrain, on its nearest elevation:";
     if (const auto& share = coverage.receivers; share.off > 0)
@@ -173,7 +173,7 @@ std::string textOf(const TerrainCoverage& coverage) {
 
 Json terrainJson(const Terrain& terrain) {
     const PostGrid& grid = terrain.grid;
-    Json json{{"text", textOf(terrain)},
+    Json json{{"text", formatText(terrain)},
               {"columns", grid.columns},
               {"rows", grid.rows},
               {"cell_m", grid.cellM},
@@ -184,7 +184,7 @@ Json terrainJson(const Terrain& terrain) {
     return json;
 }
 
-Json coverageJson(const TerrainCoverage& coverage) {
+Json makeCoverageJson(const TerrainCoverage& coverage) {
     const auto share = [](const TerrainCoverage::Share& of) -> Json {
         return {{"all", of.all}, {"off", of.off}, {"far_off", of.farOff}, {"farthest_m", of.farthestM}};
     };

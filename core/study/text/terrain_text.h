@@ -9,15 +9,15 @@
 namespace noonmark {
 
 /// Origin, processing and deviation of a terrain, as one sentence for display.
-std::string textOf(const Terrain& terrain);
+std::string formatText(const Terrain& terrain);
 
 /// How much lies beyond the terrain, as a sentence; empty if nothing does.
-std::string textOf(const TerrainCoverage& coverage);
+std::string formatText(const TerrainCoverage& coverage);
 
 /// The terrain as JSON for study.json and info: {"text", "method", "columns", "rows", "cell_m", "source",
 /// ...}; lengths in metres.
 nlohmann::ordered_json terrainJson(const Terrain& terrain);
-nlohmann::ordered_json coverageJson(const TerrainCoverage& coverage);
+nlohmann::ordered_json makeCoverageJson(const TerrainCoverage& coverage);
 
 /// The source, and the positions of the posts to the last bit, as stored in the project file (column `source`
 /// of its table `terrain`: docs/project-file.md).

@@ -6,7 +6,7 @@ using Json = nlohmann::ordered_json;
 
 Json warningsJson(const Warnings& warnings) {
     Json groups = Json::array();
-    for (const WarningGroup& group : grouped(warnings))
+    for (const WarningGroup& group : groupWarnings(warnings))
         groups.push_back(Json{{"kind", nameOf(group.kind)},
                               {"what", group.what},
                               {"count", group.where.size()},
@@ -14,6 +14,6 @@ Json warningsJson(const Warnings& warnings) {
     return groups;
 }
 
-std::string jsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+std::string toJsonText(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace noonmark

@@ -11,6 +11,6 @@ namespace noonmark {
 nlohmann::ordered_json warningsJson(const Warnings& warnings);
 
 /// Indented JSON. Names from files may contain bytes that are not UTF-8: these become U+FFFD.
-std::string jsonText(const nlohmann::ordered_json& json);
+std::string toJsonText(const nlohmann::ordered_json& json);
 
 }  // namespace noonmark

@@ -27,7 +27,7 @@ Result<void> copyTile(GeoTiffWriter& map, const Grid& tile, const std::filesyste
 Result<void> assembleMap(const TilePlan& plan, const TileJournal& journal, const Frame& frame,
                          const MapFile& file, bool runs, Progress& progress, const std::stop_token& stop) {
     const ShadowField names;
-    const std::vector<RasterBand> bands = mapBands(names, runs);
+    const std::vector<RasterBand> bands = makeMapBands(names, runs);
     auto map = GeoTiffWriter::create(file.path, frame, plan.whole, bands, file.tags);
     if (!map) return tl::make_unexpected(map.error());
     for (const auto& [number, result] : journal.finished()) {

@@ -16,7 +16,7 @@ constexpr std::size_t placesAReceiver = 2;
 
 // Writes both bands in every tile: whether runs were counted is decided for all tiles together.
 Result<void> writeTile(const std::filesystem::path& file, const Frame& frame, const ShadowField& field) {
-    auto writer = GeoTiffWriter::create(file, frame, field.grid, mapBands(field, true));
+    auto writer = GeoTiffWriter::create(file, frame, field.grid, makeMapBands(field, true));
     if (!writer) return tl::make_unexpected(writer.error());
     return writer->write(field.grid, {&field.grossMin, &field.continuousMin}).and_then([&] {
         return writer->finish(false);
@@ -33,7 +33,7 @@ Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::st
     const Stopwatch watch;
     return placeReceiversInPart(city_, settings_.region, plan_.tile(tile), stop)
         .and_then([&](Receivers receivers) {
-            const Receivers asked = placed(std::move(receivers), city_, settings_.receivers.places);
+            const Receivers asked = placeAtHeights(std::move(receivers), city_, settings_.receivers.places);
             return computed(tile, asked, progress, stop);
         })
         .and_then([&](TileResult result) {
@@ -46,7 +46,7 @@ Result<TileResult> TileRunner::computed(std::size_t tile, const Receivers& recei
                                         const std::stop_token& stop) {
     TileResult result{.number = tile};
     if (receivers.cells.empty()) {
-        result.cost = blankField(receivers, sun_).cost;
+        result.cost = makeBlankField(receivers, sun_).cost;
         return result;
     }
     auto field = engine_.accumulate(city_, receivers, sun_, progress, stop);

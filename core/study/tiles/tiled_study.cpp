@@ -23,7 +23,7 @@ Result<void> checkQuestion(const StudySettings& settings) {
     if (settings.byMonth || settings.contributions)
         return failure("Months and contributions are not available for tiled studies", "study",
                        "Leave them out, or choose a region that fits into memory");
-    return checked(settings.period).map([](const Period&) {});
+    return validate(settings.period).map([](const Period&) {});
 }
 
 Result<void> checkTileSide(int cells) {
@@ -43,7 +43,7 @@ Result<void> checkTileMemory(const City& city, const TilePlan& plan, StudySettin
 }
 
 Result<SunSteps> computeSunOver(const Study& study, const std::stop_token& stop) {
-    return computeDaylightSteps(study.settings.period, observerOf(study), stop);
+    return computeDaylightSteps(study.settings.period, makeObserver(study), stop);
 }
 
 double cellsOf(const TilePlan& plan, const std::map<std::size_t, TileResult>& tiles) {
@@ -137,20 +137,21 @@ Result<void> checkOpenGround(const Study& study) {
                    "Choose a region outside the buildings, or smaller cells");
 }
 
-Result<TiledStudy> computed(TiledStudy tiled, const Engine& engine, const MapFile& file, Progress& progress,
-                            const std::stop_token& stop) {
+Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const MapFile& file,
+                                Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
     Study& study = tiled.study;
     auto sun = computeSunOver(study, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     study.sun = *std::move(sun);
     setGrid(study, tiled.plan.whole);
-    study.terrainCoverage = terrainCoverage(study.city, study.settings.region, tiled.plan.whole, study.sun);
+    study.terrainCoverage =
+        computeTerrainCoverage(study.city, study.settings.region, tiled.plan.whole, study.sun);
     if (auto covered = checkCoverage(study.terrainCoverage, study.settings.region.name); !covered)
         return tl::make_unexpected(covered.error());
-    study.warnings = warningsOf(study.terrainCoverage);
+    study.warnings = makeWarnings(study.terrainCoverage);
     auto journal =
-        TileJournal::open(file.path.string() + ".tiles", studyHash(study.city, study.settings), tiled.plan);
+        TileJournal::open(file.path.string() + ".tiles", hashStudy(study.city, study.settings), tiled.plan);
     if (!journal) return tl::make_unexpected(journal.error());
     tiled.resumedTiles = journal->finished().size();
     TileRunner runner(study.city, study.settings, study.sun, engine, tiled.plan, *journal);
@@ -184,8 +185,8 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
     const TilePlan plan{*grid, settings.tileCells};
     if (auto fits = checkTileMemory(city, plan, question, engines); !fits)
         return tl::make_unexpected(fits.error());
-    return computed({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
-                    {file, settings.tags}, progress, stop);
+    return computeTiles({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
+                        {file, settings.tags}, progress, stop);
 } catch (const std::bad_alloc&) {
     return limitReached("There is not enough memory for this study", "",
                         "Choose smaller tiles or fewer steps");

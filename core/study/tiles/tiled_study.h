@@ -24,7 +24,7 @@ struct TiledStudySettings {
 
     StudySettings study;
     int tileCells = usualTileCells;  ///< cells along a side
-    FileTags tags = {};              ///< tags of the map: provenanceTags()
+    FileTags tags = {};              ///< tags of the map: makeProvenanceTags()
 };
 
 /// A study whose cells were never in memory all at once.

@@ -19,8 +19,9 @@ std::string tiledStudyJson(const TiledStudy& tiled) {
     std::vector<RepeatOption> tiles;
     if (tiled.plan.side != TiledStudySettings::usualTileCells)
         tiles.push_back({"--tile", {std::to_string(tiled.plan.side)}});
-    addRepeat(json, repeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));
-    return jsonText(json);
+    addRepeat(json,
+              makeRepeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));
+    return toJsonText(json);
 }
 
 }  // namespace noonmark

@@ -18,21 +18,21 @@ namespace {
 
 std::string hashOf(const Project& project, const std::string& scenario) {
     const auto city = cityOf(project, scenario);
-    return city ? cityHash(city->city) : std::string();
+    return city ? hashCity(city->city) : std::string();
 }
 
-std::string textOf(std::chrono::sys_seconds at) {
+std::string formatText(std::chrono::sys_seconds at) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
 }
 
 Json originJson(std::chrono::sys_seconds at, const std::string& citySha256) {
-    return {{"at", textOf(at)}, {"city_sha256", citySha256}};
+    return {{"at", formatText(at)}, {"city_sha256", citySha256}};
 }
 
 std::string withOrigin(const std::string& settings, Json origin) {
     Json json = Json::parse(settings);
     json["kept"] = std::move(origin);
-    return jsonText(json);
+    return toJsonText(json);
 }
 
 Json originOf(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
@@ -63,7 +63,7 @@ std::vector<SavedLayer> layersOf(const Impact& impact) {
     return layers;
 }
 
-Project named(Project project, const std::string& name, SavedResult result) {
+Project nameResult(Project project, const std::string& name, SavedResult result) {
     result.name = name;
     return addResult(std::move(project), std::move(result));
 }
@@ -77,7 +77,7 @@ SavedResult makeSavedResult(const Project& project, const std::string& scenario,
             "study",
             scenario,
             {},
-            withOrigin(studyJson(study), originJson(at, cityHash(study.city))),
+            withOrigin(studyJson(study), originJson(at, hashCity(study.city))),
             inputsOf(project),
             field.grid,
             layersOf(field)};
@@ -115,19 +115,19 @@ Project addResult(Project project, SavedResult result) {
 Project addResult(Project project, const std::string& name, const std::string& scenario, const Study& study,
                   std::chrono::sys_seconds at) {
     SavedResult result = makeSavedResult(project, scenario, study, at);
-    return named(std::move(project), name, std::move(result));
+    return nameResult(std::move(project), name, std::move(result));
 }
 
 Project addResult(Project project, const std::string& name, const ImpactAnswer& answer,
                   std::chrono::sys_seconds at) {
     SavedResult result = makeSavedResult(project, answer, at);
-    return named(std::move(project), name, std::move(result));
+    return nameResult(std::move(project), name, std::move(result));
 }
 
 Project addResult(Project project, const std::string& name, const ScoreAnswer& answer,
                   std::chrono::sys_seconds at) {
     SavedResult result = makeSavedResult(project, answer, at);
-    return named(std::move(project), name, std::move(result));
+    return nameResult(std::move(project), name, std::move(result));
 }
 
 }  // namespace noonmark

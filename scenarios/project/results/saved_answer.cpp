@@ -27,7 +27,7 @@ const std::vector<float>& layerOf(const SavedResult& result, std::size_t number)
 }
 
 // The layer of continuous shadow; it is not stored where it was not computed.
-std::vector<float> measureRuns(const SavedResult& result, std::size_t number, bool counted) {
+std::vector<float> takeRuns(const SavedResult& result, std::size_t number, bool counted) {
     if (counted) return layerOf(result, number);
     return std::vector<float>(result.grid.size(), std::numeric_limits<float>::quiet_NaN());
 }
@@ -64,7 +64,7 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     field.grid = result.grid;
     field.grossMin = layerOf(result, 0);
     study.statistics = parseStatistics(json);
-    field.continuousMin = measureRuns(result, 1, hasRuns(study.statistics));
+    field.continuousMin = takeRuns(result, 1, hasRuns(study.statistics));
     field.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
     field.stepMinutes = countedStepOf(json);
     field.days = wholeNumberFrom<int>(json.at("period").at("days"));
@@ -81,7 +81,7 @@ SavedImpact impactOf(const SavedResult& result, const Json& json) {
     Impact& impact = saved.impact;
     impact.grid = result.grid;
     impact.grossMin = layerOf(result, 0);
-    impact.continuousMin = measureRuns(result, 1, hasRuns(saved.figures.all.front()));
+    impact.continuousMin = takeRuns(result, 1, hasRuns(saved.figures.all.front()));
     impact.change = parseChangedCells(
         json.value("kept", Json::object()).value("changed_cells", Json::array()), result.grid.size());
     impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
@@ -90,7 +90,7 @@ SavedImpact impactOf(const SavedResult& result, const Json& json) {
     return saved;
 }
 
-SavedScore computeScore(const SavedResult& result, const Json& json) {
+SavedScore readScore(const SavedResult& result, const Json& json) {
     SavedScore saved{parseScore(json), json.at("weights")};
     saved.score.grid = result.grid;
     saved.score.score = layerOf(result, 0);
@@ -102,7 +102,7 @@ void compareCity(std::vector<std::string>& changes, const Project& project, cons
     const auto city = cityOf(project, scenario);
     if (!city)
         changes.push_back(fmt::format("The scenario '{}' no longer exists.", scenario));
-    else if (!hash.empty() && cityHash(city->city) != hash)
+    else if (!hash.empty() && hashCity(city->city) != hash)
         changes.push_back(fmt::format("'{}' has changed since: its buildings or its terrain.", scenario));
 }
 
@@ -113,7 +113,7 @@ Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
     const SavedOrigin origin = originOf(json);
     if (result.kind == "study") return SavedAnswer{origin, studyOf(result, json)};
     if (result.kind == "impact") return SavedAnswer{origin, impactOf(result, json)};
-    if (result.kind == "score") return SavedAnswer{origin, computeScore(result, json)};
+    if (result.kind == "score") return SavedAnswer{origin, readScore(result, json)};
     return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind), result.name,
                    "Open the project with a newer Noonmark");
 } catch (const std::exception& problem) {  // JSON or layers of the wrong shape

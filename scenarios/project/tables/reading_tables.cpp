@@ -42,7 +42,7 @@ private:
 
 void writeSettings(Database& database, const std::optional<ReadSettings>& settings) {
     if (!settings) return removeFact(database, settingsKey);
-    const std::string text = textOf(*settings);
+    const std::string text = formatText(*settings);
     setFact(database, settingsKey, text.empty() ? "{}" : text);
 }
 

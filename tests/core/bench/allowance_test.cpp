@@ -5,16 +5,16 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(Allowance, anEndlessOneHasRoomForAll) { EXPECT_GT(Allowance().leftS(), 1e9); }
+TEST(Allowance, AnEndlessOneHasRoomForAll) { EXPECT_GT(Allowance().leftS(), 1e9); }
 
-TEST(Allowance, theLongerItLastsTheLessIsLeft) {
+TEST(Allowance, TheLongerItLastsTheLessIsLeft) {
     const Allowance hour(3600);
     const double before = hour.leftS();
     EXPECT_LE(before, 3600);
     EXPECT_LE(hour.leftS(), before);
 }
 
-TEST(Allowance, theCheapestPiecesThatFitTogetherAreTaken) {
+TEST(Allowance, TheCheapestPiecesThatFitTogetherAreTaken) {
     EXPECT_EQ(canAfford({5, 1, 3, 100}, 8), (std::vector{false, true, true, false}));
     EXPECT_EQ(canAfford({5, 1, 3, 100}, 9), (std::vector{true, true, true, false}));
     EXPECT_EQ(canAfford({0, 0, 1}, 0), (std::vector{true, true, false})) << "what costs nothing";

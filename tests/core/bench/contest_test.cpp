@@ -59,7 +59,7 @@ protected:
     Extent extent_;
 };
 
-TEST_F(ContestTest, theRightAnswerIsTimedAsOftenAsAsked) {
+TEST_F(ContestTest, TheRightAnswerIsTimedAsOftenAsAsked) {
     const Placing placing = placingOf(0, 0);
     EXPECT_EQ(placing.error, FieldError{});
     EXPECT_EQ(placing.runs, 5);
@@ -67,7 +67,7 @@ TEST_F(ContestTest, theRightAnswerIsTimedAsOftenAsAsked) {
     EXPECT_TRUE(placing.refusal.empty());
 }
 
-TEST_F(ContestTest, errorsAreInPercentOfThePeriod) {
+TEST_F(ContestTest, ErrorsAreInPercentOfThePeriod) {
     const Placing placing = placingOf(1.2, 0);  // of 60 min
     EXPECT_NEAR(placing.error.areaPct, 2, 1e-4);
     EXPECT_NEAR(placing.error.cellMeanPct, 2, 1e-4);
@@ -75,27 +75,27 @@ TEST_F(ContestTest, errorsAreInPercentOfThePeriod) {
     EXPECT_TRUE(placing.timed());
 }
 
-TEST_F(ContestTest, aWrongAnswerIsNotTimed) {
+TEST_F(ContestTest, AWrongAnswerIsNotTimed) {
     const Placing placing = placingOf(10, 0);
     EXPECT_FALSE(placing.timed());
     EXPECT_NE(placing.refusal.find("off by 16.7 %"), std::string::npos) << placing.refusal;
 }
 
-TEST_F(ContestTest, aRefusalIsKept) {
+TEST_F(ContestTest, ARefusalIsKept) {
     const Placing placing = placingOf(0, 0, true);
     EXPECT_FALSE(placing.timed());
     EXPECT_FALSE(placing.tooSlow);
     EXPECT_EQ(placing.refusal, "Not on such ground");
 }
 
-TEST_F(ContestTest, whoNeverEndsIsStopped) {
+TEST_F(ContestTest, WhoNeverEndsIsStopped) {
     extent_.neverAboveS = 0.05;
     const Placing placing = placingOf(0, 1000);
     EXPECT_TRUE(placing.tooSlow);
     EXPECT_FALSE(placing.timed());
 }
 
-TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
+TEST(BenchForecast, GivesUpWhatWouldTakeHalfAsLongAgain) {
     EXPECT_TRUE(isHopeless(6, 0.1, 20));
     EXPECT_FALSE(isHopeless(4, 0.1, 20));   // too early to tell
     EXPECT_FALSE(isHopeless(6, 0.25, 20));  // it may end in time
@@ -103,7 +103,7 @@ TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
     EXPECT_FALSE(isHopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
 }
 
-TEST_F(ContestTest, whoIsNeededIsLetEnd) {
+TEST_F(ContestTest, WhoIsNeededIsLetEnd) {
     extent_.neverAboveS = 0.01;
     const std::vector<Contestant> needed{
         {"made", "Made", "", std::make_shared<Made>(0, 0.05), /*needed=*/true}};
@@ -111,7 +111,7 @@ TEST_F(ContestTest, whoIsNeededIsLetEnd) {
     EXPECT_TRUE(runContest(scene_, needed, truth, extent_, work_).value().front().timed());
 }
 
-TEST_F(ContestTest, whoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
+TEST_F(ContestTest, WhoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
     const std::vector<Contestant> three{{"a", "A", "", std::make_shared<Made>(0, 0)},
                                         {"b", "B", "", std::make_shared<Made>(0, 0)},
                                         {"c", "C", "", std::make_shared<Made>(1.2, 0)}};
@@ -125,14 +125,14 @@ TEST_F(ContestTest, whoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
     EXPECT_TRUE(placings[0].peakBytes.has_value());
 }
 
-TEST_F(ContestTest, whatTakesLongIsRunOnce) {
+TEST_F(ContestTest, WhatTakesLongIsRunOnce) {
     extent_.onceAboveS = 0.01;
     const Placing placing = placingOf(0, 0.03);
     EXPECT_EQ(placing.runs, 1);
     EXPECT_GE(placing.medianS, 0.03);
 }
 
-TEST_F(ContestTest, theWholeRaysTimeGrowsWithTheReceivers) {
+TEST_F(ContestTest, TheWholeRaysTimeGrowsWithTheReceivers) {
     Truth truth;
     truth.field.cost.seconds = {{"build", 2}, {"trace", 3}};
     truth.receivers = receivers_;

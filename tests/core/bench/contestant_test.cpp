@@ -8,13 +8,13 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(BenchContestants, everyEngineOfTheListRunsAsUsual) {
+TEST(BenchContestants, EveryEngineOfTheListRunsAsUsual) {
     const StartList list = listUsualEngines(coreEngines());
     EXPECT_EQ(list.contestants.size() + list.absent.size(), coreEngines().size());
     for (const Contestant& contestant : list.contestants) EXPECT_TRUE(contestant.setting.empty());
 }
 
-TEST(BenchContestants, settingsAreTriedOnceEach) {
+TEST(BenchContestants, SettingsAreTriedOnceEach) {
     const StartList list = listVariedEngines(coreEngines(), {0.25, 0.5, 1, 2, 4});
     std::set<std::string> titles;
     for (const Contestant& contestant : list.contestants)
@@ -25,7 +25,7 @@ TEST(BenchContestants, settingsAreTriedOnceEach) {
     EXPECT_TRUE(titles.contains("Inverse accrual map, levels 8"));  // 12 clamped
 }
 
-TEST(BenchContestants, aLadderHasTheUsualRungToo) {
+TEST(BenchContestants, ALadderHasTheUsualRungToo) {
     const auto ladder = listVariants(coreEngines(), "iam", "levels", {1, 2, 3});
     ASSERT_EQ(ladder.size(), 3U);
     EXPECT_EQ(ladder[0].setting, "levels 1");

@@ -22,7 +22,7 @@ protected:
     }
 };
 
-TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
+TEST_F(HorizonBenchTest, TheSummaryHasTheKeysThatOthersReadAllMeasured) {
     const auto json = nlohmann::ordered_json::parse(summaryJson(report()));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) {
@@ -38,14 +38,14 @@ TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
     EXPECT_LT(json["day_mistagged_pct"].get<double>(), 0.05);
 }
 
-TEST_F(HorizonBenchTest, widerBinsAreFartherOff) {
+TEST_F(HorizonBenchTest, WiderBinsAreFartherOff) {
     const Finding& year = report().findings.front();
     ASSERT_EQ(year.key, "horizon_year") << year.text;
     ASSERT_EQ(year.table.rows.size(), 4U);  // the first two use the error target
     EXPECT_LT(std::get<double>(year.table.rows[2][2]), std::get<double>(year.table.rows[3][2]));
 }
 
-TEST_F(HorizonBenchTest, everyExperimentIsMadeAndEveryRowHasEveryColumn) {
+TEST_F(HorizonBenchTest, EveryExperimentIsMadeAndEveryRowHasEveryColumn) {
     ASSERT_EQ(report().findings.size(), horizonBenchKeys.size());
     for (std::size_t i = 0; i < report().findings.size(); ++i) {
         const Finding& one = report().findings[i];

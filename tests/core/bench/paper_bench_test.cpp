@@ -28,7 +28,7 @@ protected:
     }
 };
 
-TEST_F(PaperBenchTest, everyExperimentIsMade) {
+TEST_F(PaperBenchTest, EveryExperimentIsMade) {
     ASSERT_EQ(report().findings.size(), paperBenchKeys.size());
     for (std::size_t i = 0; i < report().findings.size(); ++i) {
         const Finding& one = report().findings[i];
@@ -36,7 +36,7 @@ TEST_F(PaperBenchTest, everyExperimentIsMade) {
     }
 }
 
-TEST_F(PaperBenchTest, everyRowHasEveryColumn) {
+TEST_F(PaperBenchTest, EveryRowHasEveryColumn) {
     for (const Finding& one : report().findings) {
         EXPECT_FALSE(one.table.rows.empty()) << one.key;
         for (const auto& row : one.table.rows) EXPECT_EQ(row.size(), one.table.columns.size()) << one.key;
@@ -46,7 +46,7 @@ TEST_F(PaperBenchTest, everyRowHasEveryColumn) {
     }
 }
 
-TEST_F(PaperBenchTest, theSummaryHasTheKeysThatOthersRead) {
+TEST_F(PaperBenchTest, TheSummaryHasTheKeysThatOthersRead) {
     const auto json = nlohmann::ordered_json::parse(summaryJson(report()));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
@@ -60,14 +60,14 @@ TEST_F(PaperBenchTest, theSummaryHasTheKeysThatOthersRead) {
     EXPECT_TRUE(json["year_graph_speedup"].is_null());  // three days are not a year
 }
 
-TEST_F(PaperBenchTest, theRayReferenceHasNoErrorAnywhere) {
+TEST_F(PaperBenchTest, TheRayReferenceHasNoErrorAnywhere) {
     for (const auto& row : finding("engine_times").table.rows)
         if (std::get<std::string>(row[0]) == "ray") {
             EXPECT_EQ(std::get<double>(row[5]), 0);
         }
 }
 
-TEST_F(PaperBenchTest, anHourAndADayHaveEverySetting) {
+TEST_F(PaperBenchTest, AnHourAndADayHaveEverySetting) {
     std::set<std::string> settings;
     for (const auto& row : finding("time_against_error").table.rows)
         if (std::get<std::string>(row[0]) == "a day") settings.insert(std::get<std::string>(row[2]));
@@ -76,7 +76,7 @@ TEST_F(PaperBenchTest, anHourAndADayHaveEverySetting) {
     EXPECT_TRUE(settings.contains("no graph"));
 }
 
-TEST_F(PaperBenchTest, errorFallsWithTheLevels) {
+TEST_F(PaperBenchTest, ErrorFallsWithTheLevels) {
     const auto& series = finding("level_error").charts[0].series[0];
     ASSERT_EQ(series.points.size(), 6U);
     EXPECT_GE(series.points[0].y, series.points[2].y);
@@ -95,7 +95,7 @@ std::size_t leftOut(const std::string& key, const BenchReport& report) {
 }
 
 // As on a machine that is too slow for any optional experiment.
-TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
+TEST(PaperBench, WithoutTimeTheSummaryIsMadeAllTheSame) {
     NoProgress silent;
     Extent extent = tests::leastExtent();
     extent.budgetS = 0;
@@ -118,7 +118,7 @@ TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
         }
 }
 
-TEST(PaperBench, stopsWhenAsked) {
+TEST(PaperBench, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress silent;
@@ -128,7 +128,7 @@ TEST(PaperBench, stopsWhenAsked) {
     EXPECT_TRUE(isCancelled(report.error()));
 }
 
-TEST(PaperBench, aCityWithoutBuildingsIsRefused) {
+TEST(PaperBench, ACityWithoutBuildingsIsRefused) {
     NoProgress silent;
     const auto report = runPaperBench({}, tests::leastExtent(), coreEngines(), silent, {});
     ASSERT_FALSE(report);

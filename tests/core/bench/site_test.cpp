@@ -10,7 +10,7 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(BenchSite, squaresLieInTheCityAndComeBackForTheSameSeed) {
+TEST(BenchSite, SquaresLieInTheCityAndComeBackForTheSameSeed) {
     BenchSite site = tests::tinySite();
     const Box2 city = bounds(site.city);
     const auto squares = pickRandomSquares(site, 20);
@@ -26,7 +26,7 @@ TEST(BenchSite, squaresLieInTheCityAndComeBackForTheSameSeed) {
     EXPECT_NE(squares, pickRandomSquares(site, 20));
 }
 
-TEST(BenchSite, aCityThatIsSmallerThanTheSquareIsTakenWhole) {
+TEST(BenchSite, ACityThatIsSmallerThanTheSquareIsTakenWhole) {
     BenchSite site = tests::tinySite();
     site.sideM = 100'000;
     const Box2 city = bounds(site.city), box = bounds(pickRandomSquares(site, 1).front());
@@ -34,15 +34,15 @@ TEST(BenchSite, aCityThatIsSmallerThanTheSquareIsTakenWhole) {
     EXPECT_NEAR(box.high.y, city.high.y, 0.01);
 }
 
-TEST(BenchSite, randomDaysAreDifferentDaysOfTheYear) {
+TEST(BenchSite, RandomDaysAreDifferentDaysOfTheYear) {
     const auto days = pickRandomDays(tests::tinySite(), 365);
     EXPECT_EQ(days.size(), 365U);
-    EXPECT_EQ(textOf(days.front()), "2026-01-01");
-    EXPECT_EQ(textOf(days.back()), "2026-12-31");
+    EXPECT_EQ(formatText(days.front()), "2026-01-01");
+    EXPECT_EQ(formatText(days.back()), "2026-12-31");
     EXPECT_EQ(std::set<CivilDate>(days.begin(), days.end()).size(), 365U);
 }
 
-TEST(BenchSite, theSampleIsMadeOfWholeSquaresAndOfReceiversOnly) {
+TEST(BenchSite, TheSampleIsMadeOfWholeSquaresAndOfReceiversOnly) {
     const BenchSite site = tests::tinySite();
     const Receivers all = pickMiddleReceivers(site, {}).value();
     const Receivers sample = sampleOf(all, 200, 1);
@@ -54,7 +54,7 @@ TEST(BenchSite, theSampleIsMadeOfWholeSquaresAndOfReceiversOnly) {
     EXPECT_EQ(sampleOf(all, 1'000'000, 1).cells, all.cells);
 }
 
-TEST(BenchSite, aStretchIsADayOfItsOwn) {
+TEST(BenchSite, AStretchIsADayOfItsOwn) {
     const BenchSite site = tests::tinySite();
     const SunSteps day = computeSunOver(site, site.date, 1).value();
     const SunSteps stretch = stretchOf(day, 100, 60);

@@ -18,7 +18,7 @@ double numberIn(const Finding& finding, std::size_t row, std::size_t column) {
 }
 
 // Table 1 has five digits of the mean cosine; its deviations from an hour on are those of the sun's path.
-TEST(SunLinearity, agreesWithThePapersTable) {
+TEST(SunLinearity, AgreesWithThePapersTable) {
     NoProgress silent;
     const Finding finding = benchSunLinearity(tests::tinySite(), {}, {silent, {}}).value();
     ASSERT_EQ(finding.table.rows.size(), 6U);
@@ -32,7 +32,7 @@ TEST(SunLinearity, agreesWithThePapersTable) {
 }
 
 // The graph's edges are the distinct pairs of bins of the year's hours.
-TEST(GraphBound, edgesAreThoseCountedOneByOne) {
+TEST(GraphBound, EdgesAreThoseCountedOneByOne) {
     const BenchSite site = tests::tinySite();
     const SunSteps year = computeYearSun(site).value();
     const DirectionBins bins(year, 5, 60);
@@ -50,7 +50,7 @@ TEST(GraphBound, edgesAreThoseCountedOneByOne) {
 }
 
 // A direction is at most half a bin's width from the bin's mean: cos(5 deg / sqrt 2) = 0.9981.
-TEST(GraphBound, directionsAreAlikeWithinTheBound) {
+TEST(GraphBound, DirectionsAreAlikeWithinTheBound) {
     NoProgress silent;
     const Finding finding = benchGraphBound(tests::tinySite(), {}, {silent, {}}).value();
     EXPECT_GT(numberIn(finding, 2, 3), 0.999);
@@ -59,7 +59,7 @@ TEST(GraphBound, directionsAreAlikeWithinTheBound) {
     EXPECT_GT(numberIn(finding, 0, 3), numberIn(finding, 4, 3));  // small bins are closer than large ones
 }
 
-TEST(GraphError, areaErrorIsNeverMoreThanWhatIsMistagged) {
+TEST(GraphError, AreaErrorIsNeverMoreThanWhatIsMistagged) {
     NoProgress silent;
     Extent extent = tests::leastExtent();
     extent.graphHours = 6;

@@ -9,7 +9,7 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(BenchTable, csvQuotesWhatNeedsItAndLeavesWhatIsMissingEmpty) {
+TEST(BenchTable, CsvQuotesWhatNeedsItAndLeavesWhatIsMissingEmpty) {
     const Table table{{"engine", "time_s", "refusal"},
                       {{std::string("iam"), 0.1, std::monostate{}},
                        {std::string("a \"b\", c"), std::monostate{}, std::string("two\nlines")}}};
@@ -19,13 +19,13 @@ TEST(BenchTable, csvQuotesWhatNeedsItAndLeavesWhatIsMissingEmpty) {
               "\"a \"\"b\"\", c\",,\"two\nlines\"\n");
 }
 
-TEST(BenchTable, numbersComeBackExactly) {
+TEST(BenchTable, NumbersComeBackExactly) {
     const double third = 1.0 / 3;
     const std::string csv = toCsv({{"x"}, {{third}}});
     EXPECT_EQ(std::stod(csv.substr(2)), third);
 }
 
-TEST(BenchMoments, ofKnownValues) {
+TEST(BenchMoments, OfKnownValues) {
     const Moments moments = computeMoments({4, 1, 3, 2});
     EXPECT_DOUBLE_EQ(moments.mean, 2.5);
     EXPECT_DOUBLE_EQ(moments.median, 2.5);
@@ -36,7 +36,7 @@ TEST(BenchMoments, ofKnownValues) {
     EXPECT_EQ(computeMoments({}).mean, 0);
 }
 
-TEST(BenchMoments, threeDigitsHaveNoExponent) {
+TEST(BenchMoments, ThreeDigitsHaveNoExponent) {
     EXPECT_EQ(formatThreeDigits(0.012345), "0.0123");
     EXPECT_EQ(formatThreeDigits(12.345), "12.3");
     EXPECT_EQ(formatThreeDigits(3097.89), "3098");

@@ -12,7 +12,7 @@ PeriodRun runOf(int days, double raySeconds, Placing iam) {
         .placings = {{.medianS = raySeconds, .runs = 1, .estimated = days > 1}, std::move(iam)}};
 }
 
-TEST(TimeByDays, theYearsSpeedupIsRaysOverTheGraph) {
+TEST(TimeByDays, TheYearsSpeedupIsRaysOverTheGraph) {
     const Finding finding = benchTimeByDays(
         {runOf(1, 1, {.medianS = 1, .runs = 5}), runOf(365, 365, {.medianS = 5, .runs = 5})}, {});
     EXPECT_DOUBLE_EQ(finding.summary.at("year_graph_speedup"), 73);
@@ -20,7 +20,7 @@ TEST(TimeByDays, theYearsSpeedupIsRaysOverTheGraph) {
     EXPECT_EQ(std::get<std::string>(finding.table.rows[1].back()), "yes");
 }
 
-TEST(TimeByDays, whoWasTooSlowIsWorkedOutInProportionAndMarked) {
+TEST(TimeByDays, WhoWasTooSlowIsWorkedOutInProportionAndMarked) {
     const Finding finding = benchTimeByDays(
         {runOf(1, 1, {.medianS = 2, .runs = 5}), runOf(365, 365, {.refusal = "stopped", .tooSlow = true})},
         {});
@@ -30,7 +30,7 @@ TEST(TimeByDays, whoWasTooSlowIsWorkedOutInProportionAndMarked) {
     EXPECT_FALSE(finding.summary.contains("year_graph_speedup"));
 }
 
-TEST(TimeByDays, whoRefusedHasNoTime) {
+TEST(TimeByDays, WhoRefusedHasNoTime) {
     const Finding finding =
         benchTimeByDays({runOf(1, 1, {.refusal = "terrain"}), runOf(365, 365, {.refusal = "terrain"})}, {});
     EXPECT_EQ(finding.table.rows.size(), 2U);  // those of the rays

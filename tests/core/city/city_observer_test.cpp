@@ -29,7 +29,7 @@ glm::dvec3 placedAt(const City& city, LonLat observer, glm::dvec3 eastNorthUp) {
     return {local, eastNorthUp.z - (city.terrain ? earthDropM(local) : 0)};
 }
 
-TEST(CityObserver, atTheOriginTheFrameIsTheObserversOwn) {
+TEST(CityObserver, AtTheOriginTheFrameIsTheObserversOwn) {
     for (const bool terrain : {false, true}) {
         const Observer observer = placeObserver(cityAt({10, 62}, terrain), {0, 0});
         for (int column = 0; column < 3; ++column)
@@ -38,7 +38,7 @@ TEST(CityObserver, atTheOriginTheFrameIsTheObserversOwn) {
     }
 }
 
-TEST(CityObserver, directionsRunAsTheGeometryDoes) {
+TEST(CityObserver, DirectionsRunAsTheGeometryDoes) {
     for (const LonLat origin : {LonLat{10, 62}, LonLat{151, -33.9}, LonLat{179.9, -17.5}, LonLat{-60, 0.1}})
         for (const bool terrain : {false, true})
             for (const glm::dvec2 local : {glm::dvec2(27e3, 4e3), {-30e3, 30e3}, {0, -45e3}}) {
@@ -53,7 +53,7 @@ TEST(CityObserver, directionsRunAsTheGeometryDoes) {
 }
 
 // d_lon sin(lat), and 0.87 of the angle at the earth's centre: 27.5 km east at 62 deg north.
-TEST(CityObserver, turnsByTheConvergenceAndTheSlopeOfTheDrop) {
+TEST(CityObserver, TurnsByTheConvergenceAndTheSlopeOfTheDrop) {
     const Observer observer = placeObserver(cityAt({10, 62}, true), {27.5e3, 0});
     const double convergence = (observer.place.lonDeg - 10) * std::sin(62 / toDegrees);
     ASSERT_NEAR(convergence, 0.464, 0.001);

@@ -39,7 +39,7 @@ double computeArea(const std::vector<Footprint>& pieces) {
 
 // 40 x 40 m tapering to 20 x 20 at 40 m, storeys of 3.2 m: with the base on every storey it would be 12.5 ->
 // 13 x 1600 m2.
-TEST(FloorArea, ofATaperIsTheSumOfItsSections) {
+TEST(FloorArea, OfATaperIsTheSumOfItsSections) {
     double expected = 0;
     int storeys = 0;
     for (double floor = 0; floor + 1.6 < 40; floor += 3.2, ++storeys) {
@@ -55,7 +55,7 @@ TEST(FloorArea, ofATaperIsTheSumOfItsSections) {
 
 // Floors at 0, 3, ... 27 of a pyramid of 30 x 30 x 30 m: sides 30, 27, ... 3, so 9 x (1 + 4 + ... + 100) =
 // 3465.
-TEST(FloorArea, ofAPyramidIsWorkedOut) {
+TEST(FloorArea, OfAPyramidIsWorkedOut) {
     const FloorArea floors = computeFloorArea(buildingOfMesh(taper(15, 0.0005F, 30)), 0, 3);
     EXPECT_EQ(floors.storeys, 10);
     // Sections 1 cm above the floor are smaller by 2 x 0.01 x 165 in all
@@ -63,7 +63,7 @@ TEST(FloorArea, ofAPyramidIsWorkedOut) {
     EXPECT_NEAR(floors.grossM2, 3465 - 2 * 0.01 * 165, 0.05);
 }
 
-TEST(FloorArea, aBoxOfTrianglesIsThatPrism) {
+TEST(FloorArea, ABoxOfTrianglesIsThatPrism) {
     Building prism{.sourceId = "prism"};
     prism.parts.push_back({.footprint = {{{0, 0}, {20, 0}, {20, 30}, {0, 30}}, {}}, .topM = 35});
     const FloorArea asPrism = computeFloorArea(prism, 0, 3.5);
@@ -76,7 +76,7 @@ TEST(FloorArea, aBoxOfTrianglesIsThatPrism) {
 
 // A podium of 40 x 40 to 12 m and a tower of 20 x 20 from 12 to 52 m, as prisms and as meshes; and the same
 // tower from the ground up, inside the podium: its floors there count once.
-TEST(FloorArea, partsAtSeveralHeightsAreEachCountedOnce) {
+TEST(FloorArea, PartsAtSeveralHeightsAreEachCountedOnce) {
     const double expected = 3 * 1600 + 10 * 400;
     const auto prism = [](float low, float high, float bottom, float top) {
         return Part{.footprint = {{{low, low}, {high, low}, {high, high}, {low, high}}, {}},
@@ -115,7 +115,7 @@ TriangleMesh courtyardBlock() {
     return mesh;
 }
 
-TEST(FloorArea, aCourtyardIsNoFloor) {
+TEST(FloorArea, ACourtyardIsNoFloor) {
     ASSERT_EQ(findOpenEdges(courtyardBlock()), 0U);
     const FloorArea floors = computeFloorArea(buildingOfMesh(courtyardBlock()), 0, 4);
     EXPECT_NEAR(floors.grossM2, 5 * 1200, 0.05);
@@ -124,7 +124,7 @@ TEST(FloorArea, aCourtyardIsNoFloor) {
 
 // Without a floor it still has a court; without one outer wall too, a line closes the gap, and the result
 // states that.
-TEST(FloorArea, openMeshesAreMeasuredAndAMissingWallIsStated) {
+TEST(FloorArea, OpenMeshesAreMeasuredAndAMissingWallIsStated) {
     TriangleMesh open = courtyardBlock();
     std::erase_if(open.triangles, [&](glm::uvec3 t) {
         return open.vertices[t.x].z + open.vertices[t.y].z + open.vertices[t.z].z == 0;
@@ -141,7 +141,7 @@ TEST(FloorArea, openMeshesAreMeasuredAndAMissingWallIsStated) {
     EXPECT_EQ(estimated.estimatedStoreys, 4);
 }
 
-TEST(MeshSection, aCavityIsOutAndWhatOverlapsCountsOnce) {
+TEST(MeshSection, ACavityIsOutAndWhatOverlapsCountsOnce) {
     TriangleMesh hollow = box({0, 0, 0}, {10, 10, 10});
     TriangleMesh cavity = box({2, 2, 2}, {8, 8, 8});
     turnInsideOut(cavity);

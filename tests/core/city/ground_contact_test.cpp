@@ -33,18 +33,18 @@ double computeArea(const std::vector<Footprint>& polygons) {
     return sum;
 }
 
-TEST(GroundContact, aStandingPartIsItsFootprintAndAHangingPrismNothing) {
+TEST(GroundContact, AStandingPartIsItsFootprintAndAHangingPrismNothing) {
     EXPECT_DOUBLE_EQ(computeArea(findGroundContact(prism(square(0, 10), 0, 5, false), 0)), 100);
     EXPECT_TRUE(findGroundContact(prism(square(0, 10), 4, 5, true), 0).empty());
 }
 
-TEST(GroundContact, eavesDoNotTakeTheGroundBelowThem) {
+TEST(GroundContact, EavesDoNotTakeTheGroundBelowThem) {
     EXPECT_NEAR(computeArea(findGroundContact(houseWithEaves(0), 0)), 36, 1e-4);
     EXPECT_NEAR(computeArea(findGroundContact(houseWithEaves(20), 20)), 36, 1e-4);
     EXPECT_TRUE(findGroundContact(houseWithEaves(4), 0).empty());  // all of it above the ground
 }
 
-TEST(GroundContact, aShellOpenBelowTakesWhatItsWallsEnclose) {
+TEST(GroundContact, AShellOpenBelowTakesWhatItsWallsEnclose) {
     Part part = houseWithEaves(0);
     TriangleMesh open = *part.mesh;
     std::erase_if(open.triangles, [&](glm::uvec3 t) {
@@ -55,7 +55,7 @@ TEST(GroundContact, aShellOpenBelowTakesWhatItsWallsEnclose) {
 }
 
 // The ground under a canopy with a wall on one side is free.
-TEST(GroundContact, aWallThatEnclosesNothingTakesNothing) {
+TEST(GroundContact, AWallThatEnclosesNothingTakesNothing) {
     Part part = prism(square(0, 10), 0, 5, true);
     part.mesh = std::make_shared<const TriangleMesh>(
         TriangleMesh{{{0, 0, 5}, {10, 0, 5}, {10, 10, 5}, {0, 10, 5}, {0, 0, 0}, {10, 0, 0}},
@@ -63,7 +63,7 @@ TEST(GroundContact, aWallThatEnclosesNothingTakesNothing) {
     EXPECT_TRUE(findGroundContact(part, 0).empty());
 }
 
-TEST(GroundContact, receiversLieUnderTheEavesButNotInTheHouse) {
+TEST(GroundContact, ReceiversLieUnderTheEavesButNotInTheHouse) {
     City city;
     city.buildings.push_back(std::make_shared<const Building>(Building{.parts = {houseWithEaves(0)}}));
     const Receivers receivers =

@@ -20,7 +20,7 @@ bool warns(const Warnings& warnings, const std::string& what) {
                        [&](const Warning& w) { return w.what.find(what) != w.what.npos; });
 }
 
-TEST(MeshOutline, ofABoxIsItsBaseWithFourCorners) {
+TEST(MeshOutline, OfABoxIsItsBaseWithFourCorners) {
     const MeshOutline outline = computeOutline(box({1, 2, 3}, {11, 22, 33}), true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
@@ -28,7 +28,7 @@ TEST(MeshOutline, ofABoxIsItsBaseWithFourCorners) {
     EXPECT_FALSE(outline.wallsOnly);
 }
 
-TEST(MeshOutline, farFromTheOriginStaysSimple) {
+TEST(MeshOutline, FarFromTheOriginStaysSimple) {
     const TriangleMesh mesh = box({29000, -31000, 0}, {29010.1F, -30990.3F, 33});
     const MeshOutline outline = computeOutline(mesh, true);
     ASSERT_EQ(outline.pieces.size(), 1U);
@@ -38,7 +38,7 @@ TEST(MeshOutline, farFromTheOriginStaysSimple) {
 
 // A fan of triangles in float32 far from the origin, where corners fall between millimetres, still has one
 // outline.
-TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
+TEST(MeshOutline, TrianglesThatShareCornersAreNeverParted) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> place(-4000, 4000), radius(10, 20);
     for (int trial = 0; trial < 500; ++trial) {
@@ -56,7 +56,7 @@ TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
     }
 }
 
-TEST(MeshOutline, aHairlineGapDoesNotPartABuilding) {
+TEST(MeshOutline, AHairlineGapDoesNotPartABuilding) {
     const TriangleMesh halves = tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.004F, 0, 0}, {10, 10, 10}));
     const MeshOutline outline = computeOutline(halves, true);
     ASSERT_EQ(outline.pieces.size(), 1U);
@@ -75,7 +75,7 @@ TriangleMesh wallsOf(glm::vec3 low, glm::vec3 high) {
     return walls;
 }
 
-TEST(MeshOutline, ofWallsAloneIsWhatTheyEnclose) {
+TEST(MeshOutline, OfWallsAloneIsWhatTheyEnclose) {
     const MeshOutline outline = computeOutline(wallsOf({0, 0, 0}, {10, 10, 10}), false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_TRUE(outline.wallsOnly);
@@ -83,7 +83,7 @@ TEST(MeshOutline, ofWallsAloneIsWhatTheyEnclose) {
 }
 
 // An L, which a convex hull would fill, and a courtyard in a block of 30 m.
-TEST(MeshOutline, wallsAreNoHull) {
+TEST(MeshOutline, WallsAreNoHull) {
     const Ring corners{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 20}, {0, 20}};
     TriangleMesh walls;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -103,7 +103,7 @@ TEST(MeshOutline, wallsAreNoHull) {
     EXPECT_NEAR(area(computeOutline(block, false).pieces[0]), 800, 1e-4);
 }
 
-TEST(MeshOutline, aWallThatStandsOutOfARoofIsInItsBounds) {
+TEST(MeshOutline, AWallThatStandsOutOfARoofIsInItsBounds) {
     TriangleMesh house = box({0, 0, 0}, {10, 10, 10});
     append(house, {{{10, 5, 0}, {14, 5, 0}, {14, 5, 3}}, {{0, 1, 2}}});
     const MeshOutline outline = computeOutline(house, false);
@@ -112,7 +112,7 @@ TEST(MeshOutline, aWallThatStandsOutOfARoofIsInItsBounds) {
     EXPECT_NEAR(area(outline.pieces[0]), 100, 0.1);
 }
 
-TEST(MeshOutline, aWallLineIsNoOverlap) {
+TEST(MeshOutline, AWallLineIsNoOverlap) {
     const auto outline = [](glm::vec3 low, glm::vec3 high) {
         return computeOutline(box(low, high), true).pieces;
     };
@@ -121,7 +121,7 @@ TEST(MeshOutline, aWallLineIsNoOverlap) {
     EXPECT_EQ(groups, (std::vector<std::size_t>{0, 1, 0, 0}));
 }
 
-TEST(MeshParts, aBoxIsOnePart) {
+TEST(MeshParts, ABoxIsOnePart) {
     const MeshParts made = partsOf(tests::unshared(box({0, 0, 1}, {10, 10, 31})), "tower", "file: tower");
     ASSERT_EQ(made.parts.size(), 1U);
     const Part& part = made.parts[0];
@@ -135,7 +135,7 @@ TEST(MeshParts, aBoxIsOnePart) {
     EXPECT_NEAR(signedVolume(*part.mesh), 3000, 1e-6);
 }
 
-TEST(MeshParts, piecesApartAreParts) {
+TEST(MeshParts, PiecesApartAreParts) {
     const MeshParts made =
         partsOf(tests::joined(box({0, 0, 0}, {1, 1, 5}), box({4, 0, 0}, {6, 2, 9})), "two", "two");
     ASSERT_EQ(made.parts.size(), 2U);
@@ -144,7 +144,7 @@ TEST(MeshParts, piecesApartAreParts) {
         EXPECT_NEAR(signedVolume(*part.mesh), area(part.footprint) * double(part.topM - part.bottomM), 1e-6);
 }
 
-TEST(MeshParts, overhangIsSeenAndCavityIsNot) {
+TEST(MeshParts, OverhangIsSeenAndCavityIsNot) {
     const TriangleMesh table = tests::joined(box({4, 4, 0}, {6, 6, 10}), box({0, 0, 10}, {10, 10, 12}));
     EXPECT_TRUE(hasOpenAirBelow(table));
     TriangleMesh cavity = box({2, 2, 3}, {8, 8, 9});
@@ -153,13 +153,13 @@ TEST(MeshParts, overhangIsSeenAndCavityIsNot) {
     EXPECT_FALSE(hasOpenAirBelow(box({0, 0, 50}, {10, 10, 60})));  // markOverhangs handles this case
 }
 
-TEST(MeshParts, leaningWallIsAnOverhang) {
+TEST(MeshParts, LeaningWallIsAnOverhang) {
     TriangleMesh funnel = box({0, 0, 0}, {10, 10, 20});
     for (int i = 4; i < 8; ++i) funnel.vertices[std::size_t(i)].x += i % 2 == 0 ? -5.0F : 5.0F;
     EXPECT_TRUE(hasOpenAirBelow(funnel));
 }
 
-TEST(MeshParts, aLevelSheetIsASlabOfItsOutline) {
+TEST(MeshParts, ALevelSheetIsASlabOfItsOutline) {
     const TriangleMesh sheet{{{0, 0, 7}, {10, 0, 7}, {10, 10, 7}, {0, 10, 7}}, {{0, 1, 2}, {0, 3, 2}}};
     const MeshParts made = partsOf(sheet, "deck", "");
     ASSERT_EQ(made.parts.size(), 1U);
@@ -172,7 +172,7 @@ TEST(MeshParts, aLevelSheetIsASlabOfItsOutline) {
     EXPECT_EQ(part.heightSource, HeightSource::mesh);
 }
 
-TEST(MeshParts, anUprightSheetIsAStrip) {
+TEST(MeshParts, AnUprightSheetIsAStrip) {
     const TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}}};
     const MeshParts made = partsOf(sheet, "", "");
     ASSERT_EQ(made.parts.size(), 1U);
@@ -184,7 +184,7 @@ TEST(MeshParts, anUprightSheetIsAStrip) {
     EXPECT_EQ(bounds(made.parts[0].footprint).high.x, 1.005F);
 }
 
-TEST(MeshParts, whatHasNoAreaIsReported) {
+TEST(MeshParts, WhatHasNoAreaIsReported) {
     EXPECT_TRUE(partsOf({}, "", "").parts.empty());
     const TriangleMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
     EXPECT_TRUE(partsOf(line, "", "").parts.empty());
@@ -193,7 +193,7 @@ TEST(MeshParts, whatHasNoAreaIsReported) {
 
 // A roof that faces down and four thin posts: open below, whichever way it faces. Walls along its two long
 // sides carry it.
-TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
+TEST(MeshParts, ASheetOnPostsIsAnOverhangAndOnWallsARoof) {
     const TriangleMesh roof{{{0, 0, 4}, {10, 0, 4}, {10, 8, 4.5F}, {0, 8, 4.5F}}, {{0, 2, 1}, {0, 3, 2}}};
     TriangleMesh shelter = roof, house = roof;
     for (const float x : {0.5F, 9.2F})
@@ -207,7 +207,7 @@ TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
     EXPECT_NEAR(area(partsOf(house, "", "").parts.at(0).footprint), 80, 1e-3);
 }
 
-TEST(MeshParts, openMeshIsUsedAndSaid) {
+TEST(MeshParts, OpenMeshIsUsedAndSaid) {
     TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
     open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
     const MeshParts made = partsOf(open, "", "");
@@ -221,7 +221,7 @@ Part slab(float x, float side, float bottom, float top) {
     return partsOf(box({x, 0, bottom}, {x + side, side, top}), "", "").parts.at(0);
 }
 
-TEST(MarkHanging, onlyWhatNothingCarries) {
+TEST(MarkHanging, OnlyWhatNothingCarries) {
     std::vector<Part> parts{slab(0, 10, 0, 20), slab(0, 8, 20, 40), slab(6, 10, 20, 30), slab(30, 5, 50, 60),
                             slab(50, 5, 1.5F, 9)};
     markOverhangs(parts, flatGround);

@@ -12,7 +12,7 @@ namespace {
 
 using tests::box;
 
-TEST(MeshTopology, weldingClosesABoxOfLooseTriangles) {
+TEST(MeshTopology, WeldingClosesABoxOfLooseTriangles) {
     const TriangleMesh loose = tests::unshared(box({0, 0, 0}, {10, 20, 30}));
     EXPECT_EQ(findOpenEdges(loose), 36U);
     const TriangleMesh whole = weld(loose);
@@ -21,7 +21,7 @@ TEST(MeshTopology, weldingClosesABoxOfLooseTriangles) {
     EXPECT_NEAR(signedVolume(whole), 6000, 1e-6);
 }
 
-TEST(MeshTopology, weldingTakesPointsWithinTheToleranceWhereverTheyLie) {
+TEST(MeshTopology, WeldingTakesPointsWithinTheToleranceWhereverTheyLie) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> place(-100, 100), noise(-0.0002F, 0.0002F);
     for (int i = 0; i < 200; ++i) {
@@ -35,7 +35,7 @@ TEST(MeshTopology, weldingTakesPointsWithinTheToleranceWhereverTheyLie) {
     }
 }
 
-TEST(MeshTopology, weldingTakesPointsHoweverFarAway) {
+TEST(MeshTopology, WeldingTakesPointsHoweverFarAway) {
     TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
     mesh.vertices.emplace_back(1e30F, 0, 0);
     mesh.vertices.emplace_back(2e30F, -3e38F, 0);
@@ -46,7 +46,7 @@ TEST(MeshTopology, weldingTakesPointsHoweverFarAway) {
     EXPECT_EQ(whole.triangles.size(), 14U);
 }
 
-TEST(MeshTopology, uselessTrianglesGo) {
+TEST(MeshTopology, UselessTrianglesGo) {
     TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
     mesh.vertices.emplace_back(NAN, 0, 0);
     mesh.vertices.emplace_back(0.5F, 0, 0);
@@ -57,13 +57,13 @@ TEST(MeshTopology, uselessTrianglesGo) {
     EXPECT_EQ(findOpenEdges(clean), 0U);
 }
 
-TEST(MeshTopology, oneWallMissingIsSeen) {
+TEST(MeshTopology, OneWallMissingIsSeen) {
     TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
     mesh.triangles.resize(10);
     EXPECT_EQ(findOpenEdges(mesh), 4U);
 }
 
-TEST(MeshTopology, componentsAreThePiecesThatShareNoPoint) {
+TEST(MeshTopology, ComponentsAreThePiecesThatShareNoPoint) {
     const TriangleMesh two = tests::joined(box({0, 0, 0}, {1, 1, 1}), box({5, 0, 0}, {7, 2, 2}));
     const Components components = findComponents(two);
     ASSERT_EQ(components.count, 2U);
@@ -72,7 +72,7 @@ TEST(MeshTopology, componentsAreThePiecesThatShareNoPoint) {
     EXPECT_NEAR(signedVolume(meshes[1]), 8, 1e-9);
 }
 
-TEST(MeshTopology, inwardFacesAreTurnedButCavitiesStay) {
+TEST(MeshTopology, InwardFacesAreTurnedButCavitiesStay) {
     TriangleMesh cavity = box({2, 2, 2}, {4, 4, 4});
     turnInsideOut(cavity);
     TriangleMesh hollow = tests::joined(box({0, 0, 0}, {10, 10, 10}), cavity);

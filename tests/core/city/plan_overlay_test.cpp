@@ -23,39 +23,39 @@ double computeArea(const std::vector<Footprint>& footprints) {
     return sum;
 }
 
-TEST(PiecesOutside, areWhatIsNotCovered) {
+TEST(PiecesOutside, AreWhatIsNotCovered) {
     const auto pieces = cutPiecesOutside({box(0, 0, 30, 10)}, {box(10, -5, 10, 20)}, {});
     ASSERT_EQ(pieces.size(), 2U);
     EXPECT_NEAR(computeArea(pieces), 200, 1e-3);
     for (const Footprint& piece : pieces) EXPECT_GT(signedArea(piece.outer), 0);
 }
 
-TEST(PiecesOutside, mayHaveACourtyard) {
+TEST(PiecesOutside, MayHaveACourtyard) {
     const auto pieces = cutPiecesOutside({box(0, 0, 30, 30)}, {box(10, 10, 10, 10)}, {});
     ASSERT_EQ(pieces.size(), 1U);
     ASSERT_EQ(pieces[0].holes.size(), 1U);
     EXPECT_LT(signedArea(pieces[0].holes[0]), 0);
 }
 
-TEST(PiecesOutside, leaveOutWhatIsTooSmallOrTooNarrow) {
+TEST(PiecesOutside, LeaveOutWhatIsTooSmallOrTooNarrow) {
     EXPECT_THAT(cutPiecesOutside({box(0, 0, 100, 10)}, {box(0, 0, 100, 9.5F)}, {}), IsEmpty());
     EXPECT_THAT(cutPiecesOutside({box(0, 0, 3, 13)}, {box(0, 0, 3, 10)}, {}), IsEmpty());
     EXPECT_EQ(cutPiecesOutside({box(0, 0, 3, 13)}, {box(0, 0, 3, 10)}, {.areaM2 = 5, .widthM = 1}).size(),
               1U);
 }
 
-TEST(PiecesOutside, isAllWhereNothingCoversIt) {
+TEST(PiecesOutside, IsAllWhereNothingCoversIt) {
     EXPECT_NEAR(computeArea(cutPiecesOutside({box(0, 0, 5, 5)}, {}, {})), 25, 1e-3);
     EXPECT_THAT(cutPiecesOutside({box(0, 0, 5, 5)}, {box(-1, -1, 9, 9)}, {}), IsEmpty());
 }
 
-TEST(SharedArea, countsWhatBothCover) {
+TEST(SharedArea, CountsWhatBothCover) {
     EXPECT_NEAR(computeSharedArea({box(0, 0, 10, 10)}, {box(5, 5, 10, 10)}), 25, 1e-6);
     EXPECT_DOUBLE_EQ(computeSharedArea({box(0, 0, 10, 10)}, {box(10, 0, 10, 10)}), 0);
     EXPECT_DOUBLE_EQ(computeSharedArea({}, {box(10, 0, 10, 10)}), 0);
 }
 
-TEST(MeetingBoxes, areFoundAsByLookingAtAllPairs) {
+TEST(MeetingBoxes, AreFoundAsByLookingAtAllPairs) {
     std::mt19937 random(4);
     std::uniform_real_distribution<float> place(0, 100);
     std::uniform_real_distribution<float> size(0, 12);
@@ -78,7 +78,7 @@ TEST(MeetingBoxes, areFoundAsByLookingAtAllPairs) {
     EXPECT_EQ(findMeetingBoxes(a, b), expected);
 }
 
-TEST(MeetingBoxes, passOverEmptyOnes) {
+TEST(MeetingBoxes, PassOverEmptyOnes) {
     const Box2 full{{0, 0}, {1, 1}};
     EXPECT_THAT(findMeetingBoxes({Box2(), full}, {full, Box2()}), ElementsAre(Pair(1, 0)));
     EXPECT_THAT(findMeetingBoxes({}, {full}), IsEmpty());

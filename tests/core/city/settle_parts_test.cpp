@@ -27,29 +27,29 @@ protected:
     Warnings warnings;
 };
 
-TEST_F(SettleParts, whatStandsOnTheGroundStands) {
+TEST_F(SettleParts, WhatStandsOnTheGroundStands) {
     parts = {part(0, 10, 0, 20)};
     EXPECT_THAT(overhanging(), ElementsAre(false));
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(SettleParts, twoPartsSideBySideCarryOne) {
+TEST_F(SettleParts, TwoPartsSideBySideCarryOne) {
     parts = {part(0, 20, 12, 30), part(0, 10, 0, 12), part(10, 10, 0, 15)};
     EXPECT_THAT(overhanging(), ElementsAre(false, false, false));
     EXPECT_FLOAT_EQ(parts[0].bottomM, 12);
 }
 
-TEST_F(SettleParts, halfASupportIsNone) {
+TEST_F(SettleParts, HalfASupportIsNone) {
     parts = {part(0, 20, 12, 30), part(0, 10, 0, 12)};
     EXPECT_THAT(overhanging(), ElementsAre(true, false));
 }
 
-TEST_F(SettleParts, aStackStandsWhateverItsOrder) {
+TEST_F(SettleParts, AStackStandsWhateverItsOrder) {
     parts = {part(2, 6, 40, 60), part(0, 10, 0, 20), part(1, 8, 20, 40)};
     EXPECT_THAT(overhanging(), ElementsAre(false, false, false));
 }
 
-TEST_F(SettleParts, aLowGapIsClosedAndSaid) {
+TEST_F(SettleParts, ALowGapIsClosedAndSaid) {
     parts = {part(0, 10, 0, 17), part(0, 10, 20, 40, "way 9")};
     EXPECT_THAT(overhanging(), ElementsAre(false, false));
     EXPECT_FLOAT_EQ(parts[1].bottomM, 17);
@@ -58,20 +58,20 @@ TEST_F(SettleParts, aLowGapIsClosedAndSaid) {
     EXPECT_EQ(warnings[0].kind, WarningKind::mended);
 }
 
-TEST_F(SettleParts, aPassageStaysOpenAndAPlinthDoesNot) {
+TEST_F(SettleParts, APassageStaysOpenAndAPlinthDoesNot) {
     parts = {part(0, 10, 3, 20), part(50, 10, 1, 20)};
     EXPECT_THAT(overhanging(), ElementsAre(true, false));
     EXPECT_FLOAT_EQ(parts[0].bottomM, 3);
     EXPECT_FLOAT_EQ(parts[1].bottomM, 0);
 }
 
-TEST_F(SettleParts, heightsCountFromTheGround) {
+TEST_F(SettleParts, HeightsCountFromTheGround) {
     parts = {part(0, 10, 101.5F, 120), part(50, 10, 110, 120)};
     EXPECT_THAT(overhanging(100), ElementsAre(false, true));
     EXPECT_FLOAT_EQ(parts[0].bottomM, 100);
 }
 
-TEST_F(SettleParts, whatHangsAlreadyStaysAndCarriesNothing) {
+TEST_F(SettleParts, WhatHangsAlreadyStaysAndCarriesNothing) {
     parts = {part(0, 10, 1, 5), part(0, 10, 5, 20)};
     parts[0].isOverhanging = true;
     EXPECT_THAT(overhanging(), ElementsAre(true, true));

@@ -27,7 +27,7 @@ Surface parseRing(std::size_t count) {
     return surface;
 }
 
-TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
+TEST(SurfaceMesher, PolygonsInAnyPlaneKeepAreaAndSide) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-1, 1);
     for (int trial = 0; trial < 300; ++trial) {
@@ -53,7 +53,7 @@ TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
     }
 }
 
-TEST(SurfaceMesher, aWallWithAWindow) {
+TEST(SurfaceMesher, AWallWithAWindow) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10},
                                          {4, 0, 4}, {4, 0, 6},  {6, 0, 6},   {6, 0, 4}};
     SurfaceMesher mesher(points);
@@ -61,7 +61,7 @@ TEST(SurfaceMesher, aWallWithAWindow) {
     EXPECT_NEAR(areaVector(mesher.mesh()).y, -96, 1e-4);
 }
 
-TEST(SurfaceMesher, bentPolygonsUseTheirOwnPoints) {
+TEST(SurfaceMesher, BentPolygonsUseTheirOwnPoints) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {10, 0, 0.2}, {12, 5, 0}, {10, 10, 0.3}, {0, 10, 0}};
     SurfaceMesher mesher(points);
     EXPECT_EQ(mesher.add(parseRing(5)), Outcome::added);
@@ -72,14 +72,14 @@ TEST(SurfaceMesher, bentPolygonsUseTheirOwnPoints) {
             true);
 }
 
-TEST(SurfaceMesher, crossingPolygonsAreMended) {
+TEST(SurfaceMesher, CrossingPolygonsAreMended) {
     const std::vector<glm::dvec3> points{{0, 0, 5}, {10, 10, 5}, {10, 0, 5}, {0, 11, 5}};
     SurfaceMesher mesher(points);
     EXPECT_EQ(mesher.add(parseRing(4)), Outcome::mended);
     for (const glm::vec3 vertex : mesher.mesh().vertices) EXPECT_NEAR(vertex.z, 5, 1e-5);
 }
 
-TEST(SurfaceMesher, whatHasNoAreaAddsNothing) {
+TEST(SurfaceMesher, WhatHasNoAreaAddsNothing) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}, {NAN, 0, 0}, {0, 1, 0}};
     SurfaceMesher mesher(points);
     for (const Surface& surface : {Surface{}, Surface{{}}, Surface{{0}}, Surface{{0, 1}}, Surface{{0, 1, 2}},

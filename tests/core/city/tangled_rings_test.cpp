@@ -52,7 +52,7 @@ RawRing turned(RawRing ring) {
     return ring;
 }
 
-TEST(TangledRings, randomPointsAreAndCombsAreNot) {
+TEST(TangledRings, RandomPointsAreAndCombsAreNot) {
     EXPECT_FALSE(areTangled({randomRing(50)}));  // 50 * 47 / 2 pairs of sides at most
     EXPECT_TRUE(areTangled({randomRing(800)}));
     EXPECT_TRUE(areTangled({randomRing(50000)}));
@@ -61,7 +61,7 @@ TEST(TangledRings, randomPointsAreAndCombsAreNot) {
 }
 
 // k bars across k bars, each a separate ring: k x k times four crossings.
-TEST(TangledRings, crossingsAreCounted) {
+TEST(TangledRings, CrossingsAreCounted) {
     const auto bars = [](int count) {
         std::vector<RawRing> rings;
         for (int i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ TEST(TangledRings, crossingsAreCounted) {
     EXPECT_TRUE(areTangled(bars(23)));   // 2116
 }
 
-TEST(TangledRings, areDroppedWithTheLimitStated) {
+TEST(TangledRings, AreDroppedWithTheLimitStated) {
     const RepairedFootprint repaired = repairFootprint({randomRing(3000)});
     EXPECT_TRUE(repaired.pieces.empty());
     EXPECT_EQ(repaired.kind, WarningKind::dropped);
@@ -100,7 +100,7 @@ void expectTriangulated(const Footprint& footprint) {
     EXPECT_NEAR(sum, area(footprint), 1e-6 * area(footprint));
 }
 
-TEST(Triangulated, largeRingsAndManyHoles) {
+TEST(Triangulated, LargeRingsAndManyHoles) {
     expectTriangulated({starRing(50000), {}});
     expectTriangulated({starRing(200), {}});  // the largest ring that is inserted in its own order
     expectTriangulated({starRing(202), {}});
@@ -111,7 +111,7 @@ TEST(Triangulated, largeRingsAndManyHoles) {
     expectTriangulated(grid);
 }
 
-TEST(Triangulated, whatCrossesItselfTooOftenIsRefused) {
+TEST(Triangulated, WhatCrossesItselfTooOftenIsRefused) {
     const Triangulation made = triangulate({inFloat(randomRing(3000)), {}});
     EXPECT_TRUE(made.tangled);
     EXPECT_TRUE(made.triangles.empty());
@@ -126,7 +126,7 @@ TEST(Triangulated, whatCrossesItselfTooOftenIsRefused) {
     EXPECT_TRUE(mesher.mesh().triangles.empty());
 }
 
-TEST(TriangleCount, isThatOfTheMesh) {
+TEST(TriangleCount, IsThatOfTheMesh) {
     Part part{.footprint = {starRing(60), {}}, .bottomM = 0, .topM = 10};
     EXPECT_EQ(countTriangles(part), 2U * 58 + 120);
     EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(FillGaps, nearestValueWins) {
+TEST(FillGaps, NearestValueWins) {
     std::vector<float> values{1, nan, nan, nan, 2, nan, nan, nan, nan, nan};
     EXPECT_EQ(fillFromNearest(values, 5, 2), 8U);
     EXPECT_EQ(values[1], 1);
@@ -22,7 +22,7 @@ TEST(FillGaps, nearestValueWins) {
     for (const float value : values) EXPECT_TRUE(value == 1 || value == 2);
 }
 
-TEST(FillGaps, nothingToFillOrNothingToFillFrom) {
+TEST(FillGaps, NothingToFillOrNothingToFillFrom) {
     std::vector<float> whole{1, 2, 3};
     EXPECT_EQ(fillFromNearest(whole, 3, 1), 0U);
     std::vector<float> empty(6, nan);
@@ -30,7 +30,7 @@ TEST(FillGaps, nothingToFillOrNothingToFillFrom) {
     EXPECT_TRUE(std::isnan(empty[0]));
 }
 
-TEST(TinTerrain, aPlaneComesBackExactly) {
+TEST(TinTerrain, APlaneComesBackExactly) {
     TriangleMesh tin;
     for (const glm::vec2 at : {glm::vec2(-50, -20), {50, -20}, {50, 80}, {-50, 80}, {3, 31}})
         tin.vertices.emplace_back(at, 10 + 0.1F * at.x - 0.05F * at.y);
@@ -45,7 +45,7 @@ TEST(TinTerrain, aPlaneComesBackExactly) {
         EXPECT_NEAR(elevationAt(terrain, at), 10 + 0.1 * at.x - 0.05 * at.y, 0.01);
 }
 
-TEST(TinTerrain, holesAreFilledAndCounted) {
+TEST(TinTerrain, HolesAreFilledAndCounted) {
     TriangleMesh tin;
     tin.vertices = {{0, 0, 5}, {10, 0, 5}, {0, 10, 5}, {40, 40, 8}, {40, 30, 8}, {30, 40, 8}};
     tin.triangles = {{0, 1, 2}, {3, 5, 4}};
@@ -55,7 +55,7 @@ TEST(TinTerrain, holesAreFilledAndCounted) {
     for (const float z : made->terrain.elevationM) EXPECT_TRUE(z == 5 || z == 8);
 }
 
-TEST(TinTerrain, withoutAreaThereIsNone) {
+TEST(TinTerrain, WithoutAreaThereIsNone) {
     EXPECT_FALSE(rasterizeTin({}));
     EXPECT_FALSE(rasterizeTin({{{0, 0, 0}, {1, 0, 0}, {2, 0, 9}}, {{0, 1, 2}}}));
 }

@@ -87,7 +87,7 @@ protected:
 
 // With texels aligned with cells, the remaining error is due to the straight sun path and is larger for a low
 // sun. Stretched over 300 cells, 1024 texels are off by up to a sixth of a cell.
-TEST_P(AccrualAgreement, onTheGround) {
+TEST_P(AccrualAgreement, OnTheGround) {
     const SunSteps morning = hours(city_, 9, 2, spring), dusk = hours(city_, 14, 2, winter);
     for (const CasterSide side : {CasterSide::awayFromSun, CasterSide::towardsSun}) {
         expectBelow(failure(morning, {.side = side}), {0.02, 0.02});
@@ -96,7 +96,7 @@ TEST_P(AccrualAgreement, onTheGround) {
     expectBelow(failure(morning, {.texelsOnCells = false}), {0.6, 0.8});
 }
 
-TEST_P(AccrualAgreement, onWhatACameraSees) {
+TEST_P(AccrualAgreement, OnWhatACameraSees) {
     const Box2 box = bounds(city_);
     const glm::dvec3 at(glm::dvec2(box.low + box.high) * 0.5, 0);
     const SurfacePoints points =

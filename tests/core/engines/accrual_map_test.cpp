@@ -45,7 +45,7 @@ struct Placed {
 
 // Paper, section 4: on a plane perpendicular to the first sun direction, a point at height w above it moves
 // by w tan(angle).
-TEST(AccrualMap, theShearIsTheTanLaw) {
+TEST(AccrualMap, TheShearIsTheTanLaw) {
     const SunInterval interval = hour(120, 135, 30, 40);
     MapFrame frame;
     frame.normal = interval.first;
@@ -60,7 +60,7 @@ TEST(AccrualMap, theShearIsTheTanLaw) {
 }
 
 // Paper, section 4, theorem 1.
-TEST(AccrualMap, slicesEqualSeparateShadowMapsBitForBit) {
+TEST(AccrualMap, SlicesEqualSeparateShadowMapsBitForBit) {
     const City city = cityOf(randomBoxes(11, 8));
     const Placed scene(city, {-10, -10, 1, 180, 180}, 256);
     for (const CasterSide side : {CasterSide::towardsSun, CasterSide::awayFromSun}) {
@@ -77,7 +77,7 @@ TEST(AccrualMap, slicesEqualSeparateShadowMapsBitForBit) {
     }
 }
 
-TEST(AccrualMap, depthIsTheHeightOfWhatTheSunMeets) {
+TEST(AccrualMap, DepthIsTheHeightOfWhatTheSunMeets) {
     const City city = cityOf({{{10, 10, 0}, {20, 20, 30}}});
     const Placed scene(city, {0, 0, 1, 40, 40}, 40);
     const glm::dvec3 sun(towardsSun(180, 60));  // shadows run north
@@ -94,7 +94,7 @@ TEST(AccrualMap, depthIsTheHeightOfWhatTheSunMeets) {
     EXPECT_EQ(at(15, 38), DepthSlice::empty);
 }
 
-TEST(MaskTranspose, swapsRowsAndColumns) {
+TEST(MaskTranspose, SwapsRowsAndColumns) {
     std::mt19937_64 random(1);
     std::array<std::uint64_t, 64> words;
     for (auto& word : words) word = random();

@@ -27,14 +27,14 @@ ShadowField byAuto(const City& city, const SunSteps& sun, std::stop_token stop =
         .value();
 }
 
-TEST(AutoEngine, aDayOnFlatGroundGoesToProjectedShadows) {
+TEST(AutoEngine, ADayOnFlatGroundGoesToProjectedShadows) {
     const ShadowField field = byAuto(oneTower(), days(1, 60));
     EXPECT_EQ(field.engineKey, "projected");
     EXPECT_THAT(field.engine, HasSubstr("Projected shadows"));
     EXPECT_THAT(field.engine, HasSubstr("chosen: projected shadows, exact and quick enough"));
 }
 
-TEST(AutoEngine, aLongPeriodGoesToTheHorizonSweep) {
+TEST(AutoEngine, ALongPeriodGoesToTheHorizonSweep) {
     const ShadowField field = byAuto(oneTower(), days(150, 480));
     EXPECT_EQ(field.engineKey, "horizon");
     EXPECT_THAT(field.engine, HasSubstr("since the period is long"));
@@ -47,13 +47,13 @@ City onTerrain() {
     return city;
 }
 
-TEST(AutoEngine, aDayOnTerrainGoesToRays) {
+TEST(AutoEngine, ADayOnTerrainGoesToRays) {
     const ShadowField field = byAuto(onTerrain(), days(1, 60));
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("terrain"));
 }
 
-TEST(AutoEngine, aLongPeriodOnTerrainGoesToTheHorizonSweep) {
+TEST(AutoEngine, ALongPeriodOnTerrainGoesToTheHorizonSweep) {
     NoProgress progress;
     const City city = onTerrain();
     const auto field =
@@ -62,7 +62,7 @@ TEST(AutoEngine, aLongPeriodOnTerrainGoesToTheHorizonSweep) {
     EXPECT_EQ(field->engineKey, "horizon");
 }
 
-TEST(AutoEngine, whatTheChosenOneRefusesGoesToRaysAndIsSaid) {
+TEST(AutoEngine, WhatTheChosenOneRefusesGoesToRaysAndIsSaid) {
     const ShadowField field = byAuto(oneTower(), days(1, 60'000));  // too many steps for the sweep
     EXPECT_EQ(field.engineKey, "ray");
     EXPECT_THAT(field.engine, HasSubstr("refused"));
@@ -74,7 +74,7 @@ EngineLoad denseYear() {
     return {.receivers = 285'679, .rows = 800, .steps = 173'342, .bins = 390, .buildings = 3'000};
 }
 
-TEST(AutoEngine, expectsTheSweepToWinLongPeriodsInDenseCities) {
+TEST(AutoEngine, ExpectsTheSweepToWinLongPeriodsInDenseCities) {
     const EstimatedSeconds year = estimateSeconds(denseYear());
     EXPECT_LT(year.horizon * 5, year.projected);
     EXPECT_LT(year.projected, year.ray);
@@ -83,7 +83,7 @@ TEST(AutoEngine, expectsTheSweepToWinLongPeriodsInDenseCities) {
     EXPECT_LT(estimateSeconds(hour).projected, 2);
 }
 
-TEST(AutoEngine, expectsTheSweepToTakeLongerBelowPartsThatHang) {
+TEST(AutoEngine, ExpectsTheSweepToTakeLongerBelowPartsThatHang) {
     EngineLoad month = denseYear();
     month.steps = 14'400;
     month.bins = 590;
@@ -95,7 +95,7 @@ TEST(AutoEngine, expectsTheSweepToTakeLongerBelowPartsThatHang) {
     EXPECT_LT(estimateSeconds(month).horizon * 1.4, seconds.horizon);
 }
 
-TEST(AutoEngine, expectsGrossShadowAloneToTakeTheSweepLess) {
+TEST(AutoEngine, ExpectsGrossShadowAloneToTakeTheSweepLess) {
     EngineLoad year = denseYear();
     const EstimatedSeconds both = estimateSeconds(year);
     year.runs = false;
@@ -103,7 +103,7 @@ TEST(AutoEngine, expectsGrossShadowAloneToTakeTheSweepLess) {
     EXPECT_EQ(estimateSeconds(year).projected, both.projected);
 }
 
-TEST(AutoEngine, looksAtPartsThatHangInReachOnly) {
+TEST(AutoEngine, LooksAtPartsThatHangInReachOnly) {
     const City city =
         cityOf({{{0, 0, 0}, {10, 10, 10}}, {{30, 0, 5}, {40, 10, 10}}, {{9000, 0, 5}, {9010, 10, 10}}});
     const Receivers receivers = receiversOver(city, -20, -20, 60, 40);
@@ -115,7 +115,7 @@ TEST(AutoEngine, looksAtPartsThatHangInReachOnly) {
     EXPECT_TRUE(load.level);
 }
 
-TEST(AutoEngine, aStopIsNoRefusal) {
+TEST(AutoEngine, AStopIsNoRefusal) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress progress;

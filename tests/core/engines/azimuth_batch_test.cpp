@@ -34,7 +34,7 @@ std::vector<SweptBin> binsAllAround() {
     return bins;
 }
 
-TEST(AzimuthBatch, fansHoldEachBinOnceInOrder) {
+TEST(AzimuthBatch, FansHoldEachBinOnceInOrder) {
     const std::vector<SweptBin> bins = binsAllAround();
     std::size_t next = 0;
     for (const BatchRange& batch : groupIntoBatches(bins)) {
@@ -84,7 +84,7 @@ City turnedBlocks() {
     return city;
 }
 
-TEST(AzimuthBatch, horizonsOfAFanAreThoseOfEachAzimuthAloneToTheLastBit) {
+TEST(AzimuthBatch, HorizonsOfAFanAreThoseOfEachAzimuthAloneToTheLastBit) {
     const City city = turnedBlocks();
     const Receivers receivers = receiversOver(city, 60, 55, 330, 340);
     std::vector<std::uint32_t> all(city.buildings.size());
@@ -130,23 +130,23 @@ void expectSameGross(const City& city, const Receivers& receivers) {
     EXPECT_GT(most, 0);
 }
 
-TEST(GrossAlone, isThatOfASweepWithRuns) {
+TEST(GrossAlone, IsThatOfASweepWithRuns) {
     const City city = turnedBlocks();
     expectSameGross(city, receiversOver(city, 60, 55, 330, 340));
 }
 
-TEST(GrossAlone, isThatOfASweepWithRunsWherePartsHang) {
+TEST(GrossAlone, IsThatOfASweepWithRunsWherePartsHang) {
     const City city = cityOf({{{0, 0, 10}, {30, 25, 13}}, {{40, 0, 0}, {50, 20, 30}}});
     expectSameGross(city, receiversOver(city, -60, -60, 90, 90));
 }
 
-TEST(GrossAlone, isThatOfASweepWithRunsOnTerrain) {
+TEST(GrossAlone, IsThatOfASweepWithRunsOnTerrain) {
     const City city =
         groundOf(80, [](glm::dvec2 place) { return std::max(0.0, 40 - 2 * std::abs(place.x + 5)); });
     expectSameGross(city, receiversOver(city, -100, -20, -30, 20));
 }
 
-TEST(BlockSums, countEachSquareHoweverItsLinesRun) {
+TEST(BlockSums, CountEachSquareHoweverItsLinesRun) {
     const City city = cityOf({});
     const Receivers receivers = receiversOver(city, 0, 0, 40, 20);
     const ReceiverBlocks blocks(receivers, {0, 0, receivers.grid.columns, receivers.grid.rows});

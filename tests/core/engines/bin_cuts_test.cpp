@@ -39,7 +39,7 @@ double meanErrorPercent(const City& city, const Receivers& receivers, const SunS
 
 // Tests the error target against rays, for days, a month and days of a year, in a city of houses wall to wall
 // and in a city of towers.
-TEST(BinCuts, theMeanErrorStaysWithinTheTarget) {
+TEST(BinCuts, TheMeanErrorStaysWithinTheTarget) {
     std::vector<Box3> boxes = randomBoxes(11, 7);
     for (Box3& box : boxes) box.low.z = 0;
     const City houses = cityOf(boxes), towers = makeGridSample({.buildings = 200}).value();
@@ -54,7 +54,7 @@ TEST(BinCuts, theMeanErrorStaysWithinTheTarget) {
         }
 }
 
-TEST(BinCuts, fewBinsWhereTheTargetAllowsAndManyWhereItAsks) {
+TEST(BinCuts, FewBinsWhereTheTargetAllowsAndManyWhereItAsks) {
     const SunSteps day = sunOf(3, 1), year = sunOf(1, 365);
     for (const SunSteps* sun : {&day, &year}) {
         std::size_t before = 0;
@@ -70,7 +70,7 @@ TEST(BinCuts, fewBinsWhereTheTargetAllowsAndManyWhereItAsks) {
 }
 
 // Some of the suns move ten times as fast in azimuth: bins are narrower where suns are dense.
-TEST(BinCuts, binsAreNarrowWhereTheSunSpendsItsTime) {
+TEST(BinCuts, BinsAreNarrowWhereTheSunSpendsItsTime) {
     std::vector<Sun> suns;
     for (int i = 0; i < 2000; ++i) suns.push_back({100 + 0.02 * i, 30});
     for (int i = 0; i < 200; ++i) suns.push_back({140 + 0.2 * i, 30});
@@ -85,7 +85,7 @@ TEST(BinCuts, binsAreNarrowWhereTheSunSpendsItsTime) {
     EXPECT_LE(cuts.widestDeg, 2);
 }
 
-TEST(BinCuts, everySunIsInTheBinOfItsAzimuth) {
+TEST(BinCuts, EverySunIsInTheBinOfItsAzimuth) {
     const SunSteps sun = sunOf(6, 3, 24);
     const BinCuts cuts = chooseBinCuts(sun, 0.1);
     const BinnedSun binned = binSun(sun, cuts);
@@ -101,16 +101,16 @@ TEST(BinCuts, everySunIsInTheBinOfItsAzimuth) {
     }
 }
 
-TEST(BinCuts, noSunNeedsNoBin) {
+TEST(BinCuts, NoSunNeedsNoBin) {
     SunSteps night;
     night.days.push_back({});
     EXPECT_EQ(chooseBinCuts(night, 0.05).bins, 0U);
 }
 
-TEST(BinCuts, widthsAreSaidInWords) {
+TEST(BinCuts, WidthsAreSaidInWords) {
     const SunSteps sun = sunOf(3, 1);
-    EXPECT_EQ(textOf(binSun(sun, {.binDeg = 0.5})).substr(4), "azimuth bins of 0.5 deg");
-    EXPECT_NE(textOf(binSun(sun, {.errorTargetPercent = 0.1})).find(" to "), std::string::npos);
+    EXPECT_EQ(formatText(binSun(sun, {.binDeg = 0.5})).substr(4), "azimuth bins of 0.5 deg");
+    EXPECT_NE(formatText(binSun(sun, {.errorTargetPercent = 0.1})).find(" to "), std::string::npos);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void expectSound(const Footprint& footprint, const std::vector<Ring>& pieces, st
     EXPECT_EQ(edges, edgesOf(footprint));
 }
 
-TEST(ConvexPieces, onlyAFootprintWithoutHolesAndRightTurnsIsConvex) {
+TEST(ConvexPieces, OnlyAFootprintWithoutHolesAndRightTurnsIsConvex) {
     const Ring court = rectangle(10, 10, 20, 20);
     EXPECT_TRUE(isConvex({rectangle(0, 0, 30, 30), {}}));
     EXPECT_TRUE(isConvex({{{0, 0}, {15, 0}, {30, 0}, {30, 30}, {0, 30}}, {}}))
@@ -61,7 +61,7 @@ TEST(ConvexPieces, onlyAFootprintWithoutHolesAndRightTurnsIsConvex) {
         << "its right turn is the first corner";
 }
 
-TEST(ConvexPieces, anLIsTwoAndACourtKeepsItsWalls) {
+TEST(ConvexPieces, AnLIsTwoAndACourtKeepsItsWalls) {
     const Footprint angle{{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}};
     EXPECT_EQ(splitIntoConvexPieces(angle, 60).size(), 2U);
     expectSound(angle, splitIntoConvexPieces(angle, 60), 60);
@@ -72,7 +72,7 @@ TEST(ConvexPieces, anLIsTwoAndACourtKeepsItsWalls) {
     for (const Ring& piece : pieces) EXPECT_LE(piece.size(), 3U);  // larger: would contain the court
 }
 
-TEST(ConvexPieces, ofRandomStarsTakeEveryEdgeOnceAndStayInside) {
+TEST(ConvexPieces, OfRandomStarsTakeEveryEdgeOnceAndStayInside) {
     std::mt19937 random(4);
     for (int round = 0; round < 300; ++round) {
         Footprint star;

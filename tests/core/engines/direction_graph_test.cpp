@@ -77,7 +77,7 @@ Receivers someReceivers(int count) {
     return receivers;
 }
 
-TEST(ShadowMask, runsAgreeWithCounting) {
+TEST(ShadowMask, RunsAgreeWithCounting) {
     std::mt19937_64 random(3);
     for (int round = 0; round < 2000; ++round) {
         const int steps = 1 + int(random() % 64);
@@ -96,7 +96,7 @@ TEST(ShadowMask, runsAgreeWithCounting) {
     EXPECT_EQ(measureRuns(fullMask(64), 64), (MaskRuns{64, 64, 64, 64}));
 }
 
-TEST(DirectionBins, areNoWiderThanTheBound) {
+TEST(DirectionBins, AreNoWiderThanTheBound) {
     const DirectionBins bins(greatCircleDays(5, 365, 1), 5, 60);
     std::mt19937 random(5);
     std::normal_distribution<double> any;
@@ -112,7 +112,7 @@ TEST(DirectionBins, areNoWiderThanTheBound) {
 }
 
 // The circles of the bins are those of the sun: during a day it stays between two of them.
-TEST(DirectionBins, aDayStaysInOneRing) {
+TEST(DirectionBins, ADayStaysInOneRing) {
     for (const double latitudeDeg : {-66.0, -34.0, 0.0, 40.7, 69.6}) {
         const Observer observer{.place = {0, latitudeDeg}};
         const SunSteps sun = computeSunSteps({.hours = 6}, observer).value();
@@ -125,7 +125,7 @@ TEST(DirectionBins, aDayStaysInOneRing) {
 
 // The paper has 299 edges for the 2,190 hours of a year. New York has about as many here, with a smaller
 // distance between merged directions.
-TEST(DirectionGraph, aYearOfSixHoursHasAsManyEdgesAsThePapers) {
+TEST(DirectionGraph, AYearOfSixHoursHasAsManyEdgesAsThePapers) {
     const SunSteps sun =
         computeSunSteps({.start = {std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}},
                          .days = 365,
@@ -140,7 +140,7 @@ TEST(DirectionGraph, aYearOfSixHoursHasAsManyEdgesAsThePapers) {
     EXPECT_LT(buildDirectionGraph(sun, {.boundDeg = 10})->edges.size(), graph.edges.size());
 }
 
-TEST(DirectionGraph, mergesIntervalsThatLookAlikeAndLosesNone) {
+TEST(DirectionGraph, MergesIntervalsThatLookAlikeAndLosesNone) {
     const SunSteps sun = greatCircleDays(30, 365, 0.2);
     const auto graph = buildDirectionGraph(sun, {});
     ASSERT_TRUE(graph.has_value());
@@ -151,7 +151,7 @@ TEST(DirectionGraph, mergesIntervalsThatLookAlikeAndLosesNone) {
     EXPECT_EQ(steps, sun.steps.size());
 }
 
-TEST(DirectionGraph, refusesSettingsOutOfRange) {
+TEST(DirectionGraph, RefusesSettingsOutOfRange) {
     const SunSteps sun = greatCircleDays(1, 60, 0);
     EXPECT_FALSE(buildDirectionGraph(sun, {.boundDeg = 0}).has_value());
     EXPECT_FALSE(buildDirectionGraph(sun, {.intervalMinutes = 121}).has_value());
@@ -160,7 +160,7 @@ TEST(DirectionGraph, refusesSettingsOutOfRange) {
         buildDirectionGraph(sun, {.intervalMinutes = 65}).has_value());  // 65 steps do not fit into a mask
 }
 
-TEST(GraphEngine, stitchesRunsAcrossIntervals) {
+TEST(GraphEngine, StitchesRunsAcrossIntervals) {
     const SunSteps sun = greatCircleDays(3, 205, 3);
     const Receivers receivers = someReceivers(200);
     NoProgress progress;
@@ -183,7 +183,7 @@ TEST(GraphEngine, stitchesRunsAcrossIntervals) {
     }
 }
 
-TEST(GraphEngine, shortStepsMakeShorterIntervals) {
+TEST(GraphEngine, ShortStepsMakeShorterIntervals) {
     SunSteps sun = greatCircleDays(1, 200, 0);
     sun.stepMinutes = 0.5;
     const Receivers receivers = someReceivers(10);
@@ -192,7 +192,7 @@ TEST(GraphEngine, shortStepsMakeShorterIntervals) {
     EXPECT_TRUE(engine.accumulate({}, receivers, sun, progress, {}).has_value());
 }
 
-TEST(DirectionGraph, aGapInTheDayBreaksTheRun) {
+TEST(DirectionGraph, AGapInTheDayBreaksTheRun) {
     SunSteps sun = greatCircleDays(1, 120, 0);
     for (std::size_t k = 90; k < 120; ++k) sun.steps[k].slot += 10;
     const auto graph = buildDirectionGraph(sun, {});

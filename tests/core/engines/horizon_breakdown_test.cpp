@@ -19,8 +19,8 @@ ShadowField swept(const City& city, const Receivers& receivers, const SunSteps& 
     return HorizonSweep().accumulate(city, receivers, sun, progress, {}).value();
 }
 
-ShadowBreakdown brokenDown(const City& city, const Receivers& receivers, const SunSteps& sun,
-                           const StepSets& sets, bool byBuilding = true) {
+ShadowBreakdown breakDown(const City& city, const Receivers& receivers, const SunSteps& sun,
+                          const StepSets& sets, bool byBuilding = true) {
     NoProgress progress;
     return computeHorizonBreakdown(city, receivers, sun, sets, {.byBuilding = byBuilding}, progress, {})
         .value();
@@ -54,7 +54,7 @@ Receivers findMiddle(const City& city) {
     return receiversOver(city, middle.x - 90, middle.y - 90, middle.x + 90, middle.y + 90, 3);
 }
 
-TEST(StepSets, monthsTakeEveryStepOnce) {
+TEST(StepSets, MonthsTakeEveryStepOnce) {
     const SunSteps sun = threeMonths();
     const StepSets months = monthsOf(sun);
     EXPECT_EQ(months.names, (std::vector<std::string>{"2026-01", "2026-02", "2026-03"}));
@@ -63,13 +63,13 @@ TEST(StepSets, monthsTakeEveryStepOnce) {
     EXPECT_EQ(months.ofStep[sun.days[4].first], 1);
 }
 
-TEST(HorizonBreakdown, setsAddUpToTheSweepsField) {
+TEST(HorizonBreakdown, SetsAddUpToTheSweepsField) {
     const City city = quarter();
     const Receivers receivers = findMiddle(city);
     const SunSteps sun = threeMonths();
     const ShadowField field = swept(city, receivers, sun);
     for (const bool byBuilding : {false, true}) {
-        const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun), byBuilding);
+        const ShadowBreakdown months = breakDown(city, receivers, sun, monthsOf(sun), byBuilding);
         for (const std::uint32_t cell : receivers.cells) {
             const float minutes = months.minutes[0][cell] + months.minutes[1][cell] + months.minutes[2][cell];
             ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[cell]);
@@ -78,11 +78,11 @@ TEST(HorizonBreakdown, setsAddUpToTheSweepsField) {
 }
 
 // A set has the same result as a period of its own steps, if the bins have the same directions.
-TEST(HorizonBreakdown, aSetIsThePeriodOfItsSteps) {
+TEST(HorizonBreakdown, ASetIsThePeriodOfItsSteps) {
     const City city = quarter();
     const Receivers receivers = findMiddle(city);
     SunSteps sun = threeMonths();
-    const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun), false);
+    const ShadowBreakdown months = breakDown(city, receivers, sun, monthsOf(sun), false);
     SunSteps january = sun;
     january.days.resize(4);
     january.steps.resize(january.days[3].first + january.days[3].count);
@@ -93,11 +93,11 @@ TEST(HorizonBreakdown, aSetIsThePeriodOfItsSteps) {
     EXPECT_LE(off / double(receivers.cells.size()) / months.sunlitMinutes[0], 0.005);
 }
 
-TEST(HorizonBreakdown, attributedMinutesAddUpToTheTotal) {
+TEST(HorizonBreakdown, AttributedMinutesAddUpToTheTotal) {
     const City city = quarter();
     const Receivers receivers = findMiddle(city);
     const SunSteps sun = threeMonths();
-    const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun));
+    const ShadowBreakdown months = breakDown(city, receivers, sun, monthsOf(sun));
     double attributed = 0, sole = 0;
     for (const BuildingShadow& shadow : months.buildings) {
         attributed += sum(shadow.attributedMinM2);
@@ -110,11 +110,11 @@ TEST(HorizonBreakdown, attributedMinutesAddUpToTheTotal) {
     EXPECT_LT(sole, attributed);
 }
 
-TEST(HorizonBreakdown, soleMinutesAreTheImpactOfRemovingABuilding) {
+TEST(HorizonBreakdown, SoleMinutesAreTheImpactOfRemovingABuilding) {
     const City city = quarter();
     const Receivers receivers = findMiddle(city);
     const SunSteps sun = threeMonths();
-    const ShadowBreakdown all = brokenDown(city, receivers, sun, makeOneSet(sun));
+    const ShadowBreakdown all = breakDown(city, receivers, sun, makeOneSet(sun));
     const double total = totalMinM2(swept(city, receivers, sun), receivers);
     std::mt19937 random(3);
     for (int i = 0; i < 50; ++i) {
@@ -143,13 +143,13 @@ City overhangingQuarter() {
     return city;
 }
 
-TEST(HorizonBreakdown, whatHangsAddsUpToTheSweepsField) {
+TEST(HorizonBreakdown, WhatHangsAddsUpToTheSweepsField) {
     const City city = overhangingQuarter();
     const Receivers receivers = receiversOver(city, -20, -20, 140, 140, 3);
     const SunSteps sun = threeMonths();
     const ShadowField field = swept(city, receivers, sun);
     for (const bool byBuilding : {false, true}) {
-        const ShadowBreakdown months = brokenDown(city, receivers, sun, monthsOf(sun), byBuilding);
+        const ShadowBreakdown months = breakDown(city, receivers, sun, monthsOf(sun), byBuilding);
         for (const std::uint32_t cell : receivers.cells) {
             const float minutes = months.minutes[0][cell] + months.minutes[1][cell] + months.minutes[2][cell];
             ASSERT_EQ(float(double(minutes) / field.days), field.grossMin[cell]);
@@ -162,11 +162,11 @@ TEST(HorizonBreakdown, whatHangsAddsUpToTheSweepsField) {
     }
 }
 
-TEST(HorizonBreakdown, soleMinutesOfWhatHangsAreTheImpactOfRemovingIt) {
+TEST(HorizonBreakdown, SoleMinutesOfWhatHangsAreTheImpactOfRemovingIt) {
     const City city = overhangingQuarter();
     const Receivers receivers = receiversOver(city, -20, -20, 140, 140, 3);
     const SunSteps sun = threeMonths();
-    const ShadowBreakdown all = brokenDown(city, receivers, sun, makeOneSet(sun));
+    const ShadowBreakdown all = breakDown(city, receivers, sun, makeOneSet(sun));
     const double total = totalMinM2(swept(city, receivers, sun), receivers);
     ASSERT_GE(all.buildings.size(), 38U);
     for (const BuildingShadow& shadow : all.buildings) {
@@ -180,12 +180,12 @@ TEST(HorizonBreakdown, soleMinutesOfWhatHangsAreTheImpactOfRemovingIt) {
 // Sun from the south. Receivers 40 m behind two slabs, one at 10 m and one just above it at 12 m: the suns
 // between the slopes of the two edges are divided between the slabs, and neither slab is charged with those
 // of the other.
-TEST(HorizonBreakdown, twoSlabsOverOneAnotherShareWhatTheyHide) {
+TEST(HorizonBreakdown, TwoSlabsOverOneAnotherShareWhatTheyHide) {
     const City city = cityOf({{{-200, -30, 10}, {200, -10, 11}}, {{-200, -30, 12}, {200, -10, 13}}});
     const Receivers receivers = receiversOver(city, -2, 9, 2, 11);
     std::vector<Sun> suns;
     for (int i = 0; i < 120; ++i) suns.push_back({180, 0.25 + 0.5 * i});
-    const ShadowBreakdown shadow = brokenDown(city, receivers, oneDay(suns), makeOneSet(oneDay(suns)));
+    const ShadowBreakdown shadow = breakDown(city, receivers, oneDay(suns), makeOneSet(oneDay(suns)));
     ASSERT_EQ(shadow.buildings.size(), 2U);
     const auto hidden = [&](const Receivers& of, double bottom, double top) {
         double minM2 = 0;
@@ -209,11 +209,11 @@ TEST(HorizonBreakdown, twoSlabsOverOneAnotherShareWhatTheyHide) {
 
 // A single tower is the sole contributor to its shadow. Of two towers in line with the sun, the one behind
 // adds nothing.
-TEST(HorizonBreakdown, aTowerBehindAHigherOneHasNothingOfItsOwn) {
+TEST(HorizonBreakdown, ATowerBehindAHigherOneHasNothingOfItsOwn) {
     const City city = cityOf({{{0, 0, 0}, {20, 10, 60}}, {{5, -40, 0}, {15, -30, 10}}});
     const Receivers receivers = receiversOver(city, 0, 12, 20, 30);
     const SunSteps sun = oneDay({{180, 20}, {181, 21}, {179, 22}});
-    const ShadowBreakdown shadow = brokenDown(city, receivers, sun, makeOneSet(sun));
+    const ShadowBreakdown shadow = breakDown(city, receivers, sun, makeOneSet(sun));
     ASSERT_EQ(shadow.buildings.size(), 1U);
     EXPECT_EQ(shadow.buildings[0].building, 0U);
     EXPECT_EQ(shadow.buildings[0].soleMinM2, shadow.buildings[0].attributedMinM2);

@@ -63,7 +63,7 @@ SunSteps someDays(double noonDeg, int days) {
     return sun;
 }
 
-TEST(HorizonCache, agreeWithTheSweepAndWithRays) {
+TEST(HorizonCache, AgreeWithTheSweepAndWithRays) {
     const City city = blocks(1, 5);
     const Receivers receivers = smallRegion(city, 2);
     const SunSteps sun = someDays(40, 4);
@@ -82,7 +82,7 @@ TEST(HorizonCache, agreeWithTheSweepAndWithRays) {
     EXPECT_LE(ofRays / whole, 0.006);
 }
 
-TEST(HorizonCache, otherDatesHoursAndStepsAreAsIfFresh) {
+TEST(HorizonCache, OtherDatesHoursAndStepsAreAsIfFresh) {
     const City city = blocks(2, 5);
     const Receivers receivers = smallRegion(city);
     HorizonCache kept = cachedOf(city, receivers);
@@ -92,7 +92,7 @@ TEST(HorizonCache, otherDatesHoursAndStepsAreAsIfFresh) {
         EXPECT_TRUE(sameField(retimed(kept, sun), fresh(city, receivers, sun)));
 }
 
-TEST(HorizonCache, keptBinsAreNotSweptAgain) {
+TEST(HorizonCache, KeptBinsAreNotSweptAgain) {
     const City city = blocks(2, 3);
     HorizonCache kept = cachedOf(city, smallRegion(city));
     const char* reason = "azimuth bins kept from before (bins x tiles)";
@@ -102,7 +102,7 @@ TEST(HorizonCache, keptBinsAreNotSweptAgain) {
     EXPECT_EQ(retimed(kept, oneDay({{181.2, 1}})).cost.skipped.at(reason), 0U);
 }
 
-TEST(HorizonCache, theSweepOfOneTileSaysHowFarItIs) {
+TEST(HorizonCache, TheSweepOfOneTileSaysHowFarItIs) {
     class Heard final : public Progress {
     public:
         void report(double fraction, std::string_view) override {
@@ -224,14 +224,14 @@ void expectFreshFields(City city, int edits, bool overhanging, const ReceiversOf
 Receivers coarseRegion(const City& city) { return smallRegion(city, 5); }
 
 Receivers coarseRegion(const City& city, ReceiverPlaces places) {
-    return placed(coarseRegion(city), city, places);
+    return placeAtHeights(coarseRegion(city), city, places);
 }
 
-TEST(HorizonCache, anyEditsGiveTheFieldOfAFreshComputation) {
+TEST(HorizonCache, AnyEditsGiveTheFieldOfAFreshComputation) {
     expectFreshFields(blocks(3, 3), 2000, false, [](const City& city) { return coarseRegion(city); });
 }
 
-TEST(HorizonCache, anyEditsOfWhatHangsGiveTheFieldOfAFreshComputation) {
+TEST(HorizonCache, AnyEditsOfWhatHangsGiveTheFieldOfAFreshComputation) {
     expectFreshFields(blocks(3, 3), 1000, true, [](const City& city) { return coarseRegion(city); });
 }
 
@@ -259,25 +259,25 @@ void expectFreshFieldsWhileDragged(bool overhanging, std::uint64_t memoryBytes) 
     }
 }
 
-TEST(HorizonCache, draggedBuildingsGiveTheFieldOfAFreshComputation) {
+TEST(HorizonCache, DraggedBuildingsGiveTheFieldOfAFreshComputation) {
     for (const bool overhanging : {false, true})
         for (const std::uint64_t memoryBytes : {std::uint64_t{1} << 30U, std::uint64_t{320} << 10U})
             expectFreshFieldsWhileDragged(overhanging, memoryBytes);
 }
 
-TEST(HorizonCache, anyEditsOnTerrainGiveTheFieldOfAFreshComputation) {
+TEST(HorizonCache, AnyEditsOnTerrainGiveTheFieldOfAFreshComputation) {
     City city;
     city.terrain = terrainOf(40, 6, RandomHills(4));
     expectFreshFields(city, 300, true, [](const City& now) { return coarseRegion(now); });
 }
 
-TEST(HorizonCache, anyEditsUnderRoofsGiveTheFieldOfAFreshComputation) {
+TEST(HorizonCache, AnyEditsUnderRoofsGiveTheFieldOfAFreshComputation) {
     for (const ReceiverPlaces places : {ReceiverPlaces::both, ReceiverPlaces::roofs})
         expectFreshFields(blocks(3, 3), 200, true,
                           [&](const City& city) { return coarseRegion(city, places); });
 }
 
-TEST(HorizonCache, terrainThatBecomesAnotherIsSweptAnew) {
+TEST(HorizonCache, TerrainThatBecomesAnotherIsSweptAnew) {
     City city = blocks(7, 3);
     const SunSteps sun = someDays(30, 2);
     HorizonCache kept = cachedOf(city, smallRegion(city));
@@ -297,7 +297,7 @@ double offRays(const City& city, const Receivers& receivers, const SunSteps& sun
     return off / double(receivers.cells.size()) / truth.sunlitMinutesPerDay;
 }
 
-TEST(HorizonCache, whatHangsAgreesWithRays) {
+TEST(HorizonCache, WhatHangsAgreesWithRays) {
     const SunSteps sun = someDays(40, 4);
     const auto off = [&](const City& city) { return offRays(city, smallRegion(city, 2), sun); };
     EXPECT_LE(off(cityOf({{{20, 20, 10}, {60, 50, 13}}})), 0.004);
@@ -310,7 +310,7 @@ TEST(HorizonCache, whatHangsAgreesWithRays) {
     EXPECT_LE(off(cityOf(onStilts)), 0.004);
 }
 
-TEST(HorizonCache, terrainAgreesWithRays) {
+TEST(HorizonCache, TerrainAgreesWithRays) {
     City city;
     city.terrain = terrainOf(40, 6, RandomHills(4));
     std::mt19937 random(3);
@@ -318,7 +318,7 @@ TEST(HorizonCache, terrainAgreesWithRays) {
     EXPECT_LE(offRays(city, smallRegion(city, 2), someDays(40, 4)), 0.006);
 }
 
-TEST(HorizonCache, longestRunsMayBeCountedLater) {
+TEST(HorizonCache, LongestRunsMayBeCountedLater) {
     std::mt19937 random(5);
     City city = blocks(6, 3);
     Receivers receivers = smallRegion(city, 4);
@@ -341,7 +341,7 @@ TEST(HorizonCache, longestRunsMayBeCountedLater) {
     }
 }
 
-TEST(HorizonCache, tilesBeyondTheMemoryAreSweptAnew) {
+TEST(HorizonCache, TilesBeyondTheMemoryAreSweptAnew) {
     const City city = blocks(4, 4);
     const Receivers receivers = receiversOver(city, -60, -60, 330, 330);
     HorizonCache kept = cachedOf(city, receivers, 12 << 20);
@@ -355,7 +355,7 @@ TEST(HorizonCache, tilesBeyondTheMemoryAreSweptAnew) {
     EXPECT_TRUE(sameField(changed(kept, less, open), fresh(less, open, sun)));
 }
 
-TEST(HorizonCache, refuseWhatTheyCannotDo) {
+TEST(HorizonCache, RefuseWhatTheyCannotDo) {
     const City city = blocks(5, 2);
     const Receivers receivers = smallRegion(city);
     HorizonCache kept = cachedOf(city, receivers);
@@ -374,7 +374,7 @@ TEST(HorizonCache, refuseWhatTheyCannotDo) {
     EXPECT_FALSE(cachedOf(laden, receivers).retime(someDays(40, 1), silent, {}));
 }
 
-TEST(HorizonCache, whatHangsOutOfReachIsNotCounted) {
+TEST(HorizonCache, WhatHangsOutOfReachIsNotCounted) {
     const City city = blocks(5, 2);
     const Receivers receivers = smallRegion(city);
     City laden = city;
@@ -389,7 +389,7 @@ TEST(HorizonCache, whatHangsOutOfReachIsNotCounted) {
     EXPECT_TRUE(sameField(changed(kept, laden, receivers), fresh(laden, receivers, sun)));
 }
 
-TEST(HorizonCache, afterAStopTheyAreWholeAgain) {
+TEST(HorizonCache, AfterAStopTheyAreWholeAgain) {
     const City city = blocks(5, 3);
     const Receivers receivers = smallRegion(city);
     HorizonCache kept = cachedOf(city, receivers);

@@ -40,7 +40,7 @@ std::vector<Sun> oneSunABin(double altitudeDeg) {
 
 // The sweep works in float within a block, the test in double. Cell-steps may differ only if moving a box by
 // a millimetre, or a sun by half a level (0.001 deg), would change the result too.
-TEST(HorizonNumbers, differFromDoubleByRoundingOnly) {
+TEST(HorizonNumbers, DifferFromDoubleByRoundingOnly) {
     const std::vector<Box3> boxes = standOnTerrain(7, 5);
     const City city = cityOf(boxes);
     const Receivers receivers = receiversOver(city, -30.37F, -30.21F, 130.1F, 130.7F, 1.37);
@@ -66,7 +66,7 @@ TEST(HorizonNumbers, differFromDoubleByRoundingOnly) {
     EXPECT_LE(double(different), 2e-5 * double(all));  // the stated maximum difference
 }
 
-TEST(HorizonNumbers, slopesOfATenThousandthAndOfTenThousand) {
+TEST(HorizonNumbers, SlopesOfATenThousandthAndOfTenThousand) {
     for (const double height : {0.01, 1.0, 80.0, 5000.0}) {
         const City city = cityOf({{{-20'000, -5, 0}, {20'000, 0, height}}});
         const Receivers receivers = receiversOver(city, 0, 0, 1, 100, 0.5);
@@ -82,7 +82,7 @@ TEST(HorizonNumbers, slopesOfATenThousandthAndOfTenThousand) {
     }
 }
 
-TEST(HorizonNumbers, tenKilometresFromTheOriginAreLikeThere) {
+TEST(HorizonNumbers, TenKilometresFromTheOriginAreLikeThere) {
     const SunSteps sun = oneDay(oneSunABin(20));
     const City here = cityOf(standOnTerrain(8, 5)),
                there = cityOf(standOnTerrain(8, 5, {10'000, -10'000, 0}));
@@ -100,7 +100,7 @@ TEST(HorizonNumbers, tenKilometresFromTheOriginAreLikeThere) {
 // Suns along the walls. Cells on edges and corners are in shadow or not by the half-open rule. No cell more
 // than a millimetre outside the box's shadow is dark, and no cell inside the shadow of a box a millimetre
 // smaller is lit.
-TEST(HorizonNumbers, edgesAlongTheAzimuthAndReceiversOnThem) {
+TEST(HorizonNumbers, EdgesAlongTheAzimuthAndReceiversOnThem) {
     std::vector<Box3> boxes = standOnTerrain(9, 4);
     for (Box3& box : boxes) {  // puts cell centres on walls and corners
         box.low += glm::dvec3(0.5, 0.5, 0);
@@ -131,7 +131,7 @@ public:
     std::vector<PartialField> taken;
 };
 
-TEST(HorizonNumbers, runningResultsGrowToTheWhole) {
+TEST(HorizonNumbers, RunningResultsGrowToTheWhole) {
     const City city = cityOf(standOnTerrain(3, 4));
     const Receivers receivers = receiversOver(city, -20, -20, 110, 110, 2);
     SunSteps sun = oneDay(arc(400, 30));
@@ -154,7 +154,7 @@ TEST(HorizonNumbers, runningResultsGrowToTheWhole) {
 
 // 1,184 parts of Midtown have a min_height; those of them with open air below that reach the region are
 // overhangs.
-TEST(HorizonNumbers, midtownAgreesWithRays) {
+TEST(HorizonNumbers, MidtownAgreesWithRays) {
     const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";
     NoProgress progress;

@@ -36,7 +36,7 @@ void expectAgreement(const City& city, double mostGross = 0.1, double mostContin
 
 // A slab 10 m above the ground lets the sun in below it: the sun is hidden above atan(10 / distance to the
 // far edge), up to the zenith if the receiver is under the slab.
-TEST(HorizonOpenParts, aLiftedSlabHidesAnInterval) {
+TEST(HorizonOverhangs, ALiftedSlabHidesAnInterval) {
     const City city = cityOf({{{-2000, 0, 10}, {2000, 30, 12}}});
     const Receivers receivers = receiversOver(city, -3, -20, 3, 90);
     std::vector<Sun> suns;
@@ -54,21 +54,21 @@ TEST(HorizonOpenParts, aLiftedSlabHidesAnInterval) {
     }
 }
 
-TEST(HorizonOpenParts, aSlabAgreesWithRays) { expectAgreement(cityOf({{{0, 0, 10}, {30, 25, 13}}})); }
+TEST(HorizonOverhangs, ASlabAgreesWithRays) { expectAgreement(cityOf({{{0, 0, 10}, {30, 25, 13}}})); }
 
-TEST(HorizonOpenParts, aBridgeOverAStreetAgreesWithRays) {
+TEST(HorizonOverhangs, ABridgeOverAStreetAgreesWithRays) {
     expectAgreement(
         cityOf({{{0, 0, 0}, {15, 40, 30}}, {{15, 12, 9}, {35, 20, 15}}, {{35, 0, 0}, {50, 40, 45}}}));
 }
 
-TEST(HorizonOpenParts, aTowerOnStiltsAgreesWithRays) {
+TEST(HorizonOverhangs, ATowerOnStiltsAgreesWithRays) {
     std::vector<Box3> boxes{{{0, 0, 12}, {25, 25, 90}}};
     for (const double x : {1.0, 21.0})
         for (const double y : {1.0, 21.0}) boxes.push_back({{x, y, 0}, {x + 3, y + 3, 12}});
     expectAgreement(cityOf(boxes), 0.15, 0.5);
 }
 
-TEST(HorizonOpenParts, aConcaveCanopyAgreesWithRays) {
+TEST(HorizonOverhangs, AConcaveCanopyAgreesWithRays) {
     City city;
     city.buildings.push_back(
         buildingOf({{{0, 0}, {40, 0}, {40, 8}, {8, 8}, {8, 30}, {0, 30}}, {}}, 6, 8, true));
@@ -89,10 +89,10 @@ City pitchedRoof() {
     return city;
 }
 
-TEST(HorizonOpenParts, aPitchedRoofAgreesWithRays) { expectAgreement(pitchedRoof()); }
+TEST(HorizonOverhangs, APitchedRoofAgreesWithRays) { expectAgreement(pitchedRoof()); }
 
 // A block contains more strips than are processed together.
-TEST(HorizonOpenParts, aFineRoundCanopyAgreesWithRays) {
+TEST(HorizonOverhangs, AFineRoundCanopyAgreesWithRays) {
     Ring round;
     for (int i = 0; i < 96; ++i) {
         const float angle = float(i) * 2 * std::numbers::pi_v<float> / 96;
@@ -104,7 +104,7 @@ TEST(HorizonOpenParts, aFineRoundCanopyAgreesWithRays) {
 }
 
 // With so many overhangs, each azimuth is swept on its own.
-TEST(HorizonOpenParts, thousandsInOnePlaceHideWhatOneDoes) {
+TEST(HorizonOverhangs, ThousandsInOnePlaceHideWhatOneDoes) {
     const City one = cityOf({{{0, 0, 0}, {8, 8, 20}}, {{10, 0, 10}, {30, 25, 13}}});
     City many = one;
     for (int i = 0; i < 4200; ++i) many.buildings.push_back(one.buildings[1]);
@@ -117,7 +117,7 @@ TEST(HorizonOpenParts, thousandsInOnePlaceHideWhatOneDoes) {
     }
 }
 
-TEST(HorizonOpenParts, aMeshOfAPrismIsThatPrism) {
+TEST(HorizonOverhangs, AMeshOfAPrismIsThatPrism) {
     const City prism = cityOf({{{3.3, -7.1, 0}, {31, 22.7, 40}}});
     City mesh = prism;
     Building building = *prism.buildings[0];

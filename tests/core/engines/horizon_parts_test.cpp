@@ -14,7 +14,7 @@ namespace {
 
 using namespace tests;
 
-TEST(HorizonCode, hidesWhatIsLowerButForHalfALevel) {
+TEST(HorizonCode, HidesWhatIsLowerButForHalfALevel) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> logarithm(-4, 4);
     for (int i = 0; i < 100'000; ++i) {
@@ -30,7 +30,7 @@ TEST(HorizonCode, hidesWhatIsLowerButForHalfALevel) {
     EXPECT_LE(toHorizonCode(0), toSunCode(1e-9));
 }
 
-TEST(HiddenSuns, countsTheSunsBelowAHorizon) {
+TEST(HiddenSuns, CountsTheSunsBelowAHorizon) {
     std::mt19937 random(3);
     for (int round = 0; round < 50; ++round) {
         std::vector<HorizonCode> suns;
@@ -44,7 +44,7 @@ TEST(HiddenSuns, countsTheSunsBelowAHorizon) {
     }
 }
 
-TEST(BinnedSun, everyStepIsInABinOfItsAzimuth) {
+TEST(BinnedSun, EveryStepIsInABinOfItsAzimuth) {
     SunSteps sun = oneDay(arc(700, 60));
     addDay(sun, arc(700, 30, true));
     const BinnedSun binned = binSun(sun, 0.5);
@@ -64,7 +64,7 @@ TEST(BinnedSun, everyStepIsInABinOfItsAzimuth) {
     }
 }
 
-TEST(ReceiverBlocks, numberEveryReceiverOnce) {
+TEST(ReceiverBlocks, NumberEveryReceiverOnce) {
     const City city = cityOf(randomBoxes(1, 4));
     const Receivers receivers = receiversOver(city, -7, -9, 90, 75);
     std::vector<int> times(receivers.grid.size());

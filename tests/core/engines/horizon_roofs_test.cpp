@@ -12,7 +12,8 @@ namespace {
 
 Receivers placeReceiversAt(ReceiverPlaces places, const City& city, float west, float south, float east,
                            float north, double cellM = 1) {
-    return receiversIn(city, makeRegionFromLocalBox({{west, south}, {east, north}}), {cellM, places}).value();
+    return placeReceivers(city, makeRegionFromLocalBox({{west, south}, {east, north}}), {cellM, places})
+        .value();
 }
 
 void expectAgreement(const City& city, const Receivers& receivers, double mostGross, double mostContinuous) {
@@ -40,14 +41,14 @@ City gabledQuarter(std::uint32_t seed, int perSide) {
     return city;
 }
 
-TEST(HorizonRoofs, gabledHousesAgreeWithRays) {
+TEST(HorizonRoofs, GabledHousesAgreeWithRays) {
     for (std::uint32_t seed = 1; seed <= 2; ++seed) {
         const City city = gabledQuarter(seed, 5);
         expectAgreement(city, receiversOver(city, -40.3F, -40.3F, 150.7F, 150.7F), 0.1, 0.3);
     }
 }
 
-TEST(HorizonRoofs, aGableThrowsItsOwnShadow) {
+TEST(HorizonRoofs, AGableThrowsItsOwnShadow) {
     // The ridge, 14 m high, runs north at x = 6; the sun is in the east.
     City city;
     city.buildings.push_back(gabledHouse(0, 0, 12, 18, 8, 14));
@@ -77,7 +78,7 @@ TEST(HorizonRoofs, ManyThousandsOfRoofsAreSwept) {
 }
 
 // A roof at 12 m west of a 60 m tower: the sun in the east is hidden below a slope of 48 / distance.
-TEST(HorizonRoofs, aRoofBesideAHigherTower) {
+TEST(HorizonRoofs, ARoofBesideAHigherTower) {
     const City city = cityOf({{{-60, -40, 0}, {0, 40, 12}}, {{0, -300, 0}, {20, 300, 60}}});
     const Receivers receivers = placeReceiversAt(ReceiverPlaces::roofs, city, -60, -20, 0, 20);
     std::vector<Sun> suns;
@@ -95,7 +96,7 @@ TEST(HorizonRoofs, aRoofBesideAHigherTower) {
     }
 }
 
-TEST(HorizonRoofs, roofsAndGroundOfARandomQuarterAgreeWithRays) {
+TEST(HorizonRoofs, RoofsAndGroundOfARandomQuarterAgreeWithRays) {
     City city = gabledQuarter(5, 4);
     for (const Box3& box : randomBoxes(5, 4))
         city.buildings.push_back(
@@ -105,7 +106,7 @@ TEST(HorizonRoofs, roofsAndGroundOfARandomQuarterAgreeWithRays) {
         expectAgreement(city, placeReceiversAt(places, city, -110.3F, -10.3F, 100.7F, 100.7F), 0.1, 0.35);
 }
 
-TEST(HorizonRoofs, roofsOnHillsAgreeWithRays) {
+TEST(HorizonRoofs, RoofsOnHillsAgreeWithRays) {
     City city;
     city.terrain = terrainOf(60, 6, RandomHills(11));
     addStandingBoxes(city, 11, 5, -50);

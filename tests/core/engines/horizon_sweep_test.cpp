@@ -41,7 +41,7 @@ Errors errorsOf(const ShadowField& field, const ShadowField& truth, const Receiv
     return errors;
 }
 
-TEST(HorizonSweep, agreesWithRaysOnDaysOfAYear) {
+TEST(HorizonSweep, AgreesWithRaysOnDaysOfAYear) {
     for (std::uint32_t seed = 1; seed <= 2; ++seed) {
         const City city = standingBoxes(seed, 6);
         const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 140.7F, 140.7F, 2);
@@ -52,7 +52,7 @@ TEST(HorizonSweep, agreesWithRaysOnDaysOfAYear) {
     }
 }
 
-TEST(HorizonSweep, errorsVanishAsBinsNarrow) {
+TEST(HorizonSweep, ErrorsVanishAsBinsNarrow) {
     const City city = standingBoxes(3, 5);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 120.7F, 120.7F, 2);
     const SunSteps sun = days(51, 12);
@@ -65,7 +65,7 @@ TEST(HorizonSweep, errorsVanishAsBinsNarrow) {
     EXPECT_LT(fine, 0.02);
 }
 
-TEST(HorizonSweep, agreesWithRaysOnCourtyardsAndConcaveParts) {
+TEST(HorizonSweep, AgreesWithRaysOnCourtyardsAndConcaveParts) {
     City city;
     const Ring court = rectangle(10, 10, 20, 22);
     city.buildings.push_back(
@@ -80,7 +80,7 @@ TEST(HorizonSweep, agreesWithRaysOnCourtyardsAndConcaveParts) {
     EXPECT_LE(errorsOf(swept(city, receivers, sun, 0.1), traced(city, receivers, sun), receivers).mean, 0.03);
 }
 
-TEST(HorizonSweep, aTowerOnAPodiumStandsOnTheGround) {
+TEST(HorizonSweep, ATowerOnAPodiumStandsOnTheGround) {
     const auto podium = buildingOf({rectangle(0, 0, 40, 40), {}}, 0, 10);
     Building building = *podium;
     building.parts.push_back(buildingOf({rectangle(10, 10, 30, 30), {}}, 10, 60)->parts.front());
@@ -93,7 +93,7 @@ TEST(HorizonSweep, aTowerOnAPodiumStandsOnTheGround) {
 
 // South of a long wall the sun is never hidden. North of a wall of height z, at distance d, a sun in the
 // south is hidden if tan(altitude) < z / d.
-TEST(HorizonSweep, aLongWallHidesTheLowSun) {
+TEST(HorizonSweep, ALongWallHidesTheLowSun) {
     const City city = cityOf({{{-5000, 0, 0}, {5000, 10, 20}}});
     const Receivers receivers = receiversOver(city, -10, -50, 10, 150);
     std::vector<Sun> suns;
@@ -116,7 +116,7 @@ TEST(HorizonSweep, aLongWallHidesTheLowSun) {
 
 // The sun in the north, with azimuths from 350 through 0 to 10; in the tropics, where its azimuth reverses;
 // and where it never sets.
-TEST(HorizonSweep, azimuthsWrapTurnBackAndGoAllTheWayRound) {
+TEST(HorizonSweep, AzimuthsWrapTurnBackAndGoAllTheWayRound) {
     const City city = standingBoxes(4, 4);
     const Receivers receivers = receiversOver(city, -30.3F, -30.3F, 110.7F, 110.7F, 2);
     std::vector<Sun> wrap, tropics, polar;
@@ -135,7 +135,7 @@ TEST(HorizonSweep, azimuthsWrapTurnBackAndGoAllTheWayRound) {
     }
 }
 
-TEST(HorizonSweep, aSunInTheZenithIsHiddenFromNobody) {
+TEST(HorizonSweep, ASunInTheZenithIsHiddenFromNobody) {
     const City city = standingBoxes(4, 2);
     const Receivers receivers = receiversOver(city, -30.3F, -30.3F, 60.7F, 60.7F);
     const ShadowField field = swept(city, receivers, oneDay({{0, 90}, {180, 89.99}}));
@@ -144,7 +144,7 @@ TEST(HorizonSweep, aSunInTheZenithIsHiddenFromNobody) {
 
 // On the eastern and northern walls of a building a receiver is dark with the sun behind the building; on the
 // other walls the cell is under the building.
-TEST(HorizonSweep, receiversOnAWallStandInItsShadow) {
+TEST(HorizonSweep, ReceiversOnAWallStandInItsShadow) {
     const City city = cityOf({{{0.5, 0.5, 0}, {20.5, 20.5, 10}}});
     const Receivers receivers = receiversOver(city, -10, -10, 40, 40);
     const SunSteps sun = oneDay({{265, 80}, {200, 80}, {91, 5}, {10, 5}});
@@ -155,7 +155,7 @@ TEST(HorizonSweep, receiversOnAWallStandInItsShadow) {
     EXPECT_EQ(field.grossMin[cellAt(receivers.grid, 10.5, 20.5)], 3);
 }
 
-TEST(HorizonSweep, receiversHalfAMillimetreFromAWallStandInItsShadow) {
+TEST(HorizonSweep, ReceiversHalfAMillimetreFromAWallStandInItsShadow) {
     const City city = cityOf({{{10.5004, 10.5004, 0}, {30, 30, 10}}});
     const Receivers receivers = receiversOver(city, 0, 0, 40, 40);
     const SunSteps sun = oneDay({{20, 30}, {45, 60}, {70, 5}, {85, 80}, {225, 30}});
@@ -164,7 +164,7 @@ TEST(HorizonSweep, receiversHalfAMillimetreFromAWallStandInItsShadow) {
     EXPECT_EQ(field.grossMin[cellAt(receivers.grid, 20.5, 10.5)], 4);
 }
 
-TEST(HorizonSweep, partyWallsLetNoLightThrough) {
+TEST(HorizonSweep, PartyWallsLetNoLightThrough) {
     const City whole = cityOf({{{0, 0, 0}, {40, 20, 30}}});
     const City halves = cityOf({{{0, 0, 0}, {17, 20, 30}}, {{17, 0, 0}, {40, 20, 30}}});
     const Receivers receivers = receiversOver(whole, -60, -60, 100, 100);
@@ -178,7 +178,7 @@ TEST(HorizonSweep, partyWallsLetNoLightThrough) {
 
 // Cells whose centres are in line with the sun and with the joint of two walls: shadows that run almost along
 // a row of cells.
-TEST(HorizonSweep, noLightPassesWhereTwoWallsMeetInLineWithTheSun) {
+TEST(HorizonSweep, NoLightPassesWhereTwoWallsMeetInLineWithTheSun) {
     const City whole = cityOf({{{0, 0, 0}, {10, 50, 30}}}),
                halves = cityOf({{{0, 0, 0}, {10, 20.5, 30}}, {{0, 20.5, 0}, {10, 50, 30}}});
     const Receivers receivers = receiversOver(whole, -60, 5, 70, 45);
@@ -188,7 +188,7 @@ TEST(HorizonSweep, noLightPassesWhereTwoWallsMeetInLineWithTheSun) {
         ASSERT_EQ(one.grossMin[cell], two.grossMin[cell]) << cell;
 }
 
-TEST(HorizonSweep, theAnswerDoesNotDependOnThreads) {
+TEST(HorizonSweep, TheAnswerDoesNotDependOnThreads) {
     const City city = standingBoxes(5, 5);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 120.7F, 120.7F);
     const SunSteps sun = days(40.7, 60);
@@ -204,7 +204,7 @@ TEST(HorizonSweep, theAnswerDoesNotDependOnThreads) {
 }
 
 // A distant part of the region changes the division into tiles and nothing else.
-TEST(HorizonSweep, tilesAgreeWithOneAnother) {
+TEST(HorizonSweep, TilesAgreeWithOneAnother) {
     const City city = standingBoxes(6, 4);
     const Receivers wide = receiversOver(city, -1500, 0, 100, 60), near = receiversOver(city, 0, 0, 100, 60);
     const SunSteps sun = days(40.7, 90, 5);
@@ -218,7 +218,7 @@ TEST(HorizonSweep, tilesAgreeWithOneAnother) {
     EXPECT_LE(different, near.cells.size() / 200);
 }
 
-TEST(HorizonSweep, noSunAndNoCityGiveZeros) {
+TEST(HorizonSweep, NoSunAndNoCityGiveZeros) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20);
     SunSteps night;
@@ -238,7 +238,7 @@ Error refusal(const City& city, const SunSteps& sun, double binDeg = 0.5) {
         .error();
 }
 
-TEST(HorizonSweep, refusesWhatAHorizonCannotSay) {
+TEST(HorizonSweep, RefusesWhatAHorizonCannotSay) {
     const City box = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     const SunSteps sun = oneDay(arc(10, 40));
     Part mesh = box.buildings[0]->parts[0];
@@ -259,7 +259,7 @@ TEST(HorizonSweep, refusesWhatAHorizonCannotSay) {
     EXPECT_NE(refusal(box, oneDay(arc(32'768, 40))).text().find("step"), std::string::npos);
 }
 
-TEST(HorizonSweep, refusesErrorTargetsOutOfRange) {
+TEST(HorizonSweep, RefusesErrorTargetsOutOfRange) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     NoProgress progress;
     for (const double percent : {0.0, 0.0049, 1.01, std::nan("")}) {
@@ -271,13 +271,13 @@ TEST(HorizonSweep, refusesErrorTargetsOutOfRange) {
     }
 }
 
-TEST(HorizonSweep, takesAHangingPartOutOfReach) {
+TEST(HorizonSweep, TakesAHangingPartOutOfReach) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 10}}, {{5000, 0, 5}, {5010, 10, 10}}});
     const Receivers receivers = receiversOver(city, -20, -20, 40, 40);
     EXPECT_EQ(swept(city, receivers, oneDay({{90, 30}})).cost.buildingsUsed, 1U);
 }
 
-TEST(HorizonSweep, stopsWhenAsked) {
+TEST(HorizonSweep, StopsWhenAsked) {
     const City city = standingBoxes(5, 3);
     const Receivers receivers = receiversOver(city, -20, -20, 80, 80);
     std::stop_source source;

@@ -31,7 +31,7 @@ double hiddenBelow(const std::vector<Sun>& suns, double tan) {
 
 // A ridge 40 m high along x = -5 hides from the valley to its west a sun in the east below a slope of 40 /
 // distance.
-TEST(HorizonTerrain, aRidgeShadesTheValleyBehindIt) {
+TEST(HorizonTerrain, ARidgeShadesTheValleyBehindIt) {
     const City city =
         groundOf(80, [](glm::dvec2 place) { return std::max(0.0, 40 - 2 * std::abs(place.x + 5)); });
     const Receivers receivers = receiversOver(city, -300, -20, -30, 20);
@@ -46,7 +46,7 @@ TEST(HorizonTerrain, aRidgeShadesTheValleyBehindIt) {
 
 // Ground rising to the north at 30 degrees: a receiver's own ground hides a sun in the north below that
 // altitude.
-TEST(HorizonTerrain, aSlopeHidesTheSunBehindItself) {
+TEST(HorizonTerrain, ASlopeHidesTheSunBehindItself) {
     const double slope = toTangent(30);
     const City city = groundOf(40, [&](glm::dvec2 place) { return place.y * slope; });
     const Receivers receivers = receiversOver(city, -60, -60, 60, 60, 2.5);
@@ -61,7 +61,7 @@ TEST(HorizonTerrain, aSlopeHidesTheSunBehindItself) {
 
 // Ground falls to the north by 1 in 5, with a wall of 10 m at y = 0: behind the wall the sun is hidden below
 // a slope of (10 + 0.2 y) / y.
-TEST(HorizonTerrain, aTowerShadesFartherDownASlope) {
+TEST(HorizonTerrain, ATowerShadesFartherDownASlope) {
     City city = groundOf(60, [](glm::dvec2 place) { return -0.2 * place.y; });
     city.buildings.push_back(buildingOf({rectangle(-150, -2, 150, 0), {}}, -5, 10));
     const Receivers receivers = receiversOver(city, -5, 0, 5, 200);
@@ -73,7 +73,7 @@ TEST(HorizonTerrain, aTowerShadesFartherDownASlope) {
     }
 }
 
-TEST(HorizonTerrain, roughHillsAgreeWithRays) {
+TEST(HorizonTerrain, RoughHillsAgreeWithRays) {
     for (const double cellM : {1.0, 3.7, 12.0}) {
         City city;
         city.terrain = terrainOf(int(160 / cellM), cellM, RandomHills(7));
@@ -86,7 +86,7 @@ TEST(HorizonTerrain, roughHillsAgreeWithRays) {
 
 // Posts like the rows and columns of a projected map: rotated from north, with cells that are not square, and
 // bent.
-TEST(HorizonTerrain, hillsOnATurnedAndBentGridAgreeWithRays) {
+TEST(HorizonTerrain, HillsOnATurnedAndBentGridAgreeWithRays) {
     PostGrid posts(-80, -80, 2, 80, 80);
     posts.columnStep = {1.9, 0.35};
     posts.rowStep = {-0.6, 2.2};
@@ -111,7 +111,7 @@ TEST(HorizonTerrain, hillsOnATurnedAndBentGridAgreeWithRays) {
 }
 
 // Receivers on the terrain's own points, and suns in line with its edges.
-TEST(HorizonTerrain, receiversOnTheTerrainsPointsAgreeWithRays) {
+TEST(HorizonTerrain, ReceiversOnTheTerrainsPointsAgreeWithRays) {
     City city;
     city.terrain = terrainOf(120, 1, RandomHills(3));
     const Receivers receivers = receiversOver(city, -40, -40, 40, 40);
@@ -123,7 +123,7 @@ TEST(HorizonTerrain, receiversOnTheTerrainsPointsAgreeWithRays) {
     EXPECT_LE(errors.mean, 0.05);
 }
 
-TEST(HorizonTerrain, randomBuildingsOnRandomHillsAgreeWithRays) {
+TEST(HorizonTerrain, RandomBuildingsOnRandomHillsAgreeWithRays) {
     for (std::uint32_t seed = 1; seed <= 2; ++seed) {
         City city;
         city.terrain = terrainOf(100, 5, RandomHills(seed));
@@ -135,7 +135,7 @@ TEST(HorizonTerrain, randomBuildingsOnRandomHillsAgreeWithRays) {
     }
 }
 
-TEST(HorizonTerrain, levelTerrainIsFlatGround) {
+TEST(HorizonTerrain, LevelTerrainIsFlatGround) {
     City flat = cityOf({{{0, 0, 0}, {40, 20, 30}}, {{60, 10, 0}, {80, 60, 55}}});
     City level = flat;
     level.terrain = terrainOf(60, 10, [](glm::dvec2) { return 0.0; });
@@ -149,7 +149,7 @@ TEST(HorizonTerrain, levelTerrainIsFlatGround) {
 }
 
 // A range 300 m high, 40 km to the south: the earth's curvature hides 109 m of it.
-TEST(HorizonTerrain, aFarRangeIsSeenBeyondTheEarthsCurvature) {
+TEST(HorizonTerrain, AFarRangeIsSeenBeyondTheEarthsCurvature) {
     City city;
     city.terrain = terrainOf(121, 1000, [](glm::dvec2 place) {
         return (std::abs(place.y + 40000) < 500 ? 300 : 0) - earthDropM(place);
@@ -165,7 +165,7 @@ TEST(HorizonTerrain, aFarRangeIsSeenBeyondTheEarthsCurvature) {
     }
 }
 
-TEST(HorizonTerrain, aTerrainOfOneRowHasNoSurface) {
+TEST(HorizonTerrain, ATerrainOfOneRowHasNoSurface) {
     City city;
     city.terrain = std::make_shared<const Terrain>(Terrain{{-50, -5, 10, 10, 1}, std::vector<float>(10, 3)});
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20);
@@ -175,7 +175,7 @@ TEST(HorizonTerrain, aTerrainOfOneRowHasNoSurface) {
 
 // A hill in the east and a wall in the south: it is known which of them shades when, and the attributed
 // shadows add up.
-TEST(HorizonTerrain, theTerrainHasAShareOfItsOwn) {
+TEST(HorizonTerrain, TheTerrainHasAShareOfItsOwn) {
     City city =
         groundOf(80, [](glm::dvec2 place) { return std::max(0.0, 60 - 2 * std::abs(place.x - 205)); });
     city.buildings.push_back(buildingOf({rectangle(-300, -12, 100, 0), {}}, 0, 20));

@@ -29,7 +29,7 @@ double areaErrorPercent(const ShadowField& field, const ShadowField& truth) {
     return 100 * std::abs(a.shadowAreaM2 - b.shadowAreaM2) / b.receiverAreaM2;
 }
 
-TEST(FirstOccluders, listsEachBuildingOnceNearestFirst) {
+TEST(FirstOccluders, ListsEachBuildingOnceNearestFirst) {
     // Three slabs in a row, the first two with a shared wall.
     const City city =
         cityOf({{{0, 0, 0}, {10, 40, 100}}, {{10, 0, 0}, {20, 40, 100}}, {{40, 0, 0}, {50, 40, 100}}});
@@ -53,7 +53,7 @@ TEST(FirstOccluders, listsEachBuildingOnceNearestFirst) {
     EXPECT_EQ(found[9].building, 0U);
 }
 
-TEST(FirstOccluders, fewerLevelsGiveTheNearest) {
+TEST(FirstOccluders, FewerLevelsGiveTheNearest) {
     const City city = cityOf(randomBoxes(5, 8));
     const RayScene scene = RayScene::over(city).value();
     std::mt19937 random(2);
@@ -75,7 +75,7 @@ TEST(FirstOccluders, fewerLevelsGiveTheNearest) {
     }
 }
 
-TEST(InverseAccrualMap, areaErrorOfADayUnderOnePercentAtThreeLevels) {
+TEST(InverseAccrualMap, AreaErrorOfADayUnderOnePercentAtThreeLevels) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
         const City city = cityOf(randomBoxes(seed, 10));
         const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
@@ -109,7 +109,7 @@ struct RandomHour {
     }
 };
 
-TEST(InverseAccrualMap, areaErrorOverRandomHoursAndPlacesByLevel) {
+TEST(InverseAccrualMap, AreaErrorOverRandomHoursAndPlacesByLevel) {
     const City city = makeGridSample({.buildings = 2500}).value();
     std::mt19937 random(21);
     std::vector<std::vector<double>> errors(6);
@@ -134,7 +134,7 @@ TEST(InverseAccrualMap, areaErrorOverRandomHoursAndPlacesByLevel) {
 }
 
 // Lines from far away pass more occluders than there are levels, so they miss a low tower behind many walls.
-TEST(InverseAccrualMap, aSunAtTheHorizonIsTraced) {
+TEST(InverseAccrualMap, ASunAtTheHorizonIsTraced) {
     const City city = makeGridSample({.buildings = 400}).value();
     const Receivers receivers = receiversOver(city, -500, -100, -300, 100);
     std::vector<Sun> dawn;
@@ -146,7 +146,7 @@ TEST(InverseAccrualMap, aSunAtTheHorizonIsTraced) {
 }
 
 // The steps on both sides of the limit are combined in the right order: no step is lost.
-TEST(InverseAccrualMap, anHourThroughTheLimitLosesNoStep) {
+TEST(InverseAccrualMap, AnHourThroughTheLimitLosesNoStep) {
     const City city = cityOf({{{0, 0, 0}, {20, 60, 30}}});
     const Receivers receivers = receiversOver(city, -80, -40, 100, 120);
     for (const bool rising : {true, false}) {
@@ -159,7 +159,7 @@ TEST(InverseAccrualMap, anHourThroughTheLimitLosesNoStep) {
     }
 }
 
-TEST(InverseAccrualMap, openClAndProcessorAgreeBitForBit) {
+TEST(InverseAccrualMap, OpenClAndProcessorAgreeBitForBit) {
     const City city = cityOf(randomBoxes(4, 6));
     const Receivers receivers = receiversOver(city, -10, -10, 130, 130);
     const SunSteps sun = oneDay(arc(150, 50));
@@ -169,7 +169,7 @@ TEST(InverseAccrualMap, openClAndProcessorAgreeBitForBit) {
               computeStatistics(accrued(city, receivers, sun, {})).shadowAreaM2);
 }
 
-TEST(InverseAccrualMap, refusesSettingsOutOfRange) {
+TEST(InverseAccrualMap, RefusesSettingsOutOfRange) {
     EXPECT_FALSE(InverseAccrualMap::make({.levels = 0}).has_value());
     EXPECT_FALSE(InverseAccrualMap::make({.levels = 9}).has_value());
     EXPECT_FALSE(InverseAccrualMap::make({.nearestHitM = 0}).has_value());

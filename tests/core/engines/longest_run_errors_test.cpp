@@ -65,7 +65,7 @@ SunSteps yearInNewYork(double stepMinutes) {
 }
 
 // By horizons alone, eight of these 9,410 cells were off by more than one step, up to 19 % of the day.
-TEST(LongestRunErrors, areRareAtStepsOfTenMinutes) {
+TEST(LongestRunErrors, AreRareAtStepsOfTenMinutes) {
     const City city = blocksWithNarrowGaps(1);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 180.7F, 200.7F, 2);
     const SunSteps sun = yearInNewYork(10);
@@ -78,7 +78,7 @@ TEST(LongestRunErrors, areRareAtStepsOfTenMinutes) {
 }
 
 // By horizons alone, 0.26 % of these cells were off by more than 2 %, up to 48 % of the day.
-TEST(LongestRunErrors, areSmallWhereRunsAreChecked) {
+TEST(LongestRunErrors, AreSmallWhereRunsAreChecked) {
     const City city = blocksWithNarrowGaps(2);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 180.7F, 200.7F, 4);
     const SunSteps sun = days(40.7, 8, 1);
@@ -88,7 +88,7 @@ TEST(LongestRunErrors, areSmallWhereRunsAreChecked) {
 }
 
 // Rays affect only longest runs.
-TEST(LongestRunErrors, grossShadowIsThatOfHorizons) {
+TEST(LongestRunErrors, GrossShadowIsThatOfHorizons) {
     const City city = blocksWithNarrowGaps(3);
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 180.7F, 200.7F, 4);
     const SunSteps sun = days(40.7, 8, 10);

@@ -56,7 +56,7 @@ int walked(const LongestRuns& runs, const std::vector<RunLanes>& horizons, std::
     return runs.ofOne([&](const StepPlace& place) { return place.sun < horizons[place.bin].values[lane]; });
 }
 
-TEST(LongestRuns, areThoseOfAStepByStepWalk) {
+TEST(LongestRuns, AreThoseOfAStepByStepWalk) {
     std::mt19937 random(5);
     for (int round = 0; round < 40; ++round) {
         const std::vector<RunLanes> horizons = randomHorizons(random, 130);
@@ -78,7 +78,7 @@ TEST(LongestRuns, areThoseOfAStepByStepWalk) {
     }
 }
 
-TEST(LongestRuns, areReachedUpToTheLongest) {
+TEST(LongestRuns, AreReachedUpToTheLongest) {
     std::mt19937 random(6);
     const std::vector<RunLanes> horizons = randomHorizons(random, 130);
     const std::vector<TimedStep> steps = pickRandomDays(random, 20, 130);
@@ -140,7 +140,7 @@ std::vector<DaySteps> partsOf(std::span<const TimedStep> steps) {
     return parts;
 }
 
-TEST(RunSearch, findsTheLongestRunAndAsksFewRays) {
+TEST(RunSearch, FindsTheLongestRunAndAsksFewRays) {
     std::mt19937 random(7);
     std::size_t asked = 0, doubts = 0;
     for (int round = 0; round < 200; ++round) {
@@ -163,7 +163,7 @@ TEST(RunSearch, findsTheLongestRunAndAsksFewRays) {
 }
 
 // Gaps that no horizon shows: steps hidden by the lowest horizon may be lit.
-TEST(RunSearch, findsGapsThatNoHorizonKnowsOf) {
+TEST(RunSearch, FindsGapsThatNoHorizonKnowsOf) {
     std::mt19937 random(8);
     for (int round = 0; round < 200; ++round) {
         const std::vector<TimedStep> steps = stepsOfOwnBins(random, 10, 48);

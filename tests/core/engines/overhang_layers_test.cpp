@@ -54,7 +54,7 @@ ShadowAxes axesAt(double deg) {
     return ShadowAxes({std::sin(angle), std::cos(angle)});
 }
 
-TEST(OverhangLayers, stripsCoverAnOutlineWithAHoleOnceWhateverTheAzimuth) {
+TEST(OverhangLayers, StripsCoverAnOutlineWithAHoleOnceWhateverTheAzimuth) {
     std::mt19937 random(7);
     OverhangLayers layers;
     for (int turn = 0; turn < 200; ++turn) {
@@ -69,7 +69,7 @@ TEST(OverhangLayers, stripsCoverAnOutlineWithAHoleOnceWhateverTheAzimuth) {
     }
 }
 
-TEST(OverhangLayers, aTriangleIsOneLayerOfTwoStripsThatRiseAlike) {
+TEST(OverhangLayers, ATriangleIsOneLayerOfTwoStripsThatRiseAlike) {
     OverhangShapes shapes;
     shapes.triangles.push_back({glm::dvec3{0, 0, 4}, glm::dvec3{10, 2, 8}, glm::dvec3{4, 9, 6}});
     const OverhangShapes* const list[]{&shapes};
@@ -87,7 +87,7 @@ TEST(OverhangLayers, aTriangleIsOneLayerOfTwoStripsThatRiseAlike) {
     EXPECT_NEAR(strips[1].near.rise, 6, 1e-12);
 }
 
-TEST(OverhangLayers, whatEndsBelowTheDatumHidesNothing) {
+TEST(OverhangLayers, WhatEndsBelowTheDatumHidesNothing) {
     OverhangShapes shapes;
     shapes.prisms.push_back({{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, -5, -1});
     const OverhangShapes* const list[]{&shapes};

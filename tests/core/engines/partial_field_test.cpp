@@ -71,7 +71,7 @@ void expectSame(const std::vector<float>& a, const std::vector<float>& b) {
         ASSERT_TRUE(same(a[i], b[i])) << i << ": " << a[i] << " " << b[i];
 }
 
-TEST_F(Partials, ofTheRayReferenceHoldFinalValues) {
+TEST_F(Partials, OfTheRayReferenceHoldFinalValues) {
     Onlooker onlooker;
     const ShadowField field = fieldOf(RayReference(), onlooker);
     ASSERT_GT(onlooker.seen.size(), 20U);
@@ -86,7 +86,7 @@ TEST_F(Partials, ofTheRayReferenceHoldFinalValues) {
     }
 }
 
-TEST_F(Partials, lastIsTheResult) {
+TEST_F(Partials, LastIsTheResult) {
     const GraphEngine graph(InverseAccrualMap::make({}).value(), {});
     const RayReference rays;
     const ProjectedShadows projected;
@@ -102,7 +102,7 @@ TEST_F(Partials, lastIsTheResult) {
 }
 
 // The same bits with and without a watcher; running results are the fields of some of the days.
-TEST_F(Partials, ofProjectedShadowsAreTrueForTheDaysDone) {
+TEST_F(Partials, OfProjectedShadowsAreTrueForTheDaysDone) {
     const ProjectedShadows engine;
     NoProgress unwatched;
     const ShadowField whole = fieldOf(engine, unwatched);
@@ -122,7 +122,7 @@ TEST_F(Partials, ofProjectedShadowsAreTrueForTheDaysDone) {
     expectSame(first.field.continuousMin, truth.continuousMin);
 }
 
-TEST_F(Partials, ofTheRayReferenceFillTheWholeRegionEarly) {
+TEST_F(Partials, OfTheRayReferenceFillTheWholeRegionEarly) {
     Onlooker onlooker;
     const ShadowField field = fieldOf(RayReference({.threads = 1}), onlooker);
     const auto early = std::find_if(onlooker.seen.begin(), onlooker.seen.end(),
@@ -147,7 +147,7 @@ SunSteps beginningOf(const SunSteps& sun, std::size_t intervals) {
 }
 
 // During an interval, a running result covers the steps finished so far, on one of three days.
-TEST_F(Partials, ofAnIntervalAreTrueForTheStepsDone) {
+TEST_F(Partials, OfAnIntervalAreTrueForTheStepsDone) {
     const DirectionGraphSettings apart{.merge = false};
     const DirectionGraph graph = buildDirectionGraph(sun, apart).value();
     const SunInterval first = graph.edges[graph.paths[0][0].edge].sun;
@@ -203,7 +203,7 @@ struct PartialsOfADay : Partials {
     }
 };
 
-TEST_F(PartialsOfADay, standOnWhatIsKnownAround) {
+TEST_F(PartialsOfADay, StandOnWhatIsKnownAround) {
     const ShadowField truth = fieldOf(engine, unwatched);
     const auto seen = seenOn(around);
     ASSERT_GT(seen.size(), 6U);
@@ -216,7 +216,7 @@ TEST_F(PartialsOfADay, standOnWhatIsKnownAround) {
     EXPECT_EQ(seen.front().part, "0 of 3 sun intervals, 12 of 60 steps of the next");
 }
 
-TEST_F(PartialsOfADay, takeTheStepsToComeFromAroundAndNoOthers) {
+TEST_F(PartialsOfADay, TakeTheStepsToComeFromAroundAndNoOthers) {
     EdgeMasks dark = *around.masks;
     for (std::size_t edge = 0; edge < dark.size(); ++edge)
         dark[edge].assign(dark[edge].size(), fullMask(edge == 2 ? 30 : 60));
@@ -227,12 +227,12 @@ TEST_F(PartialsOfADay, takeTheStepsToComeFromAroundAndNoOthers) {
     for (std::size_t i = 1; i < seen.size(); ++i) EXPECT_GE(seen[i].share, seen[i - 1].share);
 }
 
-TEST_F(PartialsOfADay, areOfTheStepsDoneWhereSeveralDaysAreAsked) {
+TEST_F(PartialsOfADay, AreOfTheStepsDoneWhereSeveralDaysAreAsked) {
     Partials::SetUp();
     for (const PartialField& partial : seenOn(around)) EXPECT_FALSE(partial.wholePeriod);
 }
 
-TEST_F(Partials, ofADirectionGraphAreTrueForTheIntervalsDone) {
+TEST_F(Partials, OfADirectionGraphAreTrueForTheIntervalsDone) {
     // Without merging, intervals are shaded in time order, so a running result is the study of a shorter
     // period.
     const GraphEngine engine(InverseAccrualMap::make({}).value(), {.merge = false});

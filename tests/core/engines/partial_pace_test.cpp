@@ -21,7 +21,7 @@ std::vector<double> takenBy(double stepS, double untilS) {
     return taken;
 }
 
-TEST(PartialPace, fiveASecondHoweverOftenTheWorkLooksUp) {
+TEST(PartialPace, FiveASecondHoweverOftenTheWorkLooksUp) {
     for (const double stepS : {0.001, 0.03, 0.07, 0.11, 0.17}) {
         const auto taken = takenBy(stepS, 21);
         EXPECT_GE(double(taken.size()) / (taken.back() - 1), 5) << stepS;
@@ -29,11 +29,11 @@ TEST(PartialPace, fiveASecondHoweverOftenTheWorkLooksUp) {
     }
 }
 
-TEST(PartialPace, workThatSeldomLooksUpShowsAllItHas) {
+TEST(PartialPace, WorkThatSeldomLooksUpShowsAllItHas) {
     EXPECT_GE(double(takenBy(0.25, 21).size()), 0.9 * 20 / 0.25);
 }
 
-TEST(PartialPace, aLongPauseIsNotMadeGood) {
+TEST(PartialPace, ALongPauseIsNotMadeGood) {
     PartialPace pace;
     pace.taken(0);
     ASSERT_TRUE(pace.due(10));
@@ -42,7 +42,7 @@ TEST(PartialPace, aLongPauseIsNotMadeGood) {
     EXPECT_TRUE(pace.due(10 + PartialPace::usualS));
 }
 
-TEST(PartialPace, onesThatComeUnaskedDoNotAddUp) {
+TEST(PartialPace, OnesThatComeUnaskedDoNotAddUp) {
     PartialPace pace;
     for (int i = 0; i < 10; ++i) pace.taken(1 + 0.01 * i);
     EXPECT_FALSE(pace.due(1.1));

@@ -32,7 +32,7 @@ StepSets hours(const SunSteps& sun) {
     return sets;
 }
 
-TEST(ProjectedBreakdown, eachSetIsARunOverItsOwnSteps) {
+TEST(ProjectedBreakdown, EachSetIsARunOverItsOwnSteps) {
     const City city = cityOf(randomBoxes(5, 5));
     const Receivers receivers = receiversOver(city, -20, -20, 120, 120, 2);
     const SunSteps sun = twoDays();
@@ -52,7 +52,7 @@ TEST(ProjectedBreakdown, eachSetIsARunOverItsOwnSteps) {
     }
 }
 
-TEST(ProjectedBreakdown, setsAddUpToTheField) {
+TEST(ProjectedBreakdown, SetsAddUpToTheField) {
     const City city = cityOf(randomBoxes(6, 5));
     const Receivers receivers = receiversOver(city, -20, -20, 120, 120, 2);
     const SunSteps sun = twoDays();
@@ -67,7 +67,7 @@ TEST(ProjectedBreakdown, setsAddUpToTheField) {
     }
 }
 
-TEST(ProjectedBreakdown, refusesTerrainAndStops) {
+TEST(ProjectedBreakdown, RefusesTerrainAndStops) {
     City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20);
     const SunSteps sun = twoDays();

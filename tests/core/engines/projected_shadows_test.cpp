@@ -49,7 +49,7 @@ void fillPolygon(std::span<const glm::dvec2> polygon, const BitLayout& layout,
     CasterFill(casters).fill({&only, 1}, {}, layout, {0, layout.rows}, rasters);
 }
 
-TEST(CasterFill, fillsWhatTheRasteriserFills) {
+TEST(CasterFill, FillsWhatTheRasteriserFills) {
     const Grid grid{0, 0, 1, 130, 140};
     const BitLayout layout(grid);
     std::mt19937 random(9);
@@ -73,7 +73,7 @@ TEST(CasterFill, fillsWhatTheRasteriserFills) {
     }
 }
 
-TEST(ProjectedShadows, agreesWithRaysOnRandomBoxes) {
+TEST(ProjectedShadows, AgreesWithRaysOnRandomBoxes) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const City city = cityOf(randomBoxes(seed, 6));
         const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 140.7F, 140.7F);
@@ -81,7 +81,7 @@ TEST(ProjectedShadows, agreesWithRaysOnRandomBoxes) {
     }
 }
 
-TEST(ProjectedShadows, agreesWithRaysOnCourtyardsAndConcaveParts) {
+TEST(ProjectedShadows, AgreesWithRaysOnCourtyardsAndConcaveParts) {
     City city;
     const Ring court = rectangle(10, 10, 20, 22);
     city.buildings.push_back(
@@ -94,7 +94,7 @@ TEST(ProjectedShadows, agreesWithRaysOnCourtyardsAndConcaveParts) {
     EXPECT_LE(differing(city, receivers, oneDay(arc(60, 50))), 1e-5);
 }
 
-TEST(ProjectedShadows, agreesWithRaysOnAMeshWithASlopedRoof) {
+TEST(ProjectedShadows, AgreesWithRaysOnAMeshWithASlopedRoof) {
     Part part;
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0},  {20, 0, 0},  {20, 12, 0}, {0, 12, 0}, {0, 0, 8},
@@ -110,7 +110,7 @@ TEST(ProjectedShadows, agreesWithRaysOnAMeshWithASlopedRoof) {
     EXPECT_LE(differing(city, receivers, oneDay(arc(60, 50))), 1e-5);
 }
 
-TEST(ProjectedShadows, minutesAndRunsAreThoseOfTheRayReference) {
+TEST(ProjectedShadows, MinutesAndRunsAreThoseOfTheRayReference) {
     const City city = cityOf(randomBoxes(8, 5));
     const Receivers receivers = receiversOver(city, -20.3F, -20.3F, 120.7F, 120.7F);
     SunSteps sun = oneDay(arc(90, 40));
@@ -126,7 +126,7 @@ TEST(ProjectedShadows, minutesAndRunsAreThoseOfTheRayReference) {
         EXPECT_EQ(std::isnan(field.grossMin[cell]), receivers.kind[cell] != CellKind::ground);
 }
 
-TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
+TEST(ProjectedShadows, PartyWallsLetNoLightThrough) {
     // Two halves of a block cast the same shadow as the whole block.
     const City whole = cityOf({{{0, 0, 0}, {40, 20, 30}}});
     const City halves = cityOf({{{0, 0, 0}, {17, 20, 30}}, {{17, 0, 0}, {40, 20, 30}}});
@@ -141,7 +141,7 @@ TEST(ProjectedShadows, partyWallsLetNoLightThrough) {
 
 // Rays begin slightly north-east of a receiver: here the receiver is just outside a wall, and its rays begin
 // inside.
-TEST(ProjectedShadows, aReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehind) {
+TEST(ProjectedShadows, AReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehind) {
     const float line = 0.5F + RayScene::asideM / 2;
     const Ring box = rectangle(line, line, 12, 12);
     const Ring angle{{line, line}, {12, line}, {12, 6}, {6, 6}, {6, 12}, {line, 12}};
@@ -154,7 +154,7 @@ TEST(ProjectedShadows, aReceiverAtAWallWhoseRaysBeginInsideIsDarkWithTheSunBehin
     }
 }
 
-TEST(ProjectedShadows, aMeshThatIsNotClosedShadesFromBothSides) {
+TEST(ProjectedShadows, AMeshThatIsNotClosedShadesFromBothSides) {
     for (const glm::uvec3 triangle : {glm::uvec3(0, 1, 2), glm::uvec3(0, 2, 1)}) {
         const TriangleMesh sail{{{0, 0, 8}, {20, 0, 8}, {0, 20, 14}}, {triangle}};
         Building building;
@@ -173,7 +173,7 @@ TEST(ProjectedShadows, aMeshThatIsNotClosedShadesFromBothSides) {
     }
 }
 
-TEST(ProjectedShadows, noSunAndNoCityGiveZeros) {
+TEST(ProjectedShadows, NoSunAndNoCityGiveZeros) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     const Receivers receivers = receiversOver(city, -20, -20, 20, 20);
     SunSteps night;
@@ -186,7 +186,7 @@ TEST(ProjectedShadows, noSunAndNoCityGiveZeros) {
     }
 }
 
-TEST(ProjectedShadows, refusesTerrain) {
+TEST(ProjectedShadows, RefusesTerrain) {
     City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     city.terrain = std::make_shared<const Terrain>(Terrain{{-50, -50, 50, 2, 2}, {0, 1, 2, 3}});
     NoProgress progress;

@@ -68,7 +68,7 @@ Comparison compare(const std::vector<Box3>& boxes, const Receivers& receivers, c
 
 class RayAnalytic : public testing::TestWithParam<Site> {};
 
-TEST_P(RayAnalytic, oneBoxShadesTheMinutesThatTheSlabTestGives) {
+TEST_P(RayAnalytic, OneBoxShadesTheMinutesThatTheSlabTestGives) {
     const Box3 box{{0, 0, 0}, {20, 15, 40}};
     const Receivers receivers = receiversOver(cityOf({box}), -90, -90, 110, 105, 3);
     const Comparison comparison = compare({box}, receivers, sunOf(GetParam()));
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Sites, RayAnalytic,
                                          Site{"southernWinterWeek", {151.2, -33.9}, date(2026, 6, 18), 7, 7}),
                          [](const auto& site) { return std::string(site.param.name); });
 
-TEST(RayDays, sunStandsOnTheKnownSide) {
+TEST(RayDays, SunStandsOnTheKnownSide) {
     // At local noon the shadow falls to the north in New York, to the south in Sydney, and to the south at 10
     // N in June.
     const auto shadeNorthOf = [](const Site& site) {
@@ -108,7 +108,7 @@ TEST(RayDays, sunStandsOnTheKnownSide) {
     EXPECT_EQ(shadeNorthOf({"", {0, 10}, date(2026, 6, 21), 1, 1}), -1);
 }
 
-TEST(RayDays, randomBoxesOverADay) {
+TEST(RayDays, RandomBoxesOverADay) {
     for (std::uint32_t seed = 0; seed < 3; ++seed) {
         const std::vector<Box3> boxes = randomBoxes(seed, 5);
         const Receivers receivers = receiversOver(cityOf(boxes), -20, -20, 120, 120, 2);
@@ -119,7 +119,7 @@ TEST(RayDays, randomBoxesOverADay) {
     }
 }
 
-TEST(RayDays, polarNightHasNoShadowAndNoSun) {
+TEST(RayDays, PolarNightHasNoShadowAndNoSun) {
     const Site longyearbyen{"", {15.6, 78.2}, date(2026, 12, 20), 3, 10};
     const SunSteps sun = sunOf(longyearbyen);
     EXPECT_TRUE(sun.steps.empty());
@@ -132,7 +132,7 @@ TEST(RayDays, polarNightHasNoShadowAndNoSun) {
     EXPECT_GT(field.cost.skipped.at("steps with the sun below the horizon"), 0);
 }
 
-TEST(RayDays, daysWithDifferentNumbersOfSteps) {
+TEST(RayDays, DaysWithDifferentNumbersOfSteps) {
     // Days around the first sunrise after the polar night, which grow from no steps.
     const Site spring{"", {20, 70}, date(2026, 1, 10), 14, 5};
     const SunSteps sun = sunOf(spring);

@@ -9,7 +9,7 @@ namespace {
 
 using namespace tests;
 
-TEST(RayPlaces, areTheReceiversOfTheReferenceToTheLastBit) {
+TEST(RayPlaces, AreTheReceiversOfTheReferenceToTheLastBit) {
     const City city = cityOf(randomBoxes(5, 6));
     const Receivers receivers = receiversOver(city, -30, -30, 150, 150, 3);
     SunSteps sun = oneDay(arc(70, 45), 2);
@@ -26,7 +26,7 @@ TEST(RayPlaces, areTheReceiversOfTheReferenceToTheLastBit) {
     }
 }
 
-TEST(RayPlaces, stopWhenAsked) {
+TEST(RayPlaces, StopWhenAsked) {
     const City city = cityOf(randomBoxes(5, 2));
     std::stop_source stop;
     stop.request_stop();

@@ -16,7 +16,7 @@ const Box3 tower{{0, 0, 0}, {10, 20, 30}};
 
 // --- One box, known answers
 
-TEST(RayReference, shadowOfABoxHasTheKnownLengthAndWidth) {
+TEST(RayReference, ShadowOfABoxHasTheKnownLengthAndWidth) {
     // The sun due south at 45 degrees: a 30 m box casts a shadow 30 m to the north, as wide as itself.
     const City city = cityOf({tower});
     const Receivers receivers = receiversOver(city, -20, -20, 30, 70);
@@ -28,7 +28,7 @@ TEST(RayReference, shadowOfABoxHasTheKnownLengthAndWidth) {
     }
 }
 
-TEST(RayReference, cellsThatAreNoReceiversHoldNaN) {
+TEST(RayReference, CellsThatAreNoReceiversHoldNaN) {
     const City city = cityOf({tower});
     const Receivers receivers = receiversOver(city, -20, -20, 30, 70);
     const ShadowField field = traced(city, receivers, oneDay({{180, 45}}));
@@ -42,7 +42,7 @@ TEST(RayReference, cellsThatAreNoReceiversHoldNaN) {
 
 // At 60 km, coordinates are multiples of 4 mm, and so are the boxes' here. A slab test in double decides,
 // except within a millimetre of a box.
-TEST(RayReference, isAsExactFarFromTheOriginAsNear) {
+TEST(RayReference, IsAsExactFarFromTheOriginAsNear) {
     constexpr glm::dvec3 far(60'000, -45'000, 0);
     std::vector<Box3> boxes = randomBoxes(21, 8);
     for (Box3& box : boxes) {
@@ -74,7 +74,7 @@ TEST(RayReference, isAsExactFarFromTheOriginAsNear) {
 
 // --- Gross and continuous
 
-TEST(RayReference, aGapBetweenTwoBoxesShowsInContinuousOnly) {
+TEST(RayReference, AGapBetweenTwoBoxesShowsInContinuousOnly) {
     // One wall 20 m wide, and the same 20 m with a slit in the middle through which the receiver sees the sun
     // for one step.
     const SunSteps sun = oneDay({{170, 30}, {174, 30}, {180, 30}, {186, 30}, {190, 30}});
@@ -102,7 +102,7 @@ struct BehindAWall {
     }
 };
 
-TEST(RayReference, grossIsTheMeanOfDaysAndContinuousTheLongestRunOfAny) {
+TEST(RayReference, GrossIsTheMeanOfDaysAndContinuousTheLongestRunOfAny) {
     const BehindAWall scene;
     SunSteps sun;
     sun.stepMinutes = 2;
@@ -114,7 +114,7 @@ TEST(RayReference, grossIsTheMeanOfDaysAndContinuousTheLongestRunOfAny) {
     EXPECT_EQ(minutes.continuous, 6);
 }
 
-TEST(RayReference, aRunEndsWithItsDay) {
+TEST(RayReference, ARunEndsWithItsDay) {
     const BehindAWall scene;
     SunSteps sun;
     for (int day = 0; day < 7; ++day) addDay(sun, std::vector<Sun>(5, scene.hidden));
@@ -123,7 +123,7 @@ TEST(RayReference, aRunEndsWithItsDay) {
     EXPECT_EQ(minutes.continuous, 5);
 }
 
-TEST(RayReference, missingSlotsBreakARun) {
+TEST(RayReference, MissingSlotsBreakARun) {
     const BehindAWall scene;
     SunSteps sun = oneDay(std::vector<Sun>(40, scene.hidden));
     for (std::size_t i = 18; i < sun.steps.size(); ++i) sun.steps[i].slot += 7;
@@ -132,7 +132,7 @@ TEST(RayReference, missingSlotsBreakARun) {
     EXPECT_EQ(minutes.continuous, 22);
 }
 
-TEST(RayReference, runsOfAnyLengthCrossPackets) {
+TEST(RayReference, RunsOfAnyLengthCrossPackets) {
     const BehindAWall scene;
     std::mt19937 random(7);
     for (int trial = 0; trial < 200; ++trial) {
@@ -152,7 +152,7 @@ TEST(RayReference, runsOfAnyLengthCrossPackets) {
 
 // --- Shapes
 
-TEST(RayReference, courtyardSeesTheSunThroughItsHole) {
+TEST(RayReference, CourtyardSeesTheSunThroughItsHole) {
     // Walls of 10 m around a courtyard of 20 m: its northern part is lit at 45 degrees, its southern 10 m are
     // not.
     Footprint block{rectangle(0, 0, 40, 40), {{{10, 10}, {10, 30}, {30, 30}, {30, 10}}}};
@@ -165,7 +165,7 @@ TEST(RayReference, courtyardSeesTheSunThroughItsHole) {
         ASSERT_EQ(field.grossMin[cell], receivers.position(cell).y < 20 ? 1 : 0);
 }
 
-TEST(RayReference, lightPassesUnderALiftedSlab) {
+TEST(RayReference, LightPassesUnderALiftedSlab) {
     const Box3 slab{{0, 0, 10}, {10, 10, 12}};
     const City city = cityOf({slab});
     const Receivers receivers = receiversOver(city, -30, -30, 40, 40);
@@ -182,7 +182,7 @@ TEST(RayReference, lightPassesUnderALiftedSlab) {
     EXPECT_EQ(low.grossMin[cellAt(low.grid, 5.5, 31.5)], 0);
 }
 
-TEST(RayReference, partyWallsLetNoLightThrough) {
+TEST(RayReference, PartyWallsLetNoLightThrough) {
     // Two boxes share the wall x = 0; suns sweep along it and across it, with receivers on its line and
     // beside it.
     const std::vector<Box3> boxes{{{-10, 0, 0}, {0, 10, 30}}, {{0, 0, 0}, {10, 10, 30}}};
@@ -206,7 +206,7 @@ TEST(RayReference, partyWallsLetNoLightThrough) {
     }
 }
 
-TEST(RayReference, edgesOfACityThatIsShadowedWhollyLeakNothing) {
+TEST(RayReference, EdgesOfACityThatIsShadowedWhollyLeakNothing) {
     // Wall-to-wall boxes of equal height and a low sun: every receiver to the north is dark at any azimuth.
     std::vector<Box3> boxes;
     for (int i = -40; i < 40; ++i)
@@ -239,7 +239,7 @@ SunSteps exactlySouth(double altitudeDeg, std::size_t count, float zero) {
     return sun;
 }
 
-TEST(RayReference, aReceiverOnAWallIsLitInFrontAndDarkBehind) {
+TEST(RayReference, AReceiverOnAWallIsLitInFrontAndDarkBehind) {
     EXPECT_EQ(shadowAt(10, 10, {90, 30}), 0) << "on the eastern wall, the sun in the east";
     EXPECT_EQ(shadowAt(10, 10, {270, 30}), 1) << "the same, the sun behind the building";
     EXPECT_EQ(shadowAt(0, 10, {270, 30}), 0);
@@ -248,7 +248,7 @@ TEST(RayReference, aReceiverOnAWallIsLitInFrontAndDarkBehind) {
     EXPECT_EQ(shadowAt(5, 20, {180, 30}), 1);
 }
 
-TEST(RayReference, inLineWithAWallItCountsAsEastAndNorthOfIt) {
+TEST(RayReference, InLineWithAWallItCountsAsEastAndNorthOfIt) {
     for (const float zero : {0.0F, -0.0F})
         for (const std::size_t count : {1, 2, 15, 16, 17, 40}) {
             EXPECT_EQ(shadowAt(10, 40, exactlySouth(30, count, zero)), 0) << "in line with the eastern wall";
@@ -259,14 +259,14 @@ TEST(RayReference, inLineWithAWallItCountsAsEastAndNorthOfIt) {
     EXPECT_EQ(shadowAt(30, 0, {270, 30}), 1) << "with the southern wall";
 }
 
-TEST(RayReference, aReceiverOnACorner) {
+TEST(RayReference, AReceiverOnACorner) {
     EXPECT_EQ(shadowAt(10, 20, {45, 30}), 0) << "the sun before both walls";
     EXPECT_EQ(shadowAt(10, 20, {225, 30}), 1) << "behind the building";
 }
 
 // --- Nothing to do
 
-TEST(RayReference, polarNightIsAFieldOfZeros) {
+TEST(RayReference, PolarNightIsAFieldOfZeros) {
     const City city = cityOf({tower});
     const Receivers receivers = receiversOver(city, -5, -5, 15, 25);
     SunSteps sun = oneDay({});
@@ -279,7 +279,7 @@ TEST(RayReference, polarNightIsAFieldOfZeros) {
     EXPECT_TRUE(std::isnan(field.grossMin[cellAt(field.grid, 5, 5)]));
 }
 
-TEST(RayReference, noReceiversNoBuildingsNoDays) {
+TEST(RayReference, NoReceiversNoBuildingsNoDays) {
     const City city = cityOf({tower});
     const Receivers covered = receiversOver(city, 2, 2, 8, 8);
     ASSERT_TRUE(covered.cells.empty());
@@ -291,7 +291,7 @@ TEST(RayReference, noReceiversNoBuildingsNoDays) {
 
 // --- Cost and cancellation
 
-TEST(RayReference, costAndWordsAreThere) {
+TEST(RayReference, CostAndWordsAreThere) {
     const City city = cityOf({tower, {{5000, 0, 0}, {5010, 10, 30}}});
     const Receivers receivers = receiversOver(city, -20, -20, 30, 50);
     const SunSteps sun = oneDay(arc(100, 60));
@@ -307,7 +307,7 @@ TEST(RayReference, costAndWordsAreThere) {
     EXPECT_EQ(field.cost.seconds.size(), 2);
 }
 
-TEST(RayReference, theNumberOfThreadsChangesNothing) {
+TEST(RayReference, TheNumberOfThreadsChangesNothing) {
     const City city = cityOf(randomBoxes(3, 12));
     const Receivers receivers = receiversOver(city, 50, 50, 190, 190);
     const SunSteps sun = oneDay(arc(333, 50));
@@ -334,7 +334,7 @@ public:
     std::atomic<int> reports{0};
 };
 
-TEST(RayReference, stopsWhenAsked) {
+TEST(RayReference, StopsWhenAsked) {
     const City city = cityOf(randomBoxes(3, 12));
     const Receivers receivers = receiversOver(city, 0, 0, 240, 240);
     StopsWhenTracing progress;
@@ -345,7 +345,7 @@ TEST(RayReference, stopsWhenAsked) {
     EXPECT_LT(progress.reports, 20) << "most of the work was left undone";
 }
 
-TEST(RayReference, stopsBeforeItBegins) {
+TEST(RayReference, StopsBeforeItBegins) {
     const City city = cityOf({tower});
     std::stop_source source;
     source.request_stop();
@@ -356,7 +356,7 @@ TEST(RayReference, stopsBeforeItBegins) {
     EXPECT_TRUE(isCancelled(result.error()));
 }
 
-TEST(RayReference, progressRunsFromNothingToAll) {
+TEST(RayReference, ProgressRunsFromNothingToAll) {
     class Recorder final : public Progress {
     public:
         void report(double fraction, std::string_view) override {

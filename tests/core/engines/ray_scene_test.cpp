@@ -77,7 +77,7 @@ struct RandomRays {
 
 // The stated failure rate: of a million rays none may be wrong unless it passes within a tenth of a
 // millimetre of an edge, and the wrong ones at edges may be at most one in a thousand of all rays.
-TEST(RayScene, agreesWithBruteForceOnRandomCities) {
+TEST(RayScene, AgreesWithBruteForceOnRandomCities) {
     std::size_t rays = 0, wrongAtEdge = 0;
     for (std::uint32_t seed = 0; seed < 8; ++seed) {
         const City city = cityOf(randomBoxes(seed, 4));
@@ -99,7 +99,7 @@ TEST(RayScene, agreesWithBruteForceOnRandomCities) {
     EXPECT_LE(wrongAtEdge * 1000, rays) << wrongAtEdge << " of " << rays;
 }
 
-TEST(RayScene, oneRayAndPacketsAgreeAwayFromEdges) {
+TEST(RayScene, OneRayAndPacketsAgreeAwayFromEdges) {
     const City city = cityOf(randomBoxes(21, 5));
     const TriangleMesh mesh = meshOf(city).mesh;
     const RayScene scene = RayScene::over(city).value();
@@ -121,7 +121,7 @@ TEST(RayScene, oneRayAndPacketsAgreeAwayFromEdges) {
     EXPECT_LT(different, 32);
 }
 
-TEST(RayScene, firstHitNamesTheBuilding) {
+TEST(RayScene, FirstHitNamesTheBuilding) {
     const City city =
         cityOf({{{0, 0, 0}, {10, 10, 10}}, {{20, 0, 0}, {30, 10, 30}}, {{40, 0, 0}, {50, 10, 10}}});
     const RayScene scene = RayScene::over(city).value();
@@ -135,7 +135,7 @@ TEST(RayScene, firstHitNamesTheBuilding) {
     EXPECT_FALSE(scene.firstHit({5, -5, 5}, {0, 0, -1})) << "flat ground is not in the scene";
 }
 
-TEST(RayScene, someBuildingsKeepTheCitysNumbers) {
+TEST(RayScene, SomeBuildingsKeepTheCitysNumbers) {
     const City city =
         cityOf({{{0, 0, 0}, {10, 10, 10}}, {{20, 0, 0}, {30, 10, 30}}, {{40, 0, 0}, {50, 10, 10}}});
     const std::vector<std::uint32_t> some{0, 2};
@@ -145,7 +145,7 @@ TEST(RayScene, someBuildingsKeepTheCitysNumbers) {
         << "straight through where the second would be";
 }
 
-TEST(RayScene, terrainIsHitAndIsNoBuilding) {
+TEST(RayScene, TerrainIsHitAndIsNoBuilding) {
     City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
     city.terrain = std::make_shared<const Terrain>(Terrain{{-100, -100, 100, 2, 2}, {0, 0, 0, 0}});
     const RayScene scene = RayScene::over(city).value();
@@ -155,7 +155,7 @@ TEST(RayScene, terrainIsHitAndIsNoBuilding) {
     EXPECT_NEAR(hit->position.z, 0, 1e-5);
 }
 
-TEST(RayScene, ofNothing) {
+TEST(RayScene, OfNothing) {
     const RayScene scene = RayScene::over({}).value();
     EXPECT_FALSE(scene.occluded({0, 0, 0}, {0, 0, 1}));
     EXPECT_EQ(scene.triangleCount(), 0);
@@ -163,7 +163,7 @@ TEST(RayScene, ofNothing) {
 
 // --- Buildings out of reach
 
-TEST(Reach, buildingsBeyondItChangeNothing) {
+TEST(Reach, BuildingsBeyondItChangeNothing) {
     // The engine's result without distant buildings, compared with the same rays against all buildings. At
     // whole metres receivers are in line with walls, and some suns are exactly on an axis: the result must
     // not depend on how the bounding volume hierarchy is split.
@@ -190,7 +190,7 @@ TEST(Reach, buildingsBeyondItChangeNothing) {
     }
 }
 
-TEST(Reach, leavesOutWhatIsTooFarOrOnTheWrongSide) {
+TEST(Reach, LeavesOutWhatIsTooFarOrOnTheWrongSide) {
     const Receivers receivers = receiversOver({}, 0, 0, 10, 10);
     const SunSteps sun = oneDay({{170, 45}, {190, 45}});  // shadows run north, as long as the heights
     const auto reaching = [&](const Box3& box) {
@@ -203,7 +203,7 @@ TEST(Reach, leavesOutWhatIsTooFarOrOnTheWrongSide) {
     EXPECT_FALSE(reaching({{0, -30, -20}, {10, -25, -1}})) << "below the ground";
 }
 
-TEST(Reach, aLowSunReachesFar) {
+TEST(Reach, ALowSunReachesFar) {
     const Receivers receivers = receiversOver({}, 0, 0, 10, 10);
     const City city = cityOf({{{-3000, 0, 0}, {-2990, 10, 30}}});
     EXPECT_TRUE(findBuildingsInReach(city, receivers, oneDay({{270, 0.5}})).size() == 1);

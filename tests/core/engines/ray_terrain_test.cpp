@@ -10,7 +10,7 @@
 namespace noonmark::tests {
 namespace {
 
-TEST(RayTerrain, groundElevationIsTheSurfaceThatCastsShadow) {
+TEST(RayTerrain, GroundElevationIsTheSurfaceThatCastsShadow) {
     std::mt19937 random(5);
     const City city = groundOf(8, [&](glm::dvec2) { return double(random() % 1000) * 0.03; });
     const RayScene scene = RayScene::over(city).value();
@@ -22,7 +22,7 @@ TEST(RayTerrain, groundElevationIsTheSurfaceThatCastsShadow) {
     }
 }
 
-TEST(RayTerrain, aPlaneSlopeShadesItselfOnlyWhenItFacesAway) {
+TEST(RayTerrain, APlaneSlopeShadesItselfOnlyWhenItFacesAway) {
     // Ground rising to the north at 30 degrees: lit from the north only by a sun above 30 degrees.
     const double slope = std::tan(30 * std::numbers::pi / 180);
     const City city = groundOf(20, [&](glm::dvec2 place) { return place.y * slope; });
@@ -38,7 +38,7 @@ TEST(RayTerrain, aPlaneSlopeShadesItselfOnlyWhenItFacesAway) {
     expect({90, 1}, 0);    // along it
 }
 
-TEST(RayTerrain, smoothGroundHasNoAcne) {
+TEST(RayTerrain, SmoothGroundHasNoAcne) {
     // A bowl far from the origin at high elevation: floats are coarse there, and every receiver sees a high
     // sun.
     Terrain terrain{{12000, -9000, 10, 60, 60}, {}};
@@ -55,7 +55,7 @@ TEST(RayTerrain, smoothGroundHasNoAcne) {
     for (const std::uint32_t cell : receivers.cells) ASSERT_EQ(field.grossMin[cell], 0);
 }
 
-TEST(RayTerrain, aHillCastsAShadowOfTheKnownLength) {
+TEST(RayTerrain, AHillCastsAShadowOfTheKnownLength) {
     // A long ridge 40 m high along x = 0, with the sun in the east at 20 degrees. To the west its shadow ends
     // 40 / tan 20 = 110 m away.
     const City city =
@@ -71,7 +71,7 @@ TEST(RayTerrain, aHillCastsAShadowOfTheKnownLength) {
     }
 }
 
-TEST(RayTerrain, aBuildingOnAHillShadesFurtherDownhill) {
+TEST(RayTerrain, ABuildingOnAHillShadesFurtherDownhill) {
     // Ground falls to the north by 1 in 5, with a wall of 10 m at y = 0 and the sun at 45 degrees: the shadow
     // ends where 10 + 0.2 y = y.
     City city = groundOf(40, [](glm::dvec2 place) { return -0.2 * place.y; });

@@ -59,7 +59,7 @@ OnWalls comparedOnWalls(const std::vector<Box3>& boxes, const Receivers& receive
 // The rule of RayReference: such a receiver is lit or dark like one just east and north of it. The sweep used
 // to be off by up to 8 of 60 minutes at corners where houses meet. What remains is one step where a ray
 // passes an edge.
-TEST(ReceiversOnWalls, seeTheSunAsThoseOfRaysDo) {
+TEST(ReceiversOnWalls, SeeTheSunAsThoseOfRaysDo) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const std::vector<Box3> boxes = boxesOnCellCentres(seed);
         const City city = cityOf(boxes);

@@ -51,7 +51,7 @@ double meanErrorPercent(const ShadowField& field, const ShadowField& truth, cons
     return 100 * sum / (double(receivers.cells.size()) * double(steps));
 }
 
-TEST(ShadowAccrualMap, agreesWithTheRaysWhereTheSunMovesStraight) {
+TEST(ShadowAccrualMap, AgreesWithTheRaysWhereTheSunMovesStraight) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
         const City city = cityOf(randomBoxes(seed, 10));
         const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
@@ -69,7 +69,7 @@ TEST(ShadowAccrualMap, agreesWithTheRaysWhereTheSunMovesStraight) {
     }
 }
 
-TEST(ShadowAccrualMap, errorShrinksWithTheTexels) {
+TEST(ShadowAccrualMap, ErrorShrinksWithTheTexels) {
     const City city = cityOf(randomBoxes(5, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     const SunSteps sun = greatCircles(2, 50);
@@ -83,7 +83,7 @@ TEST(ShadowAccrualMap, errorShrinksWithTheTexels) {
     }
 }
 
-TEST(ShadowAccrualMap, groundBelowSomethingThatHangsIsShaded) {
+TEST(ShadowAccrualMap, GroundBelowSomethingThatHangsIsShaded) {
     const City city = cityOf({{{10, 10, 20}, {30, 30, 25}}});
     const Receivers receivers = receiversOver(city, 0, 0, 60, 60);
     const SunSteps sun = oneDay({{180, 89}, {180, 60}});
@@ -92,7 +92,7 @@ TEST(ShadowAccrualMap, groundBelowSomethingThatHangsIsShaded) {
         EXPECT_LT(meanErrorPercent(accrued(city, receivers, sun, {.side = side}), truth, receivers, 2), 0.1);
 }
 
-TEST(ShadowAccrualMap, doesNotDependOnTheNumberOfThreads) {
+TEST(ShadowAccrualMap, DoesNotDependOnTheNumberOfThreads) {
     const City city = cityOf(randomBoxes(6, 8));
     const Receivers receivers = receiversOver(city, -10, -10, 170, 170);
     const SunSteps sun = oneDay(arc(130, 40));
@@ -102,7 +102,7 @@ TEST(ShadowAccrualMap, doesNotDependOnTheNumberOfThreads) {
     for (const std::uint32_t cell : receivers.cells) ASSERT_EQ(one[cell], many[cell]);
 }
 
-TEST(ShadowAccrualMap, stops) {
+TEST(ShadowAccrualMap, Stops) {
     const City city = cityOf(randomBoxes(6, 4));
     const Receivers receivers = receiversOver(city, -10, -10, 90, 90);
     const auto scene =
@@ -113,7 +113,7 @@ TEST(ShadowAccrualMap, stops) {
     EXPECT_TRUE(isCancelled(scene->shade(hour(120, 135, 30, 40), masks, stop.get_token()).error()));
 }
 
-TEST(ShadowAccrualMap, refusesTerrain) {
+TEST(ShadowAccrualMap, RefusesTerrain) {
     City city = cityOf({{{0, 0, 0}, {1, 1, 1}}});
     const Receivers receivers = receiversOver(city, -2, -2, 2, 2);
     city.terrain = std::make_shared<const Terrain>(Terrain{{-5, -5, 5, 2, 2}, {0, 0, 0, 1}});
@@ -122,7 +122,7 @@ TEST(ShadowAccrualMap, refusesTerrain) {
     EXPECT_EQ(scene.error().advice, "Choose the horizon sweep or the ray reference");
 }
 
-TEST(ShadowAccrualMap, saysWhatItLeftOut) {
+TEST(ShadowAccrualMap, SaysWhatItLeftOut) {
     std::vector<Box3> boxes = randomBoxes(9, 4);
     boxes.push_back({{5000, 0, 0}, {5010, 10, 10}});
     const City city = cityOf(boxes);
@@ -132,7 +132,7 @@ TEST(ShadowAccrualMap, saysWhatItLeftOut) {
     EXPECT_GT(field.cost.skipped.at("faces whose shadow meets no receiver"), 0U);
 }
 
-TEST(ShadowAccrualMap, refusesSettingsOutOfRangeWithTheRange) {
+TEST(ShadowAccrualMap, RefusesSettingsOutOfRangeWithTheRange) {
     const auto advice = [](const AccrualSettings& settings) {
         return ShadowAccrualMap::make(settings).error().advice;
     };

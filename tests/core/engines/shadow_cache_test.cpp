@@ -140,7 +140,7 @@ void editAnything(City& city, AnyBuilding& any) {
     }
 }
 
-TEST(ShadowCache, areThoseOfAFreshRunAfterAnyEdits) {
+TEST(ShadowCache, AreThoseOfAFreshRunAfterAnyEdits) {
     AnyBuilding any(5);
     City city = cityOf(randomBoxes(3, 4));
     const SunSteps sun = someDays();
@@ -157,7 +157,7 @@ TEST(ShadowCache, areThoseOfAFreshRunAfterAnyEdits) {
     EXPECT_GT(kept.bytes(), 0U);
 }
 
-TEST(ShadowCache, aDayOfManyStepsWhereATowerMovesAndGoes) {
+TEST(ShadowCache, ADayOfManyStepsWhereATowerMovesAndGoes) {
     City city = cityOf(randomBoxes(7, 5));
     const SunSteps sun = oneDay(arc(301, 48));
     ShadowCache kept = cachedOf(city, overAll(city, 1), sun);
@@ -173,7 +173,7 @@ TEST(ShadowCache, aDayOfManyStepsWhereATowerMovesAndGoes) {
     EXPECT_TRUE(sameField(kept.field(), fresh(city, overAll(city, 1), sun)));
 }
 
-TEST(ShadowCache, holdWhereManyBuildingsShadeTheSameCells) {
+TEST(ShadowCache, HoldWhereManyBuildingsShadeTheSameCells) {
     City city;
     for (int i = 0; i < 40; ++i)
         city.buildings.push_back(buildingOf(Box3{{3 * i, 20 + i, 0}, {3 * i + 60, 30 + i, 30 + i}}));
@@ -186,7 +186,7 @@ TEST(ShadowCache, holdWhereManyBuildingsShadeTheSameCells) {
     }
 }
 
-TEST(ShadowCache, refuseAnotherRegionTerrainAndTooMuchMemory) {
+TEST(ShadowCache, RefuseAnotherRegionTerrainAndTooMuchMemory) {
     City city = cityOf(randomBoxes(2, 3));
     const Receivers receivers = overAll(city);
     const SunSteps sun = oneDay(arc(64, 40));
@@ -205,7 +205,7 @@ TEST(ShadowCache, refuseAnotherRegionTerrainAndTooMuchMemory) {
     }
 }
 
-TEST(ShadowCache, afterAStopTheyAreMadeAgain) {
+TEST(ShadowCache, AfterAStopTheyAreMadeAgain) {
     City city = cityOf(randomBoxes(2, 3));
     const SunSteps sun = oneDay(arc(40, 40));
     ShadowCache kept = cachedOf(city, overAll(city), sun);
@@ -218,7 +218,7 @@ TEST(ShadowCache, afterAStopTheyAreMadeAgain) {
     EXPECT_TRUE(sameField(kept.field(), fresh(city, overAll(city), sun)));
 }
 
-TEST(ShadowCache, nightAndNoCityGiveZeros) {
+TEST(ShadowCache, NightAndNoCityGiveZeros) {
     SunSteps night;
     night.days.push_back({});
     const City city = cityOf({{{0, 0, 0}, {10, 10, 10}}});
@@ -229,7 +229,7 @@ TEST(ShadowCache, nightAndNoCityGiveZeros) {
     }
 }
 
-TEST(ChangedBuildings, areThoseThatTheOtherCityLacks) {
+TEST(ChangedBuildings, AreThoseThatTheOtherCityLacks) {
     const Buildings all = cityOf(randomBoxes(1, 3)).buildings;
     const auto pick = [&](const std::vector<std::size_t>& which) {
         Buildings some;

@@ -90,7 +90,7 @@ std::vector<ShadowMask> drawn(ShadowLineDrawer& drawer, const GridSources& sourc
     return result;
 }
 
-TEST(Lanes, eachCellLiesOnOneLane) {
+TEST(Lanes, EachCellLiesOnOneLane) {
     const Grid grid{-5, 3, 0.5, 37, 23};
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const double angle = Degrees{double(degrees)}.radians().value;
@@ -101,7 +101,7 @@ TEST(Lanes, eachCellLiesOnOneLane) {
     }
 }
 
-TEST(ShadowLines, aShadowLiesWhereTheSunThrowsIt) {
+TEST(ShadowLines, AShadowLiesWhereTheSunThrowsIt) {
     const Grid grid{0, 0, 1, 200, 200};
     GridSources sources(grid, 1);
     const std::size_t start = grid.index(60, 120);
@@ -128,7 +128,7 @@ TEST(ShadowLines, aShadowLiesWhereTheSunThrowsIt) {
     }
 }
 
-TEST(ShadowLines, neighboursMoveAsOne) {
+TEST(ShadowLines, NeighboursMoveAsOne) {
     // A slab of 12 cells: its shadow moves 7 cells from step to step and keeps its width, except for the
     // sixth of a cell per end that the pass from the other side adds.
     const Grid grid{0, 0, 1, 600, 3};
@@ -149,7 +149,7 @@ TEST(ShadowLines, neighboursMoveAsOne) {
     }
 }
 
-TEST(ShadowLines, placesAskedForAreTheSameWhateverElseIs) {
+TEST(ShadowLines, PlacesAskedForAreTheSameWhateverElseIs) {
     const GridSources sources = randomSources({0, 0, 1, 150, 90}, 3);
     std::mt19937 random(4);
     std::vector<bool> asked(sources.grid.size());
@@ -162,7 +162,7 @@ TEST(ShadowLines, placesAskedForAreTheSameWhateverElseIs) {
     }
 }
 
-TEST(ShadowLines, noBitsBeyondTheSteps) {
+TEST(ShadowLines, NoBitsBeyondTheSteps) {
     const SunInterval few{sunAt(110, 25), sunAt(124, 35), 7};
     for (const ShadowMask mask :
          drawn(*makeShadowLineDrawer(), randomSources({0, 0, 1, 150, 90}, 3), computeForwardMotion(few)))
@@ -170,7 +170,7 @@ TEST(ShadowLines, noBitsBeyondTheSteps) {
 }
 
 // The piecewise lookup gives the same result as the ends of a run, cell by cell.
-TEST(ShadowLines, aRunIsShadedAsItsEndsSay) {
+TEST(ShadowLines, ARunIsShadedAsItsEndsSay) {
     const ShadowMotion motion{{0.37, 0}, computeForwardMotion(morning).fraction};
     std::mt19937 random(8);
     for (int round = 0; round < 300; ++round) {
@@ -192,7 +192,7 @@ TEST(ShadowLines, aRunIsShadedAsItsEndsSay) {
     }
 }
 
-TEST(ShadowLines, aSunOnTheHorizonDrawsToTheEdge) {
+TEST(ShadowLines, ASunOnTheHorizonDrawsToTheEdge) {
     const Grid grid{0, 0, 1, 50, 1};
     GridSources sources(grid, 1);
     sources.heightM[0] = 300;
@@ -202,7 +202,7 @@ TEST(ShadowLines, aSunOnTheHorizonDrawsToTheEdge) {
     EXPECT_EQ(masks[49] & 4, 0U);  // the last step lies far outside the grid
 }
 
-TEST(ShadowLines, backwardIsForwardSeenFromTheOtherEnd) {
+TEST(ShadowLines, BackwardIsForwardSeenFromTheOtherEnd) {
     const ShadowMotion forward = computeForwardMotion(morning);
     const ShadowMotion backward = computeBackwardMotion(morning);
     EXPECT_NEAR(forward.fraction.front(), 0, 1e-12);
@@ -212,7 +212,7 @@ TEST(ShadowLines, backwardIsForwardSeenFromTheOtherEnd) {
     EXPECT_TRUE(std::ranges::is_sorted(forward.fraction));
 }
 
-TEST(ShadowLines, openClDrawsWhatTheProcessorDraws) {
+TEST(ShadowLines, OpenClDrawsWhatTheProcessorDraws) {
     if (listComputeDevices().empty()) GTEST_SKIP() << "There is no OpenCL on this machine";
     auto openCl = makeOpenClDrawer(0);
     ASSERT_TRUE(openCl.has_value()) << openCl.error().text();
@@ -221,7 +221,7 @@ TEST(ShadowLines, openClDrawsWhatTheProcessorDraws) {
         EXPECT_EQ(drawn(**openCl, sources, motion), drawn(*makeShadowLineDrawer(), sources, motion));
 }
 
-TEST(ShadowLines, refusesADeviceThatIsNotThere) { EXPECT_FALSE(makeOpenClDrawer(99).has_value()); }
+TEST(ShadowLines, RefusesADeviceThatIsNotThere) { EXPECT_FALSE(makeOpenClDrawer(99).has_value()); }
 
 }  // namespace
 }  // namespace noonmark

@@ -110,14 +110,14 @@ void expectShadow(const TriangleMesh& mesh, const IsShaded& isShaded) {
     EXPECT_LE(offOf(horizons.retime(day(), progress, {}).value(), receivers, isShaded).mean, 0.6);
 }
 
-TEST(Sheets, aCanopyShadesWhatItsOutlineCovers) { expectShadow(canopy(), isUnderCanopy); }
+TEST(Sheets, ACanopyShadesWhatItsOutlineCovers) { expectShadow(canopy(), isUnderCanopy); }
 
-TEST(Sheets, aWallOnTheGroundShades) { expectShadow(wall(0, 9), behindWall(0, 9)); }
+TEST(Sheets, AWallOnTheGroundShades) { expectShadow(wall(0, 9), behindWall(0, 9)); }
 
-TEST(Sheets, aBillboardInTheAirShades) { expectShadow(wall(6, 12), behindWall(6, 12)); }
+TEST(Sheets, ABillboardInTheAirShades) { expectShadow(wall(6, 12), behindWall(6, 12)); }
 
 // Float spacing at 400 m is 0.03 mm, so a canopy at that height keeps its thickness.
-TEST(Sheets, aCanopyOfAHighCityIsAsThickAsOneAtTheSea) {
+TEST(Sheets, ACanopyOfAHighCityIsAsThickAsOneAtTheSea) {
     TriangleMesh high = canopy();
     for (glm::vec3& vertex : high.vertices) vertex.z += 400;
     const MeshParts made = partsOf(high, "", "");

@@ -80,7 +80,7 @@ double differing(const City& city, const Grid& grid, glm::vec3 sun, int levels, 
     return double(different) / double(expected.heightM.size());
 }
 
-TEST(SourceFinder, polygonsFindWhatRaysFindOnBoxes) {
+TEST(SourceFinder, PolygonsFindWhatRaysFindOnBoxes) {
     for (std::uint32_t seed = 1; seed <= 4; ++seed) {
         const City city = cityOf(randomBoxes(seed, 8));
         for (const int levels : {1, 3, 8})
@@ -92,7 +92,7 @@ TEST(SourceFinder, polygonsFindWhatRaysFindOnBoxes) {
     }
 }
 
-TEST(SourceFinder, polygonsFindWhatRaysFindOnCourtyardsAndConcaveParts) {
+TEST(SourceFinder, PolygonsFindWhatRaysFindOnCourtyardsAndConcaveParts) {
     City city;
     const Ring court = rectangle(10, 10, 20, 22);
     city.buildings.push_back(
@@ -108,7 +108,7 @@ TEST(SourceFinder, polygonsFindWhatRaysFindOnCourtyardsAndConcaveParts) {
             << sun.azimuthDeg;
 }
 
-TEST(SourceFinder, polygonsFindWhatRaysFindOnAMesh) {
+TEST(SourceFinder, PolygonsFindWhatRaysFindOnAMesh) {
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0},  {20, 0, 0},  {20, 12, 0}, {0, 12, 0}, {0, 0, 8},
                      {20, 0, 8}, {20, 12, 8}, {0, 12, 8},  {0, 6, 14}, {20, 6, 14}};
@@ -127,7 +127,7 @@ TEST(SourceFinder, polygonsFindWhatRaysFindOnAMesh) {
             << sun.azimuthDeg;
 }
 
-TEST(SourceFinder, anEmptyCityShadesNothing) {
+TEST(SourceFinder, AnEmptyCityShadesNothing) {
     const Grid grid{0, 0, 1, 33, 17};
     const ProjectedSourceFinder finder(makeSurfaceFacets({}, {}, grid, 1), 3, 1);
     EXPECT_EQ(std::ranges::count(found(finder, grid, towardsSun(120, 30), {1, 0.4}).heightM, 0.0F),

@@ -55,7 +55,7 @@ double meanErrorPercent(const SurfaceShadow& shadow, const SurfaceShadow& truth)
     return 100 * sum / (double(shadow.grossMin.size()) * truth.sunlitMinutesPerDay);
 }
 
-TEST(SurfaceAccrual, agreesWithTheRaysOnGroundRoofsAndFacades) {
+TEST(SurfaceAccrual, AgreesWithTheRaysOnGroundRoofsAndFacades) {
     for (std::uint32_t seed = 1; seed <= 3; ++seed) {
         const City city = cityOf(randomBoxes(seed, 8));
         const SurfacePoints points = seenFrom(city, {80, -120, 120}, {80, 80, 0});
@@ -64,7 +64,7 @@ TEST(SurfaceAccrual, agreesWithTheRaysOnGroundRoofsAndFacades) {
     }
 }
 
-TEST(SurfaceAccrual, facadesAreDarkWhileTheSunIsBehindThem) {
+TEST(SurfaceAccrual, FacadesAreDarkWhileTheSunIsBehindThem) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 20}}});
     const SurfacePoints points{{{10, 5, 8}, {0, 5, 8}, {5, 5, 20}}, {{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}, {}};
     const SurfaceShadow shadow = accrued(city, points, greatCircleHour(80, 100, 30));
@@ -72,7 +72,7 @@ TEST(SurfaceAccrual, facadesAreDarkWhileTheSunIsBehindThem) {
     EXPECT_EQ(shadow.continuousMin, (std::vector<float>{0, 60, 0}));
 }
 
-TEST(SurfaceAccrual, litFacesDoNotShadeThemselves) {
+TEST(SurfaceAccrual, LitFacesDoNotShadeThemselves) {
     const City city = cityOf({{{0, 0, 0}, {100, 100, 60}}});
     const SunSteps sun = greatCircleHour(150, 160, 20);
     const SurfacePoints points = seenFrom(city, {60, -150, 100}, {50, 50, 30});
@@ -85,7 +85,7 @@ TEST(SurfaceAccrual, litFacesDoNotShadeThemselves) {
     EXPECT_LT(meanErrorPercent(accrued(city, points, sun, withSlope), tracedOn(city, points, sun)), 1);
 }
 
-TEST(SurfaceAccrual, theWarpHalvesTheErrorOfALowView) {
+TEST(SurfaceAccrual, TheWarpHalvesTheErrorOfALowView) {
     const City city = cityOf(randomBoxes(4, 60));
     const SurfacePoints points = seenFrom(city, {-150, -50, 130}, {400, 380, 0});
     const SunSteps sun = greatCircleHour(120, 135, 45);
@@ -97,7 +97,7 @@ TEST(SurfaceAccrual, theWarpHalvesTheErrorOfALowView) {
               meanErrorPercent(accrued(city, points, sun, even), truth) / 2);
 }
 
-TEST(SurfaceAccrual, hillsThrowShadowsAndDoNotShadeTheirSunnySide) {
+TEST(SurfaceAccrual, HillsThrowShadowsAndDoNotShadeTheirSunnySide) {
     City city;
     Terrain terrain{.grid = {-100, -100, 5, 40, 40}};
     for (int row = 0; row < 40; ++row)
@@ -111,7 +111,7 @@ TEST(SurfaceAccrual, hillsThrowShadowsAndDoNotShadeTheirSunnySide) {
     EXPECT_LT(meanErrorPercent(accrued(city, points, sun), tracedOn(city, points, sun)), 1);
 }
 
-TEST(SurfaceAccrual, warpedSlicesEqualSeparateShadowMapsBitForBit) {
+TEST(SurfaceAccrual, WarpedSlicesEqualSeparateShadowMapsBitForBit) {
     const City city = cityOf(randomBoxes(12, 8));
     const SurfacePoints points = seenFrom(city, {-60, -20, 40}, {100, 80, 0});
     const SunInterval interval{glm::dvec3(towardsSun(120, 30)), glm::dvec3(towardsSun(138, 40)), 60};
@@ -136,11 +136,11 @@ TEST(SurfaceAccrual, warpedSlicesEqualSeparateShadowMapsBitForBit) {
     }
 }
 
-TEST(SurfaceAccrual, nothingSeenIsNothingShaded) {
+TEST(SurfaceAccrual, NothingSeenIsNothingShaded) {
     EXPECT_TRUE(accrued(cityOf({{{0, 0, 0}, {1, 1, 1}}}), {}, greatCircleHour(90, 100, 20)).grossMin.empty());
 }
 
-TEST(SurfaceAccrual, refusesWhatIsOutOfRange) {
+TEST(SurfaceAccrual, RefusesWhatIsOutOfRange) {
     EXPECT_FALSE(SurfaceAccrual::make({.mapSize = 1}, {}));
     NoProgress progress;
     const SurfacePoints points{{{0, 0, 0}}, {}, {}};
@@ -149,7 +149,7 @@ TEST(SurfaceAccrual, refusesWhatIsOutOfRange) {
 }
 
 // Martin and Tan's rule: the nearest points get most of the map.
-TEST(Trapezoid, holdsAllPointsAndGivesTheNearestMostOfTheMap) {
+TEST(Trapezoid, HoldsAllPointsAndGivesTheNearestMostOfTheMap) {
     std::vector<glm::dvec2> points;
     for (int i = 1; i <= 300; ++i) {
         const double away = 20 + 2000.0 / i;
@@ -172,7 +172,7 @@ TEST(Trapezoid, holdsAllPointsAndGivesTheNearestMostOfTheMap) {
     EXPECT_NEAR(along[along.size() * 8 / 10], 80, 1);
 }
 
-TEST(Trapezoid, isNoneWhereThePointsAreEvenOrTheEyeIsAboveThem) {
+TEST(Trapezoid, IsNoneWhereThePointsAreEvenOrTheEyeIsAboveThem) {
     std::vector<glm::dvec2> points;
     for (int i = 0; i < 1000; ++i) points.emplace_back(i % 100, i / 100);
     EXPECT_FALSE(fitTrapezoid(points, {-50, 5}, 100));

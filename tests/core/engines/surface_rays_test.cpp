@@ -14,7 +14,7 @@ SurfaceShadow tracedOn(const City& city, const SurfacePoints& points, const SunS
     return SurfaceRays().accumulate(city, points, sun, progress, {}).value();
 }
 
-TEST(SurfaceRays, facadesAreDarkWhileTheSunIsBehindThem) {
+TEST(SurfaceRays, FacadesAreDarkWhileTheSunIsBehindThem) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 20}}});
     // East facade, west facade, roof.
     const SurfacePoints points{{{10, 5, 8}, {0, 5, 8}, {5, 5, 20}}, {{1, 0, 0}, {-1, 0, 0}, {0, 0, 1}}, {}};
@@ -24,7 +24,7 @@ TEST(SurfaceRays, facadesAreDarkWhileTheSunIsBehindThem) {
     EXPECT_EQ(shadow.sunlitMinutesPerDay, 4);
 }
 
-TEST(SurfaceRays, aTowerShadesTheRoofBesideIt) {
+TEST(SurfaceRays, ATowerShadesTheRoofBesideIt) {
     const City city = cityOf({{{0, 0, 0}, {10, 10, 20}}, {{20, 0, 0}, {30, 10, 40}}});
     const SurfacePoints points{{{5, 5, 20}, {5, 5, 20}}, {{0, 0, 1}, {0, 0, 1}}, {}};
     // 15 m away and 20 m higher: dark below 53 degrees.
@@ -32,7 +32,7 @@ TEST(SurfaceRays, aTowerShadesTheRoofBesideIt) {
     EXPECT_EQ(shadow.grossMin, (std::vector<float>{2, 2}));
 }
 
-TEST(SurfaceRays, onTheGroundTheyAgreeWithTheRayReference) {
+TEST(SurfaceRays, OnTheGroundTheyAgreeWithTheRayReference) {
     const City city = cityOf(randomBoxes(8, 6));
     const Receivers receivers = receiversOver(city, -20, -20, 140, 140);
     const SunSteps sun = oneDay(arc(60, 50));
@@ -47,7 +47,7 @@ TEST(SurfaceRays, onTheGroundTheyAgreeWithTheRayReference) {
     EXPECT_LT(difference / (60.0 * double(points.size())), 2e-4);  // rays start a centimetre higher
 }
 
-TEST(SurfaceRays, refusesPlacesWithoutNormals) {
+TEST(SurfaceRays, RefusesPlacesWithoutNormals) {
     NoProgress progress;
     const SurfacePoints points{{{0, 0, 0}}, {}, {}};
     EXPECT_FALSE(SurfaceRays().accumulate({}, points, oneDay({{90, 20}}), progress, {}));

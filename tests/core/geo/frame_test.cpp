@@ -17,18 +17,18 @@ double metresBetween(LonLat a, LonLat b) {
     return std::hypot(east, (a.latDeg - b.latDeg) * degreeOfLatitudeM);
 }
 
-TEST(Frame, originIsZero) {
+TEST(Frame, OriginIsZero) {
     const Frame frame({-73.98, 40.75});
     EXPECT_LT(glm::length(frame.localFromLonLat({-73.98, 40.75})), 1e-9);
 }
 
-TEST(Frame, northIsPositiveYAndEastPositiveX) {
+TEST(Frame, NorthIsPositiveYAndEastPositiveX) {
     const Frame frame({15.6, 78.2});
     EXPECT_NEAR(frame.localFromLonLat({15.6, 78.21}).y, 1116.5, 0.5);  // meridian arc at 78.2 N
     EXPECT_GT(frame.localFromLonLat({15.7, 78.2}).x, 2000);
 }
 
-TEST(Frame, roundTripUnderOneMillimetreWithin50Km) {
+TEST(Frame, RoundTripUnderOneMillimetreWithin50Km) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(-50000, 50000);
     for (const LonLat origin : {LonLat{-73.98, 40.75}, LonLat{179.99, -16.8}, LonLat{15.6, 78.2},

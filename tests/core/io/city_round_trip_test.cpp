@@ -50,21 +50,21 @@ Result<CityRead> thereAndBack(const City& city) {
 void expectSameCity(const City& city) {
     const auto read = thereAndBack(city);
     ASSERT_TRUE(read) << read.error().text();
-    EXPECT_TRUE(read->warnings.empty()) << lineOf(grouped(read->warnings).front());
+    EXPECT_TRUE(read->warnings.empty()) << lineOf(groupWarnings(read->warnings).front());
     ASSERT_EQ(read->city.buildings.size(), city.buildings.size());
     for (std::size_t i = 0; i < city.buildings.size(); ++i)
         expectSame(*read->city.buildings[i], *city.buildings[i]);
 }
 
-TEST(CityRoundTrip, centralParkSouth) { expectSameCity(makeCentralParkSouthSample()); }
+TEST(CityRoundTrip, CentralParkSouth) { expectSameCity(makeCentralParkSouthSample()); }
 
-TEST(CityRoundTrip, grid) {
+TEST(CityRoundTrip, Grid) {
     const auto city = makeGridSample({.buildings = 1000, .seed = 5});
     ASSERT_TRUE(city);
     expectSameCity(*city);
 }
 
-TEST(CityRoundTrip, partsThatHang) {
+TEST(CityRoundTrip, PartsThatHang) {
     Building building{.sourceId = "way 1", .name = "Arch", .status = "to be built"};
     const auto square = [](float x, float side) {
         return Ring{{x, 0}, {x + side, 0}, {x + side, side}, {x, side}};
@@ -79,7 +79,7 @@ TEST(CityRoundTrip, partsThatHang) {
 }
 
 // Fiji: houses on both sides of 180 degrees, and one across it.
-TEST(CityRoundTrip, acrossTheAntimeridian) {
+TEST(CityRoundTrip, AcrossTheAntimeridian) {
     expectSameCity(makeGridSample({.buildings = 200, .origin = {180, -16.85}}).value());
 }
 

@@ -17,7 +17,7 @@ bool isRefusedAsPipe(const Error& error) {
     return error.what == "This is a pipe or a device, not a file" && !error.advice.empty();
 }
 
-TEST(EndlessFiles, pipesAndDevicesAreRefusedAtOnce) {
+TEST(EndlessFiles, PipesAndDevicesAreRefusedAtOnce) {
     const tests::TemporaryFolder folder;
     const auto pipe = folder.path("city.geojson");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -40,7 +40,7 @@ std::string terrainError(const std::filesystem::path& file) {
     return piece ? "" : piece.error().text();
 }
 
-TEST(EndlessFiles, anAsciiGridThatPromisesMoreThanItHoldsIsRefused) {
+TEST(EndlessFiles, AnAsciiGridThatPromisesMoreThanItHoldsIsRefused) {
     const tests::TemporaryFolder folder;
     const auto grid = [](const std::string& columns, const std::string& rows) {
         std::string text = "ncols " + columns + "\nnrows " + rows +
@@ -56,7 +56,7 @@ TEST(EndlessFiles, anAsciiGridThatPromisesMoreThanItHoldsIsRefused) {
               std::string::npos);
 }
 
-TEST(EndlessFiles, aRasterOfTooManyCellsIsRefusedWithItsLimit) {
+TEST(EndlessFiles, ARasterOfTooManyCellsIsRefusedWithItsLimit) {
     const tests::TemporaryFolder folder;
     const auto file = folder.path("sparse.tif");
     {

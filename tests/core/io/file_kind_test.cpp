@@ -17,7 +17,7 @@ FileKind getKind(std::string_view content, const std::string& name = "file") {
     return kind.value_or(FileKind{-1});
 }
 
-TEST(FileKind, jsonIsToldByItsKeysInAnyOrder) {
+TEST(FileKind, JsonIsToldByItsKeysInAnyOrder) {
     EXPECT_EQ(getKind(R"({"type":"CityJSON","version":"2.0"})"), FileKind::cityJson);
     EXPECT_EQ(
         getKind(R"({"version":"1.1","vertices":[[1,2,3]],"metadata":{"type":"Feature"},"type":"CityJSON"})"),
@@ -29,7 +29,7 @@ TEST(FileKind, jsonIsToldByItsKeysInAnyOrder) {
     EXPECT_EQ(getKind(R"({"scenes":[],"asset":{"version":"2.0"}})"), FileKind::mesh);
 }
 
-TEST(FileKind, contentCountsNotTheName) {
+TEST(FileKind, ContentCountsNotTheName) {
     EXPECT_EQ(getKind("ply\nformat ascii 1.0\n", "city.geojson"), FileKind::mesh);
     EXPECT_EQ(getKind("# made by hand\n\nmtllib x.mtl\nv 0 0 0\n", "city.txt"), FileKind::mesh);
     EXPECT_EQ(getKind("glTF\2\0\0\0"sv, "x"), FileKind::mesh);
@@ -40,7 +40,7 @@ TEST(FileKind, contentCountsNotTheName) {
               FileKind::terrain);
 }
 
-TEST(FileKind, whatIsNoCityIsAnErrorWithAdvice) {
+TEST(FileKind, WhatIsNoCityIsAnErrorWithAdvice) {
     const tests::TemporaryFolder folder;
     EXPECT_EQ(detectFileKind(folder.path("missing.json")).error().what, "There is no such file");
     EXPECT_EQ(detectFileKind(folder.file("empty.json", "")).error().what, "The file is empty");
@@ -52,7 +52,7 @@ TEST(FileKind, whatIsNoCityIsAnErrorWithAdvice) {
     }
 }
 
-TEST(FileKind, openStreetMapPbf) {
+TEST(FileKind, OpenStreetMapPbf) {
     const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "shared data is missing";
     EXPECT_EQ(detectFileKind(*file).value(), FileKind::footprints);

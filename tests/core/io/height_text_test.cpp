@@ -57,7 +57,7 @@ void expectMetres(const Row& row) {
     }
 }
 
-TEST(HeightText, hostileStringsOfMappers) {
+TEST(HeightText, HostileStringsOfMappers) {
     const auto file = tests::sharedData("hostile/osm/height_strings.csv");
     if (!file) GTEST_SKIP() << "shared data is missing: hostile/osm/height_strings.csv";
     const auto rows = rowsOfFile(*file);
@@ -65,7 +65,7 @@ TEST(HeightText, hostileStringsOfMappers) {
     for (const Row& row : rows) expectMetres(row);
 }
 
-TEST(HeightText, whatPeopleWrite) {
+TEST(HeightText, WhatPeopleWrite) {
     const std::vector<Row> rows{
         {"12", "12"},
         {"0", "0"},
@@ -97,7 +97,7 @@ TEST(HeightText, whatPeopleWrite) {
     for (const Row& row : rows) expectMetres(row);
 }
 
-TEST(HeightText, whatIsNotOneHeight) {
+TEST(HeightText, WhatIsNotOneHeight) {
     for (const char* text : {"",
                              " ",
                              "237;16",
@@ -136,14 +136,14 @@ TEST(HeightText, whatIsNotOneHeight) {
     expectMetres({std::string(400, '9'), ""});
 }
 
-TEST(HeightText, bareNumbersAreInTheStatedUnitAndOthersInTheirOwn) {
+TEST(HeightText, BareNumbersAreInTheStatedUnitAndOthersInTheirOwn) {
     EXPECT_NEAR(parseMetres("1000", LengthUnit::feet).value(), 304.8, 1e-9);
     EXPECT_NEAR(parseMetres("3937", LengthUnit::usSurveyFeet).value(), 1200, 1e-9);
     EXPECT_NEAR(parseMetres("1000 m", LengthUnit::feet).value(), 1000, 1e-9);
     EXPECT_NEAR(parseMetres("10 ft").value(), 3.048, 1e-12);
 }
 
-TEST(HeightText, levels) {
+TEST(HeightText, Levels) {
     EXPECT_EQ(parseLevels("12"), 12);
     EXPECT_EQ(parseLevels(" 3.5 "), 3.5);
     EXPECT_EQ(parseLevels("\uFF14"), 4);
@@ -153,7 +153,7 @@ TEST(HeightText, levels) {
 }
 
 // Bytes of height texts in random order get further into the parser than random bytes.
-TEST(HeightText, anyBytesGiveAFiniteNumberOrNothing) {
+TEST(HeightText, AnyBytesGiveAFiniteNumberOrNothing) {
     const std::string_view likely = "0123456789..'\"'\" -+()mcftinse,;\xE2\x80\x99\xEF\xBC\x94\xC2\xA0\0\xFF";
     std::mt19937 random(20260321);
     for (int i = 0; i < 200000; ++i) {

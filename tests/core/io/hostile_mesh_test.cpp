@@ -78,7 +78,7 @@ std::string objOfBoxes(int boxes) {
 
 bool hasNoChild() { return ::waitpid(-1, nullptr, WNOHANG) < 0 && errno == ECHILD; }
 
-TEST(HostileMesh, emptySparseAccessorsEndTheReaderOnly) {
+TEST(HostileMesh, EmptySparseAccessorsEndTheReaderOnly) {
     const tests::TemporaryFolder folder;
     for (const char* sparse : {"{}", R"({"count":3,"indices":{},"values":{}})"}) {
         const std::string error = meshError(
@@ -89,7 +89,7 @@ TEST(HostileMesh, emptySparseAccessorsEndTheReaderOnly) {
     EXPECT_TRUE(hasNoChild());
 }
 
-TEST(HostileMesh, plyHeadersThatEndOtherwiseAreErrorsOrRead) {
+TEST(HostileMesh, PlyHeadersThatEndOtherwiseAreErrorsOrRead) {
     const tests::TemporaryFolder folder;
     for (const char* end :
          {"end_header", "end_header\r", "end_headerx\n", "comment end_header\n", "END_HEADER\n"}) {
@@ -99,7 +99,7 @@ TEST(HostileMesh, plyHeadersThatEndOtherwiseAreErrorsOrRead) {
     EXPECT_EQ(meshError(folder.file("a.ply", binaryPly("end_header\n", "uchar", "\3"))), "");
 }
 
-TEST(HostileMesh, aListOfTwoBillionCornersIsOutOfMemoryForTheReaderOnly) {
+TEST(HostileMesh, AListOfTwoBillionCornersIsOutOfMemoryForTheReaderOnly) {
     const tests::TemporaryFolder folder;
     for (const char* count : {"\0\0\0\x80", "\xff\xff\xff\x7f"}) {
         const std::string error =
@@ -108,7 +108,7 @@ TEST(HostileMesh, aListOfTwoBillionCornersIsOutOfMemoryForTheReaderOnly) {
     }
 }
 
-TEST(HostileMesh, deepAndEndlessTreesOfNodesEndTheReaderOnly) {
+TEST(HostileMesh, DeepAndEndlessTreesOfNodesEndTheReaderOnly) {
     const tests::TemporaryFolder folder;
     const std::string start = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
     std::string chain, twins;
@@ -125,7 +125,7 @@ TEST(HostileMesh, deepAndEndlessTreesOfNodesEndTheReaderOnly) {
     }
 }
 
-TEST(HostileMesh, aGltfNamesOnlyPlainFilesInItsOwnFolder) {
+TEST(HostileMesh, AGltfNamesOnlyPlainFilesInItsOwnFolder) {
     const tests::TemporaryFolder folder;
     const tests::TemporaryFolder elsewhere;
     std::string points;
@@ -147,7 +147,7 @@ TEST(HostileMesh, aGltfNamesOnlyPlainFilesInItsOwnFolder) {
         EXPECT_EQ(meshError(folder.file("a.gltf", gltfWithUri(uri))), "") << uri;
 }
 
-TEST(HostileMesh, materialsOfAnObjElsewhereAreNotOpened) {
+TEST(HostileMesh, MaterialsOfAnObjElsewhereAreNotOpened) {
     const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
     for (const char* library : {"pipe", "/dev/zero", "../../../../etc/passwd"})
@@ -156,7 +156,7 @@ TEST(HostileMesh, materialsOfAnObjElsewhereAreNotOpened) {
                   "");
 }
 
-TEST(HostileMesh, pipesAndFoldersAreNoMeshes) {
+TEST(HostileMesh, PipesAndFoldersAreNoMeshes) {
     const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo(folder.path("a.obj").c_str(), 0600), 0);
     EXPECT_NE(meshError(folder.path("a.obj")), "");
@@ -165,7 +165,7 @@ TEST(HostileMesh, pipesAndFoldersAreNoMeshes) {
 }
 
 // Formats that the library supports but Noonmark does not, by content or name: COLLADA, STL, a zip.
-TEST(HostileMesh, otherFormatsOfTheLibraryAreNotRead) {
+TEST(HostileMesh, OtherFormatsOfTheLibraryAreNotRead) {
     const tests::TemporaryFolder folder;
     const std::string stl =
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 "
@@ -177,7 +177,7 @@ TEST(HostileMesh, otherFormatsOfTheLibraryAreNotRead) {
         EXPECT_NE(meshError(folder.file(name, content)).find("The mesh cannot be read ("), std::string::npos);
 }
 
-TEST(MeshReaderProcess, saysWhichLimitEndedIt) {
+TEST(MeshReaderProcess, SaysWhichLimitEndedIt) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("a.obj", objOfBoxes(20000));
     MeshReaderLimits late;
@@ -213,7 +213,7 @@ pid_t meshReaderChild() {
     return 0;
 }
 
-TEST(MeshReaderProcess, whichIsKilledIsAnError) {
+TEST(MeshReaderProcess, WhichIsKilledIsAnError) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("a.obj", objOfBoxes(60000));
     std::atomic<bool> killed = false;
@@ -228,7 +228,7 @@ TEST(MeshReaderProcess, whichIsKilledIsAnError) {
     EXPECT_TRUE(hasNoChild());
 }
 
-TEST(MeshReaderProcess, endsWhenReadingIsCancelled) {
+TEST(MeshReaderProcess, EndsWhenReadingIsCancelled) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("a.obj", objOfBoxes(60000));
     std::stop_source stop;
@@ -243,7 +243,7 @@ TEST(MeshReaderProcess, endsWhenReadingIsCancelled) {
     EXPECT_TRUE(hasNoChild());
 }
 
-TEST(MeshReaderProcess, handsOverWhatTheFileHoldsToTheBit) {
+TEST(MeshReaderProcess, HandsOverWhatTheFileHoldsToTheBit) {
     const tests::TemporaryFolder folder;
     std::mt19937 random(3);
     std::uniform_real_distribution<float> number(-500, 500);
@@ -283,7 +283,7 @@ std::string sceneBytes(const MeshScene& scene) {
 const MeshScene twoObjects{
     {"a", {{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {0, 0, 1}}, {3, 4}, {0, 1, 2, 0, 1, 2, 3}}}}, {"b", {}}};
 
-TEST(MeshScene, comesBackAsItWasWritten) {
+TEST(MeshScene, ComesBackAsItWasWritten) {
     bool complete = false;
     const auto scene = parseScene(sceneBytes(twoObjects), complete);
     ASSERT_TRUE(scene && complete);
@@ -297,7 +297,7 @@ TEST(MeshScene, comesBackAsItWasWritten) {
     EXPECT_EQ(error.error().text(), "where: what. advice");
 }
 
-TEST(MeshScene, cutShortOrTooLongIsNotComplete) {
+TEST(MeshScene, CutShortOrTooLongIsNotComplete) {
     const std::string bytes = sceneBytes(twoObjects);
     bool complete = true;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
@@ -308,7 +308,7 @@ TEST(MeshScene, cutShortOrTooLongIsNotComplete) {
     EXPECT_FALSE(complete);
 }
 
-TEST(MeshScene, spoiledBytesNeverCrash) {
+TEST(MeshScene, SpoiledBytesNeverCrash) {
     const std::string bytes = sceneBytes(twoObjects);
     std::mt19937 random(11);
     for (int i = 0; i < 20000; ++i) {

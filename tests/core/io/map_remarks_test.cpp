@@ -11,7 +11,7 @@
 namespace noonmark {
 namespace {
 
-TEST(MapRemarks, areInAPlannersWords) {
+TEST(MapRemarks, AreInAPlannersWords) {
     EXPECT_THAT(makeMapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
                 testing::HasSubstr("were not closed"));
     EXPECT_THAT(makeMapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
@@ -30,7 +30,7 @@ constexpr std::string_view oneClosedOneOpen =
 {"type":"Feature","properties":{"id":"open","height":30},"geometry":{"type":"Polygon","coordinates":
 [[[-73.98,40.751],[-73.9799,40.751],[-73.9799,40.7511],[-73.98,40.7511]]]}}]})";
 
-TEST(MapRemarks, anOutlineThatDoesNotCloseIsReadAndSaid) {
+TEST(MapRemarks, AnOutlineThatDoesNotCloseIsReadAndSaid) {
     const tests::TemporaryFolder folder;
     NoProgress quiet;
     const auto piece = readFootprints(folder.file("a.geojson", oneClosedOneOpen), {}, quiet, {});

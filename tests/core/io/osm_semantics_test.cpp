@@ -64,7 +64,7 @@ double computeArea(const Building& building, const std::string& id) {
     return sum;
 }
 
-TEST_F(OsmSemantics, aBuildingIsItsOutline) {
+TEST_F(OsmSemantics, ABuildingIsItsOutline) {
     const auto way =
         osm.way(sizedRectangle(0, 0, 20, 10), {{"building", "yes"}, {"height", "30 ft"}, {"name", "Shed"}});
     const Building building = only();
@@ -80,7 +80,7 @@ TEST_F(OsmSemantics, aBuildingIsItsOutline) {
     EXPECT_EQ(piece.format, "OpenStreetMap XML");
 }
 
-TEST_F(OsmSemantics, courtyardsStayOpen) {
+TEST_F(OsmSemantics, CourtyardsStayOpen) {
     const auto id =
         osm.relation(sizedRectangle(0, 0, 40, 40), {sizedRectangle(10, 10, 20, 20)}, {{"building", "yes"}});
     const Building building = only();
@@ -88,7 +88,7 @@ TEST_F(OsmSemantics, courtyardsStayOpen) {
     EXPECT_NEAR(area(building.parts[0].footprint), 1200, 0.5);
 }
 
-TEST_F(OsmSemantics, partsReplaceTheirOutline) {
+TEST_F(OsmSemantics, PartsReplaceTheirOutline) {
     const auto outline = osm.way(sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
     const auto low = osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
     const auto high = osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "90"}});
@@ -99,7 +99,7 @@ TEST_F(OsmSemantics, partsReplaceTheirOutline) {
     EXPECT_FLOAT_EQ(cutInterval(building, high).topM, 90);
 }
 
-TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
+TEST_F(OsmSemantics, PartsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
     const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "200"}});
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "200"}});
     osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "25"}});
@@ -110,7 +110,7 @@ TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
     EXPECT_THAT(placesOf("leave some of its outline uncovered"), ElementsAre(outline));
 }
 
-TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
+TEST_F(OsmSemantics, AnOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
     const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "20"}});
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "120"}});
     const Building building = only();
@@ -120,7 +120,7 @@ TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
     EXPECT_TRUE(placesOf("uncovered").empty());
 }
 
-TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
+TEST_F(OsmSemantics, APartThatBeginsAboveTheOutlineReplacesNothing) {
     const auto podium = osm.way(sizedRectangle(0, 0, 40, 40), {{"building", "yes"}, {"height", "20"}});
     const auto tower = osm.way(sizedRectangle(10, 10, 20, 20),
                                {{"building:part", "yes"}, {"height", "100"}, {"min_height", "20"}});
@@ -130,13 +130,13 @@ TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
     EXPECT_FLOAT_EQ(cutInterval(building, tower).bottomM, 20);
 }
 
-TEST_F(OsmSemantics, sliversOfOutlineAreNoBuilding) {
+TEST_F(OsmSemantics, SliversOfOutlineAreNoBuilding) {
     osm.way(sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
     const auto part = osm.way(sizedRectangle(0, 0, 39.5F, 20), {{"building:part", "yes"}, {"height", "90"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(part));
 }
 
-TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
+TEST_F(OsmSemantics, AnOutlineThatIsItselfAPartStands) {
     const auto both = osm.way(sizedRectangle(0, 0, 40, 40),
                               {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
     const auto tower = osm.way(sizedRectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
@@ -145,7 +145,7 @@ TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
     EXPECT_NEAR(computeArea(building, both), 1600, 0.5);
 }
 
-TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
+TEST_F(OsmSemantics, PartsWithoutAnOutlineStandForThemselves) {
     const auto base = osm.way(sizedRectangle(0, 0, 60, 60), {{"building:part", "yes"}, {"height", "320"}});
     const auto middle = osm.way(sizedRectangle(10, 10, 40, 40),
                                 {{"building:part", "yes"}, {"min_height", "320"}, {"height", "390"}});
@@ -162,7 +162,7 @@ TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(elsewhere));
 }
 
-TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
+TEST_F(OsmSemantics, BuildingsThatShareAPartyWallStayTwo) {
     const auto west = osm.way(sizedRectangle(0, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
     const auto east = osm.way(sizedRectangle(10, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
     const auto westPart =
@@ -177,7 +177,7 @@ TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(eastPart));
 }
 
-TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
+TEST_F(OsmSemantics, APartBelongsToTheSmallestOutlineAroundIt) {
     osm.way(sizedRectangle(0, 0, 100, 100), {{"building", "yes"}, {"height", "9"}});
     const auto inner = osm.way(sizedRectangle(20, 20, 30, 30), {{"building", "yes"}, {"height", "40"}});
     const auto part = osm.way(sizedRectangle(20, 20, 30, 30), {{"building:part", "yes"}, {"height", "50"}});
@@ -187,7 +187,7 @@ TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(part));
 }
 
-TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
+TEST_F(OsmSemantics, MinHeightLiftsAndWhatIsOpenBelowHangs) {
     osm.way(sizedRectangle(0, 0, 30, 10), {{"building", "yes"}, {"height", "30"}});
     const auto leg = osm.way(sizedRectangle(0, 0, 10, 10), {{"building:part", "yes"}, {"height", "30"}});
     const auto bridge = osm.way(sizedRectangle(10, 0, 20, 10),
@@ -198,7 +198,7 @@ TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
     EXPECT_FLOAT_EQ(cutInterval(building, bridge).bottomM, 12.8F);
 }
 
-TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
+TEST_F(OsmSemantics, WhatStandsOnSomethingThatHangsHangs) {
     const auto slab = osm.way(sizedRectangle(0, 0, 30, 10),
                               {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
     const auto top = osm.way(sizedRectangle(5, 0, 20, 10),
@@ -208,7 +208,7 @@ TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
     EXPECT_TRUE(cutInterval(building, top).isOverhanging);
 }
 
-TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
+TEST_F(OsmSemantics, ASlitOfLessThanAStoreyIsClosedAndSaid) {
     osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
     const auto upper = osm.way(sizedRectangle(5, 5, 20, 20),
                                {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
@@ -219,7 +219,7 @@ TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
 }
 
 // Chicago's Marina City stands on a deck, and its towers are mapped below the layer of the street.
-TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
+TEST_F(OsmSemantics, ALayerBelow0DoesNotBuryATower) {
     const auto marinaCity = osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"},
                                                                    {"building:levels", "61"},
                                                                    {"height", "167"},
@@ -252,7 +252,7 @@ TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
     EXPECT_EQ((*tower)->parts[0].bottomM, 55);
 }
 
-TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
+TEST_F(OsmSemantics, UndergroundIsLeftOutAndSaid) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}});
     const auto station =
         osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "train_station"}, {"location", "underground"}});
@@ -261,7 +261,7 @@ TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
     EXPECT_THAT(placesOf("underground"), ElementsAre(station, cellar));
 }
 
-TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
+TEST_F(OsmSemantics, ACanopyHangsAsAThinSlab) {
     const auto canopy =
         osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "roof"}, {"height", "5"}, {"layer", "1"}});
     const auto bare = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "roof"}});
@@ -276,7 +276,7 @@ TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
     EXPECT_THAT(placesOf("slab"), ElementsAre(canopy, bare));
 }
 
-TEST_F(OsmSemantics, noMeansNo) {
+TEST_F(OsmSemantics, NoMeansNo) {
     const auto yes = osm.way(sizedRectangle(0, 0, 10, 10),
                              {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
     const auto no = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "no"}});
@@ -285,7 +285,7 @@ TEST_F(OsmSemantics, noMeansNo) {
     EXPECT_THAT(placesOf("not tagged as a building"), ElementsAre(no, noPart));
 }
 
-TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
+TEST_F(OsmSemantics, ShapedRoofsAreFlatAndCounted) {
     const auto gabled = osm.way(sizedRectangle(0, 0, 10, 10),
                                 {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
     osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
@@ -294,14 +294,14 @@ TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
     EXPECT_THAT(placesOf("roof is not flat"), ElementsAre(gabled));
 }
 
-TEST_F(OsmSemantics, anyTagMayBeTheUsersHeight) {
+TEST_F(OsmSemantics, AnyTagMayBeTheUsersHeight) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"est:eaves", "70"}});
     settings.heightField = "est:eaves";
     settings.heightUnit = LengthUnit::feet;
     EXPECT_NEAR(only().parts[0].topM, 21.336, 1e-4);
 }
 
-TEST_F(OsmSemantics, aBuildingInTheMakingSaysSo) {
+TEST_F(OsmSemantics, ABuildingInTheMakingSaysSo) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "construction"}, {"height", "9"}});
     EXPECT_EQ(only().status, "under construction");
 }

@@ -14,7 +14,7 @@ using tests::read;
 using tests::readText;
 using tests::warns;
 
-TEST(ReadCityJson, oneBadObjectIsAWarning) {
+TEST(ReadCityJson, OneBadObjectIsAWarning) {
     CityJsonMaker maker;
     maker.addBuilding("good", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     Json bad = maker.boxSolid({20, 0, 0}, {30, 10, 10});
@@ -35,7 +35,7 @@ TEST(ReadCityJson, oneBadObjectIsAWarning) {
     EXPECT_TRUE(warns(*piece, "not closed"));
 }
 
-TEST(ReadCityJson, parentsThatGoRoundEnd) {
+TEST(ReadCityJson, ParentsThatGoRoundEnd) {
     CityJsonMaker maker;
     maker.addBuilding("a", maker.boxSolid({0, 0, 0}, {10, 10, 10}), "BuildingPart");
     maker.addBuilding("b", maker.boxSolid({20, 0, 0}, {30, 10, 10}), "BuildingPart");
@@ -48,7 +48,7 @@ TEST(ReadCityJson, parentsThatGoRoundEnd) {
     EXPECT_EQ(parts, 2U);
 }
 
-TEST(ReadCityJson, filesWithoutAPlaceAreErrors) {
+TEST(ReadCityJson, FilesWithoutAPlaceAreErrors) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     const auto none = read(maker.document("2.0", ""));
@@ -64,7 +64,7 @@ TEST(ReadCityJson, filesWithoutAPlaceAreErrors) {
     EXPECT_FALSE(read(maker.document("2.0", "EPSG:4326")));
 }
 
-TEST(ReadCityJson, filesWithNothingAreErrors) {
+TEST(ReadCityJson, FilesWithNothingAreErrors) {
     for (const char* text : {"", "{}", "[]", "5", "{\"type\":\"CityJSON\"}", "{\"type\":\"CityJSONFeature\"}",
                              "\xff\xfe", "{\"type\":\"CityJSON\",\"vertices\":[[1e999,0,0]]}"}) {
         const auto piece = readText(text);
@@ -76,7 +76,7 @@ TEST(ReadCityJson, filesWithNothingAreErrors) {
     EXPECT_FALSE(readCityJson("/nowhere/city.json", {}, progress, {}));
 }
 
-TEST(ReadCityJson, truncatedAnywhereNeverCrashes) {
+TEST(ReadCityJson, TruncatedAnywhereNeverCrashes) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     const std::string whole = maker.document().dump();
@@ -84,7 +84,7 @@ TEST(ReadCityJson, truncatedAnywhereNeverCrashes) {
         EXPECT_FALSE(readText(whole.substr(0, length))) << length;
 }
 
-TEST(ReadCityJson, stops) {
+TEST(ReadCityJson, Stops) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     const tests::TemporaryFolder folder;

@@ -63,7 +63,7 @@ protected:
     ReadSettings settings;
 };
 
-TEST_F(ReadCity, oneFileIsACity) {
+TEST_F(ReadCity, OneFileIsACity) {
     const CityRead read = this->read({osmFile("a.osm", 0)});
     EXPECT_EQ(read.city.buildings.size(), 1U);
     EXPECT_EQ(read.city.terrain, nullptr);
@@ -72,7 +72,7 @@ TEST_F(ReadCity, oneFileIsACity) {
     EXPECT_EQ(read.features, 1U);
 }
 
-TEST_F(ReadCity, theFirstFileFixesTheFrameForAll) {
+TEST_F(ReadCity, TheFirstFileFixesTheFrameForAll) {
     const auto first = osmFile("a.osm", 0);
     const CityRead both = read({first, osmFile("b.osm", 1000)});
     ASSERT_EQ(both.city.buildings.size(), 2U);
@@ -82,7 +82,7 @@ TEST_F(ReadCity, theFirstFileFixesTheFrameForAll) {
     EXPECT_EQ(both.features, 2U);
 }
 
-TEST_F(ReadCity, buildingsStandOnTheTerrainWhereverItIsNamed) {
+TEST_F(ReadCity, BuildingsStandOnTheTerrainWhereverItIsNamed) {
     const auto west = osmFile("a.osm", -300);
     const auto east = osmFile("b.osm", 300);
     const auto ground = terrainFile();
@@ -98,7 +98,7 @@ TEST_F(ReadCity, buildingsStandOnTheTerrainWhereverItIsNamed) {
     }
 }
 
-TEST_F(ReadCity, groundElevationsWithoutTerrainAreTakenOffAndSaid) {
+TEST_F(ReadCity, GroundElevationsWithoutTerrainAreTakenOffAndSaid) {
     const auto file = folder.file(
         "a.geojson",
         R"({"type":"FeatureCollection","features":[)"
@@ -113,7 +113,7 @@ TEST_F(ReadCity, groundElevationsWithoutTerrainAreTakenOffAndSaid) {
     EXPECT_THAT(read.warnings[0].what, HasSubstr("there is no terrain"));
 }
 
-TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
+TEST_F(ReadCity, OurOwnGeoPackageGivesTheSameCityBack) {
     tests::OsmText osm;
     osm.way(sizedRectangle(0, 0, 60, 60), {{"building", "yes"}, {"height", "40"}, {"name", "Hall"}});
     osm.way(sizedRectangle(0, 0, 60, 30), {{"building:part", "yes"}, {"height", "10"}});
@@ -128,7 +128,7 @@ TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
     settings.frame = city.frame;
     const CityRead back = read({folder.path("a.gpkg")});
     EXPECT_EQ(back.format, "GeoPackage");
-    EXPECT_TRUE(back.warnings.empty()) << lineOf(grouped(back.warnings)[0]);
+    EXPECT_TRUE(back.warnings.empty()) << lineOf(groupWarnings(back.warnings)[0]);
     ASSERT_EQ(back.city.buildings.size(), city.buildings.size());
     for (std::size_t i = 0; i < city.buildings.size(); ++i) {
         const Building& before = *city.buildings[i];
@@ -149,7 +149,7 @@ TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
     }
 }
 
-TEST_F(ReadCity, midtownSurvivesItsGeoPackage) {
+TEST_F(ReadCity, MidtownSurvivesItsGeoPackage) {
     const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";
     const City city = read({*file}).city;
@@ -166,7 +166,7 @@ TEST_F(ReadCity, midtownSurvivesItsGeoPackage) {
     }
 }
 
-TEST_F(ReadCity, warningsSayWhoseTheyAreAmongSeveralFiles) {
+TEST_F(ReadCity, WarningsSayWhoseTheyAreAmongSeveralFiles) {
     tests::OsmText osm;
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building", "yes"}});
     const CityRead read = this->read({osmFile("a.osm", 50), folder.file("b.osm", osm.xml())});
@@ -174,20 +174,20 @@ TEST_F(ReadCity, warningsSayWhoseTheyAreAmongSeveralFiles) {
     EXPECT_EQ(read.warnings[0].where, "b.osm: way 1");
 }
 
-TEST_F(ReadCity, aFileThatCannotBeReadNamesItself) {
+TEST_F(ReadCity, AFileThatCannotBeReadNamesItself) {
     EXPECT_THAT(errorOf({osmFile("a.osm", 0), folder.file("b.geojson", "{}")}), HasSubstr("b.geojson"));
     EXPECT_THAT(errorOf({folder.path("missing.osm")}), HasSubstr("missing.osm"));
     EXPECT_FALSE(errorOf({}).empty());
 }
 
-TEST_F(ReadCity, progressOfSeveralFilesOnlyGrows) {
+TEST_F(ReadCity, ProgressOfSeveralFilesOnlyGrows) {
     tests::GrowingProgress progress;
     ASSERT_TRUE(readCity({osmFile("a.osm", 0), osmFile("b.osm", 100)}, settings, progress, {}));
     EXPECT_TRUE(progress.grew);
     EXPECT_DOUBLE_EQ(progress.last, 1);
 }
 
-TEST_F(ReadCity, canBeStopped) {
+TEST_F(ReadCity, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress quiet;

@@ -28,7 +28,7 @@ Part onlyPart(const Result<FilePiece>& piece) {
     return piece->buildings[0]->parts[0];
 }
 
-TEST(ReadCityJson, aCubeInEveryVersion) {
+TEST(ReadCityJson, ACubeInEveryVersion) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
     for (const char* version : {"1.0", "1.1", "2.0"})
@@ -53,7 +53,7 @@ TEST(ReadCityJson, aCubeInEveryVersion) {
         }
 }
 
-TEST(ReadCityJson, oldVersionWithoutTransform) {
+TEST(ReadCityJson, OldVersionWithoutTransform) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
     Json document = maker.document("1.0", "urn:ogc:def:crs:EPSG::7415");
@@ -65,7 +65,7 @@ TEST(ReadCityJson, oldVersionWithoutTransform) {
     expectClosedSolid(onlyPart(read(document)), 6000);
 }
 
-TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
+TEST(ReadCityJson, SaysWhatGroundABuildingStandsOn) {
     // On a hillside: without terrain readCity() subtracts these elevations, otherwise light would pass under
     // the buildings.
     CityJsonMaker maker;
@@ -78,7 +78,7 @@ TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
     EXPECT_NEAR(std::abs(*piece->groundM[0] - *piece->groundM[1]), 12, 1e-3);
 }
 
-TEST(ReadCityJson, trueNorthIsUpAndMetresAreMetres) {
+TEST(ReadCityJson, TrueNorthIsUpAndMetresAreMetres) {
     // RD's north is 24' east of true north at Amsterdam's longitude west of the centre: a wall along it
     // deviates by that angle.
     CityJsonMaker maker;
@@ -90,7 +90,7 @@ TEST(ReadCityJson, trueNorthIsUpAndMetresAreMetres) {
     EXPECT_NEAR(leanDeg, 0.40, 0.05);
 }
 
-TEST(ReadCityJson, aShaftThroughATower) {
+TEST(ReadCityJson, AShaftThroughATower) {
     CityJsonMaker maker;
     const int outer = maker.addBox({0, 0, 0}, {10, 10, 30});
     const int inner = maker.addBox({3, 3, 0}, {7, 7, 30});
@@ -106,7 +106,7 @@ TEST(ReadCityJson, aShaftThroughATower) {
     EXPECT_NEAR(area(part.footprint), 84, 0.1);
 }
 
-TEST(ReadCityJson, anLShapeKeepsItsNotch) {
+TEST(ReadCityJson, AnLShapeKeepsItsNotch) {
     CityJsonMaker maker;
     const std::vector<glm::dvec2> corners{{0, 0}, {20, 0}, {20, 5}, {5, 5}, {5, 20}, {0, 20}};
     Json top = Json::array();
@@ -126,7 +126,7 @@ TEST(ReadCityJson, anLShapeKeepsItsNotch) {
     EXPECT_NEAR(area(part.footprint), 175, 0.1);
 }
 
-TEST(ReadCityJson, aCavityIsHollowButDoesNotHang) {
+TEST(ReadCityJson, ACavityIsHollowButDoesNotHang) {
     for (const bool inward : {true, false}) {  // some files orient inner shells the wrong way
         CityJsonMaker maker;
         const int outer = maker.addBox({0, 0, 0}, {10, 10, 30});
@@ -141,7 +141,7 @@ TEST(ReadCityJson, aCavityIsHollowButDoesNotHang) {
     }
 }
 
-TEST(ReadCityJson, partsOfABuildingAreOneBuilding) {
+TEST(ReadCityJson, PartsOfABuildingAreOneBuilding) {
     CityJsonMaker maker;
     maker.objects["house"] = {{"type", "Building"},
                               {"attributes", {{"name", "Town hall"}, {"status", "built"}}},
@@ -162,7 +162,7 @@ TEST(ReadCityJson, partsOfABuildingAreOneBuilding) {
         EXPECT_EQ(part.isOverhanging, part.sourceId == "bridge") << part.sourceId;
 }
 
-TEST(ReadCityJson, multiSolidsAndSurfaces) {
+TEST(ReadCityJson, MultiSolidsAndSurfaces) {
     CityJsonMaker maker;
     const int a = maker.addBox({0, 0, 0}, {10, 10, 10});
     const int b = maker.addBox({20, 0, 0}, {30, 10, 20});
@@ -188,7 +188,7 @@ TEST(ReadCityJson, multiSolidsAndSurfaces) {
     }
 }
 
-TEST(ReadCityJson, levelOfDetail) {
+TEST(ReadCityJson, LevelOfDetail) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}, "1.2"));
     maker.objects["cube"]["geometry"].push_back(maker.boxSolid({0, 0, 0}, {10, 10, 22}, "2.2"));
@@ -206,7 +206,7 @@ TEST(ReadCityJson, levelOfDetail) {
     EXPECT_FALSE(read(document, settings));
 }
 
-TEST(ReadCityJson, footprintsAreExtruded) {
+TEST(ReadCityJson, FootprintsAreExtruded) {
     CityJsonMaker maker;
     const int first = maker.addBox({0, 0, 0}, {10, 10, 1});
     const Json flat{
@@ -235,7 +235,7 @@ TEST(ReadCityJson, footprintsAreExtruded) {
 }
 
 // The elevations of 3DBAG's LoD 0 are above NAP: the height is the difference from the ground.
-TEST(ReadCityJson, heightsOverTheGroundsElevation) {
+TEST(ReadCityJson, HeightsOverTheGroundsElevation) {
     CityJsonMaker maker;
     const int first = maker.addBox({0, 0, 0}, {10, 10, 1});
     const Json flat{
@@ -255,7 +255,7 @@ TEST(ReadCityJson, heightsOverTheGroundsElevation) {
     EXPECT_EQ(piece->heights.fields[0].meaning, "70th percentile of the roof");
 }
 
-TEST(ReadCityJson, aTinBecomesTheTerrain) {
+TEST(ReadCityJson, ATinBecomesTheTerrain) {
     CityJsonMaker maker;
     Json triangles = Json::array();
     constexpr int side = 21;
@@ -284,7 +284,7 @@ TEST(ReadCityJson, aTinBecomesTheTerrain) {
     EXPECT_FALSE(piece->buildings[0]->parts[0].isOverhanging);
 }
 
-TEST(ReadCityJson, sequence) {
+TEST(ReadCityJson, Sequence) {
     CityJsonMaker maker;
     Json header = maker.document();
     std::string text = header.dump() + "\n";
@@ -306,12 +306,12 @@ TEST(ReadCityJson, sequence) {
     ASSERT_EQ(piece->buildings.size(), 3U);
     for (int i = 0; i < 3; ++i)
         expectClosedSolid(piece->buildings[std::size_t(i)]->parts.at(0), 100 * (10 + i));
-    const auto groups = grouped(piece->warnings);
+    const auto groups = groupWarnings(piece->warnings);
     ASSERT_EQ(groups.size(), 1U);
     EXPECT_EQ(groups[0].where, (std::vector<std::string>{"city.json: line 5", "city.json: line 7"}));
 }
 
-TEST(ReadCityJson, feetByTheVerticalSystem) {
+TEST(ReadCityJson, FeetByTheVerticalSystem) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {100, 100, 1000}));
     Json document = maker.document("2.0", "EPSG:2263+6360");
@@ -325,7 +325,7 @@ TEST(ReadCityJson, feetByTheVerticalSystem) {
     EXPECT_TRUE(warns(*assumed, "no unit"));
 }
 
-TEST(ReadCityJson, whatIsLeftOutIsSaid) {
+TEST(ReadCityJson, WhatIsLeftOutIsSaid) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     maker.addBuilding("cube2", maker.boxSolid({30, 0, 0}, {40, 10, 10}));

@@ -44,7 +44,7 @@ protected:
                     squareAt(13.4, R"("lot":9,"owner":"c")")}));
 };
 
-TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
+TEST_F(ReadParcels, NamesComeFromAUsualFieldOrTheOneAsked) {
     const Region here = makeRegionFromLocalBox({{-1000, -1000}, {1000, 1000}});
     const auto usual = read({.within = here}).value();
     ASSERT_EQ(usual.size(), 2U);  // the third is in another city
@@ -53,14 +53,14 @@ TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
     EXPECT_EQ(read({.nameField = "OWNER", .within = here}).value()[1].name, "b");
 }
 
-TEST_F(ReadParcels, thoseAskedForAlone) {
+TEST_F(ReadParcels, ThoseAskedForAlone) {
     EXPECT_EQ(read({.names = {"8"}}).value().size(), 1U);
     const auto east = read({.within = makeRegionFromLocalBox({{90, 0}, {200, 200}})}).value();
     ASSERT_EQ(east.size(), 1U);
     EXPECT_EQ(east[0].name, "8");
 }
 
-TEST_F(ReadParcels, whatIsWrongIsSaid) {
+TEST_F(ReadParcels, WhatIsWrongIsSaid) {
     EXPECT_THAT(read({}).error().text(), HasSubstr("km from the city"));
     EXPECT_THAT(read({.nameField = "street"}).error().text(), HasSubstr("lot, owner"));
     EXPECT_THAT(read({.layer = "roads"}).error().text(), HasSubstr("plots"));
@@ -71,7 +71,7 @@ TEST_F(ReadParcels, whatIsWrongIsSaid) {
     EXPECT_THAT(read({}).error().text(), HasSubstr("gone.gpkg"));
 }
 
-TEST_F(ReadParcels, aRegisterOfAWholeCityIsRefusedAndStops) {
+TEST_F(ReadParcels, ARegisterOfAWholeCityIsRefusedAndStops) {
     std::vector<std::string> many;
     for (std::size_t i = 0; i <= ParcelSettings::mostParcels; ++i)
         many.push_back(squareAt(-73.98, fmt::format(R"("lot":{})", i)));
@@ -104,7 +104,7 @@ void writeFeetShapefile(const std::filesystem::path& file, double eastFt, double
     ASSERT_EQ(layer->CreateFeature(feature.get()), OGRERR_NONE);
 }
 
-TEST_F(ReadParcels, aShapefileInFeetIsInMetres) {
+TEST_F(ReadParcels, AShapefileInFeetIsInMetres) {
     file_ = folder_.path("plots.shp");
     writeFeetShapefile(file_, 990'000, 217'000, 200);
     const auto plots = read({}).value();

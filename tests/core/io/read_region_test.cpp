@@ -34,14 +34,14 @@ std::string feature(const std::string& type, const std::string& coordinates) {
 constexpr const char* block =
     "[[[-73.985,40.748],[-73.975,40.748],[-73.975,40.752],[-73.985,40.752],[-73.985,40.748]]]";
 
-TEST(ReadRegion, boxInDegrees) {
+TEST(ReadRegion, BoxInDegrees) {
     const auto region = readRegion("-73.985,40.748,-73.975,40.752", frame);
     ASSERT_TRUE(region) << errorOf(region);
     EXPECT_NEAR(computeArea(*region), 844.6 * 444.2, 0.002 * 844.6 * 444.2);
     EXPECT_TRUE(readRegion(" -73.985, 40.748, -73.975, 40.752", frame));
 }
 
-TEST(ReadRegion, acrossTheAntimeridian) {
+TEST(ReadRegion, AcrossTheAntimeridian) {
     const Frame taveuni({180, -16.85});
     const auto box = readRegion("179.99,-16.86,-179.99,-16.84", taveuni);
     ASSERT_TRUE(box) << errorOf(box);
@@ -62,7 +62,7 @@ TEST(ReadRegion, acrossTheAntimeridian) {
     EXPECT_NEAR(computeArea(*again), computeArea(drawn), 0.5);  // its sides are straight in degrees
 }
 
-TEST(ReadRegion, boxThatIsNotOne) {
+TEST(ReadRegion, BoxThatIsNotOne) {
     EXPECT_THAT(errorOf(readRegion("-73.985,40.748,-73.975", frame)), HasSubstr("four numbers"));
     EXPECT_THAT(errorOf(readRegion("-73.985,40.748,-73.975,40.752,7", frame)), HasSubstr("four numbers"));
     EXPECT_THAT(errorOf(readRegion("-73.985,40.748,-73.975,north", frame)), HasSubstr("four numbers"));
@@ -71,13 +71,13 @@ TEST(ReadRegion, boxThatIsNotOne) {
     EXPECT_FALSE(readRegion("nan,40.748,-73.985,40.752", frame));
 }
 
-TEST(ReadRegion, boxOfAnotherCity) {
+TEST(ReadRegion, BoxOfAnotherCity) {
     EXPECT_THAT(errorOf(readRegion("13.3,52.5,13.4,52.6", frame)), HasSubstr("km from the city"));
     EXPECT_THAT(errorOf(readRegion("40.748,-73.985,40.752,-73.975", frame)),
                 HasSubstr("west,south,east,north"));
 }
 
-TEST(ReadRegion, wellKnownTextIsTheSamePlaceAsTheBox) {
+TEST(ReadRegion, WellKnownTextIsTheSamePlaceAsTheBox) {
     const auto box = readRegion("-73.985,40.748,-73.975,40.752", frame);
     const auto polygon = readRegion(
         "Polygon ((-73.985 40.748, -73.975 40.748, -73.975 40.752, -73.985 40.752, -73.985 40.748))", frame);
@@ -91,7 +91,7 @@ TEST(ReadRegion, wellKnownTextIsTheSamePlaceAsTheBox) {
     EXPECT_EQ(two->polygons.size(), 2U);
 }
 
-TEST(ReadRegion, wellKnownTextThatIsNone) {
+TEST(ReadRegion, WellKnownTextThatIsNone) {
     EXPECT_THAT(errorOf(readRegion("POLYGON ((1 2", frame)), HasSubstr("well-known text"));
     EXPECT_THAT(errorOf(readRegion("POLYGON EMPTY", frame)), HasSubstr("no area"));
     EXPECT_THAT(errorOf(readRegion("POLYGON ((13.3 52.5, 13.4 52.5, 13.4 52.6, 13.3 52.5))", frame)),
@@ -99,7 +99,7 @@ TEST(ReadRegion, wellKnownTextThatIsNone) {
     EXPECT_FALSE(readRegion("POLYGON ((nan 40, -73 40, -73 41, nan 40))", frame));
 }
 
-TEST(ReadRegion, polygonFileIsTheSamePlaceAsTheBox) {
+TEST(ReadRegion, PolygonFileIsTheSamePlaceAsTheBox) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("block.geojson", collection(feature("Polygon", block)));
     const auto region = readRegion(file.string(), frame);
@@ -111,7 +111,7 @@ TEST(ReadRegion, polygonFileIsTheSamePlaceAsTheBox) {
     EXPECT_NEAR(bounds(*region).high.y, bounds(*box).high.y, 0.01);
 }
 
-TEST(ReadRegion, allPolygonsCountAndNothingElse) {
+TEST(ReadRegion, AllPolygonsCountAndNothingElse) {
     const tests::TemporaryFolder folder;
     const std::string two =
         "[[[[-73.980,40.75],[-73.979,40.75],[-73.979,40.751],[-73.980,40.75]]],"
@@ -124,7 +124,7 @@ TEST(ReadRegion, allPolygonsCountAndNothingElse) {
     EXPECT_EQ(region->polygons.size(), 3U);
 }
 
-TEST(ReadRegion, projectedFeetAreReprojected) {
+TEST(ReadRegion, ProjectedFeetAreReprojected) {
     const tests::TemporaryFolder folder;
     // New York State Plane, feet: 1000 ft x 500 ft near Bryant Park.
     const auto file = folder.file(
@@ -139,7 +139,7 @@ TEST(ReadRegion, projectedFeetAreReprojected) {
     EXPECT_NEAR(computeArea(*region), 1000 * 500 * squareFootM2, 0.001 * 1000 * 500 * squareFootM2);
 }
 
-TEST(ReadRegion, bowTieIsRepaired) {
+TEST(ReadRegion, BowTieIsRepaired) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file(
         "bow.geojson",
@@ -150,7 +150,7 @@ TEST(ReadRegion, bowTieIsRepaired) {
     EXPECT_EQ(region->polygons.size(), 2U);
 }
 
-TEST(ReadRegion, filesThatAreNoRegion) {
+TEST(ReadRegion, FilesThatAreNoRegion) {
     const tests::TemporaryFolder folder;
     EXPECT_THAT(errorOf(readRegion(folder.file("words.txt", "hello").string(), frame)),
                 HasSubstr("words.txt"));
@@ -170,7 +170,7 @@ TEST(ReadRegion, filesThatAreNoRegion) {
                 HasSubstr("no such file"));
 }
 
-TEST(ReadRegion, aPointFarOffIsSaidAtOnce) {
+TEST(ReadRegion, APointFarOffIsSaidAtOnce) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file(
         "far.geojson",
@@ -179,7 +179,7 @@ TEST(ReadRegion, aPointFarOffIsSaidAtOnce) {
     EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("is outside the range of"));
 }
 
-TEST(ReadRegion, fileWithoutCrs) {
+TEST(ReadRegion, FileWithoutCrs) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("plain.csv", "id,WKT\n1,\"POLYGON((0 0,10 0,10 10,0 0))\"\n");
     EXPECT_THAT(errorOf(readRegion(file.string(), frame)), HasSubstr("coordinate reference system"));

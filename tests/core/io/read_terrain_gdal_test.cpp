@@ -113,7 +113,7 @@ double worstError(const FilePiece& piece, const Frame& frame, const Raster& rast
     return worst;
 }
 
-TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
+TEST(ReadTerrain, AKnownSlopeComesBackWithinADecimetreOfItsPlace) {
     const Raster raster;  // steep, 1.1 : 1, so that an error of position shows as an error of height
     const auto piece = read(raster);
     ASSERT_TRUE(piece) << piece.error().text();
@@ -130,7 +130,7 @@ TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
     EXPECT_TRUE(piece->warnings.empty()) << piece->warnings[0].what;
 }
 
-TEST(ReadTerrain, joinsAProject) {
+TEST(ReadTerrain, JoinsAProject) {
     const Raster raster;
     ReadSettings settings;
     settings.frame = Frame({-73.95, 40.75}, 12.5);
@@ -140,7 +140,7 @@ TEST(ReadTerrain, joinsAProject) {
     EXPECT_LT(worstError(*piece, *settings.frame, raster), 0.1);
 }
 
-TEST(ReadTerrain, largePixelsKeepTheirPlace) {
+TEST(ReadTerrain, LargePixelsKeepTheirPlace) {
     Raster raster;
     raster.pixelM = 500;  // 30 km
     const auto piece = read(raster);
@@ -152,7 +152,7 @@ TEST(ReadTerrain, largePixelsKeepTheirPlace) {
     EXPECT_LT(worstError(*gentle, *gentle->frame, raster), 0.1);
 }
 
-TEST(ReadTerrain, noDataIsFilledFromTheNearestAndCounted) {
+TEST(ReadTerrain, NoDataIsFilledFromTheNearestAndCounted) {
     Raster raster;
     raster.noData = -9999;
     raster.value = [](double e, double n) { return std::hypot(e - 585300, n - 4511700) < 60 ? -9999 : 25; };
@@ -167,7 +167,7 @@ TEST(ReadTerrain, noDataIsFilledFromTheNearestAndCounted) {
         for (const float z : piece->terrain->elevationM) EXPECT_NEAR(z, 0, 0.02);
 }
 
-TEST(ReadTerrain, unitScaleAndOffset) {
+TEST(ReadTerrain, UnitScaleAndOffset) {
     Raster raster;
     raster.unit = "ft";
     EXPECT_LT(worstError(read(raster).value(), read(raster)->frame.value(), raster, 0.3048), 0.1);
@@ -185,7 +185,7 @@ TEST(ReadTerrain, unitScaleAndOffset) {
     EXPECT_LT(worstError(*scaled, *settings.frame, expected), 0.1);
 }
 
-TEST(ReadTerrain, feetOfTheMapAreAssumedAndSaid) {
+TEST(ReadTerrain, FeetOfTheMapAreAssumedAndSaid) {
     Raster raster;
     raster.epsg = 2263;  // New York, US survey feet
     raster.west = 985000;
@@ -203,7 +203,7 @@ TEST(ReadTerrain, feetOfTheMapAreAssumedAndSaid) {
     EXPECT_NEAR(read(raster, settings)->terrain->elevationM[0], 100 - drop, 0.01);
 }
 
-TEST(ReadTerrain, firstOfSeveralBands) {
+TEST(ReadTerrain, FirstOfSeveralBands) {
     Raster raster;
     raster.bands = 2;
     const auto piece = read(raster);
@@ -212,7 +212,7 @@ TEST(ReadTerrain, firstOfSeveralBands) {
     EXPECT_TRUE(warns(*piece, "several bands"));
 }
 
-TEST(ReadTerrain, farAwayIsCut) {
+TEST(ReadTerrain, FarAwayIsCut) {
     Raster raster;
     raster.pixelM = 1000;
     raster.value = [](double, double) { return 7; };
@@ -228,7 +228,7 @@ TEST(ReadTerrain, farAwayIsCut) {
     EXPECT_FALSE(read(raster, settings));
 }
 
-TEST(ReadTerrain, aFlatSeaSinksWithTheEarth) {
+TEST(ReadTerrain, AFlatSeaSinksWithTheEarth) {
     Raster raster;
     raster.pixelM = 1000;
     raster.value = [](double, double) { return 7; };
@@ -242,7 +242,7 @@ TEST(ReadTerrain, aFlatSeaSinksWithTheEarth) {
     }
 }
 
-TEST(ReadTerrain, whatCannotBeTerrainIsAnError) {
+TEST(ReadTerrain, WhatCannotBeTerrainIsAnError) {
     Raster raster;
     raster.epsg = 0;
     const auto noCrs = read(raster);
@@ -263,7 +263,7 @@ TEST(ReadTerrain, whatCannotBeTerrainIsAnError) {
     EXPECT_NE(read(empty).error().what.find("no elevation"), std::string::npos);
 }
 
-TEST(ReadTerrain, truncatedAnywhereNeverCrashes) {
+TEST(ReadTerrain, TruncatedAnywhereNeverCrashes) {
     const tests::TemporaryFolder folder;
     const auto whole = written(folder, Raster{.size = 12});
     std::string content(std::filesystem::file_size(whole), '\0');
@@ -275,7 +275,7 @@ TEST(ReadTerrain, truncatedAnywhereNeverCrashes) {
     }
 }
 
-TEST(ReadTerrain, stops) {
+TEST(ReadTerrain, Stops) {
     std::stop_source source;
     source.request_stop();
     const tests::TemporaryFolder folder;

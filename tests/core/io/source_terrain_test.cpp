@@ -164,27 +164,27 @@ std::filesystem::path hillsIn(const TemporaryFolder& folder, int epsg, glm::dvec
     return path;
 }
 
-TEST(SourceTerrain, hillsInAGridTurnedFromTrueNorthKeepTheirShadows) {
+TEST(SourceTerrain, HillsInAGridTurnedFromTrueNorthKeepTheirShadows) {
     const TemporaryFolder folder;
     // UTM zone 33 at Gotland's longitude, 4 degrees from its middle: turned by 3.4 degrees.
     expectTheSameSurface("UTM",
                          comparedFile(hillsIn(folder, 32633, {735000, 6400000}, 2, 160), {110, 110}, 300));
 }
 
-TEST(SourceTerrain, pixelsOfLongitudeAndLatitudeKeepTheirShadows) {
+TEST(SourceTerrain, PixelsOfLongitudeAndLatitudeKeepTheirShadows) {
     const TemporaryFolder folder;
     // 2.2 by 1.1 m.
     expectTheSameSurface("degrees",
                          comparedFile(hillsIn(folder, 4326, {18.3, 60.5}, 2e-5, 160), {60, 110}, 300));
 }
 
-TEST(SourceTerrain, goteborgsGroundKeepsItsShadows) {
+TEST(SourceTerrain, GoteborgsGroundKeepsItsShadows) {
     const auto file = sharedData("goteborg/DEM_KRbig.tif");
     if (!file) GTEST_SKIP() << "shared data is missing";
     expectTheSameSurface("Goteborg, ground", comparedFile(*file, {100, 95}, 300));
 }
 
-TEST(SourceTerrain, goteborgsRoofsKeepTheirShadows) {
+TEST(SourceTerrain, GoteborgsRoofsKeepTheirShadows) {
     const auto file = sharedData("goteborg/DSM_KRbig.tif");
     if (!file) GTEST_SKIP() << "shared data is missing";
     const Compared compared = comparedFile(*file, {100, 95}, 120);

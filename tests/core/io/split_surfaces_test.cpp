@@ -97,7 +97,7 @@ void expectHouse(const Building& building, float west, float east) {
     EXPECT_NEAR(bounds(part.footprint).high.x, east, 0.011);
 }
 
-TEST(SplitSurfaces, namesOfOneStemAreOneBuilding) {
+TEST(SplitSurfaces, NamesOfOneStemAreOneBuilding) {
     const SplitMesh parts = split(house(0, 10));
     const FilePiece piece = pieceOf({{"building_12_WallSurface", parts.walls},
                                      {"building_12_RoofSurface", parts.roof},
@@ -109,7 +109,7 @@ TEST(SplitSurfaces, namesOfOneStemAreOneBuilding) {
     EXPECT_NEAR(signedVolume(*piece.buildings[0]->parts[0].mesh), 8 * 10 * 7.5, 1e-3);
 }
 
-TEST(SplitSurfaces, aParentNamesItsSurfaces) {
+TEST(SplitSurfaces, AParentNamesItsSurfaces) {
     const SplitMesh parts = split(house(0, 10)), next = split(house(10, 18));
     const FilePiece piece = pieceOf({{"WallSurface", parts.walls, "House 1"},
                                      {"RoofSurface", parts.roof, "House 1"},
@@ -122,7 +122,7 @@ TEST(SplitSurfaces, aParentNamesItsSurfaces) {
 }
 
 // By geometry, without helpful names. Three houses in a row whose party walls exist twice.
-TEST(SplitSurfaces, neighboursWithAPartyWallStayThemselves) {
+TEST(SplitSurfaces, NeighboursWithAPartyWallStayThemselves) {
     const std::vector<std::pair<float, float>> row{{0, 10}, {10, 18}, {18, 30}};
     std::vector<NamedMesh> each, layers{{"mesh_0", {}}, {"mesh_1", {}}};
     for (const auto& [west, east] : row) {
@@ -140,7 +140,7 @@ TEST(SplitSurfaces, neighboursWithAPartyWallStayThemselves) {
 }
 
 // Two planes of one roof, each an object: no wall is under their ridge.
-TEST(SplitSurfaces, roofsThatMeetInARidgeAreOneBuilding) {
+TEST(SplitSurfaces, RoofsThatMeetInARidgeAreOneBuilding) {
     const SplitMesh parts = split(house(0, 10));
     NamedMesh south{"a", {parts.roof.vertices, {}}}, north{"b", {parts.roof.vertices, {}}};
     for (const glm::uvec3 t : parts.roof.triangles)
@@ -177,7 +177,7 @@ std::vector<NamedMesh> penthouse(bool halved) {
     return {roofs, walls};
 }
 
-TEST(SplitSurfaces, whatStepsUpFromARoofBelongsToIt) {
+TEST(SplitSurfaces, WhatStepsUpFromARoofBelongsToIt) {
     for (const bool halved : {false, true}) {
         const FilePiece piece = pieceOf(penthouse(halved));
         ASSERT_EQ(piece.buildings.size(), 1U) << halved;
@@ -188,7 +188,7 @@ TEST(SplitSurfaces, whatStepsUpFromARoofBelongsToIt) {
     }
 }
 
-TEST(SurfaceNames, whatIsLeftNamesTheBuilding) {
+TEST(SurfaceNames, WhatIsLeftNamesTheBuilding) {
     EXPECT_EQ(stemOfSurfaceName("building_12_WallSurface"), "building_12");
     EXPECT_EQ(stemOfSurfaceName("Wall building_12 3"), "building_12_3");
     EXPECT_EQ(stemOfSurfaceName("building_12_RoofSurface.003"), "building_12");
@@ -203,7 +203,7 @@ TEST(SurfaceNames, whatIsLeftNamesTheBuilding) {
     EXPECT_FALSE(isOnlySurfaceName(""));
 }
 
-TEST(SplitSurfaces, aFlatRoofLiesOnItsWalls) {
+TEST(SplitSurfaces, AFlatRoofLiesOnItsWalls) {
     const SplitMesh parts = split(tests::box({0, 0, 0}, {12, 9, 7}));
     const FilePiece piece = pieceOf({{"flat", parts.roof}, {"ring", parts.walls}});
     ASSERT_EQ(piece.buildings.size(), 1U);
@@ -214,7 +214,7 @@ TEST(SplitSurfaces, aFlatRoofLiesOnItsWalls) {
     EXPECT_NEAR(area(part.footprint), 108, 1e-3);
 }
 
-TEST(SplitSurfaces, aCanopyAloneIsABuildingInTheAir) {
+TEST(SplitSurfaces, ACanopyAloneIsABuildingInTheAir) {
     const SplitMesh parts = split(tests::box({0, 0, 4}, {12, 9, 5}));
     const FilePiece piece = pieceOf({{"canopy", parts.roof}});
     ASSERT_EQ(piece.buildings.size(), 1U);
@@ -223,7 +223,7 @@ TEST(SplitSurfaces, aCanopyAloneIsABuildingInTheAir) {
     EXPECT_FALSE(tests::warns(piece, "casts no shadow"));
 }
 
-TEST(SplitSurfaces, aDeckIsSolidAndPavementIsGround) {
+TEST(SplitSurfaces, ADeckIsSolidAndPavementIsGround) {
     const auto level = [](float z) { return split(tests::box({0, 0, z - 1}, {12, 9, z})).roof; };
     const FilePiece deck = pieceOf({{"deck", level(1.2F)}});
     ASSERT_EQ(deck.buildings.size(), 1U);
@@ -274,7 +274,7 @@ protected:
     }
 
     static Receivers over(const City& city, ReceiverPlaces places) {
-        return receiversIn(city, makeRegionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
+        return placeReceivers(city, makeRegionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
     }
 
     // Cells of another kind, per cent; and roofs whose height differs by more than 1 cm.
@@ -283,7 +283,7 @@ protected:
         double roofPercent = 0;
         std::size_t roofs = 0;
     };
-    Difference differenceOf(const City& city) const {
+    Difference computeDifference(const City& city) const {
         const Receivers a = over(joined, ReceiverPlaces::both), b = over(city, ReceiverPlaces::both);
         Difference difference;
         double kinds = 0, roofs = 0;
@@ -313,7 +313,7 @@ protected:
     }
 
     void expectSame(const City& city, double mostKindPercent) const {
-        const Difference difference = differenceOf(city);
+        const Difference difference = computeDifference(city);
         EXPECT_GT(difference.roofs, 10'000U);
         EXPECT_LE(difference.kindPercent, mostKindPercent);
         EXPECT_LE(difference.roofPercent, 0.1);
@@ -325,7 +325,7 @@ protected:
     City joined;
 };
 
-TEST_F(SplitDelfshaven, byNamesIsTheSameCity) {
+TEST_F(SplitDelfshaven, ByNamesIsTheSameCity) {
     const City city = splitBy([](std::size_t i, Surface surface) {
         constexpr const char* names[] = {"WallSurface", "RoofSurface", "GroundSurface"};
         return "building_" + std::to_string(i) + "_" + names[int(surface)];
@@ -334,7 +334,7 @@ TEST_F(SplitDelfshaven, byNamesIsTheSameCity) {
     expectSame(city, 0.1);
 }
 
-TEST_F(SplitDelfshaven, byMaterialIsTheSameCity) {
+TEST_F(SplitDelfshaven, ByMaterialIsTheSameCity) {
     const City city = splitBy([](std::size_t, Surface surface) {
         constexpr const char* names[] = {"mesh_0", "mesh_1", "mesh_2"};
         return std::string(names[int(surface)]);

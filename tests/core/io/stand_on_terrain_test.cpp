@@ -28,19 +28,19 @@ Building tower(float west, float bottom, float top) {
     return building;
 }
 
-TEST(StandOnTerrain, liftsByTheLowestGround) {
+TEST(StandOnTerrain, LiftsByTheLowestGround) {
     const Terrain terrain = slope();
     const Building placed = standOnTerrain(tower(40, 0, 30), std::nullopt, &terrain);
     EXPECT_NEAR(placed.parts[0].bottomM, 4, 1e-3);
     EXPECT_NEAR(placed.parts[0].topM, 34, 1e-3);
 }
 
-TEST(StandOnTerrain, findsThePitInsideTheOutline) {
+TEST(StandOnTerrain, FindsThePitInsideTheOutline) {
     const Terrain terrain = slope();
     EXPECT_FLOAT_EQ(findLowestGround(tower(-10, 0, 30), terrain), -20);
 }
 
-TEST(StandOnTerrain, aGroundOfItsOwnStaysAndWallsGoDown) {
+TEST(StandOnTerrain, AGroundOfItsOwnStaysAndWallsGoDown) {
     const Terrain terrain = slope();
     const Building placed = standOnTerrain(tower(40, 7, 37), 7.0F, &terrain);
     EXPECT_NEAR(placed.parts[0].bottomM, 4, 1e-3);
@@ -50,14 +50,14 @@ TEST(StandOnTerrain, aGroundOfItsOwnStaysAndWallsGoDown) {
     EXPECT_NEAR(standOnTerrain(overhanging, 7.0F, &terrain).parts[0].bottomM, 12, 1e-3);
 }
 
-TEST(StandOnTerrain, withoutTerrainTheGroundIsFlat) {
+TEST(StandOnTerrain, WithoutTerrainTheGroundIsFlat) {
     const Building placed = standOnTerrain(tower(40, 7, 37), 7.0F, nullptr);
     EXPECT_FLOAT_EQ(placed.parts[0].bottomM, 0);
     EXPECT_FLOAT_EQ(placed.parts[0].topM, 30);
     EXPECT_FLOAT_EQ(standOnTerrain(tower(40, 0, 30), std::nullopt, nullptr).parts[0].topM, 30);
 }
 
-TEST(StandOnTerrain, aBuildingSmallerThanACellStandsToo) {
+TEST(StandOnTerrain, ABuildingSmallerThanACellStandsToo) {
     const Terrain terrain = slope();
     Building shed;
     shed.parts.push_back(
@@ -65,7 +65,7 @@ TEST(StandOnTerrain, aBuildingSmallerThanACellStandsToo) {
     EXPECT_NEAR(standOnTerrain(shed, std::nullopt, &terrain).parts[0].bottomM, 5, 0.01);
 }
 
-TEST(StandOnTerrain, aMeshMovesWithItsPart) {
+TEST(StandOnTerrain, AMeshMovesWithItsPart) {
     Building building = tower(40, 7, 37);
     building.parts[0].mesh = std::make_shared<const TriangleMesh>(meshOf(building.parts[0]));
     const Terrain terrain = slope();

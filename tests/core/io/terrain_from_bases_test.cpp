@@ -53,7 +53,7 @@ const Building& buildingOf(const CityRead& read, const std::string& id) {
 }
 
 // Halfway between a house and its eastern neighbour, the ground's height is the mean of their bases.
-TEST(TerrainFromBases, aHillTownGetsItsGround) {
+TEST(TerrainFromBases, AHillTownGetsItsGround) {
     const CityRead read = readTown(hillside);
     ASSERT_TRUE(read.city.terrain);
     EXPECT_EQ(read.city.terrain->source.method, TerrainMethod::fromBases);
@@ -75,7 +75,7 @@ TEST(TerrainFromBases, aHillTownGetsItsGround) {
         }
 }
 
-TEST(TerrainFromBases, theUserMayWantItFlat) {
+TEST(TerrainFromBases, TheUserMayWantItFlat) {
     const CityRead read = readTown(hillside, TerrainFromBases::never);
     EXPECT_FALSE(read.city.terrain);
     EXPECT_TRUE(warns(read, "the ground is flat"));
@@ -85,14 +85,14 @@ TEST(TerrainFromBases, theUserMayWantItFlat) {
 // Bases that differ by half a metre, as surveyed kerbs do.
 double nearlyFlat(double x, double y) { return 400 + 0.25 * (std::sin(x) + std::cos(y)); }
 
-TEST(TerrainFromBases, aFlatTownStaysFlatUnlessAskedFor) {
+TEST(TerrainFromBases, AFlatTownStaysFlatUnlessAskedFor) {
     EXPECT_FALSE(readTown(nearlyFlat).city.terrain);
     const CityRead asked = readTown(nearlyFlat, TerrainFromBases::always);
     ASSERT_TRUE(asked.city.terrain);
     EXPECT_TRUE(warns(asked, "interpolated from their bases"));
 }
 
-TEST(TerrainFromBases, reliefIsThatOfNeighbours) {
+TEST(TerrainFromBases, ReliefIsThatOfNeighbours) {
     std::vector<std::shared_ptr<const Building>> houses;
     std::vector<BasedBuilding> based;
     // Two rows of five, 60 m apart; the last column 3 m higher, and one separate house 500 m away, 50 m
@@ -116,7 +116,7 @@ TEST(TerrainFromBases, reliefIsThatOfNeighbours) {
 }
 
 // Compared with the hillside itself: the streets of a flat town have other shadows.
-TEST(TerrainFromBases, theTownsShadowsAreThoseOfTheHillside) {
+TEST(TerrainFromBases, TheTownsShadowsAreThoseOfTheHillside) {
     const CityRead made = readTown(hillside), flat = readTown(hillside, TerrainFromBases::never);
     ASSERT_TRUE(made.city.terrain);
     City truth = made.city;

@@ -15,7 +15,7 @@ using namespace tests;
 
 City fewBoxes() { return cityOf({{{0, 0, 0}, {20, 20, 30}}, {{40, 10, 0}, {60, 30, 50}}}); }
 
-TEST(ErrorSample, spreadsEvenlyOverTheRegion) {
+TEST(ErrorSample, SpreadsEvenlyOverTheRegion) {
     const City city;
     const Receivers receivers = receiversOver(city, 0, 0, 400, 400);
     const auto cells = spreadReceivers(receivers, 320, 5);
@@ -27,7 +27,7 @@ TEST(ErrorSample, spreadsEvenlyOverTheRegion) {
     EXPECT_LE(*std::ranges::max_element(inSquare), 23);
 }
 
-TEST(ErrorSample, takesReceiversOnlyAndTheSameOnesForASeed) {
+TEST(ErrorSample, TakesReceiversOnlyAndTheSameOnesForASeed) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -20, -20, 80, 80);
     const auto cells = spreadReceivers(receivers, 100, 1);
@@ -37,13 +37,13 @@ TEST(ErrorSample, takesReceiversOnlyAndTheSameOnesForASeed) {
     EXPECT_NE(spreadReceivers(receivers, 100, 2), cells);
 }
 
-TEST(ErrorSample, ofFewReceiversTakesAll) {
+TEST(ErrorSample, OfFewReceiversTakesAll) {
     const City city;
     const Receivers receivers = receiversOver(city, 0, 0, 5, 4);
     EXPECT_EQ(spreadReceivers(receivers, 300, 1), receivers.cells);
 }
 
-TEST(ErrorSample, longPeriodsAreComparedOnFewerReceivers) {
+TEST(ErrorSample, LongPeriodsAreComparedOnFewerReceivers) {
     EXPECT_EQ(sampleSize({}, 360), 300U);
     EXPECT_EQ(sampleSize({}, 175'200), 300U);
     EXPECT_EQ(sampleSize({}, 1'000'000), 60U);
@@ -52,7 +52,7 @@ TEST(ErrorSample, longPeriodsAreComparedOnFewerReceivers) {
     EXPECT_EQ(sampleSize({.receivers = 0}, 360), 0U);
 }
 
-TEST(ErrorSample, theReferenceHasNoErrorAgainstItself) {
+TEST(ErrorSample, TheReferenceHasNoErrorAgainstItself) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
@@ -65,7 +65,7 @@ TEST(ErrorSample, theReferenceHasNoErrorAgainstItself) {
     EXPECT_EQ(error->continuous.wholeMin, 60);
 }
 
-TEST(ErrorSample, findsAKnownError) {
+TEST(ErrorSample, FindsAKnownError) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
@@ -81,7 +81,7 @@ TEST(ErrorSample, findsAKnownError) {
     EXPECT_NEAR(error->continuous.percent(error->continuous.meanMin), 10, 1e-5);
 }
 
-TEST(ErrorSample, stopsWhenAsked) {
+TEST(ErrorSample, StopsWhenAsked) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
@@ -103,7 +103,7 @@ struct Onlooker final : Progress, PartialSink {
     int taken = 0;
 };
 
-TEST(ErrorSample, isNoRunningResult) {
+TEST(ErrorSample, IsNoRunningResult) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));

@@ -19,7 +19,7 @@ std::vector<ComparedCell> hundredCells() {
     return cells;
 }
 
-TEST(SampledError, knownFigures) {
+TEST(SampledError, KnownFigures) {
     const SampledError error = errorOf(hundredCells(), 1000, 600);
     EXPECT_EQ(error.receivers, 100U);
     EXPECT_DOUBLE_EQ(error.gross.meanMin, 50.5);
@@ -36,7 +36,7 @@ TEST(SampledError, knownFigures) {
     EXPECT_EQ(error.continuous.worstM, glm::dvec2(7, 0.5));
 }
 
-TEST(SampledError, withoutRunsNothingIsSaidOfThem) {
+TEST(SampledError, WithoutRunsNothingIsSaidOfThem) {
     std::vector<ComparedCell> cells = hundredCells();
     cells[50].continuousMin = std::nan("");
     const SampledError error = errorOf(cells, 1000, 600);
@@ -44,18 +44,18 @@ TEST(SampledError, withoutRunsNothingIsSaidOfThem) {
     EXPECT_DOUBLE_EQ(error.gross.meanMin, 50.5);
 }
 
-TEST(SampledError, differencesThatCancelAreNoAreaErrorButCellError) {
+TEST(SampledError, DifferencesThatCancelAreNoAreaErrorButCellError) {
     const std::vector<ComparedCell> cells{{{0, 0}, 110, 100, 5, 5}, {{1, 0}, 90, 100, 5, 5}};
     const SampledError error = errorOf(cells, 200, 200);
     EXPECT_DOUBLE_EQ(error.areaPct, 0);
     EXPECT_DOUBLE_EQ(error.gross.percent(error.gross.meanMin), 5);
 }
 
-TEST(SampledError, tooLittleShadowIsANegativeArea) {
+TEST(SampledError, TooLittleShadowIsANegativeArea) {
     EXPECT_DOUBLE_EQ(errorOf(std::vector<ComparedCell>{{{0, 0}, 90, 100, 5, 5}}, 200, 200).areaPct, -5);
 }
 
-TEST(SampledError, ofNothingIsZero) {
+TEST(SampledError, OfNothingIsZero) {
     const SampledError error = errorOf({}, 0, 0);
     EXPECT_EQ(error.receivers, 0U);
     EXPECT_EQ(error.gross.percent(error.gross.maxMin), 0);

@@ -20,7 +20,7 @@ ShadowField threeReceivers() {
     return field;
 }
 
-TEST(Statistics, ofAFieldByHand) {
+TEST(Statistics, OfAFieldByHand) {
     EXPECT_TRUE(hasRuns(threeReceivers()));
     const ShadowStatistics figures = computeStatistics(threeReceivers());
     EXPECT_EQ(figures.receivers, 3U);
@@ -31,7 +31,7 @@ TEST(Statistics, ofAFieldByHand) {
     EXPECT_EQ(figures.maxContinuousMin, 20);
 }
 
-TEST(Statistics, withoutRunsTheirFiguresAreNoNumbers) {
+TEST(Statistics, WithoutRunsTheirFiguresAreNoNumbers) {
     ShadowField field = threeReceivers();
     field.continuousMin.assign(4, nan);
     EXPECT_FALSE(hasRuns(field));
@@ -42,7 +42,7 @@ TEST(Statistics, withoutRunsTheirFiguresAreNoNumbers) {
     EXPECT_EQ(figures.maxGrossMin, 60);
 }
 
-TEST(Statistics, onePieceWithoutRunsLeavesThemUnknownInAll) {
+TEST(Statistics, OnePieceWithoutRunsLeavesThemUnknownInAll) {
     ShadowField field = threeReceivers();
     ShadowSums sums = computeSums(field);
     field.continuousMin.assign(4, nan);

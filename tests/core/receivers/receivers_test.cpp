@@ -29,7 +29,7 @@ std::ptrdiff_t countOf(const Receivers& receivers, CellKind kind) {
     return std::count(receivers.kind.begin(), receivers.kind.end(), kind);
 }
 
-TEST(Receivers, cellsOutsideTheRegionAndUnderBuildingsAreNone) {
+TEST(Receivers, CellsOutsideTheRegionAndUnderBuildingsAreNone) {
     City city;
     city.buildings = {building(rectangle(2, 2, 5, 4)), building(rectangle(-5, 0, -1, 9))};
     const Region triangle{"lawn", {Footprint{{{0, 0}, {10, 0}, {0, 10}}, {}}}};
@@ -44,7 +44,7 @@ TEST(Receivers, cellsOutsideTheRegionAndUnderBuildingsAreNone) {
     EXPECT_EQ(receivers.kind[receivers.grid.index(2, 3)], CellKind::building);
 }
 
-TEST(Receivers, rowsGoNorthAndColumnsEast) {
+TEST(Receivers, RowsGoNorthAndColumnsEast) {
     const Receivers receivers = receiversOf({}, makeRegionFromLocalBox({{-3, 10}, {2, 14}}), 0.5);
     EXPECT_EQ(receivers.grid, (Grid{-3, 10, 0.5, 10, 8}));
     EXPECT_EQ(receivers.position(0), glm::vec3(-2.75F, 10.25F, 0));
@@ -53,7 +53,7 @@ TEST(Receivers, rowsGoNorthAndColumnsEast) {
     EXPECT_TRUE(receivers.flat());
 }
 
-TEST(Receivers, hangingPartsLeaveTheGroundBelow) {
+TEST(Receivers, HangingPartsLeaveTheGroundBelow) {
     City city;
     city.buildings = {building(rectangle(0, 0, 4, 4), true)};
     const Region region = makeRegionFromLocalBox({{0, 0}, {8, 8}});
@@ -62,7 +62,7 @@ TEST(Receivers, hangingPartsLeaveTheGroundBelow) {
     EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 16);
 }
 
-TEST(Receivers, courtyardsAreGround) {
+TEST(Receivers, CourtyardsAreGround) {
     Footprint court = rectangle(0, 0, 8, 8);
     court.holes = {{{2, 2}, {2, 5}, {5, 5}, {5, 2}}};
     City city;
@@ -70,7 +70,7 @@ TEST(Receivers, courtyardsAreGround) {
     EXPECT_EQ(receiversOf(city, makeRegionFromLocalBox({{0, 0}, {8, 8}})).cells.size(), 9U);
 }
 
-TEST(Receivers, overlappingRegionsShareTheirCells) {
+TEST(Receivers, OverlappingRegionsShareTheirCells) {
     for (const double cellM : {0.25, 0.3, 1.0, 7.0}) {
         const Grid one = receiversOf({}, makeRegionFromLocalBox({{-10.3F, 4.1F}, {30, 30}}), cellM).grid;
         const Grid other = receiversOf({}, makeRegionFromLocalBox({{3.9F, -20.7F}, {40, 12}}), cellM).grid;
@@ -81,7 +81,7 @@ TEST(Receivers, overlappingRegionsShareTheirCells) {
     }
 }
 
-TEST(Receivers, standOnTheTerrain) {
+TEST(Receivers, StandOnTheTerrain) {
     City city;
     city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 2, 2}, {0, 10, 0, 10}});
     const Receivers receivers = receiversOf(city, makeRegionFromLocalBox({{0, 0}, {20, 20}}));
@@ -91,7 +91,7 @@ TEST(Receivers, standOnTheTerrain) {
     EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(19, 3))).z, 10);
 }
 
-TEST(Receivers, whatCannotBeIsRefusedInWords) {
+TEST(Receivers, WhatCannotBeIsRefusedInWords) {
     const Region region = makeRegionFromLocalBox({{0, 0}, {8, 8}});
     for (const double cellM : {0.0, -1.0, 0.2, 10.5, std::nan("")})
         EXPECT_THAT(placeReceiversOnGround({}, region, {.cellM = cellM}).error().text(),
@@ -103,7 +103,7 @@ TEST(Receivers, whatCannotBeIsRefusedInWords) {
     EXPECT_FALSE(placeReceiversOnGround({}, absurd, {}).has_value());
 }
 
-TEST(Receivers, canBeStopped) {
+TEST(Receivers, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
     const auto receivers =

@@ -10,7 +10,7 @@
 namespace noonmark {
 namespace {
 
-TEST(Region, lonLatBoxFollowsTheParallels) {
+TEST(Region, LonLatBoxFollowsTheParallels) {
     const Frame frame({-73.98, 40.75});
     const auto region = makeRegionFromLonLatBox(frame, -74.0, 40.74, -73.96, 40.76);
     ASSERT_TRUE(region.has_value());
@@ -29,7 +29,7 @@ TEST(Region, lonLatBoxFollowsTheParallels) {
 }
 
 // Taveuni, Fiji: the 180th meridian runs through its middle.
-TEST(Region, aBoxMayLieAcrossTheAntimeridian) {
+TEST(Region, ABoxMayLieAcrossTheAntimeridian) {
     const Frame taveuni({180, -16.85});
     const Region across = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();
     const Frame samePlace({10, -16.85});
@@ -37,13 +37,13 @@ TEST(Region, aBoxMayLieAcrossTheAntimeridian) {
     ASSERT_EQ(across.polygons[0].outer.size(), elsewhere.polygons[0].outer.size());
     for (std::size_t i = 0; i < across.polygons[0].outer.size(); ++i)
         EXPECT_NEAR(glm::distance(across.polygons[0].outer[i], elsewhere.polygons[0].outer[i]), 0, 1e-3);
-    EXPECT_EQ(boxTextOf(across, taveuni), "179.98,-16.86,-179.97,-16.84");
-    EXPECT_EQ(boxTextOf(elsewhere, samePlace), "9.98,-16.86,10.03,-16.84");
+    EXPECT_EQ(formatBox(across, taveuni), "179.98,-16.86,-179.97,-16.84");
+    EXPECT_EQ(formatBox(elsewhere, samePlace), "9.98,-16.86,10.03,-16.84");
     const Region toIt = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, 180, -16.84).value();
-    EXPECT_EQ(boxTextOf(toIt, taveuni), "179.98,-16.86,180,-16.84");
+    EXPECT_EQ(formatBox(toIt, taveuni), "179.98,-16.86,180,-16.84");
 }
 
-TEST(Region, boxesThatAreNoneAreRefused) {
+TEST(Region, BoxesThatAreNoneAreRefused) {
     const Frame frame({-73.98, 40.75});
     EXPECT_FALSE(makeRegionFromLonLatBox(frame, -73.96, 40.74, -74.0, 40.76).has_value());
     EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.76, -73.96, 40.74).has_value());

@@ -10,7 +10,7 @@ namespace noonmark::tests {
 namespace {
 
 Receivers placeReceiversAt(const City& city, ReceiverPlaces places) {
-    return receiversIn(city, makeRegionFromLocalBox({{-20, -20}, {60, 60}}), {1, places}).value();
+    return placeReceivers(city, makeRegionFromLocalBox({{-20, -20}, {60, 60}}), {1, places}).value();
 }
 
 City tiered() {
@@ -21,7 +21,7 @@ City tiered() {
     return city;
 }
 
-TEST(RoofReceivers, aRoofIsTheHighestPartAtACell) {
+TEST(RoofReceivers, ARoofIsTheHighestPartAtACell) {
     const Receivers roofs = placeReceiversAt(tiered(), ReceiverPlaces::roofs);
     EXPECT_EQ(roofs.cells.size(), 40 * 40);  // the deck over open ground has none
     for (const std::uint32_t cell : roofs.cells) {
@@ -33,13 +33,13 @@ TEST(RoofReceivers, aRoofIsTheHighestPartAtACell) {
     EXPECT_EQ(std::ranges::count(roofs.kind, CellKind::ground), 0);
 }
 
-TEST(RoofReceivers, everyPlaceIsFoundByItsName) {
+TEST(RoofReceivers, EveryPlaceIsFoundByItsName) {
     for (const ReceiverPlaces places : allReceiverPlaces) EXPECT_EQ(parsePlaces(nameOf(places)), places);
     EXPECT_EQ(parsePlaces("Roofs"), std::nullopt);
     EXPECT_EQ(parsePlaces(""), std::nullopt);
 }
 
-TEST(RoofReceivers, bothAreTheGroundAndTheRoofs) {
+TEST(RoofReceivers, BothAreTheGroundAndTheRoofs) {
     const City city = tiered();
     const Receivers ground = placeReceiversAt(city, ReceiverPlaces::ground),
                     roofs = placeReceiversAt(city, ReceiverPlaces::roofs),
@@ -51,7 +51,7 @@ TEST(RoofReceivers, bothAreTheGroundAndTheRoofs) {
     for (const std::uint32_t cell : roofs.cells) EXPECT_EQ(both.position(cell), roofs.position(cell));
 }
 
-TEST(RoofReceivers, aPitchedRoofRisesToItsRidge) {
+TEST(RoofReceivers, APitchedRoofRisesToItsRidge) {
     City city;
     city.buildings.push_back(gabledHouse(0, 0, 12, 40, 8, 14));
     const Receivers roofs = placeReceiversAt(city, ReceiverPlaces::roofs);
@@ -62,7 +62,7 @@ TEST(RoofReceivers, aPitchedRoofRisesToItsRidge) {
     }
 }
 
-TEST(RoofReceivers, theGroundBesideRoofsKeepsTheTerrainsElevation) {
+TEST(RoofReceivers, TheGroundBesideRoofsKeepsTheTerrainsElevation) {
     City city = groundOf(20, [](glm::dvec2 place) { return 50 + 0.1 * place.y; });
     city.buildings.push_back(standingBox(city, 0, 0, 10, 10, 20));
     const Receivers both = placeReceiversAt(city, ReceiverPlaces::both);

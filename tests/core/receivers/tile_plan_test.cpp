@@ -19,7 +19,7 @@ std::size_t cellOfWhole(const TilePlan& plan, const Grid& tile, int column, int 
                             int((centre.y - plan.whole.southM) / plan.whole.cellM));
 }
 
-TEST(TilePlan, everyCellIsInOneTile) {
+TEST(TilePlan, EveryCellIsInOneTile) {
     const TilePlan plan{{-10, 20, 0.5, 150, 97}, 64};
     EXPECT_EQ(plan.columns(), 3);
     EXPECT_EQ(plan.rows(), 2);
@@ -33,13 +33,13 @@ TEST(TilePlan, everyCellIsInOneTile) {
     EXPECT_EQ(seen, std::vector<int>(plan.whole.size(), 1));
 }
 
-TEST(TilePlan, theFirstTileIsTheNorthWesternOneAndWhole) {
+TEST(TilePlan, TheFirstTileIsTheNorthWesternOneAndWhole) {
     const TilePlan plan{{0, 0, 1, 150, 97}, 64};
     EXPECT_EQ(plan.tile(0), (Grid{0, 33, 1, 64, 64}));
     EXPECT_EQ(plan.tile(5), (Grid{128, 0, 1, 22, 33}));
 }
 
-TEST(TilePlan, receiversOfTilesAreThoseOfTheWhole) {
+TEST(TilePlan, ReceiversOfTilesAreThoseOfTheWhole) {
     const City city = cityOf(randomBoxes(3, 8));
     const Region region{"cut", {{{{-10, -10}, {150, 0}, {140, 170}, {20, 120}}, {}}}};
     const Receivers whole = placeReceiversOnGround(city, region, {}).value();
@@ -57,7 +57,7 @@ TEST(TilePlan, receiversOfTilesAreThoseOfTheWhole) {
     EXPECT_EQ(receivers, whole.cells.size());
 }
 
-TEST(TilePlan, errorSamplesOfTilesAreSpreadOverTheWhole) {
+TEST(TilePlan, ErrorSamplesOfTilesAreSpreadOverTheWhole) {
     const City city = cityOf(randomBoxes(3, 8));
     const Receivers whole = receiversOver(city, -20, -20, 180, 180);
     const TilePlan plan{whole.grid, 64};

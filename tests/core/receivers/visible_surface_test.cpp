@@ -20,7 +20,7 @@ struct View {
     VisibleSurface surface = findVisibleSurface(RayScene::over(city).value(), true, camera).value();
 };
 
-TEST(VisibleSurface, pointsLieOnTheirPixelsRaysAndFaceTheEye) {
+TEST(VisibleSurface, PointsLieOnTheirPixelsRaysAndFaceTheEye) {
     const View view;
     for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
         const glm::dvec3 way = glm::dvec3(view.surface.points.positions[i]) - view.camera.eye;
@@ -32,7 +32,7 @@ TEST(VisibleSurface, pointsLieOnTheirPixelsRaysAndFaceTheEye) {
     }
 }
 
-TEST(VisibleSurface, seesRoofFacadeAndGround) {
+TEST(VisibleSurface, SeesRoofFacadeAndGround) {
     const View view;
     int roof = 0, facade = 0, ground = 0;
     for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
@@ -47,7 +47,7 @@ TEST(VisibleSurface, seesRoofFacadeAndGround) {
     EXPECT_EQ(std::size_t(roof + facade + ground), view.surface.points.size());
 }
 
-TEST(VisibleSurface, skyHasNoPoint) {
+TEST(VisibleSurface, SkyHasNoPoint) {
     const View view;
     const PixelCamera level = makeCamera({0, -100, 5}, {0, 0, 5}, 40, width, height);
     const auto surface = findVisibleSurface(RayScene::over(view.city).value(), true, level).value();
@@ -58,7 +58,7 @@ TEST(VisibleSurface, skyHasNoPoint) {
     EXPECT_EQ(nothing->points.size(), 0U);
 }
 
-TEST(VisibleSurface, refusesPicturesOutOfRange) {
+TEST(VisibleSurface, RefusesPicturesOutOfRange) {
     const RayScene scene = RayScene::over(City{}).value();
     EXPECT_FALSE(findVisibleSurface(scene, true, makeCamera({0, 0, 9}, {0, 0, 0}, 40, 0, 10)));
     EXPECT_FALSE(findVisibleSurface(scene, true, makeCamera({0, 0, 9}, {0, 0, 0}, 180, 10, 10)));

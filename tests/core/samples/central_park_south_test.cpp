@@ -41,7 +41,7 @@ const std::vector<Known> known{
     {"Time Warner Center", "built", 229, 12825, {-73.9830, 40.7685}},
 };
 
-TEST(CentralParkSouth, namedTowersHaveTheirHeightSizeAndPlace) {
+TEST(CentralParkSouth, NamedTowersHaveTheirHeightSizeAndPlace) {
     const City city = makeCentralParkSouthSample();
     for (const Known& tower : known) {
         SCOPED_TRACE(tower.name);
@@ -55,7 +55,7 @@ TEST(CentralParkSouth, namedTowersHaveTheirHeightSizeAndPlace) {
     EXPECT_EQ(named(city, "Time Warner Center")->parts.size(), 3U);
 }
 
-TEST(CentralParkSouth, otherBuildingsHaveNoNameAndPlausibleHeights) {
+TEST(CentralParkSouth, OtherBuildingsHaveNoNameAndPlausibleHeights) {
     const City city = makeCentralParkSouthSample();
     EXPECT_GT(city.buildings.size(), 2500U);
     EXPECT_LT(city.buildings.size(), 4000U);
@@ -70,13 +70,13 @@ TEST(CentralParkSouth, otherBuildingsHaveNoNameAndPlausibleHeights) {
     EXPECT_EQ(nameless + known.size(), city.buildings.size());
 }
 
-TEST(CentralParkSouth, everyBuildingIsAValidSolidAndStandsApart) {
+TEST(CentralParkSouth, EveryBuildingIsAValidSolidAndStandsApart) {
     const City city = makeCentralParkSouthSample();
     for (const auto& building : city.buildings) EXPECT_EQ(troubleOf(*building), "") << building->sourceId;
     EXPECT_EQ(cellsInTwoBuildings(city, bounds(city), 0.5), 0U);
 }
 
-TEST(CentralParkSouth, theParkIsAParkOfItsSize) {
+TEST(CentralParkSouth, TheParkIsAParkOfItsSize) {
     const City city = makeCentralParkSouthSample();
     const Region park = centralParkRegion(city);
     ASSERT_EQ(park.polygons.size(), 1U);
@@ -97,7 +97,7 @@ TEST(CentralParkSouth, theParkIsAParkOfItsSize) {
     }
 }
 
-TEST(CentralParkSouth, theParkFollowsTheFrame) {
+TEST(CentralParkSouth, TheParkFollowsTheFrame) {
     City moved;
     moved.frame = Frame({-73.99, 40.75});
     const City city = makeCentralParkSouthSample();
@@ -109,7 +109,7 @@ TEST(CentralParkSouth, theParkFollowsTheFrame) {
     }
 }
 
-TEST(CentralParkSouth, isAlwaysTheSame) {
+TEST(CentralParkSouth, IsAlwaysTheSame) {
     EXPECT_EQ(fingerprintOf(makeCentralParkSouthSample()), fingerprintOf(makeCentralParkSouthSample()));
 }
 

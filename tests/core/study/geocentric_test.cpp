@@ -148,7 +148,7 @@ Differences differencesOf(const Study& study, const std::vector<GeoMinutes>& tru
     return found;
 }
 
-std::string textOf(const Differences& d) {
+std::string formatText(const Differences& d) {
     return fmt::format(
         "of {} cells, {:.1f} min in shadow: gross off by {:.3f} min in the mean, {:.1f} at most, {} by more "
         "than "
@@ -172,7 +172,7 @@ class Geocentric : public testing::TestWithParam<Place> {};
 
 // Tolerance: a step, since the moment that an edge passes falls on either side of one; in a few cells the sun
 // grazes a corner.
-TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
+TEST_P(Geocentric, ShadowOfADistrictFarFromTheMiddleOfItsCity) {
     const Place& place = GetParam();
     const std::vector<GeoBox> blocks = blocksAround(districtOf(place));
     const City city = cityOf(place, blocks);
@@ -182,7 +182,7 @@ TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
         const Study study = studyOf(place, city, engine);
         if (truth.empty()) truth = computeTruth(place, study.receivers, levelInFrame(place, blocks));
         const Differences found = differencesOf(study, truth);
-        std::cout << place.name << ", " << engine << ": " << textOf(found) << '\n';
+        std::cout << place.name << ", " << engine << ": " << formatText(found) << '\n';
         EXPECT_GT(found.shaded, 30);
         EXPECT_LE(found.grossOff, place.terrain ? found.cells / 200 : 0) << engine;
         EXPECT_LE(found.longestOff, found.cells / 100) << engine;
@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(Places, Geocentric,
                          [](const auto& place) { return std::string(place.param.name); });
 
 // Open sea from sunrise to sunset; the sun rises and sets at the horizon of the curved sea.
-TEST(GeocentricSea, liesInTheSunAllDayFarFromTheMiddleOfTheTerrain) {
+TEST(GeocentricSea, LiesInTheSunAllDayFarFromTheMiddleOfTheTerrain) {
     for (const glm::dvec2 off : {glm::dvec2(45e3, 0), glm::dvec2(-45e3, 0), glm::dvec2(0, 45e3)}) {
         const Place place{"sea", north62, off.x, off.y, march, 0, 24, true};
         const City city = cityOf(place, {});

@@ -44,7 +44,7 @@ Result<Study> run(const StudySettings& settings) {
 
 std::string errorOf(const Result<Study>& study) { return study ? "no error" : study.error().text(); }
 
-TEST(RunStudy, fillsEveryPart) {
+TEST(RunStudy, FillsEveryPart) {
     const auto study = run(aroundTheTower());
     ASSERT_TRUE(study) << errorOf(study);
     EXPECT_EQ(study->receivers.cells.size(), 55U * 55U - 25U);
@@ -57,7 +57,7 @@ TEST(RunStudy, fillsEveryPart) {
         EXPECT_TRUE(study->seconds.contains(stage)) << stage;
 }
 
-TEST(RunStudy, picksAnEngineByItself) {
+TEST(RunStudy, PicksAnEngineByItself) {
     StudySettings settings = aroundTheTower();
     settings.engine = StudySettings().engine;
     auto study = run(settings);
@@ -72,16 +72,16 @@ TEST(RunStudy, picksAnEngineByItself) {
     EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--engine projected"));
 }
 
-TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
+TEST(RunStudy, TheSunIsSeenFromTheMiddleOfTheRegion) {
     StudySettings settings = aroundTheTower();
     settings.region = makeRegionFromLocalBox({{20000, 0}, {20100, 100}});
-    const Observer observer = observerOf({.city = towers(), .settings = settings});
+    const Observer observer = makeObserver({.city = towers(), .settings = settings});
     const glm::dvec2 local = Frame({-73.98, 40.75}).localFromLonLat(observer.place);
     EXPECT_NEAR(local.x, 20050, 0.1);
     EXPECT_NEAR(local.y, 50, 0.1);
 }
 
-TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
+TEST(RunStudy, StatesHowTheSunLiesInTheFrame) {
     City city = towers();
     Building farOff{.sourceId = "far off"};
     farOff.parts.push_back({.footprint = {square(20000, 10, 20), {}}, .topM = 40});
@@ -101,7 +101,7 @@ TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
     EXPECT_EQ(json["steps_levelled"], 0);
 }
 
-TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
+TEST(RunStudy, SaysWhatIsWrongWithTheSettings) {
     StudySettings settings = aroundTheTower();
     settings.engine = "magic";
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("magic"));
@@ -116,7 +116,7 @@ TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("0.25 to 10"));
 }
 
-TEST(RunStudy, refusesWhatHasNoAnswer) {
+TEST(RunStudy, RefusesWhatHasNoAnswer) {
     StudySettings settings = aroundTheTower();
     settings.region = makeRegionFromLocalBox({{2, 2}, {8, 8}});
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("open ground"));
@@ -126,13 +126,13 @@ TEST(RunStudy, refusesWhatHasNoAnswer) {
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("below the horizon"));
 }
 
-TEST(RunStudy, refusesWhatDoesNotFit) {
+TEST(RunStudy, RefusesWhatDoesNotFit) {
     StudySettings settings = aroundTheTower();
     settings.memoryLimit = 1000;
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("would need"));
 }
 
-TEST(RunStudy, stopsWhenAsked) {
+TEST(RunStudy, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress progress;
@@ -141,7 +141,7 @@ TEST(RunStudy, stopsWhenAsked) {
     EXPECT_TRUE(isCancelled(study.error()));
 }
 
-TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
+TEST(StudyJson, HasTheKeysThatScriptsRelyOn) {
     auto study = run(aroundTheTower());
     ASSERT_TRUE(study) << errorOf(study);
     study->provenance.inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
@@ -168,7 +168,7 @@ TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
     EXPECT_THAT(json["definitions"]["fraction_of_time"].get<std::string>(), HasSubstr("above the horizon"));
 }
 
-TEST(RunStudy, measuresTheErrorOfEveryEngineButTheReference) {
+TEST(RunStudy, MeasuresTheErrorOfEveryEngineButTheReference) {
     StudySettings settings = aroundTheTower();
     EXPECT_FALSE(run(settings)->error);
     settings.engine = "iam";
@@ -185,7 +185,7 @@ TEST(RunStudy, measuresTheErrorOfEveryEngineButTheReference) {
     EXPECT_FALSE(run(settings)->error);
 }
 
-TEST(StudyJson, theErrorsKeysAreThereMeasuredOrNot) {
+TEST(StudyJson, TheErrorsKeysAreThereMeasuredOrNot) {
     StudySettings settings = aroundTheTower();
     settings.engine = "projected";
     const auto measured = nlohmann::json::parse(studyJson(*run(settings)))["error"];
@@ -203,17 +203,17 @@ TEST(StudyJson, theErrorsKeysAreThereMeasuredOrNot) {
     EXPECT_THAT(left["why_not"].get<std::string>(), HasSubstr("switched off"));
 }
 
-TEST(ErrorLines, sayWhatWasMeasuredOrWhyNot) {
+TEST(ErrorLines, SayWhatWasMeasuredOrWhyNot) {
     StudySettings settings = aroundTheTower();
-    EXPECT_THAT(errorLines(*run(settings)).front().value, HasSubstr("reference itself"));
+    EXPECT_THAT(makeErrorLines(*run(settings)).front().value, HasSubstr("reference itself"));
     settings.engine = "projected";
-    const auto lines = errorLines(*run(settings));
+    const auto lines = makeErrorLines(*run(settings));
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0].name, "area error");
     EXPECT_THAT(lines[3].value, HasSubstr("300 of 3000 receivers"));
 }
 
-TEST(StudyJson, aSolarWindowReplacesTheHours) {
+TEST(StudyJson, ASolarWindowReplacesTheHours) {
     StudySettings settings = aroundTheTower();
     settings.period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(60)};
     const auto study = run(settings);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace tests;
 
-TEST(SolarPosition, summerSolsticeNoonIsNinetyLessLatitudePlusObliquity) {
+TEST(SolarPosition, SummerSolsticeNoonIsNinetyLessLatitudePlusObliquity) {
     // The sun's declination at the solstice of 2026 is 23.436 deg.
     const Instant transit = utc(2026, 6, 21, 16, 57, 50);
     const SolarPosition sun = computeSolarPosition(observerAt(40.75, -73.98), transit);
@@ -21,21 +21,21 @@ TEST(SolarPosition, summerSolsticeNoonIsNinetyLessLatitudePlusObliquity) {
     EXPECT_NEAR(sun.azimuth.value, 180, 0.2);
 }
 
-TEST(SolarPosition, equinoxSunRisesInTheEast) {
+TEST(SolarPosition, EquinoxSunRisesInTheEast) {
     // The equinox of 2026 is on March 20 at 14:46 UTC; the sun then rises on the equator at 129.7 W.
     const SolarPosition sun = computeSolarPosition(observerAt(0, -129.7), utc(2026, 3, 20, 14, 46));
     EXPECT_NEAR(sun.azimuth.value, 90, 0.005);
     EXPECT_NEAR(sun.altitude.value, 0, 0.1);
 }
 
-TEST(SolarPosition, standsInTheZenithOfQuitoAtTheEquinox) {
+TEST(SolarPosition, StandsInTheZenithOfQuitoAtTheEquinox) {
     const SolarPosition sun = computeSolarPosition(observerAt(-0.18, -78.47), utc(2026, 3, 20, 17, 21, 20));
     EXPECT_GT(sun.altitude.value, 89.6);
     EXPECT_NEAR(sun.altitudeApparent.value, sun.altitude.value, 1e-3);
     EXPECT_LE(sun.altitudeApparent.value, 90);
 }
 
-TEST(SolarPosition, standsInTheNorthAtNoonSouthOfIt) {
+TEST(SolarPosition, StandsInTheNorthAtNoonSouthOfIt) {
     EXPECT_LT(azimuthDifference(
                   computeSolarPosition(observerAt(-33.87, 151.21), utc(2026, 3, 21, 2, 2)).azimuth, {0}),
               1);
@@ -44,7 +44,7 @@ TEST(SolarPosition, standsInTheNorthAtNoonSouthOfIt) {
               1);
 }
 
-TEST(SolarPosition, azimuthPassesNorthWithoutA360) {
+TEST(SolarPosition, AzimuthPassesNorthWithoutA360) {
     // In Sydney around noon the sun moves from north-east over north to north-west.
     const Observer sydney = observerAt(-33.87, 151.21);
     bool east = false;
@@ -61,14 +61,14 @@ TEST(SolarPosition, azimuthPassesNorthWithoutA360) {
     EXPECT_TRUE(east && west);
 }
 
-TEST(SolarPosition, earthTurnsFifteenDegreesAnHour) {
+TEST(SolarPosition, EarthTurnsFifteenDegreesAnHour) {
     const Observer pole = observerAt(89.9999, 0);
     const Degrees before = computeSolarPosition(pole, utc(2026, 6, 21, 3)).azimuth;
     const Degrees after = computeSolarPosition(pole, utc(2026, 6, 21, 4)).azimuth;
     EXPECT_NEAR(azimuthDifference(before, after), 15, 0.01);
 }
 
-TEST(SolarPosition, parallaxLowersTheSunAtTheHorizonOnly) {
+TEST(SolarPosition, ParallaxLowersTheSunAtTheHorizonOnly) {
     // 8.8 arc seconds at the horizon: seen from 9000 m higher the sun shifts by 9000 / 1 au.
     Observer low = observerAt(40, 0);
     Observer high = low;
@@ -79,7 +79,7 @@ TEST(SolarPosition, parallaxLowersTheSunAtTheHorizonOnly) {
               4e-6);
 }
 
-TEST(Refraction, followsTheFormulaAtKnownAltitudes) {
+TEST(Refraction, FollowsTheFormulaAtKnownAltitudes) {
     const Observer standard = observerAt(0, 0);
     EXPECT_NEAR(refraction(standard, {0}).value, 28.98 / 60,
                 0.0005);  // Meeus: 34.5' at apparent 0, 29' at true 0
@@ -88,7 +88,7 @@ TEST(Refraction, followsTheFormulaAtKnownAltitudes) {
     EXPECT_EQ(refraction(standard, {-1.001}).value, 0);
 }
 
-TEST(Refraction, growsWithPressureAndCold) {
+TEST(Refraction, GrowsWithPressureAndCold) {
     Observer observer = observerAt(0, 0);
     const double standard = refraction(observer, {5}).value;
     observer.pressureHPa = 505;
@@ -100,7 +100,7 @@ TEST(Refraction, growsWithPressureAndCold) {
     EXPECT_EQ(refraction(observer, {5}).value, 0);
 }
 
-TEST(Refraction, neverLowersAndFallsWithAltitude) {
+TEST(Refraction, NeverLowersAndFallsWithAltitude) {
     const Observer standard = observerAt(0, 0);
     double last = refraction(standard, {-1}).value;
     for (double altitude = -1; altitude <= 90; altitude += 0.01) {
@@ -111,24 +111,24 @@ TEST(Refraction, neverLowersAndFallsWithAltitude) {
     }
 }
 
-TEST(Direction, isEastNorthUp) {
+TEST(Direction, IsEastNorthUp) {
     EXPECT_LT(glm::length(toDirection({0}, {0}) - glm::dvec3(0, 1, 0)), 1e-15);
     EXPECT_LT(glm::length(toDirection({90}, {0}) - glm::dvec3(1, 0, 0)), 1e-15);
     EXPECT_LT(glm::length(toDirection({123}, {90}) - glm::dvec3(0, 0, 1)), 1e-15);
     EXPECT_NEAR(toDirection({200}, {30}).z, 0.5, 1e-15);
 }
 
-TEST(Observer, isCheckedFieldByField) {
-    EXPECT_TRUE(checked(observerAt(-90, 180)));
-    EXPECT_EQ(checked(observerAt(91, 0)).error().where, "latitude");
-    EXPECT_EQ(checked(observerAt(0, 181)).error().where, "longitude");
-    EXPECT_EQ(checked(observerAt(std::numeric_limits<double>::quiet_NaN(), 0)).error().where, "latitude");
+TEST(Observer, IsCheckedFieldByField) {
+    EXPECT_TRUE(validate(observerAt(-90, 180)));
+    EXPECT_EQ(validate(observerAt(91, 0)).error().where, "latitude");
+    EXPECT_EQ(validate(observerAt(0, 181)).error().where, "longitude");
+    EXPECT_EQ(validate(observerAt(std::numeric_limits<double>::quiet_NaN(), 0)).error().where, "latitude");
     Observer hot = observerAt(0, 0);
     hot.temperatureC = 70;
-    EXPECT_EQ(checked(hot).error().where, "temperature");
+    EXPECT_EQ(validate(hot).error().where, "temperature");
 }
 
-TEST(Ephemeris, agreesWithSolarPositionFromPoleToPole) {
+TEST(Ephemeris, AgreesWithSolarPositionFromPoleToPole) {
     std::mt19937 random(20260321);
     std::uniform_real_distribution<double> latitude(-90, 90);
     std::uniform_real_distribution<double> longitude(-180, 180);
@@ -151,7 +151,7 @@ TEST(Ephemeris, agreesWithSolarPositionFromPoleToPole) {
     }
 }
 
-TEST(Ephemeris, holdsOverLeapSeconds) {
+TEST(Ephemeris, HoldsOverLeapSeconds) {
     const Observer observer = observerAt(40.75, -73.98);
     for (const Instant leap : {utc(1972, 1, 1), utc(1972, 7, 1), utc(2017, 1, 1)}) {
         const auto ephemeris =
@@ -166,7 +166,7 @@ TEST(Ephemeris, holdsOverLeapSeconds) {
     }
 }
 
-TEST(Ephemeris, refusesYearsItDoesNotKnow) {
+TEST(Ephemeris, RefusesYearsItDoesNotKnow) {
     const Observer observer = observerAt(0, 0);
     EXPECT_FALSE(Ephemeris::over(observer, utc(1899, 12, 1), utc(1900, 1, 2)));
     EXPECT_FALSE(Ephemeris::over(observer, utc(2100, 12, 1), utc(2101, 2, 1)));

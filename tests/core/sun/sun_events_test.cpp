@@ -24,7 +24,7 @@ double altitudeAt(const Observer& observer, Instant at) {
     return computeSolarPosition(observer, at).altitude.value;
 }
 
-TEST(SunEvents, crossTheThresholdOfTheirRule) {
+TEST(SunEvents, CrossTheThresholdOfTheirRule) {
     const Observer newYork = observerAt(40.75, -73.98);
     for (const auto& [rule, altitude] :
          {std::pair{SunriseRule::upperLimb, -0.8357}, std::pair{SunriseRule::centre, 0.0}}) {
@@ -37,14 +37,14 @@ TEST(SunEvents, crossTheThresholdOfTheirRule) {
     }
 }
 
-TEST(SunEvents, upperLimbRisesBeforeTheCentre) {
+TEST(SunEvents, UpperLimbRisesBeforeTheCentre) {
     const Observer quito = observerAt(-0.18, -78.47);
     const auto limb = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::upperLimb);
     const auto centre = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::centre);
     EXPECT_NEAR(secondsBetween(*limb.sunrise, *centre.sunrise), 0.8357 / 15 * 3600, 1);
 }
 
-TEST(SunEvents, transitIsTheHighestPointButForSeconds) {
+TEST(SunEvents, TransitIsTheHighestPointButForSeconds) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> latitude(-60, 60);
     std::uniform_real_distribution<double> longitude(-180, 180);
@@ -57,7 +57,7 @@ TEST(SunEvents, transitIsTheHighestPointButForSeconds) {
     }
 }
 
-TEST(SunEvents, transitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
+TEST(SunEvents, TransitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> latitude(-89, 89);
     std::uniform_real_distribution<double> longitude(-180, 180);
@@ -74,7 +74,7 @@ TEST(SunEvents, transitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
     }
 }
 
-TEST(SunEvents, bothSidesOfTheDateLineAgree) {
+TEST(SunEvents, BothSidesOfTheDateLineAgree) {
     const Instant midnight = utc(2026, 5, 5, 12);
     const SunEvents west = eventsAt(observerAt(-16.8, 180), midnight);
     const SunEvents east = eventsAt(observerAt(-16.8, -180), midnight);
@@ -83,7 +83,7 @@ TEST(SunEvents, bothSidesOfTheDateLineAgree) {
     EXPECT_EQ(west.sunset, east.sunset);
 }
 
-TEST(SunEvents, polarDayAndNight) {
+TEST(SunEvents, PolarDayAndNight) {
     const SunEvents summer = eventsAt(longyearbyen, utc(2026, 6, 20, 22));
     EXPECT_EQ(summer.kind, DayKind::polarDay);
     EXPECT_FALSE(summer.sunrise || summer.sunset);
@@ -96,7 +96,7 @@ TEST(SunEvents, polarDayAndNight) {
 
 // The kinds of day in order from the first sunrise after midnight sun: days with sunrise and sunset, perhaps
 // one with only one of them, then neither.
-TEST(SunEvents, kindsChangeInOrderThroughThePolarYear) {
+TEST(SunEvents, KindsChangeInOrderThroughThePolarYear) {
     int changes = 0;
     DayKind last = eventsAt(tromso, utc(2026, 1, 1)).kind;
     EXPECT_EQ(last, DayKind::polarNight);
@@ -108,7 +108,7 @@ TEST(SunEvents, kindsChangeInOrderThroughThePolarYear) {
     EXPECT_EQ(changes, 4);  // night, ordinary, day, ordinary, night
 }
 
-TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
+TEST(SunEvents, SunThatRisesAndStaysUpHasNoSunset) {
     int half = 0;
     for (double latitude = 66; latitude < 80; latitude += 0.1) {
         const auto ephemeris = Ephemeris::over(observerAt(latitude, 0), utc(2026, 3, 30), utc(2026, 6, 30));
@@ -126,7 +126,7 @@ TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
     EXPECT_GT(half, 5);
 }
 
-TEST(SunEvents, survivesThePolesAndFarYears) {
+TEST(SunEvents, SurvivesThePolesAndFarYears) {
     for (const double latitude : {90.0, -90.0, 89.999}) {
         EXPECT_EQ(eventsAt(observerAt(latitude, 0), utc(2026, 6, 21)).kind,
                   latitude > 0 ? DayKind::polarDay : DayKind::polarNight);
@@ -136,7 +136,7 @@ TEST(SunEvents, survivesThePolesAndFarYears) {
     eventsAt(observerAt(40, 0), utc(2500, 1, 1));
 }
 
-TEST(SunEvents, fromAnEphemerisAreTheSame) {
+TEST(SunEvents, FromAnEphemerisAreTheSame) {
     const Observer newYork = observerAt(40.75, -73.98);
     const Instant first = utc(2026, 1, 1, 5);
     const auto ephemeris = Ephemeris::over(newYork, first - days{1}, first + days{366});

@@ -65,7 +65,7 @@ double number(const std::string& text, double missing = 0) {
     return text.empty() ? missing : std::stod(text);
 }
 
-TEST(SunReference, nrelSpaPositions) {
+TEST(SunReference, NrelSpaPositions) {
     const auto path = sharedData("reference/sun_position/nrel_spa_expected.csv");
     if (!path) GTEST_SKIP() << "no table of NREL SPA in the shared data";
     int compared = 0;
@@ -103,7 +103,7 @@ double secondsOfDayBetween(Instant event, Instant midnight, std::chrono::seconds
     return std::abs(std::remainder(std::chrono::duration<double>(event - midnight - time).count(), 86400.0));
 }
 
-TEST(SunReference, nrelSpaRiseTransitSet) {
+TEST(SunReference, NrelSpaRiseTransitSet) {
     const auto path = sharedData("reference/sun_position/nrel_spa_rise_set.csv");
     if (!path) GTEST_SKIP() << "no table of NREL SPA's sunrises in the shared data";
     int compared = 0;
@@ -142,7 +142,7 @@ protected:
 // Horizons gives refracted altitudes, for 1010 hPa and 10 deg C: the observer's defaults. Azimuth and
 // altitude are compared as a direction on the sky; azimuth also separately, except with the sun so high that
 // the same error on the sky is a larger error of azimuth.
-TEST_F(JplUsno, everyPositionAboveTwoDegrees) {
+TEST_F(JplUsno, EveryPositionAboveTwoDegrees) {
     int compared = 0;
     for (const auto& [name, bodies] : tables["positions"].items()) {
         for (const auto& [time, row] : bodies["sun"].items()) {
@@ -173,7 +173,7 @@ std::optional<std::chrono::seconds> usnoTime(const nlohmann::json& day, const st
 // USNO's times are rounded to the minute. Its days are those of UTC, ours those around local noon: an event
 // on the other side of midnight is compared with that of the neighbouring day (up to 4 minutes apart at high
 // latitudes).
-TEST_F(JplUsno, riseTransitAndSetWithinAMinute) {
+TEST_F(JplUsno, RiseTransitAndSetWithinAMinute) {
     int compared = 0;
     for (const auto& [name, dates] : tables["times"].items()) {
         for (const auto& [date, day] : dates.items()) {
@@ -199,7 +199,7 @@ TEST_F(JplUsno, riseTransitAndSetWithinAMinute) {
     EXPECT_GT(compared, 400);
 }
 
-TEST_F(JplUsno, polarDaysAndNights) {
+TEST_F(JplUsno, PolarDaysAndNights) {
     int compared = 0;
     for (const auto& [name, dates] : tables["times"].items()) {
         for (const auto& [date, day] : dates.items()) {

@@ -56,7 +56,7 @@ SunSteps stepsOf(const Period& period, const Observer& observer) {
     return std::move(*sun);
 }
 
-TEST(SunSteps, standForHalfOpenIntervals) {
+TEST(SunSteps, StandForHalfOpenIntervals) {
     const SunSteps sun = stepsOf(periodIn("America/New_York", 2026y / March / 21), newYork);
     ASSERT_EQ(sun.steps.size(), 360);
     EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 21, 13));
@@ -66,7 +66,7 @@ TEST(SunSteps, standForHalfOpenIntervals) {
     EXPECT_EQ(sun.belowHorizon, 0);
 }
 
-TEST(SunSteps, canBeStopped) {
+TEST(SunSteps, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
     const auto sun =
@@ -75,7 +75,7 @@ TEST(SunSteps, canBeStopped) {
     EXPECT_TRUE(isCancelled(sun.error()));
 }
 
-TEST(SunSteps, areWhereTheSunIs) {
+TEST(SunSteps, AreWhereTheSunIs) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.stepMinutes = 7;
     for (const bool refraction : {true, false}) {
@@ -89,7 +89,7 @@ TEST(SunSteps, areWhereTheSunIs) {
     }
 }
 
-TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
+TEST(SunSteps, FillHoursThatTheStepDoesNotDivide) {
     struct Case {
         double hours, stepMinutes;
         std::size_t steps;
@@ -113,7 +113,7 @@ TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
 }
 
 // Sunrise to sunset, computed here from the two events.
-TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
+TEST(SunSteps, OfASolarWindowCountAllOfItsMinutes) {
     const CivilDate date = 2026y / December / 21;
     const Instant midnight = Zone::named("America/New_York")->instantAt(date, 0min);
     const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
@@ -133,7 +133,7 @@ TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
     }
 }
 
-TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
+TEST(SunSteps, OfManySolarWindowsCountAllOfTheirMinutes) {
     Period period = periodIn("America/New_York", 2026y / January / 1);
     period.days = 365;
     period.window = SolarWindow{90min, 90min};
@@ -154,7 +154,7 @@ TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
     }
 }
 
-TEST(SunSteps, ofOneInstantADay) {
+TEST(SunSteps, OfOneInstantADay) {
     Period period = periodIn("America/New_York", 2026y / March / 6);
     period.days = 3;
     period.hours = 0;
@@ -166,7 +166,7 @@ TEST(SunSteps, ofOneInstantADay) {
     EXPECT_EQ(sun.steps[2].at, utc(2026, 3, 8, 13));  // summer time
 }
 
-TEST(SunSteps, beginAtTheWallClockOnDaysOfChange) {
+TEST(SunSteps, BeginAtTheWallClockOnDaysOfChange) {
     for (const auto& [date, first] : {std::pair{CivilDate{2026y / March / 8}, utc(2026, 3, 8, 13)},
                                       std::pair{CivilDate{2026y / November / 1}, utc(2026, 11, 1, 14)}}) {
         const SunSteps sun = stepsOf(periodIn("America/New_York", date), newYork);
@@ -180,7 +180,7 @@ TEST(SunSteps, beginAtTheWallClockOnDaysOfChange) {
     EXPECT_EQ(sun.steps.size() + sun.belowHorizon, 1440);
 }
 
-TEST(SunSteps, leapDayIsADay) {
+TEST(SunSteps, LeapDayIsADay) {
     Period period = periodIn("America/New_York", 2028y / February / 28);
     period.days = 3;
     const SunSteps sun = stepsOf(period, newYork);
@@ -190,7 +190,7 @@ TEST(SunSteps, leapDayIsADay) {
     EXPECT_EQ(sun.steps.size(), 3 * 360);
 }
 
-TEST(SunSteps, midnightSunFillsTheWholeDay) {
+TEST(SunSteps, MidnightSunFillsTheWholeDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
     period.from = 0min;
     period.hours = 24;
@@ -202,7 +202,7 @@ TEST(SunSteps, midnightSunFillsTheWholeDay) {
     EXPECT_EQ(stepsOf(period, longyearbyen).steps.size(), 480);
 }
 
-TEST(SunSteps, polarNightHasDaysWithoutSteps) {
+TEST(SunSteps, PolarNightHasDaysWithoutSteps) {
     Period period = periodIn("Europe/Oslo", 2026y / December / 21);
     period.days = 2;
     const SunSteps sun = stepsOf(period, longyearbyen);
@@ -216,7 +216,7 @@ TEST(SunSteps, polarNightHasDaysWithoutSteps) {
     EXPECT_EQ(stepsOf(period, longyearbyen).belowHorizon, 0);
 }
 
-TEST(SunSteps, belowTheHorizonLeaveAGapInTheSlots) {
+TEST(SunSteps, BelowTheHorizonLeaveAGapInTheSlots) {
     // Longyearbyen in April: 24 hours from noon to noon, with a short night in the middle.
     Period period = periodIn("Europe/Oslo", 2026y / April / 10);
     period.from = 12h;
@@ -230,7 +230,7 @@ TEST(SunSteps, belowTheHorizonLeaveAGapInTheSlots) {
     EXPECT_EQ(sun.steps.back().slot, 1439);
 }
 
-TEST(SunSteps, refractionLengthensTheDay) {
+TEST(SunSteps, RefractionLengthensTheDay) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.from = 0min;
     period.hours = 24;
@@ -242,7 +242,7 @@ TEST(SunSteps, refractionLengthensTheDay) {
     EXPECT_NEAR(double(geometric), 12 * 60 + 4, 6);
 }
 
-TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
+TEST(SunSteps, OfASolarWindowAreCountedFromSunrise) {
     Period period = periodIn("America/New_York", 2026y / March / 7);
     period.days = 3;
     period.window = SolarWindow{90min, 90min};
@@ -259,7 +259,7 @@ TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
     }
 }
 
-TEST(SunSteps, windowBeforeSunriseCountsTheStepsWithoutSun) {
+TEST(SunSteps, WindowBeforeSunriseCountsTheStepsWithoutSun) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.window = SolarWindow{-30min, -30min};
     period.window->rule = SunriseRule::centre;
@@ -269,7 +269,7 @@ TEST(SunSteps, windowBeforeSunriseCountsTheStepsWithoutSun) {
     EXPECT_EQ(sun.steps.front().slot, int(std::ceil(30 / sun.stepMinutes)));
 }
 
-TEST(SunSteps, windowThatEndsBeforeItBeginsIsEmpty) {
+TEST(SunSteps, WindowThatEndsBeforeItBeginsIsEmpty) {
     Period period = periodIn("Europe/Oslo", 2026y / January / 20);
     period.window = SolarWindow{90min, 90min};
     const SunSteps sun = stepsOf(period, observerAt(69.65, 18.96));  // Tromso: the sun is up for an hour
@@ -277,7 +277,7 @@ TEST(SunSteps, windowThatEndsBeforeItBeginsIsEmpty) {
     EXPECT_EQ(sun.belowHorizon, 0);
 }
 
-TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
+TEST(SunSteps, WindowOfAPolarDayIsTheCivilDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
     period.window = SolarWindow{90min, 90min};
     const SunSteps sun = stepsOf(period, longyearbyen);
@@ -285,7 +285,7 @@ TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
     EXPECT_EQ(sun.steps.front().at, utc(2026, 6, 20, 22));
 }
 
-TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
+TEST(SunSteps, WindowOfADayWithoutSunsetLastsToMidnight) {
     // Tromso in May: the days from the first night without sunset.
     Period period = periodIn("Europe/Oslo", 2026y / May / 10);
     period.days = 20;
@@ -307,7 +307,7 @@ TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
     EXPECT_EQ(sun.days.back().count, 1440);
 }
 
-TEST(SunSteps, sunStandsInTheNorthOfTheTropicsAndTheSouth) {
+TEST(SunSteps, SunStandsInTheNorthOfTheTropicsAndTheSouth) {
     Period period = periodIn("America/Bogota", 2026y / June / 21);
     for (const SunStep& step : stepsOf(period, observerAt(4.6, -74.08)).steps) EXPECT_GT(step.direction.y, 0);
     period = periodIn("Australia/Sydney", 2026y / June / 21);
@@ -317,7 +317,7 @@ TEST(SunSteps, sunStandsInTheNorthOfTheTropicsAndTheSouth) {
     EXPECT_GT(sydney.steps.back().azimuthDeg, 270);
 }
 
-TEST(SunSteps, farZonesKeepTheirDates) {
+TEST(SunSteps, FarZonesKeepTheirDates) {
     const SunSteps sun =
         stepsOf(periodIn("Pacific/Kiritimati", 2026y / March / 21), observerAt(1.87, -157.4));
     EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 20, 19));
@@ -325,7 +325,7 @@ TEST(SunSteps, farZonesKeepTheirDates) {
     EXPECT_NEAR(sun.steps.front().azimuthDeg, 90, 3);
 }
 
-TEST(SunSteps, ofAYearAreEightHoursADay) {
+TEST(SunSteps, OfAYearAreEightHoursADay) {
     Period period = periodIn("America/New_York", 2026y / January / 1);
     period.days = 365;
     period.from = 8h;
@@ -336,7 +336,7 @@ TEST(SunSteps, ofAYearAreEightHoursADay) {
     EXPECT_EQ(sun.days.back().date, CivilDate{2026y / December / 31});
 }
 
-TEST(SunSteps, workAtBothEndsOfTheirYears) {
+TEST(SunSteps, WorkAtBothEndsOfTheirYears) {
     for (const char* zone : {"Pacific/Kiritimati", "Etc/GMT+12", "America/New_York"}) {
         for (const CivilDate date : {CivilDate{1900y / January / 1}, CivilDate{2100y / December / 31}}) {
             for (const auto& window :
@@ -351,7 +351,7 @@ TEST(SunSteps, workAtBothEndsOfTheirYears) {
     EXPECT_FALSE(computeSunSteps(periodIn("UTC", 2101y / January / 1), newYork));
 }
 
-TEST(SunSteps, refuseWhatIsOutOfRange) {
+TEST(SunSteps, RefuseWhatIsOutOfRange) {
     Period period = periodIn("UTC", 2026y / January / 1);
     EXPECT_EQ(computeSunSteps(period, observerAt(91, 0)).error().where, "latitude");
     period.days = 3660;

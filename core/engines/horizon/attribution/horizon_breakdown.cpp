@@ -178,7 +178,7 @@ ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const Ste
                       const BinnedSun& binned) {
     ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}, {}, {}};
     breakdown.engine =
-        fmt::format("Horizon sweep: {}, one sweep for all months and intervals", textOf(binned));
+        fmt::format("Horizon sweep: {}, one sweep for all months and intervals", formatText(binned));
     std::vector<float> none(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
     for (const std::uint32_t cell : receivers.cells) none[cell] = 0;
     breakdown.minutes.assign(sets.names.size(), none);

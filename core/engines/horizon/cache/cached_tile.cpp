@@ -54,7 +54,7 @@ std::size_t CachedTile::retime(const Receivers& receivers, const WallCache& wall
 void CachedTile::lookAtGround(const Receivers& receivers, const WallCache& walls, bool wasOverhanging) {
     const double datumM = walls.list().datumM;
     grounds_ = BlockGrounds(receivers, blocks_, datumM);
-    if (walls.open().empty() && !wasOverhanging) return;
+    if (walls.overhangs().empty() && !wasOverhanging) return;
     if (overhangs_.numbers.empty() || !receivers.flat())
         overhangs_ = OverhangTile(receivers, blocks_, datumM);
 }
@@ -112,10 +112,10 @@ void CachedTile::sweep(std::span<const AzimuthBin> missing, Sweeping& sweeping) 
 void CachedTile::findGaps(CachedBin& cached, glm::dvec2 away, Sweeping& sweeping) const {
     const WallCache& walls = sweeping.walls;
     Sweeping::Memory& memory = sweeping.memory.local();
-    if (!walls.open().empty() && !sweeping.stop.stop_requested()) {
+    if (!walls.overhangs().empty() && !sweeping.stop.stop_requested()) {
         const ShadowAxes axes(away);
-        walls.open().across(axes, extentOf(box_, axes), toTangent(cached.lowest),
-                            axes.alongPerDistance / sweeping.cellM, memory.list);
+        walls.overhangs().across(axes, extentOf(box_, axes), toTangent(cached.lowest),
+                                 axes.alongPerDistance / sweeping.cellM, memory.list);
         const auto gaps =
             memory.overhangs.intervals({memory.list, overhangs_, away, cached.lowest, sweeping.cellM},
                                        ofReceivers(blocks_, cached.codes, memory.horizons), sweeping.stop);
@@ -158,7 +158,7 @@ void CachedTile::change(const Receivers& receivers, std::span<const std::uint32_
                         const WallCache& walls, const WallChange& change, CountedPeriod& period,
                         double binDeg, const std::stop_token& stop) {
     const bool undoesLast = change.undoesLast && paged_ && receivers.flat();
-    const bool isOverhanging = !walls.open().empty() || !change.removed.overhangs.empty();
+    const bool isOverhanging = !walls.overhangs().empty() || !change.removed.overhangs.empty();
     const ChangedReceivers changed = update(receivers, cells, undoesLast);
     if (bytes() == 0) return;
     if (!undoesLast) dropPages();

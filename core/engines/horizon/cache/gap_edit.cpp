@@ -31,10 +31,10 @@ void GapEdit::begin(const TileEdit& edit, const Bin& bin) {
     before_.resize(bin.codes.size());
     horizons_.resize(bin.codes.size(), OverhangSweep::blind);
     for (const CodeChange& change : bin.changes) {
-        mark(change.number, change.after < change.before ? undoesLast : touched);
+        mark(change.number, change.after < change.before ? stale : touched);
         before_[change.number] = change.before;
     }
-    for (const std::uint32_t number : edit.cells.newNumbers) mark(number, State(undoesLast | fresh));
+    for (const std::uint32_t number : edit.cells.newNumbers) mark(number, State(stale | fresh));
     for (const std::uint32_t number : edit.cells.goneNumbers) mark(number, gone);
 }
 
@@ -50,7 +50,7 @@ void GapEdit::markHit(const TileEdit& edit, const Bin& bin, std::span<const Over
     for (const Gap& gap : sweep_.intervals(viewOf(edit, bin, listOf(shapes)), bin.codes, edit.stop)) {
         if (edit.blocks.cell(gap.number) == ReceiverBlocks::padding) continue;
         if (states_[gap.number] == untouched) before_[gap.number] = bin.codes[gap.number];
-        mark(gap.number, undoesLast);
+        mark(gap.number, stale);
     }
 }
 
@@ -87,14 +87,15 @@ void GapEdit::recompute(const TileEdit& edit, const Bin& bin) {
     ShadowExtent extent;
     for (const std::uint32_t number : numbers_) {
         const std::uint32_t cell = edit.blocks.cell(number);
-        if ((states_[number] & undoesLast) == 0 || cell == ReceiverBlocks::padding) continue;
+        if ((states_[number] & stale) == 0 || cell == ReceiverBlocks::padding) continue;
         horizons_[number] = bin.codes[number];
         extent.add(axes.from({cell % columns, cell / columns}));
     }
     found_.clear();
     if (extent.lowQ > extent.highQ) return;
     extent = {extent.lowQ - 1, extent.highQ + 1, extent.lowAlong - 1, extent.highAlong + 1};
-    edit.walls.open().across(axes, extent, toTangent(bin.lowest), axes.alongPerDistance / edit.cellM, list_);
+    edit.walls.overhangs().across(axes, extent, toTangent(bin.lowest), axes.alongPerDistance / edit.cellM,
+                                  list_);
     OverhangView view = viewOf(edit, bin, list_);
     view.within = extent;
     const auto found = sweep_.intervals(view, horizons_, edit.stop);
@@ -125,7 +126,7 @@ void GapEdit::rewrite(const Bin& bin, std::span<const Gap> gaps, std::uint32_t b
 
 // Merges remaining and recomputed gaps of numbers below `end`, by number.
 void GapEdit::merge(std::span<const Gap> gaps, std::uint32_t end, FoundGap& found) {
-    const auto stays = [&](const Gap& gap) { return (states_[gap.number] & (undoesLast | gone)) == 0; };
+    const auto stays = [&](const Gap& gap) { return (states_[gap.number] & (stale | gone)) == 0; };
     for (const Gap& gap : gaps) {
         if (!stays(gap)) continue;
         for (; found != found_.end() && found->number < gap.number; ++found) merged_.push_back(*found);
@@ -145,20 +146,20 @@ void GapEdit::replace(std::vector<Gap>& gaps) {
         merged = block->mergedEnd;
     }
     if (block == rewritten_.end()) return;
-    const std::size_t cached = block->first;
-    rest_.assign(gaps.begin() + std::ptrdiff_t(cached), gaps.end());
-    gaps.resize(cached);
+    const std::size_t kept = block->first;
+    rest_.assign(gaps.begin() + std::ptrdiff_t(kept), gaps.end());
+    gaps.resize(kept);
     const auto append = [&](const std::vector<Gap>& from, std::size_t first, std::size_t end) {
         gaps.insert(gaps.end(), from.begin() + std::ptrdiff_t(first), from.begin() + std::ptrdiff_t(end));
     };
-    std::size_t at = cached;
+    std::size_t at = kept;
     for (; block != rewritten_.end(); ++block) {
-        append(rest_, at - cached, block->first - cached);
+        append(rest_, at - kept, block->first - kept);
         append(merged_, merged, block->mergedEnd);
         merged = block->mergedEnd;
         at = block->end;
     }
-    append(rest_, at - cached, rest_.size());
+    append(rest_, at - kept, rest_.size());
 }
 
 void GapEdit::clear() {

@@ -35,10 +35,10 @@ public:
 private:
     enum State : std::uint8_t {
         untouched = 0,
-        touched = 1,     ///< the horizon changed
-        undoesLast = 2,  ///< gaps to be recomputed
-        fresh = 4,       ///< a new receiver
-        gone = 8         ///< no longer a receiver
+        touched = 1,  ///< the horizon changed
+        stale = 2,    ///< gaps to be recomputed
+        fresh = 4,    ///< a new receiver
+        gone = 8      ///< no longer a receiver
     };
 
     void begin(const TileEdit& edit, const Bin& bin);

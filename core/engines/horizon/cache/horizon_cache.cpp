@@ -87,7 +87,7 @@ struct HorizonCache::State {
         if (field.continuousMin.size() == receivers.grid.size())
             setPeriod(field, receivers, sun);
         else
-            field = blankField(receivers, sun);
+            field = makeBlankField(receivers, sun);
         field.engine = fmt::format(
             "Kept horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
             "every day counted",

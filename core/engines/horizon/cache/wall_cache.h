@@ -40,7 +40,7 @@ public:
     }
 
     [[nodiscard]] const WallList& list() const { return list_; }
-    [[nodiscard]] const OverhangCache& open() const { return overhangs_; }
+    [[nodiscard]] const OverhangCache& overhangs() const { return overhangs_; }
     /// Whether update() to this city is possible: the terrain is the same, and heights have the same datum.
     [[nodiscard]] bool sameGround(const City& city, const Receivers& receivers) const;
     [[nodiscard]] std::size_t buildings() const { return buildings_.size(); }

@@ -173,7 +173,7 @@ std::size_t binCount(const SunSteps& sun, const HorizonSweepSettings& settings) 
     return std::size_t(std::ranges::count(visited, 1));
 }
 
-std::string textOf(const BinnedSun& binned) {
+std::string formatText(const BinnedSun& binned) {
     const std::string narrowest = fmt::format("{:.2g}", binned.narrowestDeg),
                       widest = fmt::format("{:.2g}", binned.widestDeg);
     return fmt::format("{} azimuth bins of {}{}{} deg", binned.bins.size(), narrowest,

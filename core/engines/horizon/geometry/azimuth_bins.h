@@ -72,7 +72,7 @@ struct BinnedSun {
 };
 
 /// "361 azimuth bins of 0.5 deg", "330 azimuth bins of 0.31 to 1.2 deg"
-std::string textOf(const BinnedSun& binned);
+std::string formatText(const BinnedSun& binned);
 
 /// The azimuth assigned to all suns of a bin.
 enum class BinDirection {

@@ -19,7 +19,7 @@ namespace {
 
 // Memory for the horizons of one tile if all its cells are receivers.
 constexpr std::size_t tileBytes = std::size_t{448} << 20U;
-constexpr std::size_t partsShown = 16, fansAPart = 4;
+constexpr std::size_t partsShown = 16, batchesPerPart = 4;
 constexpr std::size_t tasks = 64;  // minimum number of tasks, so that all cores have work until the end
 constexpr int largestTile = 1024;  // cells per side: a row of horizons stays in the first-level cache
 
@@ -43,11 +43,12 @@ bool horizonsFit(const Receivers& receivers, std::size_t bins) {
 
 // With many overhangs each bin becomes a batch of its own, because every azimuth of a batch stores which
 // overhangs may be seen from which block.
-std::vector<BatchRange> fansAmong(std::span<const OverhangShapes> overhangs, std::span<const SweptBin> bins) {
-    constexpr std::size_t mostInFans = 4096;
+std::vector<BatchRange> batchesAmong(std::span<const OverhangShapes> overhangs,
+                                     std::span<const SweptBin> bins) {
+    constexpr std::size_t mostInBatches = 4096;
     std::size_t shapes = 0;
     for (const OverhangShapes& some : overhangs) shapes += some.size();
-    if (shapes <= mostInFans) return groupIntoBatches(bins);
+    if (shapes <= mostInBatches) return groupIntoBatches(bins);
     std::vector<BatchRange> ones;
     for (std::size_t bin = 0; bin < bins.size(); ++bin) ones.push_back({bin, bin + 1});
     return ones;
@@ -75,7 +76,7 @@ PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OverhangShapes> 
       receivers_(receivers),
       binned_(binned),
       bins_(makeSweptBins(binned.bins)),
-      batches_(fansAmong(overhangs, bins_)),
+      batches_(batchesAmong(overhangs, bins_)),
       count_(sun, binned, {.gaps = !overhangs.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
       doubts_(sun, binned),
       rays_(rays),
@@ -125,7 +126,7 @@ void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
     for (Workspace& workspace : workspaces_) workspace.sums.begin(tile.blocks.blocks().size());
     PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
     const std::size_t turns =
-        sink == nullptr ? 1 : std::clamp(batches_.size() / fansAPart, std::size_t{1}, partsShown);
+        sink == nullptr ? 1 : std::clamp(batches_.size() / batchesPerPart, std::size_t{1}, partsShown);
     for (std::size_t turn = 0; turn < turns; ++turn) {
         const std::size_t some = (batches_.size() - turn + turns - 1) / turns;
         tbb::parallel_for(std::size_t{0}, some,

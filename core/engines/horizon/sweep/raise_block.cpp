@@ -185,9 +185,9 @@ struct WallBeforeLines {
         const __m512i level = _mm512_maskz_cvttps_epi32(0xFFFF, scaled);
         const __mmask16 somebody = _mm512_cmp_ps_mask(cot, _mm512_setzero_ps(), _CMP_GE_OQ);
         const __m512i code = _mm512_add_epi32(_mm512_maskz_min_epi32(0xFFFF, level, most), none);
-        const __mmask16 cached = _mm512_mask_cmpgt_epi32_mask(somebody, code, _mm512_set1_epi32(lowest));
+        const __mmask16 kept = _mm512_mask_cmpgt_epi32_mask(somebody, code, _mm512_set1_epi32(lowest));
         _mm256_store_si256(reinterpret_cast<__m256i*>(codes + line * side),
-                           _mm512_maskz_cvtepi32_epi16(0xFFFF, _mm512_mask_mov_epi32(none, cached, code)));
+                           _mm512_maskz_cvtepi32_epi16(0xFFFF, _mm512_mask_mov_epi32(none, kept, code)));
     }
 }
 #endif

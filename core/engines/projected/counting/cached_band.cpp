@@ -42,7 +42,7 @@ CachedBand::CachedBand(const Grid& grid, int firstRow, std::size_t eights)
       tiles_(eights * std::size_t(layout_.wordColumns)),
       changed_(layout_.words()) {}
 
-void CachedBand::change(const BuildingCasters& gone, const BuildingCasters& come, const SavedPeriod& period,
+void CachedBand::change(const BuildingCasters& gone, const BuildingCasters& come, const CachedPeriod& period,
                         CacheMemory& memory, const std::stop_token& stop) {
     BuildingFill before(gone, layout_, band_, period.whole), after(come, layout_, band_, period.whole);
     std::vector<std::size_t> reaching;
@@ -68,7 +68,7 @@ void CachedBand::changeBuilding(std::size_t number, BuildingFill& gone, Building
     come.clear(comeBox);
 }
 
-void CachedBand::recount(const SavedPeriod& period, std::span<const CellKind> kinds, ShadowField& field) {
+void CachedBand::recount(const CachedPeriod& period, std::span<const CellKind> kinds, ShadowField& field) {
     tbb::parallel_for(0, layout_.wordColumns, [&](int words) {
         std::vector<const StepWords*> steps(period.throws.size());
         for (int row = 0; row < layout_.rows; ++row) {
@@ -86,7 +86,7 @@ void CachedBand::recount(const SavedPeriod& period, std::span<const CellKind> ki
 }
 
 void CachedBand::countCells(std::span<const StepWords* const> steps, std::uint64_t cells, std::size_t first,
-                            const SavedPeriod& period, ShadowField& field) {
+                            const CachedPeriod& period, ShadowField& field) {
     WordRuns runs;
     countRuns(steps, period.starts, period.steps, runs);
     for (; cells != 0; cells &= cells - 1) {

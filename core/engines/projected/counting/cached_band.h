@@ -15,7 +15,7 @@
 namespace noonmark {
 
 /// A period in groups of eight steps.
-struct SavedPeriod {
+struct CachedPeriod {
     std::size_t steps = 0;
     std::vector<StepOffsets> throws;  ///< one per group
     StepOffsets whole;                ///< bounds over the period
@@ -40,7 +40,7 @@ public:
     /// Removes buildings and adds others; for speed, entries with the same number should be the same building
     /// moved. Adds the memory used to `memory`. Returns early, with part of the work done, when stopped or
     /// over the limit.
-    void change(const BuildingCasters& gone, const BuildingCasters& come, const SavedPeriod& period,
+    void change(const BuildingCasters& gone, const BuildingCasters& come, const CachedPeriod& period,
                 CacheMemory& memory, const std::stop_token& stop);
 
     /// Makes recount() count the cell, or all cells, even if their shadow did not change.
@@ -48,7 +48,7 @@ public:
     void markAll() { changed_.assign(changed_.size(), ~std::uint64_t{0}); }
 
     /// Counts the minutes of the receivers whose shadow changed since the last call.
-    void recount(const SavedPeriod& period, std::span<const CellKind> kinds, ShadowField& field);
+    void recount(const CachedPeriod& period, std::span<const CellKind> kinds, ShadowField& field);
 
     [[nodiscard]] const RowBand& band() const { return band_; }
 
@@ -60,7 +60,7 @@ private:
     void changeBuilding(std::size_t number, BuildingFill& gone, BuildingFill& come, std::size_t eight,
                         const StepOffsets& throws);
     static void countCells(std::span<const StepWords* const> steps, std::uint64_t cells, std::size_t first,
-                           const SavedPeriod& period, ShadowField& field);
+                           const CachedPeriod& period, ShadowField& field);
 
     RowBand band_;
     BitLayout layout_;

@@ -44,15 +44,15 @@ void CasterFill::Ring::bound(Arc& arc) const {
 }
 
 CasterFill::FarEdges CasterFill::Ring::facingApart(const Arc& facing) const {
-    FarEdges cached{facing, {.first = facing.end, .end = facing.first}, {}};
+    FarEdges kept{facing, {.first = facing.end, .end = facing.first}, {}};
     if (facing.first == facing.end)  // all are near: begins at the lowest point, so that each side runs only
                                      // upwards or only downwards
-        cached.near.first = cached.near.end =
+        kept.near.first = kept.near.end =
             std::uint32_t(std::ranges::min_element(points, {}, &glm::dvec2::y) - points.begin());
-    bound(cached.far);
-    bound(cached.near);
-    cached.chord = RingEdge(points[facing.end], points[facing.first]);
-    return cached;
+    bound(kept.far);
+    bound(kept.near);
+    kept.chord = RingEdge(points[facing.end], points[facing.first]);
+    return kept;
 }
 
 [[gnu::always_inline]] inline CasterFill::Ring CasterFill::parseRing(const ShadowCaster& caster) const {

@@ -9,8 +9,8 @@
 namespace noonmark {
 
 /// State shared by the edit tools: the view, its city, the preview and the drag handle.
-struct EditSession {
-    EditSession(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons)
+struct EditContext {
+    EditContext(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons)
         : panel(view), preview(view, std::move(horizons)), handle(view) {}
 
     ViewPanel& panel;
