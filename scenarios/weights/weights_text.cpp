@@ -120,8 +120,8 @@ std::map<std::string, std::string> textsOf(const WeightedInterval& interval) {
     return {{"name", interval.name},
             {"first", formatText(interval.first)},
             {"last", formatText(interval.last)},
-            {"from", noonmark::textOf(interval.from)},
-            {"to", noonmark::textOf(interval.to)},
+            {"from", noonmark::formatText(interval.from)},
+            {"to", noonmark::formatText(interval.to)},
             {"weight", fmt::to_string(interval.weight)}};
 }
 

@@ -71,7 +71,7 @@ TEST_F(StudyCommand, MonthsAndContributionsComeFromTheHorizonSweep) {
     EXPECT_THAT(contentOf(out / "study.json"), HasSubstr("--by month"));
     const Spoken refused = study({"--engine", "ray", "--contributions"});
     EXPECT_NE(refused.code, exitOk);
-    EXPECT_THAT(refused.err, HasSubstr("--engine horizon"));
+    EXPECT_THAT(refused.err, HasSubstr("Choose one of: horizon, auto"));
 }
 
 TEST_F(StudyCommand, StandardOutputIsTheJsonFileAndNothingElse) {

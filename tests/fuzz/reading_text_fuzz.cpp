@@ -30,7 +30,7 @@ void readFacts(const std::string& text) {
 void readSource(const std::string& text) {
     noonmark::Terrain terrain{noonmark::PostGrid(0, 0, 1, 2, 2), std::vector<float>(4)};
     if (!noonmark::takeSource(text, terrain)) return;
-    (void)noonmark::textOf(terrain);
+    (void)noonmark::formatText(terrain);
     require(noonmark::takeSource(noonmark::sourceText(terrain), terrain), "a source comes back");
 }
 

@@ -11,9 +11,9 @@ using noonmark::tests::require;
 
 void readTimes(std::string_view text) {
     if (const auto date = noonmark::parseDate(text))
-        require(date->ok() && noonmark::parseDate(noonmark::textOf(*date)) == *date, "a date comes back");
+        require(date->ok() && noonmark::parseDate(noonmark::formatText(*date)) == *date, "a date comes back");
     if (const auto time = noonmark::parseTimeOfDay(text))
-        require(noonmark::parseTimeOfDay(noonmark::textOf(*time)) == *time, "a time of day comes back");
+        require(noonmark::parseTimeOfDay(noonmark::formatText(*time)) == *time, "a time of day comes back");
     if (const auto window = noonmark::parseSolarWindow(text))
         require(noonmark::parseSolarWindow(formatText(*window)) == *window, "a solar window comes back");
     (void)noonmark::parseInstant(text, noonmark::Zone::utc());

@@ -632,7 +632,7 @@ TEST_F(ProjectWindow, AWarningLeadsToItsBuilding) {
     EXPECT_NEAR(target.x, -87.5, 30);
     EXPECT_NEAR(target.y, 42.5, 30);
     Q_EMIT dock->itemActivated(dock->topLevelItem(1)->child(0), 0);
-    EXPECT_TRUE(message().contains(QStringLiteral("way 7 is no building"))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("way 7 is not a building"))) << message().toStdString();
 }
 
 TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {

@@ -100,7 +100,7 @@ TEST(TimeLooking, NightIsSaidAndTheNextMomentAnswered) {
     looking.setStudy(smallStudy());
     looking.look({TimeSpan::moment, may.date, 2h});
     ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));
-    EXPECT_EQ(said.front(), "The sun is below the horizon");
+    EXPECT_EQ(said.front(), "The sun is below the horizon all the time");
     looking.look(may);
     ASSERT_TRUE(waitFor([&] { return looking.answer() != nullptr; }));
     EXPECT_EQ(looking.answer()->look, may);

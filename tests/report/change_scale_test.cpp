@@ -35,7 +35,7 @@ TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     };
     EXPECT_EQ(legend(small, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).scale.top, 60);
-    EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, most 230"));
+    EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, largest 230"));
     EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 1, 60), pickColour(large, ShadowMeasure::gross, 1, 60));
     EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 0, 60), std::nullopt);
     EXPECT_EQ(legend(small, {25}).scale.top, 25) << "exactly what was asked for";

@@ -97,7 +97,7 @@ TEST_F(HostileProject, NumbersAreCheckedWhereTheyEnter) {
 TEST_F(HostileProject, MeshesOutlinesAndTilesAreChecked) {
     expectRefused("UPDATE meshes SET vertices = x'', triangles = x''", "meshes");
     expectRefused("UPDATE meshes SET vertices = zeroblob(length(vertices) - 1)", "cut off");
-    expectRefused("UPDATE meshes SET triangles = x'FFFFFFFFFFFFFFFFFFFFFFFF'", "corner");
+    expectRefused("UPDATE meshes SET triangles = x'FFFFFFFFFFFFFFFFFFFFFFFF'", "vertex");
     expectRefused(
         "UPDATE meshes SET vertices = x'0000C07F0000C07F0000C07F', triangles = x'000000000000000000000000'",
         "meshes");

@@ -39,10 +39,11 @@ EngineList withHalfDark() {
 }
 
 StudySettings byHalfDark() {
+    using namespace std::chrono;
     StudySettings settings;
     settings.region = makeRegionFromLocalBox({{-20, -20}, {90, 30}});
     settings.receivers.cellM = 2;
-    settings.period = {.start = date::year{2026} / 6 / 21, .days = 1, .zone = "America/New_York"};
+    settings.period = {.start = 2026y / June / 21, .days = 1, .zone = "America/New_York"};
     settings.engine = "half";
     settings.errorSample.receivers = 0;
     return settings;

@@ -183,7 +183,7 @@ bool WindowUser::busy() {
     Workbench& bench = window_->workbench();
     return bench.opening().busy() || bench.following().busy() || bench.running().busy() ||
            bench.reading().busy() || window_->exploration().working() ||
-           window_->tools().workspace().preview.working().busy() || !bench.city();
+           window_->tools().context().preview.working().busy() || !bench.city();
 }
 
 void WindowUser::waitUntilIdle() {

@@ -25,7 +25,7 @@ std::optional<std::uint32_t> indexOf(const City& city, const std::string& id) {
     return std::uint32_t(found - city.buildings.begin());
 }
 
-QString describe(const Edit& edit) { return QString::fromStdString(noonmark::textOf(edit)); }
+QString describe(const Edit& edit) { return QString::fromStdString(noonmark::formatText(edit)); }
 
 }  // namespace
 

@@ -67,7 +67,7 @@ void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool 
                .part = ProjectPart::scenario,
                .name = scenario.name,
                .position = i,
-               .text = formatText(noonmark::textOf(scenario.edits[i])),
+               .text = formatText(noonmark::formatText(scenario.edits[i])),
                .tip =
                    tr("Step %1 of %2; press Delete to remove it").arg(i + 1).arg(formatText(scenario.name))});
 }
@@ -107,7 +107,7 @@ void addPeriods(ProjectNode& root, const Project& project) {
     for (const NamedPeriod& period : project.periods)
         addPart(group, period.name, {},
                 tr("%1\nPress Enter or double-click to use it as the study period")
-                    .arg(formatText(noonmark::textOf(period.period))));
+                    .arg(formatText(noonmark::formatText(period.period))));
 }
 
 void addWeights(ProjectNode& root, const Project& project) {

@@ -14,7 +14,7 @@ Finding makeFailedFinding(const char* title, const Error& error) {
 
 std::string siteWords(const BenchSite& site) {
     return fmt::format("{}, {} buildings; {} and its year, {}", site.name, site.city.buildings.size(),
-                       noonmark::textOf(site.date), site.zone);
+                       noonmark::formatText(site.date), site.zone);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/city/city.h"
+#include "core/engines/api/engine_capabilities.h"
 #include "core/engines/api/shadow_field.h"
 #include "core/engines/common/shadow_mask.h"
 #include "core/receivers/receivers.h"

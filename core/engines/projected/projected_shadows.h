@@ -1,11 +1,3 @@
-
-protected:
-[[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                          Progress& progress, std::stop_token stop) const override;
-[[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
-                                                       const SunSteps& sun, const StepSets& sets,
-                                                       bool byBuilding, Progress& progress,
-                                                       std::stop_token stop) const override;
 #pragma once
 
 // Projected shadows, the exact engine for flat ground, and its cache. casters/ turns buildings into convex
@@ -33,6 +25,15 @@ public:
     [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
     static constexpr EngineCapabilities able{
         .sets = true, .cache = true, .independence = Independence::always};
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
+    [[nodiscard]] Result<ShadowBreakdown> computeBreakdown(const City& city, const Receivers& receivers,
+                                                           const SunSteps& sun, const StepSets& sets,
+                                                           bool byBuilding, Progress& progress,
+                                                           std::stop_token stop) const override;
 };
 
 /// The rasters themselves, step by step (core/engines/projected/filling/bit_raster.h), for comparisons and

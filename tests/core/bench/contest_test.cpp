@@ -78,7 +78,7 @@ TEST_F(ContestTest, ErrorsAreInPercentOfThePeriod) {
 TEST_F(ContestTest, AWrongAnswerIsNotTimed) {
     const Placing placing = placingOf(10, 0);
     EXPECT_FALSE(placing.timed());
-    EXPECT_NE(placing.refusal.find("off by 16.7 %"), std::string::npos) << placing.refusal;
+    EXPECT_NE(placing.refusal.find("differ by 16.7 %"), std::string::npos) << placing.refusal;
 }
 
 TEST_F(ContestTest, ARefusalIsKept) {

@@ -77,7 +77,9 @@ TEST(ProjectedBreakdown, RefusesTerrainAndStops) {
     EXPECT_TRUE(isCancelled(
         computeProjectedBreakdown(city, receivers, sun, hours(sun), progress, source.get_token()).error()));
     city.terrain = std::make_shared<const Terrain>(Terrain{{-50, -50, 50, 2, 2}, {0, 1, 2, 3}});
-    EXPECT_FALSE(computeProjectedBreakdown(city, receivers, sun, hours(sun), progress, {}));
+    const auto refused = ProjectedShadows().breakDown(city, receivers, sun, hours(sun), false, progress, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::unsupported);
 }
 
 }  // namespace

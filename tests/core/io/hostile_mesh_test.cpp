@@ -224,7 +224,7 @@ TEST(MeshReaderProcess, WhichIsKilledIsAnError) {
     const auto scene = readMeshScene(file, {}, {});
     ASSERT_FALSE(scene);
     EXPECT_TRUE(killed);
-    EXPECT_NE(scene.error().what.find("its reader was ended"), std::string::npos) << scene.error().text();
+    EXPECT_NE(scene.error().what.find("its reader was stopped"), std::string::npos) << scene.error().text();
     EXPECT_TRUE(hasNoChild());
 }
 

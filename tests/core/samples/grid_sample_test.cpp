@@ -101,12 +101,12 @@ TEST(GridSample, SettingsOutOfRangeAreRefusedInWords) {
     const auto textOf = [](const GridSampleSettings& settings) {
         return makeGridSample(settings).error().text();
     };
-    EXPECT_THAT(formatText({.buildings = 99}), testing::HasSubstr("100 to 50,000"));
-    EXPECT_THAT(formatText({.buildings = 50001}), testing::HasSubstr("100 to 50,000"));
-    EXPECT_THAT(formatText({.roundness = -1}), testing::HasSubstr("0 to 64"));
-    EXPECT_THAT(formatText({.roundness = 65}), testing::HasSubstr("0 to 64"));
-    EXPECT_THAT(formatText({.origin = {200, 0}}), testing::HasSubstr("longitude"));
-    EXPECT_THAT(formatText({.origin = {0, std::numeric_limits<double>::quiet_NaN()}}),
+    EXPECT_THAT(textOf({.buildings = 99}), testing::HasSubstr("100 to 50,000"));
+    EXPECT_THAT(textOf({.buildings = 50001}), testing::HasSubstr("100 to 50,000"));
+    EXPECT_THAT(textOf({.roundness = -1}), testing::HasSubstr("0 to 64"));
+    EXPECT_THAT(textOf({.roundness = 65}), testing::HasSubstr("0 to 64"));
+    EXPECT_THAT(textOf({.origin = {200, 0}}), testing::HasSubstr("longitude"));
+    EXPECT_THAT(textOf({.origin = {0, std::numeric_limits<double>::quiet_NaN()}}),
                 testing::HasSubstr("latitude"));
 }
 
