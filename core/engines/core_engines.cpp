@@ -120,7 +120,7 @@ EngineEntry inverseAccrualMap() {
     return {
         {"iam",
          "Inverse accrual map",
-         "What throws the shadows at the ends of each hour, moved along straight lines between; hours that "
+         "Occluders at both ends of each hour, their shadows moved along straight lines between; hours that "
          "look alike computed once",
          {},
          // Sources of two instants, masks, and some 30 maps of runs alive in a year.

@@ -39,11 +39,11 @@ ProjectModel::~ProjectModel() = default;
 
 void ProjectModel::follow() {
     const auto wanted = makeNodes(session_.project(), session_.scenario(), session_.baseline());
-    become(*root_, *wanted);
+    mergeInto(*root_, *wanted);
 }
 
 // Keeps nodes that are equal at the beginning and at the end, and replaces those in between.
-void ProjectModel::become(ProjectNode& old, ProjectNode& wanted) {
+void ProjectModel::mergeInto(ProjectNode& old, ProjectNode& wanted) {
     auto& was = old.children;
     auto& is = wanted.children;
     std::size_t first = 0;
@@ -51,8 +51,8 @@ void ProjectModel::become(ProjectNode& old, ProjectNode& wanted) {
     std::size_t oldEnd = was.size(), wantedEnd = is.size();
     while (oldEnd > first && wantedEnd > first && same(*was[oldEnd - 1], *is[wantedEnd - 1]))
         --oldEnd, --wantedEnd;
-    for (std::size_t i = 0; i < first; ++i) become(*was[i], *is[i]);
-    for (std::size_t i = 0; oldEnd + i < was.size(); ++i) become(*was[oldEnd + i], *is[wantedEnd + i]);
+    for (std::size_t i = 0; i < first; ++i) mergeInto(*was[i], *is[i]);
+    for (std::size_t i = 0; oldEnd + i < was.size(); ++i) mergeInto(*was[oldEnd + i], *is[wantedEnd + i]);
     replaceRows(old, wanted, first, oldEnd, wantedEnd);
     if (&old == root_.get()) return;
     const bool differs = old.text != wanted.text || old.tip != wanted.tip ||

@@ -49,7 +49,7 @@ public:
 
 private:
     void follow();
-    void become(ProjectNode& old, ProjectNode& wanted);
+    void mergeInto(ProjectNode& old, ProjectNode& wanted);
     void replaceRows(ProjectNode& old, ProjectNode& wanted, std::size_t first, std::size_t oldEnd,
                      std::size_t wantedEnd);
     [[nodiscard]] QModelIndex indexOf(const ProjectNode& node) const;

@@ -57,11 +57,11 @@ void WeightsModel::setTable(const std::string& name) {
 }
 
 void WeightsModel::follow() {
-    become(findWeights(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
+    replaceTable(findWeights(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
 }
 
 // Keeps rows that are equal at the beginning and at the end, and replaces those in between.
-void WeightsModel::become(TimeWeights table) {
+void WeightsModel::replaceTable(TimeWeights table) {
     auto& was = table_.intervals;
     const auto& is = table.intervals;
     const auto [oldFirst, newFirst] = std::ranges::mismatch(was, is);

@@ -43,7 +43,7 @@ Q_SIGNALS:
 
 private:
     void follow();
-    void become(TimeWeights table);
+    void replaceTable(TimeWeights table);
     bool change(const Result<TimeWeights>& next);
 
     ProjectSession& session_;

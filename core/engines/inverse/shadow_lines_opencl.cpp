@@ -139,7 +139,7 @@ Result<std::unique_ptr<ShadowLineDrawer>> makeOpenClDrawer(int device) {
     const std::vector<cl::Device> devices = allDevices();
     if (devices.empty())
         return failure("There is no OpenCL on this machine", "OpenCL",
-                       "Lines are drawn on the processor instead; installing pocl-opencl-icd would give one");
+                       "Leave out the OpenCL device, or install pocl-opencl-icd");
     if (device < 0 || device >= int(devices.size()))
         return failure(fmt::format("There is no OpenCL device {}", device), "OpenCL",
                        fmt::format("Choose 0 to {}", devices.size() - 1));

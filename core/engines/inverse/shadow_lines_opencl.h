@@ -20,7 +20,7 @@ struct ComputeDevice {
 std::vector<ComputeDevice> listComputeDevices();
 
 /// A drawer on device number `device` of listComputeDevices(). Error if there is no such device or its
-/// compiler fails; the caller then draws on the processor and reports that. Compiling takes about a second
+/// compiler fails. Compiling takes about a second
 /// the first time.
 Result<std::unique_ptr<ShadowLineDrawer>> makeOpenClDrawer(int device);
 

@@ -55,7 +55,7 @@ bool sameRegion(const std::vector<CellKind>& before, const Receivers& now, const
 Error tooMuch(const Grid& grid, std::size_t steps, const ShadowCacheSettings& settings) {
     return {fmt::format("The shadows of {} steps over {} x {} cells need more than {:.0f} MB to be kept",
                         steps, grid.columns, grid.rows, double(settings.memoryBytes) * 1e-6),
-            "kept shadows", "Choose a smaller region, larger cells, fewer days or a longer step"};
+            "cached shadows", "Choose a smaller region, larger cells, fewer days or a longer step"};
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ struct ShadowCache::State {
           field(makeBlankField(receivers, steps)) {
         memory.most = chosen.memoryBytes;
         field.engine =
-            "Kept shadows: each building's shadow filled as polygons at every step and kept, exact on flat "
+            "Cached shadows: each building's shadow filled as polygons at every step and cached, exact on flat "
             "ground";
     }
 
@@ -130,7 +130,7 @@ struct ShadowCache::State {
             field.grossMin[cell] = field.continuousMin[cell] = std::numeric_limits<float>::quiet_NaN();
     }
 
-    Result<void> become(const Buildings& now, Progress& progress, const std::stop_token& stop) {
+    Result<void> changeTo(const Buildings& now, Progress& progress, const std::stop_token& stop) {
         const Stopwatch watch;
         const ChangedBuildings changed = findChangedBuildings(buildings, now);
         const BuildingCasters gone(reaching(changed.gone), field.grid),
@@ -163,13 +163,13 @@ struct ShadowCache::State {
                         const std::stop_token& stop) try {
         if (!whole) begin();
         remask(receivers.kind);
-        auto done = become(city.buildings, progress, stop);
+        auto done = changeTo(city.buildings, progress, stop);
         if (!done) drop();
         return done;
     } catch (const std::bad_alloc&) {
         whole = false;
         drop();
-        return failure("There is not enough memory for this study", "kept shadows",
+        return failure("There is not enough memory for this study", "cached shadows",
                        "Choose a smaller region or larger cells");
     }
 };
@@ -196,7 +196,7 @@ Result<ShadowCache> ShadowCache::make(const City& city, const Receivers& receive
 Result<void> ShadowCache::change(const City& city, const Receivers& receivers, Progress& progress,
                                  const std::stop_token& stop) {
     if (!sameRegion(state_->kinds, receivers, state_->field.grid))
-        return failure("The kept shadows are those of another region", "kept shadows",
+        return failure("The cached shadows are those of another region", "cached shadows",
                        "Make new ones for this region");
     if (const auto able = checkGround(city, receivers, ProjectedShadows::able, "The shadow cache"); !able)
         return able;

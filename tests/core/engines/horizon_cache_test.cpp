@@ -92,10 +92,10 @@ TEST(HorizonCache, OtherDatesHoursAndStepsAreAsIfFresh) {
         EXPECT_TRUE(sameField(retimed(kept, sun), fresh(city, receivers, sun)));
 }
 
-TEST(HorizonCache, KeptBinsAreNotSweptAgain) {
+TEST(HorizonCache, CachedBinsAreNotSweptAgain) {
     const City city = blocks(2, 3);
     HorizonCache kept = cachedOf(city, smallRegion(city));
-    const char* reason = "azimuth bins kept from before (bins x tiles)";
+    const char* reason = "azimuth bins in the cache (bins x tiles)";
     EXPECT_EQ(retimed(kept, someDays(30, 3)).cost.skipped.at(reason), 0U);
     EXPECT_GT(retimed(kept, someDays(40, 2)).cost.skipped.at(reason), 100U);
     EXPECT_EQ(retimed(kept, oneDay({{181.2, 60}})).cost.skipped.at(reason), 1U);
@@ -367,7 +367,7 @@ TEST(HorizonCache, RefuseWhatTheyCannotDo) {
         std::string::npos);
     City laden = city;
     for (int i = 0; i <= 50'000; ++i) laden.buildings.push_back(buildingOf({{0, 0, 5}, {10, 10, 10}}));
-    EXPECT_NE(kept.change(laden, receivers, progress, {}).error().text().find("parts that hang"),
+    EXPECT_NE(kept.change(laden, receivers, progress, {}).error().text().find("overhanging prisms"),
               std::string::npos);
     EXPECT_TRUE(sameField(changed(kept, city, receivers), fresh(city, receivers, someDays(40, 1))));
     NoProgress silent;

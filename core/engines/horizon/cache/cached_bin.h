@@ -13,7 +13,7 @@ namespace noonmark {
 /// sun's level are included, because a gap that begins one level higher adjoins them.
 struct CachedBin {
     HorizonCode lowest = 0;
-    std::vector<HorizonCode> codes;  ///< of what stands on the ground, one per number; empty: not cached
+    std::vector<HorizonCode> codes;  ///< of obstacles on the ground, one per number; empty: not cached
     std::vector<Gap> gaps;  ///< gaps of receivers, by number: all overhangs that reach above the horizon
     BaselineCodes base;     ///< where the last change added buildings
 

@@ -32,7 +32,7 @@ int tileSide(const Grid& grid, std::uint64_t memoryBytes, std::size_t bins) {
 
 Result<void> checkSame(const Receivers& before, const Receivers& now) {
     if (before.grid == now.grid) return {};
-    return failure("The kept horizons are those of another region", "kept horizons",
+    return failure("The cached horizons are those of another region", "cached horizons",
                    "Make new ones for this region");
 }
 
@@ -46,7 +46,7 @@ bool sameCells(const Receivers& before, const Receivers& now, std::span<const st
 }
 
 tl::unexpected<Error> noPeriod() {
-    return failure("There is no period yet whose shadow could change", "kept horizons",
+    return failure("There is no period yet whose shadow could change", "cached horizons",
                    "Compute a period first");
 }
 
@@ -89,7 +89,7 @@ struct HorizonCache::State {
         else
             field = makeBlankField(receivers, sun);
         field.engine = fmt::format(
-            "Kept horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
+            "Cached horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
             "every day counted",
             period->binned().bins.size(), settings.binDeg);
         field.cost.buildingsUsed = std::uint32_t(walls.buildings());
@@ -106,7 +106,7 @@ struct HorizonCache::State {
     Error outOfMemory() {
         for (CachedTile& tile : tiles) tile.drop();
         period.reset();
-        return {"There is not enough memory for this study", "kept horizons",
+        return {"There is not enough memory for this study", "cached horizons",
                 "Choose a smaller region or larger cells"};
     }
 
@@ -227,7 +227,7 @@ Result<ShadowField> HorizonCache::retime(const SunSteps& sun, Progress& progress
         state_->keepWithinMemory(state_->tiles[i]);
     }
     progress.report(1, "sweeping horizons");
-    state_->field.cost.skipped["azimuth bins kept from before (bins x tiles)"] =
+    state_->field.cost.skipped["azimuth bins in the cache (bins x tiles)"] =
         state_->tiles.size() * state_->period->binned().bins.size() - swept;
     return state_->result(counts, stop);
 } catch (const std::bad_alloc&) {

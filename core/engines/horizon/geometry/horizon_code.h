@@ -10,7 +10,7 @@ namespace noonmark {
 /// A horizon in 16 bits. Its *steepness* is height / (height + distance) = tan / (1 + tan) of its altitude: 0
 /// if level, 1 if vertical, and nearly uniform in angle. The code is one of 65,535 levels of steepness,
 /// rounded down; a sun is rounded to the nearest level. Horizons thus need no rounding of their own, and a
-/// sun moves by half a level at most: 0.0005 to 0.0009 deg of altitude, some 0.2 s of time.
+/// sun moves by half a level at most: 0.0004 to 0.0009 deg of altitude, some 0.2 s of time.
 using HorizonCode = std::int16_t;
 
 inline constexpr int steepnessLevels = 65'535;

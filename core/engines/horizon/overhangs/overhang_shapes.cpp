@@ -95,11 +95,10 @@ OverhangList listOf(std::span<const OverhangShapes> shapes) {
 
 Result<void> checkOverhangCount(std::size_t count) {
     if (count <= OverhangShapes::most) return {};
-    return failure(
-        fmt::format("The horizon sweep takes what stands on the ground and up to {} parts that hang, or "
-                    "triangles of such that are no prisms, and in reach there are {}",
-                    OverhangShapes::most, count),
-        "engine", "Choose projected shadows or the ray reference");
+    return unsupported(fmt::format("The horizon sweep takes up to {} overhanging prisms and triangles, and {} are "
+                                   "within reach",
+                                   OverhangShapes::most, count),
+                       "engine", "Choose projected shadows or the ray reference");
 }
 
 }  // namespace noonmark

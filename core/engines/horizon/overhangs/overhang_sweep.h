@@ -50,7 +50,7 @@ public:
     template <class Visit>
     void look(std::size_t block, const ViewingBlock& from, HorizonCode lowest, const Visit& visit);
 
-    /// `horizons`: of what stands on the ground, one per number; `blind` for irrelevant ones. Returns the
+    /// `horizons`: of obstacles on the ground, one per number; `blind` for irrelevant ones. Returns the
     /// intervals that reach above them: receivers ascend, the intervals of a receiver ascend, are disjoint
     /// and do not touch; none if stopped. Valid until the next call. Costs as much as begin() plus look() for
     /// all blockNumbers.

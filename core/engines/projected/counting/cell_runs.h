@@ -42,13 +42,13 @@ inline void changeRuns(CellRuns* cells, std::uint64_t before, std::uint64_t now,
 /// last step. At a step that starts a new run, the runs of all cells outside `never` end.
 inline void passEight(CellRuns* cells, std::uint64_t& shaded, const std::uint64_t* steps,
                       const RunStarts& startsRun, std::uint64_t never, std::uint32_t first) {
-    const auto become = [&](std::uint64_t now, std::uint32_t step) {
+    const auto changeTo = [&](std::uint64_t now, std::uint32_t step) {
         if (now != shaded) changeRuns(cells, shaded, now, step);
         shaded = now;
     };
     for (std::uint32_t k = 0; k < stepsTogether; ++k) {
-        if (startsRun[k]) become(never, first + k);
-        become(steps[k], first + k);
+        if (startsRun[k]) changeTo(never, first + k);
+        changeTo(steps[k], first + k);
     }
 }
 
