@@ -81,7 +81,8 @@ struct ShadowCache::State {
           field(makeBlankField(receivers, steps)) {
         memory.most = chosen.memoryBytes;
         field.engine =
-            "Cached shadows: each building's shadow filled as polygons at every step and cached, exact on flat "
+            "Cached shadows: each building's shadow filled as polygons at every step and cached, exact on "
+            "flat "
             "ground";
     }
 

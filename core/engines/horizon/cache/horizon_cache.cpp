@@ -89,7 +89,8 @@ struct HorizonCache::State {
         else
             field = makeBlankField(receivers, sun);
         field.engine = fmt::format(
-            "Cached horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step of "
+            "Cached horizons: the slope of each receiver's horizon in {} azimuth bins of {} deg, every step "
+            "of "
             "every day counted",
             period->binned().bins.size(), settings.binDeg);
         field.cost.buildingsUsed = std::uint32_t(walls.buildings());

@@ -95,10 +95,11 @@ OverhangList listOf(std::span<const OverhangShapes> shapes) {
 
 Result<void> checkOverhangCount(std::size_t count) {
     if (count <= OverhangShapes::most) return {};
-    return unsupported(fmt::format("The horizon sweep takes up to {} overhanging prisms and triangles, and {} are "
-                                   "within reach",
-                                   OverhangShapes::most, count),
-                       "engine", "Choose projected shadows or the ray reference");
+    return unsupported(
+        fmt::format("The horizon sweep takes up to {} overhanging prisms and triangles, and {} are "
+                    "within reach",
+                    OverhangShapes::most, count),
+        "engine", "Choose projected shadows or the ray reference");
 }
 
 }  // namespace noonmark

@@ -57,8 +57,9 @@ struct ShadowCasters {
     }
 };
 
-/// A convex prism is one caster. Any other prism is split into its walls (those that face away from the sun
-/// cast all of its shadow outside its footprint) and, if it is an overhang, its underside. A mesh is split
+/// A convex prism is one caster. Any other prism is split: on the ground into convex pieces, as an overhang
+/// into its walls (those that face away from the sun cast all of its shadow outside its footprint) and its
+/// underside. A mesh is split
 /// into its faces, two-sided if it is not closed. `buildings`: indices in the city, each on flat ground at z
 /// = 0.
 ShadowCasters makeShadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
