@@ -84,7 +84,7 @@ City turnedBlocks() {
     return city;
 }
 
-TEST(AzimuthBatch, HorizonsOfAFanAreThoseOfEachAzimuthAloneToTheLastBit) {
+TEST(AzimuthBatch, HorizonsOfABatchAreThoseOfEachAzimuthAloneToTheLastBit) {
     const City city = turnedBlocks();
     const Receivers receivers = receiversOver(city, 60, 55, 330, 340);
     std::vector<std::uint32_t> all(city.buildings.size());
