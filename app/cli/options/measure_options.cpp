@@ -26,7 +26,7 @@ void addMeasureOptions(CLI::App& command, MeasureOptions& options) {
         ->required()
         ->type_name("DIR");
     addOverwriteOption(command, options.overwrite);
-    command.add_option("--keep", options.keep, "Save the result in the project under this name")
+    command.add_option("--save,--keep", options.keep, "Save the result in the project under this name")
         ->type_name("NAME");
     command.add_flag("--json", options.json, "Print only the JSON to standard output");
 }
