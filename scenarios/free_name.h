@@ -4,9 +4,9 @@
 
 namespace noonmark {
 
-/// The name, or "name (2)", "name (3)"...: the first for which `isTaken(name)` is false.
+/// Returns `name`, or else the first of "name (2)", "name (3)"... for which `isTaken` is false.
 template <class IsTaken>
-std::string firstFreeName(const std::string& name, IsTaken&& isTaken) {
+std::string findFreeName(const std::string& name, IsTaken&& isTaken) {
     std::string free = name;
     for (int copy = 2; isTaken(free); ++copy) free = name + " (" + std::to_string(copy) + ")";
     return free;

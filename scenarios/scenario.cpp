@@ -26,7 +26,7 @@ ByName byName(const std::vector<Scenario>& scenarios) {
     return found;
 }
 
-// From the scenario down to the one that starts from the existing city.
+// The chain of bases, from the scenario down to the one that starts from the existing city.
 Result<std::vector<const Scenario*>> lineage(const std::vector<Scenario>& scenarios, const ByName& named,
                                              std::string_view name) {
     std::vector<const Scenario*> line;
@@ -52,7 +52,7 @@ const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::
     return found == scenarios.end() ? nullptr : &*found;
 }
 
-Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const std::string& name) {
+Result<std::vector<Edit>> collectEdits(const std::vector<Scenario>& scenarios, const std::string& name) {
     if (name.empty()) return unknown(scenarios, name);
     const auto line = lineage(scenarios, byName(scenarios), name);
     if (!line) return tl::make_unexpected(line.error());
@@ -64,7 +64,7 @@ Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const 
 
 Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& scenarios,
                           const std::string& name) {
-    const auto edits = editsOf(scenarios, name);
+    const auto edits = collectEdits(scenarios, name);
     if (!edits) return tl::make_unexpected(edits.error());
     return applied(existing, *edits).map_error([&](Error error) {
         error.where = fmt::format("scenario '{}', {}", name, error.where);
@@ -72,15 +72,15 @@ Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& sce
     });
 }
 
-Result<void> checked(const std::vector<Scenario>& scenarios) {
+Result<void> validate(const std::vector<Scenario>& scenarios) {
     if (scenarios.size() > mostScenarios)
         return failure(fmt::format("There are more than {} scenarios", mostScenarios), "scenarios",
-                       "Keep some in another project");
+                       "Move some to another project");
     const ByName named = byName(scenarios);
     for (const Scenario& scenario : scenarios) {
         if (scenario.name.empty() || scenario.name == existingCity)
             return failure(fmt::format("A scenario cannot be called '{}'", scenario.name), "scenarios",
-                           "Give it a name of its own");
+                           "Give it another name");
         if (named.at(scenario.name) != &scenario)
             return failure("Two scenarios have this name", scenario.name, "Rename one");
         if (const auto line = lineage(scenarios, named, scenario.name); !line)

@@ -1,42 +1,49 @@
 #pragma once
 
+// The folder scenarios/ answers "what if": edits/ holds single changes to a city, a scenario (this header) is
+// a named list of them, massing/ builds towers on lots, impact/ compares two cities, weights/ scores wanted
+// shade against unwanted shadow, and project/ stores all of it in one file. Everything here is a plain value
+// without Qt or OpenGL.
+
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/result.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/edits/edit.h"
 
 namespace noonmark {
 
-/// The city as it stands: what a scenario without a base starts from. No scenario bears this name.
+/// The name of the city without edits, from which a scenario with an empty base starts. No scenario may have
+/// this name.
 inline constexpr const char* existingCity = "Existing";
 
-/// Limits that no work reaches: a file that goes beyond was made to stop the program.
-inline constexpr std::size_t mostBases = 100;        ///< from one scenario down to the existing city
-inline constexpr std::size_t mostScenarios = 10000;  ///< of a project
+/// Far above any real project. A file that exceeds them was made to stall the program.
+inline constexpr std::size_t mostBases = 100;  ///< in the chain from one scenario down to the existing city
+inline constexpr std::size_t mostScenarios = 10000;  ///< in a project
 
-/// A named list of edits to the existing city, or to what another scenario makes of it.
+/// A named list of edits to the existing city or to the city of another scenario, its base.
 struct Scenario {
     std::string name;         ///< unique in a project, not empty
-    std::string base;         ///< the scenario it starts from; empty: the existing city
-    std::vector<Edit> edits;  ///< in the order in which they are made
+    std::string base;         ///< name of the scenario it starts from; empty: the existing city
+    std::vector<Edit> edits;  ///< applied in this order
     bool operator==(const Scenario&) const = default;
 };
 
-/// The scenario of a name; nullptr where there is none.
+/// Returns nullptr where no scenario has this name.
 const Scenario* findScenario(const std::vector<Scenario>& scenarios, const std::string& name);
 
-/// All edits that lead from the existing city to a scenario, its bases' first. Empty for existingCity.
-/// Error: an unknown name, or scenarios that start from one another in a circle.
-Result<std::vector<Edit>> editsOf(const std::vector<Scenario>& scenarios, const std::string& name);
+/// Returns all edits that lead from the existing city to a scenario, those of its bases first. Empty for
+/// existingCity. Error: an unknown name, or scenarios whose bases form a cycle.
+Result<std::vector<Edit>> collectEdits(const std::vector<Scenario>& scenarios, const std::string& name);
 
-/// What a scenario makes of the existing city, and what it changes in it. Errors as of editsOf and applied().
+/// Returns the city of a scenario and how it differs from `existing`. Errors as of collectEdits() and
+/// applied().
 Result<EditedCity> cityOf(const City& existing, const std::vector<Scenario>& scenarios,
                           const std::string& name);
 
-/// Error where names are missing, double or existingCity, or bases are unknown or circular.
-Result<void> checked(const std::vector<Scenario>& scenarios);
+/// Error: a name is missing, used twice or equal to existingCity, or a base is unknown or part of a cycle.
+Result<void> validate(const std::vector<Scenario>& scenarios);
 
 }  // namespace noonmark

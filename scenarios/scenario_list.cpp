@@ -13,15 +13,15 @@ using Place = std::vector<Scenario>::iterator;
 
 Result<Place> placeOf(std::vector<Scenario>& scenarios, const std::string& name) {
     if (name == existingCity)
-        return failure("The existing city stays as it is", "scenario 'Existing'",
+        return failure("The existing city cannot be changed", "scenario 'Existing'",
                        "Name one of the project's scenarios");
-    if (const auto known = editsOf(scenarios, name); !known) return tl::make_unexpected(known.error());
+    if (const auto known = collectEdits(scenarios, name); !known) return tl::make_unexpected(known.error());
     return std::ranges::find(scenarios, name, &Scenario::name);
 }
 
-// Keeps the change where the list is sound after it.
+// Takes over the changed list if it is valid.
 Result<void> keepSound(std::vector<Scenario>& scenarios, std::vector<Scenario> changed) {
-    if (const auto sound = checked(changed); !sound) return sound;
+    if (const auto sound = validate(changed); !sound) return sound;
     scenarios = std::move(changed);
     return {};
 }

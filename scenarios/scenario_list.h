@@ -7,18 +7,18 @@
 
 namespace noonmark {
 
-// Changes to a sound list of scenarios; it stays sound, and on an Error as it was. Error: no such scenario,
-// the existing city, or a new name that is taken.
+// Changes to a valid list of scenarios. The list stays valid; on an Error it stays unchanged. Error: there is
+// no such scenario, the name is that of the existing city, or the new name is taken.
 
-/// Those that start from it then start from the new name. Kept results keep the name that they were made of.
+/// Scenarios based on it refer to the new name afterwards. Saved results keep the old name.
 Result<void> renameScenario(std::vector<Scenario>& scenarios, const std::string& name,
                             const std::string& newName);
 
-/// A copy with the same base and edits, right after it.
+/// Inserts a copy with the same base and edits right after the original.
 Result<void> duplicateScenario(std::vector<Scenario>& scenarios, const std::string& name,
                                const std::string& newName);
 
-/// Error too where others start from it, with their names.
+/// Error also where other scenarios are based on it; the Error lists their names.
 Result<void> removeScenario(std::vector<Scenario>& scenarios, const std::string& name);
 
 }  // namespace noonmark

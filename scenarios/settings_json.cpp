@@ -1,7 +1,7 @@
 #include "scenarios/settings_json.h"
 
+#include "core/base/version.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/version.h"
 
 namespace noonmark {
 
@@ -14,12 +14,12 @@ Json settingsJson(const StudySettings& settings) {
     return {{"program", "Noonmark " + std::string(version())},
             {"engine", engine},
             {"period",
-             {{"text", textOf(period)},
-              {"start", textOf(period.start)},
+             {{"text", formatText(period)},
+              {"start", formatText(period.start)},
               {"days", period.days},
-              {"from", period.window ? Json() : Json(textOf(period.from))},
+              {"from", period.window ? Json() : Json(formatText(period.from))},
               {"hours", period.window ? Json() : Json(period.hours)},
-              {"window", period.window ? Json(textOf(*period.window)) : Json()},
+              {"window", period.window ? Json(formatText(*period.window)) : Json()},
               {"step_min", period.stepMinutes},
               {"zone", period.zone},
               {"refraction", period.refraction}}},

@@ -8,7 +8,7 @@ namespace noonmark {
 namespace {
 
 constexpr double mostTicks = 6;
-constexpr double edge = 0.06;  // of the span of a logarithmic axis, free at both ends
+constexpr double edge = 0.06;  // share of the span of a logarithmic axis left free at each end
 
 QString powerText(int exponent) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
@@ -24,7 +24,7 @@ QString numberText(double value) {
     return QString::number(value, 'g', 6);
 }
 
-/// 1, 2 or 5 times a power of ten, so that no more than `mostTicks` steps fill the span.
+/// 1, 2 or 5 times a power of ten, such that at most `mostTicks` steps fill the span.
 double roundStep(double span) {
     double step = std::pow(10, std::floor(std::log10(span / mostTicks)));
     for (const double factor : {2.0, 2.5, 2.0})
@@ -32,7 +32,7 @@ double roundStep(double span) {
     return step;
 }
 
-/// The factors of a decade that are marked.
+/// The multiples within a decade that get a tick.
 std::vector<double> marksOfDecade(double decades) {
     if (decades > 2.2) return {1};
     if (decades > 1.2) return {1, 3};

@@ -7,21 +7,22 @@
 
 namespace noonmark {
 
-/// A mark on an axis.
+/// A tick of an axis.
 struct AxisTick {
-    double place = 0;  ///< where, as placeOf() has it
+    double place = 0;  ///< position along the axis, as placeOf() returns it
     QString text;      ///< "0.5", "10⁻⁴"
 };
 
-/// From values to places along an axis, and the marks that a reader wants there: round numbers, few enough to
-/// stand side by side. Logarithmic axes are linear in their places.
+/// Maps values to positions along an axis and computes its ticks: round numbers, few enough to fit side by
+/// side. Positions on a logarithmic axis are logarithms.
 class AxisScale {
 public:
-    /// Holds all `values` (on a logarithmic axis those above zero). Without any it runs from 0 or 1 on.
+    /// The axis covers all `values`; a logarithmic axis ignores values of 0 or less. Without values it covers
+    /// a default range around 1.
     AxisScale(const bench::ChartAxis& axis, const std::vector<double>& values);
 
     [[nodiscard]] double placeOf(double value) const;
-    /// Whether the axis can show it: finite, and above zero on a logarithmic one.
+    /// Whether the axis can show the value: finite, and above zero on a logarithmic axis.
     [[nodiscard]] bool shows(double value) const;
 
     [[nodiscard]] double low() const { return low_; }

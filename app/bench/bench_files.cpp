@@ -1,7 +1,7 @@
 #include "app/bench/bench_files.h"
 
 #include "app/bench/bench_pages.h"
-#include "app/report/output_folder.h"
+#include "app/report/files/output_folder.h"
 
 namespace noonmark {
 
@@ -10,7 +10,7 @@ Result<std::vector<std::filesystem::path>> writeBenchFiles(const bench::BenchRep
                                                            const OutputRules& rules) {
     OutputFolder files(folder, rules);
     for (const bench::Finding& finding : report.findings)
-        if (!finding.key.empty()) files.add(finding.key + ".csv", textContent(csvOf(finding.table)));
+        if (!finding.key.empty()) files.add(finding.key + ".csv", textContent(toCsv(finding.table)));
     files.add("report.pdf", [&](QIODevice& device) { return writeBenchPages(report, device); });
     files.add("summary.json", textContent(summaryJson(report)));
     return std::move(files).result();

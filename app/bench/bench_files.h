@@ -1,24 +1,29 @@
 #pragma once
 
+// The folder app/bench/ writes the report of a benchmark. bench_files.h writes all files and bench_pages.h
+// the PDF; finding_block.h lays out one finding on a page. Its charts come from chart_painter.h with
+// axis_scale.h, chart_inks.h, mark_painter.h, point_labels.h and chart_legend.h, its tables from
+// comparison_painter.h.
+
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/bench/bench_report.h"
-#include "core/io/check_output.h"
-#include "core/result.h"
+#include "core/io/files/check_output.h"
 
 namespace noonmark {
 
-/// Everything a benchmark leaves, into a folder that is made when missing: one CSV an experiment, named by
-/// its key; report.pdf; summary.json. `rules`: what may be replaced. Returns the paths written. Each file is
-/// whole or not there. Needs a QApplication (the `offscreen` platform will do).
+/// Writes all files of a benchmark into a folder, which is created if missing: one CSV per experiment, named
+/// by its key; report.pdf; summary.json. `rules`: which files may be replaced. Returns the paths written. A
+/// file is written completely or not at all. Needs a QApplication (the `offscreen` platform suffices).
 Result<std::vector<std::filesystem::path>> writeBenchFiles(const bench::BenchReport& report,
                                                            const std::filesystem::path& folder,
                                                            const OutputRules& rules = {});
 
-/// The names of those files, by the keys of the findings.
+/// The names of those files for the keys of the findings.
 std::vector<std::string> benchFileNames(std::span<const char* const> keys);
 
 }  // namespace noonmark

@@ -7,9 +7,9 @@
 
 #include "app/bench/comparison_painter.h"
 #include "app/bench/finding_block.h"
-#include "app/report/headline.h"
-#include "app/report/pdf_page.h"
-#include "app/report/study_words.h"
+#include "app/report/sheets/headline.h"
+#include "app/report/sheets/pdf_page.h"
+#include "app/report/sheets/study_words.h"
 
 namespace noonmark {
 
@@ -21,7 +21,7 @@ constexpr double extentPt = 7;
 constexpr double gapPt = 18;  // between the blocks of a page
 constexpr double highestChartPt = 330;
 
-/// The pages of one report, one after the other.
+/// The pages of one report.
 class BenchPages {
 public:
     BenchPages(QPdfWriter& writer, QPainter& painter, const bench::BenchReport& report)
@@ -60,7 +60,7 @@ private:
                     fmt::format("{}; measured in {:.0f} s", report_.machine, report_.seconds))};
     }
 
-    /// Findings [first, last) below `topPoints`; their charts share what height is left.
+    /// Findings [first, last) below `topPoints`; their charts share the remaining height.
     void paintBlocks(std::size_t first, std::size_t last, double topPoints) {
         std::vector<FindingBlock> blocks;
         double fixed = double(last - first - 1) * gapPt * canvas_.point;
@@ -84,7 +84,7 @@ private:
         canvas_.painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter,
                                  QString::fromStdString(report_.site + "; " + report_.machine));
         canvas_.painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,
-                                 QStringLiteral("%1, page %2").arg(programWords()).arg(++page_));
+                                 QStringLiteral("%1, page %2").arg(describeProgram()).arg(++page_));
     }
 
     QPdfWriter& writer_;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "app/report/style.h"
+#include "app/report/sheets/style.h"
 
 namespace noonmark {
 

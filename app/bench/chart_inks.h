@@ -10,15 +10,15 @@ namespace noonmark {
 
 enum class MarkShape { circle, square, triangle, diamond, pentagon };
 
-/// How a series looks.
+/// Colour and mark of a series.
 struct ChartInk {
     QColor colour;
     MarkShape shape = MarkShape::circle;
 };
 
-/// One look for every word of ChartSeries::colourOf, the same on all pages: colours that the colour-blind
-/// tell apart (Okabe and Ito, 2008, "Color Universal Design", and two of Tol's), and shapes for those who
-/// print in grey.
+/// One colour and shape per value of ChartSeries::colourOf, the same on all pages. The colours are
+/// distinguishable for colour-blind readers (Okabe and Ito, 2008, "Color Universal Design", and two of
+/// Tol's), the shapes in greyscale print.
 class ChartInks {
 public:
     explicit ChartInks(const std::vector<bench::Finding>& findings);

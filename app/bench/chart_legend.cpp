@@ -42,8 +42,8 @@ void paintEntry(const Canvas& canvas, const QPointF& at, const bench::ChartSerie
 
 }  // namespace
 
-double legendOf(const Canvas& canvas, const QRectF& area, std::span<const bench::Chart> charts,
-                const ChartInks& inks, bool paint) {
+double makeLegend(const Canvas& canvas, const QRectF& area, std::span<const bench::Chart> charts,
+                  const ChartInks& inks, bool paint) {
     const std::vector<bench::ChartSeries> entries = entriesOf(charts);
     if (entries.size() < 2) return 0;
     canvas.painter.setFont(textFont(canvas, letterPt));

@@ -16,35 +16,35 @@ namespace noonmark {
 
 namespace {
 
-/// A chart is laid out in these units, small enough for whole-pixel letters, large enough for the paddings
-/// that Qt Charts counts in pixels.
+/// Layout units of a chart: small enough for fonts of whole pixels, large enough for the paddings that Qt
+/// Charts counts in pixels.
 constexpr double unitsPerPoint = 4;
 
 constexpr double titlePt = 8;
 constexpr double axisPt = 6.6;
 constexpr double markPt = 4.6;
-constexpr double rightPt = 9;  // half of the last number of the axis below
+constexpr double rightPt = 9;  // half the width of the last number of the axis below
 constexpr double hairlinePt = 0.35;
 constexpr double linePt = 1.1;
 
-std::vector<double> valuesOf(const bench::Chart& chart, double bench::ChartPoint::*member) {
+std::vector<double> getValues(const bench::Chart& chart, double bench::ChartPoint::*member) {
     std::vector<double> values;
     for (const auto& series : chart.series)
         for (const auto& point : series.points) values.push_back(point.*member);
     return values;
 }
 
-/// One chart as Qt Charts has it.
+/// One chart as a QChart.
 class QtChart {
 public:
     QtChart(const Canvas& canvas, const QSizeF& size, const bench::Chart& chart, const ChartInks& inks)
         : canvas_{canvas.painter, unitsPerPoint},
           chart_(chart),
           inks_(inks),
-          x_(chart.x, valuesOf(chart, &bench::ChartPoint::x)),
-          y_(chart.y, valuesOf(chart, &bench::ChartPoint::y)),
+          x_(chart.x, getValues(chart, &bench::ChartPoint::x)),
+          y_(chart.y, getValues(chart, &bench::ChartPoint::y)),
           picture_(new QChart) {
-        scene_.addItem(picture_);  // which owns it
+        scene_.addItem(picture_);  // takes ownership
         dress();
         addAxis(x_, chart.x, Qt::AlignBottom);
         addAxis(y_, chart.y, Qt::AlignLeft);
@@ -136,7 +136,7 @@ private:
     AxisScale y_;
     QGraphicsScene scene_;
     QChart* picture_;
-    QLineSeries* anyLine_ = nullptr;  // of the picture's
+    QLineSeries* anyLine_ = nullptr;  // owned by picture_
 };
 
 }  // namespace

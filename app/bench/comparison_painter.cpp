@@ -7,26 +7,26 @@ namespace noonmark {
 
 namespace {
 
-constexpr double rowHeight = 1.62;  // of the size of the letters
+constexpr double rowHeight = 1.62;  // times the font size
 constexpr double columnGap = 1.1;
 constexpr double mostSpare = 3;
 
 using Row = std::vector<std::string>;
 
-QString textOf(const Row& row, std::size_t column) {
+QString formatText(const Row& row, std::size_t column) {
     return column < row.size() ? QString::fromStdString(row[column]) : QString();
 }
 
 double widthOf(const bench::Comparison& comparison, std::size_t column, const QFontMetricsF& bold,
                const QFontMetricsF& plain) {
-    double width = bold.horizontalAdvance(textOf(comparison.header, column));
+    double width = bold.horizontalAdvance(formatText(comparison.header, column));
     for (const Row& row : comparison.rows)
-        width = std::max(width, plain.horizontalAdvance(textOf(row, column)));
+        width = std::max(width, plain.horizontalAdvance(formatText(row, column)));
     return width;
 }
 
-// What is left over goes to all columns alike, but not so much that the eye loses the line; what is missing
-// comes from the first.
+// Spare width is shared equally among the columns, up to a limit that keeps rows readable; missing width is
+// taken from the first column.
 std::vector<double> columnWidths(const Canvas& canvas, const bench::Comparison& comparison, double width,
                                  double points) {
     const QFontMetricsF bold(textFont(canvas, points, QFont::Bold)), plain(textFont(canvas, points));
@@ -51,7 +51,7 @@ void paintRow(const Canvas& canvas, QRectF cell, const Row& row, const std::vect
     const QPointF left = cell.bottomLeft();
     for (std::size_t column = 0; column < widths.size(); ++column) {
         cell.setWidth(widths[column]);
-        const QString text = metrics.elidedText(textOf(row, column), Qt::ElideRight, cell.width());
+        const QString text = metrics.elidedText(formatText(row, column), Qt::ElideRight, cell.width());
         canvas.painter.setPen(ink::text);
         canvas.painter.drawText(cell, (column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
                                 text);

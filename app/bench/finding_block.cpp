@@ -15,7 +15,7 @@ constexpr double textPt = 7.8;
 constexpr double tablePt = 7;
 constexpr double gapPt = 7;         // between the parts of a block
 constexpr double gutterPt = 16;     // between columns
-constexpr double chartShare = 0.6;  // of the width, where tables stand at the chart's side
+constexpr double chartShare = 0.6;  // share of the width where tables stand beside the chart
 constexpr std::size_t mostRemarks = 4;
 
 }  // namespace
@@ -47,13 +47,13 @@ double FindingBlock::tablesHeight() const {
     return height > 0 ? height + gapPt * canvas_.point : 0;
 }
 
-// Two charts have their own; more of them share one.
+// Two charts have one legend each; other numbers of charts share one.
 double FindingBlock::legendsHeight() const {
     const std::span<const bench::Chart> charts = finding_.charts;
-    if (charts.size() != 2) return legendOf(canvas_, {0, 0, width_, 0}, charts, inks_, false);
+    if (charts.size() != 2) return makeLegend(canvas_, {0, 0, width_, 0}, charts, inks_, false);
     const QRectF half(0, 0, columnWidth(), 0);
-    return std::max(legendOf(canvas_, half, charts.first(1), inks_, false),
-                    legendOf(canvas_, half, charts.last(1), inks_, false));
+    return std::max(makeLegend(canvas_, half, charts.first(1), inks_, false),
+                    makeLegend(canvas_, half, charts.last(1), inks_, false));
 }
 
 double FindingBlock::columnWidth() const { return (width_ - gutterPt * canvas_.point) / 2; }
@@ -85,7 +85,7 @@ double FindingBlock::paintBeside(const QPointF& top, double chartHeight) const {
         side.translate(0, heightOf(canvas_, comparison, tablePt) + gap);
     }
     const QRectF legend(top.x(), chart.bottom() + gap, width_, 0);
-    return legend.top() + legendOf(canvas_, legend, finding_.charts, inks_, true);
+    return legend.top() + makeLegend(canvas_, legend, finding_.charts, inks_, true);
 }
 
 double FindingBlock::paintStacked(const QPointF& top, double chartHeight) const {
@@ -98,10 +98,10 @@ double FindingBlock::paintStacked(const QPointF& top, double chartHeight) const 
             area.topLeft() + QPointF(double(i % 2) * across, double(i / 2) * (chartHeight + gap));
         paintChart(canvas_, {corner, QSizeF(columnWidth(), chartHeight)}, charts[i], inks_);
         const QRectF below(corner.x(), corner.y() + chartHeight + gap, columnWidth(), 0);
-        if (charts.size() == 2) legendOf(canvas_, below, charts.subspan(i, 1), inks_, true);
+        if (charts.size() == 2) makeLegend(canvas_, below, charts.subspan(i, 1), inks_, true);
     }
     area.translate(0, chartRows() * (chartHeight + gap));
-    if (charts.size() > 2) legendOf(canvas_, area, charts, inks_, true);
+    if (charts.size() > 2) makeLegend(canvas_, area, charts, inks_, true);
     area.translate(0, legendsHeight());
     paintTables({area.left(), area.top() + gap, width_, 0});
     return area.top() + tablesHeight();

@@ -3,23 +3,23 @@
 #include <QRectF>
 
 #include "app/bench/chart_inks.h"
-#include "app/report/style.h"
-#include "app/report/text_column.h"
+#include "app/report/sheets/style.h"
+#include "app/report/sheets/text_column.h"
 #include "core/bench/finding.h"
 
 namespace noonmark {
 
-/// One finding on a page: title, words, charts with their legend, tables. A single chart has words and tables
-/// at its side; two stand side by side between them, more in two columns.
+/// One finding on a page: title, text, charts with their legend, tables. A single chart has text and tables
+/// beside it; two charts stand side by side between text and tables; more charts stand in two columns.
 class FindingBlock {
 public:
     FindingBlock(const Canvas& canvas, const bench::Finding& finding, const ChartInks& inks, double width);
 
-    /// What it needs without its charts, painter units.
+    /// Height of everything but the charts, painter units.
     [[nodiscard]] double heightWithoutCharts() const;
-    /// Rows of charts, 0 where it has none.
+    /// Number of rows of charts; 0 without charts.
     [[nodiscard]] int chartRows() const;
-    /// From `top` on, each row of charts so high. Returns the y below.
+    /// Paints the block from `top`; each row of charts is `chartHeight` high. Returns the y below the block.
     double paint(const QPointF& top, double chartHeight) const;
 
 private:

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/report/style.h"
+#include "app/report/sheets/style.h"
 
 namespace noonmark {
 
 namespace {
 
-// A regular polygon with a corner at the top when `turn` is 0; turn in shares of the full circle.
+// A regular polygon with a corner at the top if `turn` is 0; `turn` is a share of the full circle.
 QPainterPath polygonPath(int corners, double radius, double turn = 0) {
     QPolygonF polygon;
     for (int i = 0; i < corners; ++i) {
@@ -49,7 +49,7 @@ void paintMark(QPainter& painter, const QPointF& at, const ChartInk& look, bool 
     painter.setPen(QPen(hollow ? look.colour : ink::paper, line));
     painter.setBrush(hollow ? ink::paper : look.colour);
     painter.drawPath(markPath(look.shape, size).translated(at));
-    painter.setBrush(Qt::NoBrush);  // whoever draws next means no filled lines
+    painter.setBrush(Qt::NoBrush);  // later lines must not be filled
 }
 
 }  // namespace noonmark

@@ -7,10 +7,10 @@
 
 namespace noonmark {
 
-/// The outline of a mark around the origin, `size` across.
+/// The outline of a mark of size `size`, centred on the origin.
 QPainterPath markPath(MarkShape shape, double size);
 
-/// A mark at a point: filled, or hollow where its figure is estimated. `size` and `line` in painter units.
+/// Paints a mark: filled, or hollow where its value is estimated. `size` and `line` in painter units.
 void paintMark(QPainter& painter, const QPointF& at, const ChartInk& look, bool hollow, double size,
                double line);
 

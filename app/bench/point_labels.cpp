@@ -32,7 +32,7 @@ void PointLabels::paint(const QPointF& at, const QString& text, const QColor& co
         const QRectF box(place, size);
         if (!isFree(box)) continue;
         taken_.push_back(box);
-        painter.fillRect(box, ink::paper);  // no line crosses a word
+        painter.fillRect(box, ink::paper);  // no line crosses a label
         painter.setPen(colour);
         painter.drawText(QPointF(box.left(), box.bottom() - 0.12 * size.height()), text);
         return;

@@ -3,17 +3,17 @@
 #include <QRectF>
 #include <vector>
 
-#include "app/report/style.h"
+#include "app/report/sheets/style.h"
 
 namespace noonmark {
 
-/// Words beside points, none upon another word or a mark; a word without room is left away.
+/// Labels beside points. Labels do not overlap each other or a mark; a label without room is dropped.
 class PointLabels {
 public:
-    /// `within`: where words may stand; `markSize` in painter units.
+    /// `within`: the area for labels; `markSize` in painter units.
     PointLabels(const Canvas& canvas, const QRectF& within, double markSize);
 
-    /// Where a mark is; all marks first, then the words.
+    /// Registers the position of a mark. Add all marks before painting labels.
     void addMark(const QPointF& at);
     void paint(const QPointF& at, const QString& text, const QColor& colour);
 

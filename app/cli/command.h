@@ -4,15 +4,15 @@
 #include <functional>
 
 #include "app/cli/console.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark::cli {
 
-/// What a parsed command does. Set by the command that the user chose.
+/// The work of a parsed command; set by the command that the user chose.
 using Run = std::function<int(const Console&)>;
 
-// Each adds its command with its options, and sets `run` when it is chosen. To add a command: one file, and
-// one line in command_line.cpp.
+// Each function adds a command with its options; the command sets `run` when the user chooses it. A new
+// command needs one file and one line in command_line.cpp.
 void addSampleCommand(CLI::App& app, Run& run);
 void addInfoCommand(CLI::App& app, Run& run);
 void addImportCommand(CLI::App& app, Run& run);
@@ -26,8 +26,8 @@ void addScoreCommand(CLI::App& app, Run& run);
 void addEnginesCommand(CLI::App& app, Run& run);
 void addDevicesCommand(CLI::App& app, Run& run);
 
-/// One line on `err`: "noonmark-cli: what". Returns the code; exitCancelled when the error says that the work
-/// was cancelled.
+/// Prints one line to `err`: "noonmark-cli: what". Returns the code, or exitCancelled if the error is a
+/// cancellation.
 int fail(const Console& console, const Error& error, ExitCode code);
 
 }  // namespace noonmark::cli

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/cli/command.h"
-#include "core/version.h"
+#include "core/base/version.h"
 
 namespace noonmark::cli {
 
@@ -18,10 +18,10 @@ void say(const Console& console, std::string text) {
     console.err << "noonmark-cli: " << text << '\n';
 }
 
-// Groups of options are commands without a name to the parser.
+// For the parser, groups of options are commands without a name.
 bool isCommand(const CLI::App* app) { return !app->get_name().empty(); }
 
-// The parser only misses a command; a person wants to hear which word was none.
+// The parser only reports that a command is missing; this names the unknown word.
 std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc, const char* const* argv) {
     std::string words;
     const CLI::App* last = &app;
@@ -35,7 +35,7 @@ std::string reasonOf(const CLI::ParseError& error, const CLI::App& app, int argc
     return "There is no command '" + words + argv[next] + "'";
 }
 
-// The parser would take the next word for the value.
+// The parser would take the next word as the value.
 std::string emptyOption(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i)
         if (const std::string_view word = argv[i]; word.starts_with("--") && word.ends_with('='))
@@ -59,11 +59,11 @@ int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv
     return run(console);
 }
 
-// What could not be written must not look like success to a script.
+// A script must not take incompletely written output for success.
 int checkWritten(const Console& console, int code) {
     console.out.flush();
     if (console.out || code != exitOk) return code;
-    say(console, "The output could not be written to its end. Check that its disk has room");
+    say(console, "The output could not be written completely. Check that the disk has free space");
     return exitFailed;
 }
 
@@ -76,7 +76,7 @@ int fail(const Console& console, const Error& error, ExitCode code) {
 
 int runCommandLine(int argc, const char* const* argv, const Console& console) {
     try {
-        CLI::App app("Measures the shadows of buildings on a city.", "noonmark-cli");
+        CLI::App app("Measures the shadows that buildings cast on a city.", "noonmark-cli");
         app.set_version_flag("--version", "Noonmark " + std::string(version()));
         app.require_subcommand(1);
         Run run;

@@ -4,19 +4,19 @@
 
 namespace noonmark::cli {
 
-/// Where a command speaks to.
+/// The output streams of a command.
 struct Console {
     std::ostream& out;     ///< results
-    std::ostream& err;     ///< the one line of an error, the progress line
-    bool watched = false;  ///< a person looks at `err`: show progress there
+    std::ostream& err;     ///< error and progress lines
+    bool watched = false;  ///< `err` is a terminal: show progress there
 };
 
-/// What the program ends with.
+/// Exit codes of the program.
 enum ExitCode : int {
     exitOk = 0,
-    exitFailed = 1,      ///< the work could not be done
+    exitFailed = 1,      ///< the work failed
     exitUsage = 2,       ///< the command line is wrong, or a file cannot be read
-    exitCancelled = 130  ///< Ctrl-C, as shells have it
+    exitCancelled = 130  ///< Ctrl-C, as in shells
 };
 
 }  // namespace noonmark::cli

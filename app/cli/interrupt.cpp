@@ -22,7 +22,7 @@ Interrupt::~Interrupt() {
 }
 
 void Interrupt::watch(const std::stop_token& done) {
-    constexpr timespec glance{0, 50'000'000};  // how long the destructor may have to wait, ns
+    constexpr timespec glance{0, 50'000'000};  // nanoseconds; the longest wait of the destructor
     while (!done.stop_requested()) {
         if (sigtimedwait(&signals_, nullptr, &glance) < 0) continue;
         if (!stop_.request_stop()) std::_Exit(exitCancelled);

@@ -6,9 +6,9 @@
 
 namespace noonmark::cli {
 
-/// While it lives, Ctrl-C (SIGINT) and SIGTERM ask for a stop instead of ending the program; the second one
-/// ends it at once with code 130. Make it before other threads are started: they inherit that these signals
-/// are not theirs.
+/// During its lifetime Ctrl-C (SIGINT) and SIGTERM request a stop instead of ending the program; a second
+/// signal ends it at once with code 130. Create it before other threads, which inherit that these signals are
+/// blocked.
 class Interrupt {
 public:
     Interrupt();

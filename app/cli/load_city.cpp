@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/progress_line.h"
 #include "app/input/load_project.h"
-#include "core/io/read_settings_text.h"
+#include "core/io/heights/read_settings_text.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -14,7 +14,7 @@ namespace {
 
 Result<LoadedCity> projectCity(const std::string& file) {
     return ProjectFile::open(file).map(
-        [&](const ProjectFile& disk) { return loadedFrom(disk.project(), file); });
+        [&](const ProjectFile& disk) { return loadProjectCity(disk.project(), file); });
 }
 
 }  // namespace
@@ -24,10 +24,10 @@ bool namesProject(const ReadOptions& options) { return std::ranges::any_of(optio
 Result<void> checkProjectAlone(const ReadOptions& options) {
     const std::string& file = options.files.front();
     if (options.files.size() > 1)
-        return failure("A project stands alone", file, "Give the project file and no other");
-    if (textOf(options.settings).empty()) return {};
-    return failure("The city of a project is read already: options of reading change nothing", file,
-                   "Leave them out, or make a new project of the files with them");
+        return failure("A project cannot be combined with other files", file, "Give only the project file");
+    if (formatText(options.settings).empty()) return {};
+    return failure("The city of a project has already been read: reading options have no effect", file,
+                   "Omit them, or create a new project from the files with these options");
 }
 
 Result<LoadedCity> loadCity(const ReadOptions& options, const Console& console) {

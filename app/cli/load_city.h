@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
-#include "app/cli/read_options.h"
+#include "app/cli/options/read_options.h"
 #include "app/input/load_city.h"
 
 namespace noonmark::cli {
@@ -9,11 +9,12 @@ namespace noonmark::cli {
 /// Whether one of the files is a project.
 bool namesProject(const ReadOptions& options);
 
-/// A project goes without other files and without settings of reading: how its city was read is in it. To be
-/// asked where namesProject().
+/// Error where a project is combined with other files or with reading options: the project states how its
+/// city was read. Call it only if namesProject().
 Result<void> checkProjectAlone(const ReadOptions& options);
 
-/// Reads the city of a command with a progress line, stopped by Ctrl-C. Of a project: its city as it stands.
+/// Reads the city of a command with a progress line; Ctrl-C cancels. For a project it returns the existing
+/// city.
 Result<LoadedCity> loadCity(const ReadOptions& options, const Console& console);
 
 }  // namespace noonmark::cli

@@ -6,9 +6,9 @@ class QApplication;
 
 namespace noonmark::cli {
 
-/// What text, maps and charts need of Qt to be drawn into files: an application, without a display. Remarks
-/// of Qt about the machine (a missing runtime folder, say) are nothing to a user and stay away; what fails
-/// still comes out. Where there is an application already it is left alone.
+/// A Qt application without a display, which drawing text, maps and charts into files requires. Suppresses
+/// Qt's messages about the environment (a missing runtime folder, for example); errors still appear. Does
+/// nothing if an application exists.
 class OffscreenQt {
 public:
     OffscreenQt();
@@ -17,7 +17,7 @@ public:
     OffscreenQt& operator=(const OffscreenQt&) = delete;
 
 private:
-    // What the application keeps references to.
+    // The application keeps references to these.
     int argc_ = 1;
     char name_[13] = "noonmark-cli";
     char* argv_[2] = {name_, nullptr};

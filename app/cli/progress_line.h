@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "app/cli/console.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 namespace noonmark::cli {
 
-/// Progress as one line that is written over and over, for a person who watches; silent for anyone else. The
-/// line is wiped at the end.
+/// Shows progress on one line that is rewritten in place if `err` is a terminal, otherwise nothing. The line
+/// is cleared at the end.
 class ProgressLine final : public Progress {
 public:
     explicit ProgressLine(const Console& console) : console_(console) {}

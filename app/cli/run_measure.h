@@ -5,12 +5,12 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/cli/measure_options.h"
-#include "scenarios/project/keep_result.h"
+#include "app/cli/options/measure_options.h"
+#include "scenarios/project/results/save_result.h"
 
 namespace noonmark::cli {
 
-/// What differs between the measures of a project. `Answer` has a withResult() (keep_result.h).
+/// The parts that differ between impact and score. addResult() (save_result.h) must accept an `Answer`.
 template <class Answer>
 struct Measure {
     std::function<Result<Answer>(const ProjectFile&)> answer;
@@ -19,18 +19,19 @@ struct Measure {
     void (*print)(const Answer&, std::ostream&);
 };
 
-/// Opens the project, measures, writes the files, keeps the result in the project where that is asked for,
-/// and says it. Returns the exit code.
+/// Opens the project, measures, writes the files, saves the result in the project if requested, and prints
+/// it. Returns the exit code.
 template <class Answer>
 int runMeasure(const MeasureOptions& options, const Measure<Answer>& measure, const Console& console) {
     auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
-    const Result<Answer> answer = measure.answer(*disk);  // states the file as it is before --keep
+    const Result<Answer> answer =
+        measure.answer(*disk);  // records the state of the file before --keep changes it
     if (!answer) return fail(console, answer.error(), exitUsage);
     const auto written = measure.writeFiles(*answer, disk->project());
     if (!written) return fail(console, written.error(), exitFailed);
     if (!options.keep.empty())
-        if (const auto saved = disk->save(withResult(disk->project(), options.keep, *answer)); !saved)
+        if (const auto saved = disk->save(addResult(disk->project(), options.keep, *answer)); !saved)
             return fail(console, saved.error(), exitFailed);
     if (options.json)
         console.out << measure.json(*answer) << '\n';

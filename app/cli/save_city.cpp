@@ -7,7 +7,7 @@
 #include "app/cli/command.h"
 #include "app/cli/table.h"
 #include "core/io/write_city.h"
-#include "core/study/warnings_json.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark::cli {
 
@@ -21,10 +21,10 @@ std::size_t partCount(const City& city) {
 
 void printJson(const City& city, const std::filesystem::path& file, const Warnings& warnings,
                std::ostream& out) {
-    out << jsonText({{"file", file.string()},
-                     {"buildings", city.buildings.size()},
-                     {"parts", partCount(city)},
-                     {"warnings", warningsJson(warnings)}})
+    out << toJsonText({{"file", file.string()},
+                       {"buildings", city.buildings.size()},
+                       {"parts", partCount(city)},
+                       {"warnings", warningsJson(warnings)}})
         << '\n';
 }
 

@@ -7,9 +7,9 @@
 
 #include "app/cli/table.h"
 #include "core/measures/has_runs.h"
-#include "core/study/error_words.h"
-#include "core/study/height_words.h"
-#include "core/study/terrain_text.h"
+#include "core/study/text/error_words.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
 
 namespace noonmark::cli {
 
@@ -41,8 +41,8 @@ void addCost(Table& table, const Study& study) {
 void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out) {
     const ShadowStatistics& figures = study.statistics;
     Table table;
-    if (const auto headline = assumedHeadline(countHeights(study.city))) table.add("heights", *headline);
-    table.add("period", textOf(study.settings.period));
+    if (const auto headline = makeAssumedHeadline(countHeights(study.city))) table.add("heights", *headline);
+    table.add("period", formatText(study.settings.period));
     table.add("engine", study.field.engine);
     table.add("steps",
               fmt::format("{} with the sun up, {} left out below the horizon; each counts {:.6g} min",
@@ -53,14 +53,14 @@ void printStudy(const Study& study, const std::vector<std::filesystem::path>& fi
     table.add("shadow area",
               fmt::format("{:.1f} m2 (share of the sunlit time x area)", figures.shadowAreaM2));
     table.add("gross shadow",
-              fmt::format("mean {:.1f}, most {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
+              fmt::format("mean {:.1f}, largest {:.1f} min a day of {:.1f} sunlit", figures.meanGrossMin,
                           figures.maxGrossMin, study.field.sunlitMinutesPerDay));
     table.add("continuous shadow", hasRuns(figures)
                                        ? fmt::format("mean {:.1f}, longest {:.1f} min",
                                                      figures.meanContinuousMin, figures.maxContinuousMin)
                                        : "not counted");
-    if (study.city.terrain) table.add("terrain", textOf(*study.city.terrain));
-    for (const ErrorLine& line : errorLines(study)) table.add(line.name, line.value);
+    if (study.city.terrain) table.add("terrain", formatText(*study.city.terrain));
+    for (const ErrorLine& line : makeErrorLines(study)) table.add(line.name, line.value);
     addCost(table, study);
     table.print(out);
     out << "\nFiles\n";

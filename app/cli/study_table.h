@@ -8,7 +8,7 @@
 
 namespace noonmark::cli {
 
-/// A study for people: its figures, what it cost, the files that it left and the warnings.
+/// Prints a study as text: figures, cost, files written and warnings.
 void printStudy(const Study& study, const std::vector<std::filesystem::path>& files, std::ostream& out);
 
 }  // namespace noonmark::cli

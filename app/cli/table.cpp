@@ -21,8 +21,9 @@ std::string withCommas(std::size_t number) {
 
 void printWarnings(std::ostream& out, const Warnings& warnings) {
     if (warnings.empty()) return;
-    out << "\nWarnings (--json lists every one)\n";
-    for (const WarningGroup& group : grouped(warnings)) out << "  " << lineOf(group) << '\n';
+    out << "\n"
+           "Warnings (--json lists all of them)\n";
+    for (const WarningGroup& group : groupWarnings(warnings)) out << "  " << lineOf(group) << '\n';
 }
 
 }  // namespace noonmark::cli

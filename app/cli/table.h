@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/warnings.h"
+#include "core/base/warnings.h"
 
 namespace noonmark::cli {
 
-/// Lines of "label  value", the values in one column.
+/// Lines of "label  value" with aligned values.
 class Table {
 public:
     void add(std::string label, std::string value) { rows_.emplace_back(std::move(label), std::move(value)); }
@@ -22,7 +22,7 @@ private:
 /// "1,234,567"
 std::string withCommas(std::size_t number);
 
-/// A heading and one line a group; nothing where there are none.
+/// Prints a heading and one line per group of warnings; nothing without warnings.
 void printWarnings(std::ostream& out, const Warnings& warnings);
 
 }  // namespace noonmark::cli

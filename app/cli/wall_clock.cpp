@@ -30,8 +30,8 @@ Result<WallClock> WallClock::from(const std::string& zone, const std::string& at
     }
     const auto offset = offsetOf(at);
     if (!offset)
-        return failure("The time does not say its offset from UTC", at,
-                       "Add it (2026-03-21T09:00:00-04:00), or state --zone America/New_York");
+        return failure("The time has no offset from UTC", at,
+                       "Add it (2026-03-21T09:00:00-04:00), or give --zone America/New_York");
     clock.offset_ = *offset;
     return clock;
 }
@@ -49,7 +49,7 @@ std::string WallClock::text(Instant at) const {
     const Instant rounded = std::chrono::round<std::chrono::seconds>(at);
     if (zone_) return zone_->text(rounded);
     const std::string there =
-        Zone::utc().text(rounded + offset_);  // "2003-10-17T12:30:30" and UTC's own offset
+        Zone::utc().text(rounded + offset_);  // "2003-10-17T12:30:30" followed by UTC's offset
     const auto size = std::chrono::abs(offset_);
     return fmt::format("{}{}{:02}:{:02}", there.substr(0, 19), offset_.count() < 0 ? '-' : '+',
                        size.count() / 60, size.count() % 60);

@@ -1,6 +1,5 @@
 #include "app/input/all_engines.h"
 
-#include "core/accumulate/engine_ground.h"
 #include "render/gl/gl_engines.h"
 
 namespace noonmark {
@@ -18,9 +17,9 @@ const EngineList& enginesWith(std::string_view key) {
     return findEngine(coreEngines(), key) != nullptr ? coreEngines() : allEngines();
 }
 
-// All maps of OpenGL lie on the level.
-bool isOnLevelGroundOnly(std::string_view key) {
-    return onLevelGroundOnly(key) || findEngine(coreEngines(), key) == nullptr;
+bool takesLevelGroundOnly(std::string_view key) {
+    const EngineEntry* engine = findEngine(enginesWith(key), key);
+    return engine != nullptr && !engine->info.capabilities.terrain;
 }
 
 }  // namespace noonmark

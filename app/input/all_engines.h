@@ -2,18 +2,19 @@
 
 #include <string_view>
 
-#include "core/accumulate/engine_list.h"
+#include "core/engines/api/engine_registry.h"
 
 namespace noonmark {
 
-/// Core's engines, and after them those that draw with OpenGL, where there is OpenGL 4.3. Looks for a
-/// graphics device on the first call.
+/// Core's engines, followed by the OpenGL engines where OpenGL 4.3 is available. The first call looks for a
+/// graphics device.
 const EngineList& allEngines();
 
-/// The list to look a key up in: core's where it is there, so that no graphics device is looked for in vain.
+/// The list in which to look up a key: core's where it contains the key, which avoids the search for a
+/// graphics device.
 const EngineList& enginesWith(std::string_view key);
 
-/// Whether an engine of allEngines() takes level ground only.
-bool isOnLevelGroundOnly(std::string_view key);
+/// Whether an engine of allEngines() requires level ground.
+bool takesLevelGroundOnly(std::string_view key);
 
 }  // namespace noonmark

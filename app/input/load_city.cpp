@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/base/stopwatch.h"
 #include "core/samples/sample_city.h"
-#include "core/stopwatch.h"
 
 namespace noonmark {
 
@@ -28,8 +28,8 @@ Result<CityRead> readOrMake(const std::vector<std::string>& files, const ReadSet
     if (std::ranges::none_of(files, isSample))
         return readCity({files.begin(), files.end()}, settings, progress, std::move(stop));
     if (files.size() == 1) return sampleRead(files.front());
-    return failure("A sample stands alone", files.front(),
-                   "Write it to a file with `noonmark-cli sample` and read that with the others");
+    return failure("A sample cannot be combined with other files", files.front(),
+                   "Write it to a file with `noonmark-cli sample` and read that file with the others");
 }
 
 Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
@@ -39,7 +39,7 @@ Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
             inputs.push_back({.path = file});
             continue;
         }
-        const auto some = inputFiles(file);
+        const auto some = describeInputFiles(file);
         if (!some) return tl::make_unexpected(some.error());
         inputs.insert(inputs.end(), some->begin(), some->end());
     }
@@ -51,8 +51,8 @@ Result<std::vector<InputFile>> inputsOf(const std::vector<std::string>& files) {
 bool isSample(std::string_view file) { return file.starts_with(samplePrefix); }
 
 Result<City> sampleCity(const std::string& name) {
-    if (name == "central-park-south") return centralParkSouthSample();
-    if (name == "grid") return gridSample({});
+    if (name == "central-park-south") return makeCentralParkSouthSample();
+    if (name == "grid") return makeGridSample({});
     return failure("There is no such sample", "sample '" + name + "'",
                    "The samples are central-park-south and grid");
 }
@@ -85,7 +85,7 @@ void addReading(Study& study, const LoadedCity& loaded) {
 }
 
 Region cityRegion(const City& city) {
-    Region region = regionFromLocalBox(bounds(city));
+    Region region = makeRegionFromLocalBox(bounds(city));
     region.name = "the whole city";
     return region;
 }
@@ -96,10 +96,10 @@ Region firstRegion(const LoadedCity& loaded, float mostM) {
     Box2 box = bounds(loaded.read.city);
     if (box.empty()) box = {{-mostM / 2, -mostM / 2}, {mostM / 2, mostM / 2}};
     const glm::vec2 centre = (box.low + box.high) / 2.0F;
-    // Some open ground around, or a single building would leave nothing to shade.
+    // The border leaves some open ground even around a single building.
     constexpr float borderM = 50;
     const glm::vec2 half = glm::min((box.high - box.low) / 2.0F + borderM, glm::vec2(mostM / 2));
-    Region region = regionFromLocalBox({centre - half, centre + half});
+    Region region = makeRegionFromLocalBox({centre - half, centre + half});
     region.name = "the middle of the city";
     return region;
 }

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder app/input/ prepares input for the window and the command line. load_city.h reads a city from
+// files or makes a sample, load_project.h reads it from a project and project_of.h starts a project from it;
+// all_engines.h lists the engines; output_rules.h protects the input files from being overwritten.
+
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -9,35 +13,35 @@
 
 namespace noonmark {
 
-/// A city with what it was made of.
+/// A city and where it came from.
 struct LoadedCity {
-    std::vector<std::string> files;        ///< as they were named; "sample:central-park-south"
-    std::optional<ReadSettings> settings;  ///< nothing: not known (CityReading)
+    std::vector<std::string> files;        ///< as the user named them; "sample:central-park-south"
+    std::optional<ReadSettings> settings;  ///< empty: unknown (CityReading)
     CityRead read;
-    std::vector<InputFile> inputs;  ///< a sample has no bytes and no hash
-    double seconds = 0;             ///< to read it; hashing the files is not in it
+    std::vector<InputFile> inputs;  ///< samples have no bytes and no hash
+    double seconds = 0;             ///< time to read it, without hashing the files
 };
 
-/// Reads the files, or makes the sample where the only "file" is sample:NAME.
+/// Reads the files, or makes the sample if the only "file" is sample:NAME.
 Result<LoadedCity> loadCity(const std::vector<std::string>& files, const ReadSettings& settings,
                             Progress& progress, std::stop_token stop);
 
-/// Of a city that came straight from its files.
+/// Provenance of a city read directly from its files.
 Provenance provenanceOf(const LoadedCity& loaded);
 
-/// What reading took and found belongs to the study as much as what computing did.
+/// Adds the time and the warnings of reading to the study.
 void addReading(Study& study, const LoadedCity& loaded);
 
 bool isSample(std::string_view file);
 
-/// The sample of a name ("central-park-south", "grid"), made with its defaults; error for an unknown name.
+/// Makes the sample of this name ("central-park-south", "grid") with its defaults. Error: an unknown name.
 Result<City> sampleCity(const std::string& name);
 
-/// The box around all buildings.
+/// The bounding box of all buildings.
 Region cityRegion(const City& city);
 
-/// A region to begin with: the park of Central Park South; of other cities the middle with 50 m around, up
-/// to `mostM` metres along a side.
+/// A default region: the park for Central Park South, otherwise the centre of the city with a border of 50 m,
+/// up to `mostM` metres per side.
 Region firstRegion(const LoadedCity& loaded, float mostM = 800);
 
 }  // namespace noonmark

@@ -1,6 +1,6 @@
 #include "app/input/load_project.h"
 
-#include "core/io/geopackage_check.h"
+#include "core/io/files/geopackage_check.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {
@@ -9,7 +9,7 @@ bool isProjectFile(const std::string& file) {
     return file.ends_with(projectEnding) || holdsProject(file).value_or(false);
 }
 
-LoadedCity loadedFrom(const Project& project, const std::string& file) {
+LoadedCity loadProjectCity(const Project& project, const std::string& file) {
     LoadedCity loaded;
     loaded.files = {file};
     loaded.inputs = project.inputs;

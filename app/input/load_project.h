@@ -7,11 +7,10 @@
 
 namespace noonmark {
 
-/// Whether it is a project file, by its ending or by what it holds. Looks into databases only.
+/// Whether the file is a project, by its ending or its content. Reads only files that are databases.
 bool isProjectFile(const std::string& file);
 
-/// The project's city as it stands, with what was noted when it was read from its files. `file`: the
-/// project's.
-LoadedCity loadedFrom(const Project& project, const std::string& file);
+/// The project's existing city, with the warnings of reading its files. `file`: the path of the project.
+LoadedCity loadProjectCity(const Project& project, const std::string& file);
 
 }  // namespace noonmark

@@ -3,18 +3,18 @@
 #include <string>
 #include <vector>
 
-#include "core/io/check_output.h"
-#include "core/study/provenance.h"
+#include "core/io/files/check_output.h"
+#include "core/study/provenance/provenance.h"
 
 namespace noonmark {
 
-/// What the outputs of a city may be written over. `named`: the files and the project as a command or the
-/// window names them. `inputs`: what the city was read from; where their names are relative, a project may
-/// have been moved together with them, and they are looked for beside the named files too.
+/// Which files the outputs of a city may replace. `named`: the files and the project as the user named them.
+/// `inputs`: the files from which the city was read; relative names are also looked up beside the named
+/// files, because a project may have been moved together with its inputs.
 OutputRules outputRules(const std::vector<std::string>& named, const std::vector<InputFile>& inputs,
                         bool overwrite);
 
-/// A region or lot as a command line states it (readRegion): an input where it names a file.
+/// Protects a region or lot as given on a command line (readRegion()) if it names a file.
 void addPlace(OutputRules& rules, const std::string& place);
 
 }  // namespace noonmark

@@ -12,7 +12,7 @@ void addSamplePlaces(Project& project, const LoadedCity& loaded) {
     Region park = centralParkRegion(*project.city);
     park.name = "Park";
     project.regions.push_back(std::move(park));
-    for (const CaseStudyLot& lot : caseStudyLots(*project.city))
+    for (const CaseStudyLot& lot : listCaseStudyLots(*project.city))
         project.lots.push_back({lot.tower, lot.ground});
 }
 
@@ -20,10 +20,11 @@ void addSamplePlaces(Project& project, const LoadedCity& loaded) {
 
 Project projectOf(const LoadedCity& loaded) {
     Project project;
-    project.city = std::make_shared<const City>(withUniqueIds(loaded.read.city));
+    project.city = std::make_shared<const City>(makeIdsUnique(loaded.read.city));
     project.attribution = loaded.read.attribution;
     project.inputs = loaded.inputs;
-    project.reading = std::make_shared<const CityReading>(CityReading{loaded.settings, loaded.read.warnings, loaded.read.heights});
+    project.reading = std::make_shared<const CityReading>(
+        CityReading{loaded.settings, loaded.read.warnings, loaded.read.heights});
     addSamplePlaces(project, loaded);
     return project;
 }

@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// A project that begins with a city: every building gets an id of its own, and the sample Central Park South
-/// brings the park and the lots of its case study along.
+/// Starts a project with a city: every building gets a unique id. The sample Central Park South includes the
+/// park and the lots of its case study.
 Project projectOf(const LoadedCity& loaded);
 
 }  // namespace noonmark

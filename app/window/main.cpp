@@ -2,9 +2,9 @@
 #include <QCommandLineParser>
 #include <QSettings>
 
-#include "app/window/appearance.h"
-#include "app/window/heap_settings.h"
-#include "app/window/main_window.h"
+#include "app/window/frame/appearance.h"
+#include "app/window/frame/heap_settings.h"
+#include "app/window/frame/main_window.h"
 
 int main(int argc, char** argv) {
     noonmark::returnFreedMemory();

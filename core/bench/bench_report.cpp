@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/bench/moments.h"
+#include "core/bench/contests/moments.h"
 
 namespace noonmark::bench {
 
@@ -24,7 +24,7 @@ Comparison summaryTable(const BenchReport& report) {
     Comparison table{{"", "ours", report.reference}, {}};
     for (const SummaryFigure& figure : report.summary)
         table.rows.push_back(
-            {figure.what, figure.value ? threeDigits(*figure.value) : "not measured", figure.paper});
+            {figure.what, figure.value ? formatThreeDigits(*figure.value) : "not measured", figure.paper});
     return table;
 }
 

@@ -5,7 +5,7 @@
 
 namespace noonmark::bench {
 
-/// What a chart shows, without a word about how it is drawn.
+/// The content of a chart, independent of how it is drawn.
 struct ChartPoint {
     double x = 0;
     double y = 0;
@@ -13,12 +13,12 @@ struct ChartPoint {
 };
 
 struct ChartSeries {
-    std::string name;      ///< in the legend; series of one name share an entry
+    std::string name;      ///< name in the legend; series of one name share an entry
     std::string colourOf;  ///< series with the same word have the same colour in every chart; empty: ink
     std::vector<ChartPoint> points;
-    bool joined = true;      ///< by lines, in their order
-    bool marked = true;      ///< a mark at each point
-    bool estimated = false;  ///< hollow marks, dashed lines: worked out from a sample, or another's figure
+    bool joined = true;      ///< points are joined by lines, in their order
+    bool marked = true;      ///< each point has a marker
+    bool estimated = false;  ///< hollow markers, dashed lines: estimated from a sample, or a published value
 };
 
 struct ChartAxis {

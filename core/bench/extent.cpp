@@ -6,23 +6,22 @@ namespace noonmark::bench {
 
 namespace {
 
-std::string wordsOf(const Extent& extent) {
+std::string describe(const Extent& extent) {
     const Extent full;
     return fmt::format(
-        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; what takes "
-        "more than {:g} s is run once, what would take more than {:g} s is worked out or left out; the "
-        "graph's "
-        "errors on {} receivers of a place; of other settings, places, days and resolutions what {:g} s have "
-        "room for.",
+        "Quick: {} of {} random hours, {} of {} places and {} of {} days with {:g} of {:g} hours; runs of "
+        "more than {:g} s are not repeated, runs of more than {:g} s are extrapolated or left out; the "
+        "graph's errors on {} receivers at each place; of other settings, places, days and resolutions as "
+        "many as fit into {:g} s.",
         extent.hours, full.hours, extent.positions, full.positions, extent.days, full.days, extent.hoursADay,
         full.hoursADay, extent.onceAboveS, extent.neverAboveS, extent.graphReceivers, extent.budgetS);
 }
 
 }  // namespace
 
-Extent fullExtent() { return {}; }
+Extent makeFullExtent() { return {}; }
 
-Extent quickExtent() {
+Extent makeQuickExtent() {
     Extent quick;
     quick.hours = 8;
     quick.graphReceivers = 25'000;
@@ -37,7 +36,7 @@ Extent quickExtent() {
     quick.onceAboveS = 0.3;
     quick.neverAboveS = 12;
     quick.sampleReceivers = 2000;
-    quick.words = wordsOf(quick);
+    quick.words = describe(quick);
     return quick;
 }
 

@@ -10,23 +10,23 @@
 
 namespace noonmark::bench {
 
-/// A small table for the page, in words: our values and the paper's side by side.
+/// A small table for the page, as text: our values and the paper's side by side.
 struct Comparison {
     std::vector<std::string> header;
     std::vector<std::vector<std::string>> rows;  ///< each as long as `header`
 };
 
-/// What one experiment found: for a file, for a page, for the summary.
+/// The result of one experiment: for a file, for a page, for the summary.
 struct Finding {
-    std::string key;                   ///< name of its CSV: "sun_linearity"
-    std::string title;                 ///< of its page: "The sun's straight path"
-    std::string text;                  ///< what was done, on what, how much of it, and what can be seen
+    std::string key;    ///< name of its CSV file: "sun_linearity"
+    std::string title;  ///< title of its page: "The sun's straight path"
+    std::string text;   ///< what was measured, on what, how much of it, and what the result shows
     std::vector<std::string> remarks;  ///< what was refused or left out, and why
     Table table;
     std::vector<Chart> charts;
     std::vector<Comparison> comparisons{1};
     std::map<std::string, double> summary;  ///< its keys of summary.json
-    double seconds = 0;                     ///< that the experiment took
+    double seconds = 0;                     ///< duration of the experiment
 };
 
 }  // namespace noonmark::bench

@@ -9,7 +9,7 @@ namespace noonmark::bench {
 
 namespace {
 
-// Linux lists its processors there, "model name	: AMD EPYC 9B14".
+// Linux lists its processors in this file, as "model name : AMD EPYC 9B14".
 std::string processorName() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)
@@ -21,9 +21,9 @@ std::string processorName() {
 
 }  // namespace
 
-Machine thisMachine() { return {processorName(), tbb::info::default_concurrency()}; }
+Machine detectMachine() { return {processorName(), tbb::info::default_concurrency()}; }
 
-std::string machineWords(const Machine& machine) {
+std::string describeMachine(const Machine& machine) {
     return fmt::format("{}, {} thread{}", machine.processor, machine.threads,
                        machine.threads == 1 ? "" : "s");
 }

@@ -4,16 +4,16 @@
 
 namespace noonmark::bench {
 
-/// What a time depends on.
+/// The machine's properties that times depend on.
 struct Machine {
-    std::string processor;  ///< model, as the system calls it; "unknown processor" where it does not say
-    int threads = 1;        ///< that the engines use
+    std::string processor;  ///< the model's name from the system; "unknown processor" if it gives none
+    int threads = 1;        ///< number of threads that the engines use
 };
 
-/// The one at hand.
-Machine thisMachine();
+/// The machine that runs the program.
+Machine detectMachine();
 
 /// "AMD EPYC, 2 threads"
-std::string machineWords(const Machine& machine);
+std::string describeMachine(const Machine& machine);
 
 }  // namespace noonmark::bench

@@ -17,7 +17,7 @@ std::optional<std::uint64_t> statusBytes(const std::string& name) {
     return {};
 }
 
-// Writing 5 there sets the high-water mark back to what is held now (proc(5), clear_refs).
+// Writing 5 resets the peak to the current memory (proc(5), clear_refs).
 bool resetPeak() {
     std::ofstream file("/proc/self/clear_refs");
     file << "5" << std::flush;
@@ -26,7 +26,7 @@ bool resetPeak() {
 
 }  // namespace
 
-std::optional<std::uint64_t> peakMemoryOf(const std::function<void()>& work) {
+std::optional<std::uint64_t> measurePeakMemory(const std::function<void()>& work) {
     malloc_trim(0);
     if (!resetPeak()) return {};
     const auto before = statusBytes("VmRSS");

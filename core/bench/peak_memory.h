@@ -6,9 +6,10 @@
 
 namespace noonmark::bench {
 
-/// How much more memory the process held at its peak while `work` ran than before it, bytes, as the system
-/// counts pages (resident set; Linux). What the process had freed before is given back first, so that it does
-/// not hide what `work` takes. Nothing where the system does not say. Other threads' memory counts too.
-std::optional<std::uint64_t> peakMemoryOf(const std::function<void()>& work);
+/// Peak memory of the process while `work` runs, minus its memory before, bytes, as the system counts pages
+/// (resident set; Linux). Memory that the process freed before is returned to the system first, so that it
+/// does not hide what `work` takes. Nothing if the system does not provide these numbers. Memory of other
+/// threads counts too.
+std::optional<std::uint64_t> measurePeakMemory(const std::function<void()>& work);
 
 }  // namespace noonmark::bench

@@ -14,7 +14,7 @@ std::string quoted(const std::string& text) {
     return fmt::format("\"{}\"", inside);
 }
 
-std::string textOf(const TableCell& cell) {
+std::string formatText(const TableCell& cell) {
     if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{}", *number);
     if (const auto* text = std::get_if<std::string>(&cell)) return quoted(*text);
     return {};
@@ -22,11 +22,11 @@ std::string textOf(const TableCell& cell) {
 
 }  // namespace
 
-std::string csvOf(const Table& table) {
+std::string toCsv(const Table& table) {
     std::string csv = fmt::format("{}\n", fmt::join(table.columns, ","));
     for (const auto& row : table.rows) {
         std::vector<std::string> cells;
-        for (const TableCell& cell : row) cells.push_back(textOf(cell));
+        for (const TableCell& cell : row) cells.push_back(formatText(cell));
         csv += fmt::format("{}\n", fmt::join(cells, ","));
     }
     return csv;

@@ -3,12 +3,12 @@
 #include <stop_token>
 #include <string>
 
-#include "core/bench/allowance.h"
-#include "core/progress.h"
+#include "core/base/progress.h"
+#include "core/bench/contests/allowance.h"
 
 namespace noonmark::bench {
 
-/// Where an experiment says how far it is, and hears that it is to stop, or how long it may take.
+/// Progress, stop token and time limit of an experiment.
 struct Work {
     Progress& progress;
     std::stop_token stop;
@@ -17,7 +17,7 @@ struct Work {
     [[nodiscard]] bool stopped() const { return stop.stop_requested(); }
 };
 
-/// A list of pieces of work that take about equally long.
+/// Progress over a list of pieces of work that take about equally long.
 class Pieces {
 public:
     Pieces(const Work& work, std::string stage, std::size_t count)

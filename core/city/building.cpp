@@ -6,17 +6,23 @@ namespace noonmark {
 
 std::string_view nameOf(HeightSource source) {
     switch (source) {
-        case HeightSource::measured: return "measured";
-        case HeightSource::levels: return "levels";
-        case HeightSource::assumed: return "assumed";
-        case HeightSource::mesh: return "mesh";
-        case HeightSource::designed: return "designed";
-        case HeightSource::madeUp: return "made up";
+        case HeightSource::measured:
+            return "measured";
+        case HeightSource::levels:
+            return "levels";
+        case HeightSource::assumed:
+            return "assumed";
+        case HeightSource::mesh:
+            return "mesh";
+        case HeightSource::designed:
+            return "designed";
+        case HeightSource::madeUp:
+            return "made up";
     }
     return "unknown";
 }
 
-std::optional<HeightSource> heightSourceNamed(std::string_view name) {
+std::optional<HeightSource> parseHeightSource(std::string_view name) {
     const auto* const found = std::ranges::find(heightSources, name, nameOf);
     if (found == heightSources.end()) return std::nullopt;
     return *found;

@@ -8,39 +8,41 @@
 #include <string_view>
 #include <vector>
 
-#include "core/city/footprint.h"
-#include "core/city/mesh.h"
+#include "core/city/footprints/footprint.h"
+#include "core/city/meshes/mesh.h"
 
 namespace noonmark {
 
-/// Where a part's height comes from; kept with the part, counted by `info`, shown in reports.
+/// Origin of a part's height; stored with the part, counted by `info`, shown in reports.
 enum class HeightSource {
     measured,  ///< a height field in the data, in a stated unit
     levels,    ///< number of storeys x metres a storey
     assumed,   ///< nothing in the data; the stated default
-    mesh,      ///< the geometry is three-dimensional by itself
+    mesh,      ///< the geometry is three-dimensional
     designed,  ///< stated by the user: a massing, a variant, a changed height
-    madeUp,    ///< of a sample city: drawn by chance, of no real place
+    madeUp,    ///< of a sample city: drawn at random, of no real place
 };
-/// All of them, in the order in which they are counted: heightSources[i] == HeightSource(i).
+/// All values, in the order in which they are counted: heightSources[i] == HeightSource(i).
 inline constexpr std::array heightSources{HeightSource::measured, HeightSource::levels,
                                           HeightSource::assumed,  HeightSource::mesh,
                                           HeightSource::designed, HeightSource::madeUp};
-/// "measured", "levels", "assumed", "mesh", "designed", "made up": in files and tables.
+/// "measured", "levels", "assumed", "mesh", "designed", "made up": the names used in files and tables.
 std::string_view nameOf(HeightSource source);
-/// The source of that name; none for any other text.
-std::optional<HeightSource> heightSourceNamed(std::string_view name);
+/// The source of that name; nothing for any other text.
+std::optional<HeightSource> parseHeightSource(std::string_view name);
 
-/// One solid: a footprint between two elevations, or a general closed mesh whose outline the footprint is.
+/// One solid: a footprint between two elevations (a prism), or a general closed mesh with the footprint as
+/// its outline.
 struct Part {
     std::string sourceId;  ///< the feature it was read from: "way 34633854"
     Footprint footprint;
     float bottomM = 0;  ///< local z of its underside
     float topM = 0;     ///< local z of its highest point; > bottomM
     HeightSource heightSource = HeightSource::assumed;
-    /// Open air below it: not heightfield-like, and the ground under it is a receiver.
-    bool hangs = false;
-    /// Null for a prism. Else the part's geometry; footprint, bottomM and topM bound it.
+    /// True for an overhang: a part with open air below it. It is not heightfield-like, and the ground under
+    /// it is a receiver.
+    bool isOverhanging = false;
+    /// Null for a prism. Otherwise the geometry of the part; footprint, bottomM and topM bound it.
     std::shared_ptr<const TriangleMesh> mesh;
 
     bool operator==(const Part&) const = default;

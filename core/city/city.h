@@ -1,17 +1,24 @@
 #pragma once
 
+// The folder core/city is the model of a city: City holds Buildings, Buildings hold Parts (building.h), and a
+// part is a prism over a footprint or a mesh. Footprints are polygons in plan (footprints/), meshes are
+// triangles (meshes/), the ground is in terrain/. settle_parts.h decides which raised parts are overhangs,
+// height_counts.h counts the sources of heights, and city_observer.h places the observer who sees the sun.
+// Readers of files are in core/io.
+
 #include <cstdint>
 #include <memory>
 #include <stop_token>
 #include <vector>
 
 #include "core/city/building.h"
-#include "core/city/terrain.h"
+#include "core/city/terrain/terrain.h"
 #include "core/geo/frame.h"
 
 namespace noonmark {
 
-/// An immutable city: copy it freely, what did not change is shared. A building is named by its index.
+/// An immutable city: cheap to copy; copies share what an edit did not change. A building is identified by
+/// its index.
 struct City {
     Frame frame;
     std::vector<std::shared_ptr<const Building>> buildings;  ///< none null
@@ -24,11 +31,11 @@ struct CityMesh {
     std::vector<std::uint32_t> buildingOfTriangle;  ///< one per triangle
 };
 
-/// O(points log points), on all cores; about 0.3 s for 40,000 buildings on two. Terrain is not in it. After a
-/// stop request it returns soon, with what it has: look at the token.
+/// O(points log points), on all cores; about 0.3 s for 40,000 buildings on two cores. Does not contain the
+/// terrain. After a stop request it returns soon, with an incomplete mesh: check the token.
 CityMesh meshOf(const City& city, const std::stop_token& stop = {});
 
-/// A closed mesh of a part: the part's own mesh, or its footprint extruded with triangulated caps.
+/// A closed mesh of a part: its own mesh, or its footprint extruded, with triangulated caps.
 TriangleMesh meshOf(const Part& part);
 
 Box2 bounds(const City& city);

@@ -7,22 +7,23 @@
 
 namespace noonmark {
 
-/// Where the heights of a city's parts come from.
+/// Counts of the sources of the heights of a city's parts.
 struct HeightCounts {
     std::size_t parts = 0;
     std::array<std::size_t, heightSources.size()> bySource{};  ///< parts, by HeightSource
-    double assumedM = 0;        ///< the height that most assumed parts have; 0: there are none
-    bool assumedAlike = false;  ///< all of them have it, to the centimetre
+    double assumedM = 0;        ///< the most common height among the assumed parts; 0: there are none
+    bool assumedAlike = false;  ///< all assumed parts have that height, to the centimetre
 
     [[nodiscard]] std::size_t of(HeightSource source) const { return bySource[std::size_t(source)]; }
-    /// Of the parts' heights, 0 to 1.
+    /// Share of parts with an assumed height, 0 to 1.
     [[nodiscard]] double assumedShare() const {
         return parts == 0 ? 0 : double(of(HeightSource::assumed)) / double(parts);
     }
 };
 HeightCounts countHeights(const City& city);
 
-/// Above this share of assumed heights a result rests on a guess: that is a headline, not a note.
+/// Above this share of assumed heights a result depends on guesses; it is then reported as a headline, not as
+/// a note.
 inline constexpr double mostAssumedShare = 0.1;
 
 }  // namespace noonmark

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/city/mesh_outline.h"
+#include "core/city/meshes/mesh_outline.h"
 
 namespace noonmark {
 
@@ -25,11 +25,11 @@ Parts carriersOf(const Part& part, const Parts& standing, float reachM) {
     return carriers;
 }
 
-bool areCarrying(const Part& part, const Parts& carriers) {
+bool isCarried(const Part& part, const Parts& carriers) {
     if (carriers.empty()) return false;
     std::vector<Footprint> footprints;
     for (const Part* carrier : carriers) footprints.push_back(carrier->footprint);
-    return areaOutside(part.footprint, footprints) <= std::max(0.5, 0.05 * area(part.footprint));
+    return computeAreaOutside(part.footprint, footprints) <= std::max(0.5, 0.05 * area(part.footprint));
 }
 
 float lowestTop(const Parts& carriers) {
@@ -43,11 +43,11 @@ void lower(Part& part, float bottomM, Warnings& warnings) {
 
 void settle(Part& part, const Parts& standing, const SettleRules& rules, Warnings& warnings) {
     if (part.bottomM <= rules.groundM + sameHeightM) return;
-    if (areCarrying(part, carriersOf(part, standing, sameHeightM))) return;
+    if (isCarried(part, carriersOf(part, standing, sameHeightM))) return;
     const Parts near = carriersOf(part, standing, rules.carryGapM);
-    if (areCarrying(part, near)) return lower(part, std::min(part.bottomM, lowestTop(near)), warnings);
+    if (isCarried(part, near)) return lower(part, std::min(part.bottomM, lowestTop(near)), warnings);
     if (part.bottomM <= rules.groundM + rules.groundGapM) return lower(part, rules.groundM, warnings);
-    part.hangs = true;
+    part.isOverhanging = true;
 }
 
 }  // namespace
@@ -55,12 +55,12 @@ void settle(Part& part, const Parts& standing, const SettleRules& rules, Warning
 void settleParts(std::vector<Part>& parts, const SettleRules& rules, Warnings& warnings) {
     std::vector<Part*> upward;
     for (Part& part : parts)
-        if (!part.hangs) upward.push_back(&part);
+        if (!part.isOverhanging) upward.push_back(&part);
     std::ranges::stable_sort(upward, {}, [](const Part* part) { return part->bottomM; });
     Parts standing;
     for (Part* part : upward) {
         settle(*part, standing, rules, warnings);
-        if (!part->hangs) standing.push_back(part);
+        if (!part->isOverhanging) standing.push_back(part);
     }
 }
 

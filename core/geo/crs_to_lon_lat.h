@@ -6,34 +6,35 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
-#include "core/units.h"
+#include "core/base/result.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 
-/// Takes places of a coordinate reference system to lon/lat on WGS84. Horizontal only: a compound system's
-/// heights stay as they are. Not for two threads at once. Backend: crs_to_lon_lat_gdal.cpp.
+/// Transforms points of a coordinate reference system to longitude and latitude on WGS84. Horizontal only:
+/// the heights of a compound system are left unchanged. Not thread-safe. Backend: crs_to_lon_lat_gdal.cpp.
 class CrsToLonLat {
 public:
-    /// "EPSG:7415", "urn:ogc:def:crs:EPSG::7415", "https://www.opengis.net/def/crs/EPSG/0/7415", WKT, PROJ
-    /// text. Nothing is fetched from the network. Error: not a system that is known, or not of the earth's
-    /// surface.
+    /// Accepts "EPSG:7415", "urn:ogc:def:crs:EPSG::7415", "https://www.opengis.net/def/crs/EPSG/0/7415", WKT
+    /// and PROJ text. Nothing is fetched from the network. Error: the system is unknown, or is not one of the
+    /// earth's surface.
     static Result<CrsToLonLat> of(const std::string& crs);
 
     CrsToLonLat(CrsToLonLat&&) noexcept;
     CrsToLonLat& operator=(CrsToLonLat&&) noexcept;
     ~CrsToLonLat();
 
-    /// First easting or longitude, then northing or latitude, whatever order the system's authority prefers.
-    /// NaN for points that are NaN or cannot be transformed. O(points), about 1 us each.
+    /// Points are given as easting or longitude first, then northing or latitude, whatever axis order the
+    /// system's authority defines. NaN for points that are NaN or cannot be transformed. O(points), about 1
+    /// us each.
     [[nodiscard]] std::vector<LonLat> lonLat(std::span<const glm::dvec2> points) const;
 
-    /// Whether a place can be meant: within 5 degrees of where the system is used; true where that is not
-    /// known.
+    /// Whether a place is plausible for this system: within 5 degrees of its area of use; true if that area
+    /// is unknown.
     [[nodiscard]] bool isPlausible(LonLat place) const;
 
-    /// Metres per unit of its heights: of its vertical part; without one `elevationUnitIsStated` is false,
-    /// and it is the horizontal unit if that is a length, else 1.
+    /// Metres per unit of elevation, from the vertical part of the system. Without a vertical part,
+    /// `elevationUnitIsStated` is false and the unit is the horizontal one if that is a length, else 1 m.
     [[nodiscard]] double metresPerElevationUnit() const;
     [[nodiscard]] bool elevationUnitIsStated() const;
 

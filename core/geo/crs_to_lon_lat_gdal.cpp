@@ -5,8 +5,8 @@
 #include <limits>
 #include <regex>
 
+#include "core/base/gdal_calls.h"
 #include "core/geo/crs_to_lon_lat.h"
-#include "core/io/gdal_calls.h"
 
 namespace noonmark {
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// The OGC's names of EPSG systems in every spelling, as the short one; other text as it is.
+// Shortens every spelling of OGC's names of EPSG systems to EPSG:number; other text is unchanged.
 std::string shortName(const std::string& crs) {
     static const std::regex ogc(
         R"(^\s*(?:urn:(?:x-)?ogc:def:crs:EPSG:[^:]*:|https?://(?:www\.)?opengis\.net/def/crs/EPSG/[^/]*/)(\d+)/?\s*$)",
@@ -33,8 +33,8 @@ bool understand(OGRSpatialReference& system, const std::string& crs) {
 }  // namespace
 
 struct CrsToLonLat::Parts {
-    // GDAL keeps what is handed back for the next layer in the same system: it looks for a transformation in
-    // a database, which takes longer than all else about a small file.
+    // Returns a transformation to GDAL's cache, for the next layer in the same system: GDAL looks
+    // transformations up in a database, which takes longer than everything else about a small file.
     struct HandBack {
         void operator()(OGRCoordinateTransformation* used) const {
             OGRCoordinateTransformation::DestroyCT(used);
@@ -45,7 +45,7 @@ struct CrsToLonLat::Parts {
     std::unique_ptr<OGRCoordinateTransformation, HandBack> toLonLat;
     double metresPerElevationUnit = 1;
     bool elevationUnitIsStated = false;
-    double west = -180, south = -90, east = 180, north = 90;  // where it is used
+    double west = -180, south = -90, east = 180, north = 90;  // area of use
 
     void learnArea() {
         double w = 0, s = 0, e = 0, n = 0;
@@ -70,7 +70,7 @@ Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
     const GdalCalls gdal;
     auto parts = std::make_unique<Parts>();
     if (!understand(parts->system, crs))
-        return failure("\"" + crs + "\" is not a coordinate reference system that is known", {},
+        return failure("\"" + crs + "\" is not a known coordinate reference system", {},
                        "State it as EPSG:number");
     parts->learnArea();
     parts->learnElevationUnit();
@@ -83,7 +83,7 @@ Result<CrsToLonLat> CrsToLonLat::of(const std::string& crs) {
         system->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     parts->toLonLat.reset(OGRCreateCoordinateTransformation(&horizontal, &wgs84));
     if (!parts->toLonLat)
-        return failure("There is no way from \"" + crs + "\" to longitude and latitude", {},
+        return failure("There is no transformation from \"" + crs + "\" to longitude and latitude", {},
                        "State another system");
     return CrsToLonLat(std::move(parts));
 }

@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-// Haversine: exact for small distances too.
-double greatCircleM(LonLat a, LonLat b) {
+// Haversine: accurate for small distances too.
+double computeGreatCircleM(LonLat a, LonLat b) {
     constexpr double earthRadiusM = 6371000;
     const auto radians = [](double degrees) { return Degrees{degrees}.radians().value; };
     const double dLat = std::sin(radians(b.latDeg - a.latDeg) / 2);

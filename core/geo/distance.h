@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/units.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 
-/// Metres between two places along the earth's surface, taken as a sphere: good to 0.5 %, which is enough to
-/// tell near from far. Holds all round the earth, where a local plane folds back beyond its horizon. NaN for
-/// NaN.
-double greatCircleM(LonLat a, LonLat b);
+/// Metres between two places along the earth's surface, taken as a sphere: accurate to 0.5 %, which is enough
+/// to tell near from far. Valid all round the earth, where a local plane folds back beyond its horizon. NaN
+/// for NaN.
+double computeGreatCircleM(LonLat a, LonLat b);
 
 }  // namespace noonmark

@@ -25,8 +25,7 @@ glm::dvec2 Frame::localFromLonLat(LonLat place) const {
 }
 
 LonLat Frame::lonLatFromLocal(glm::dvec2 local) const {
-    // The point of the ellipsoid under (x, y) lies below the tangent plane: find how far by repeated
-    // correction.
+    // The point of the ellipsoid under (x, y) lies below the tangent plane; iterate to find how far.
     constexpr double radiusM = 6371000;
     const auto cartesian = cartesianAt(origin_);
     double up = -(local.x * local.x + local.y * local.y) / (2 * radiusM);
@@ -42,9 +41,9 @@ LonLat Frame::lonLatFromLocal(glm::dvec2 local) const {
 
 glm::dmat2 Frame::localFromEastNorth(LonLat place) const {
     glm::dvec3 local{};
-    std::vector<double> axes(9);  // of the place in those of the origin, row by row
+    std::vector<double> axes(9);  // axes of the place in those of the origin, row by row
     cartesianAt(origin_).Forward(place.latDeg, place.lonDeg, 0, local.x, local.y, local.z, axes);
-    return {axes[0], axes[3], axes[1], axes[4]};  // columns first
+    return {axes[0], axes[3], axes[1], axes[4]};  // column-major
 }
 
 std::string Frame::projString() const {

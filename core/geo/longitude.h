@@ -4,13 +4,14 @@
 
 namespace noonmark {
 
-/// The same meridian as `lonDeg`, at most 180 degrees from `nearDeg`: next to Fiji -179.9 is 180.1. A ring of
-/// such longitudes does not jump where it crosses the antimeridian.
-inline double longitudeNear(double lonDeg, double nearDeg) {
-    return lonDeg + 360 * std::round((nearDeg - lonDeg) / 360);  // to the last bit where it is near already
+/// The longitude of the same meridian that is at most 180 degrees from `nearDeg`: next to Fiji, -179.9
+/// becomes 180.1. A ring of such longitudes does not jump at the antimeridian.
+inline double wrapLongitudeNear(double lonDeg, double nearDeg) {
+    // leaves a longitude that is near already unchanged to the last bit
+    return lonDeg + 360 * std::round((nearDeg - lonDeg) / 360);
 }
 
-/// The same meridian, -180 to 180.
-inline double usualLongitude(double lonDeg) { return std::remainder(lonDeg, 360.0); }
+/// The longitude of the same meridian in -180 to 180.
+inline double wrapLongitude(double lonDeg) { return std::remainder(lonDeg, 360.0); }
 
 }  // namespace noonmark

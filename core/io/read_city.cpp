@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/io/file_kind.h"
-#include "core/io/implausible_buildings.h"
-#include "core/io/place_advice.h"
+#include "core/base/progress_share.h"
+#include "core/io/files/file_kind.h"
+#include "core/io/footprints/place_advice.h"
+#include "core/io/heights/implausible_buildings.h"
 #include "core/io/read_part.h"
-#include "core/io/stand_on_terrain.h"
-#include "core/io/terrain_from_bases.h"
-#include "core/progress_share.h"
+#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/terrain_from_bases.h"
 
 namespace noonmark {
 
@@ -26,19 +26,19 @@ struct InputFile {
     FilePiece piece;
 };
 
-Result<std::vector<InputFile>> recognised(const std::vector<Path>& paths) {
-    if (paths.empty()) return failure("No file is named", {}, "Name at least one file of buildings");
+Result<std::vector<InputFile>> recogniseFiles(const std::vector<Path>& paths) {
+    if (paths.empty()) return failure("No file is named", {}, "Name at least one file with buildings");
     std::vector<InputFile> files;
     for (const Path& path : paths) {
-        const auto kind = fileKind(path);
+        const auto kind = detectFileKind(path);
         if (!kind) return tl::make_unexpected(kind.error());
         files.push_back({path, *kind, {}});
     }
     return files;
 }
 
-// Buildings fix the frame before terrain does, whose middle may lie far off; a mesh without a place comes
-// last.
+// Order of reading: files with buildings fix the frame before terrain does, whose middle may be far away; a
+// mesh without a position comes last.
 int turnOf(const InputFile& file, const ReadSettings& settings) {
     if (file.kind == FileKind::terrain) return 1;
     return file.kind == FileKind::mesh && !settings.meshAnchor ? 2 : 0;
@@ -56,10 +56,10 @@ Result<FilePiece> readPiece(const InputFile& file, const ReadSettings& settings,
         case FileKind::terrain:
             return readTerrain(file.path, settings, progress, stop);
     }
-    return failure("It is of no kind that can be read", file.path.string());
+    return failure("Its format is not supported", file.path.string());
 }
 
-// Fills in every file's piece; the first that chooses a frame fixes it for those after it.
+// Reads every file into its piece; the first reader that chooses a frame fixes it for the others.
 Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, Progress& progress,
                          const std::stop_token& stop) {
     std::vector<InputFile*> turns;
@@ -76,7 +76,7 @@ Result<Frame> readPieces(std::vector<InputFile>& files, ReadSettings settings, P
         turns[i]->piece = *std::move(piece);
     }
     if (settings.frame) return *settings.frame;
-    return failure("None of the files says where on the earth it lies", files.front().path.string(),
+    return failure("None of the files states its position on earth", files.front().path.string(),
                    anchorAdvice);
 }
 
@@ -84,7 +84,7 @@ void joinTerrain(CityRead& all, const InputFile& file) {
     if (!file.piece.terrain) return;
     if (all.city.terrain)
         all.warnings.push_back(
-            {WarningKind::leftOut, "a second terrain; the first one counts", file.path.filename().string()});
+            {WarningKind::leftOut, "a second terrain; the first one is used", file.path.filename().string()});
     else
         all.city.terrain = file.piece.terrain;
 }
@@ -98,21 +98,22 @@ std::vector<BasedBuilding> basedBuildings(const std::vector<InputFile>& files) {
     return based;
 }
 
-// Ground that buildings state, where no terrain shows it.
+// Makes a terrain from the ground elevations that buildings state, if no terrain was read.
 void makeTerrainFromBases(CityRead& all, const std::vector<InputFile>& files, TerrainFromBases wanted) {
     if (all.city.terrain || wanted == TerrainFromBases::never) return;
     const std::vector<BasedBuilding> based = basedBuildings(files);
-    const BaseRelief relief = reliefOf(based);
+    const BaseRelief relief = measureRelief(based);
     if (wanted == TerrainFromBases::automatic && !relief.matters()) return;
-    std::optional<Terrain> terrain = terrainFromBases(based);
+    std::optional<Terrain> terrain = interpolateBases(based);
     if (!terrain) return;
-    all.warnings.push_back({WarningKind::assumed,
-                            "there is no terrain: the ground between the buildings was made from their bases",
-                            fmt::format("{} buildings; {}", based.size(), textOf(relief))});
+    all.warnings.push_back(
+        {WarningKind::assumed,
+         "there is no terrain: the ground between the buildings was interpolated from their bases",
+         fmt::format("{} buildings; {}", based.size(), formatText(relief))});
     all.city.terrain = std::make_shared<const Terrain>(*std::move(terrain));
 }
 
-// Buildings that stand beyond the terrain's border on its nearest elevation.
+// Warns about buildings outside the terrain's border, which stand on its nearest elevation.
 void countBeyondTerrain(CityRead& all) {
     if (!all.city.terrain) return;
     std::size_t off = 0;
@@ -129,7 +130,7 @@ void countBeyondTerrain(CityRead& all) {
              fmt::format("{} of {}, up to {:.0f} m from it", off, all.city.buildings.size(), farthestM)});
 }
 
-// Buildings that say what ground they stand on, where there is no terrain to show it.
+// Warns that stated ground elevations were not used, since there is no terrain.
 void sayFlattened(CityRead& all, const InputFile& file) {
     const auto isRaised = [](const std::optional<float>& ground) { return ground && *ground != 0; };
     const auto count = std::ranges::count_if(file.piece.groundM, isRaised);
@@ -149,11 +150,11 @@ void joinBuildings(CityRead& all, const InputFile& file) {
             all.city.buildings.push_back(piece.buildings[i]);
         else
             all.city.buildings.push_back(std::make_shared<const Building>(
-                standing(*piece.buildings[i], piece.groundM[i], all.city.terrain.get())));
+                standOnTerrain(*piece.buildings[i], piece.groundM[i], all.city.terrain.get())));
     }
 }
 
-// With several files a warning says whose it is.
+// If there are several files, adds the file's name to its warnings.
 void joinWarnings(CityRead& all, const InputFile& file, bool several) {
     const std::string name = file.path.filename().string();
     for (Warning warning : file.piece.warnings) {
@@ -181,7 +182,7 @@ std::string joinedTexts(const std::vector<InputFile>& files, std::string FilePie
 
 Result<CityRead> readCity(const std::vector<Path>& paths, const ReadSettings& settings, Progress& progress,
                           std::stop_token stop) {
-    auto files = recognised(paths);
+    auto files = recogniseFiles(paths);
     if (!files) return tl::make_unexpected(files.error());
     const auto frame = readPieces(*files, settings, progress, stop);
     if (!frame) return tl::make_unexpected(frame.error());

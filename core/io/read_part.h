@@ -4,12 +4,13 @@
 
 namespace noonmark {
 
-/// What one reader makes of one file, in the frame that it was given or chose. readCity() joins these.
+/// The result of one reader for one file, in the frame that was given or that it chose. readCity() joins
+/// these pieces.
 struct FilePiece {
-    std::optional<Frame> frame;  ///< set when the reader chose it
+    std::optional<Frame> frame;  ///< set if the reader chose it
     std::vector<std::shared_ptr<const Building>> buildings;
-    /// Local z of the ground that each building was put on; nothing where the file does not say it, so that
-    /// readCity() puts the building on the terrain. Empty: all z are the file's own and stay.
+    /// Local z of the ground that each building stands on, as the file states it; nothing if it does not, so
+    /// that readCity() places the building on the terrain. Empty: all z are final.
     std::vector<std::optional<float>> groundM;
     std::shared_ptr<const Terrain> terrain;
     Warnings warnings;
@@ -19,19 +20,19 @@ struct FilePiece {
     HeightFacts heights;
 };
 
-/// One reader per family of formats; each in a .cpp that bears its backend's name. `settings.frame` is set
-/// when an earlier file fixed it; otherwise the reader chooses the middle of its data.
+/// One reader per family of formats. `settings.frame` is set if an earlier file fixed it; otherwise the
+/// reader chooses the middle of its data.
 Result<FilePiece> readFootprints(const std::filesystem::path& file, const ReadSettings& settings,
                                  Progress& progress,
-                                 std::stop_token stop);  ///< read_footprints_gdal.cpp
+                                 std::stop_token stop);  ///< defined in read_footprints_gdal.cpp
 Result<FilePiece> readCityJson(const std::filesystem::path& file, const ReadSettings& settings,
                                Progress& progress,
-                               std::stop_token stop);  ///< read_cityjson.cpp
+                               std::stop_token stop);  ///< defined in read_cityjson.cpp
 Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
                            Progress& progress,
-                           std::stop_token stop);  ///< read_mesh.cpp, by way of mesh_reader_process.h
+                           std::stop_token stop);  ///< defined in read_mesh.cpp
 Result<FilePiece> readTerrain(const std::filesystem::path& file, const ReadSettings& settings,
                               Progress& progress,
-                              std::stop_token stop);  ///< read_terrain_gdal.cpp
+                              std::stop_token stop);  ///< defined in read_terrain_gdal.cpp
 
 }  // namespace noonmark

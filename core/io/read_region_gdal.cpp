@@ -11,10 +11,10 @@
 #include <memory>
 #include <optional>
 
-#include "core/io/fold_text.h"
-#include "core/io/gdal_calls.h"
-#include "core/io/open_dataset.h"
-#include "core/io/polygon_layer.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/files/fold_text.h"
+#include "core/io/files/open_dataset.h"
+#include "core/io/footprints/polygon_layer.h"
 
 namespace noonmark {
 
@@ -38,7 +38,7 @@ std::optional<LonLatBox> parseBox(std::string_view text) {
 
 Result<Region> regionOfBox(const LonLatBox& box, const Frame& frame, const std::string& text) {
     const auto [west, south, east, north] = box;
-    const auto region = regionFromLonLatBox(frame, west, south, east, north);
+    const auto region = makeRegionFromLonLatBox(frame, west, south, east, north);
     if (!region) return region;
     for (const LonLat corner :
          {LonLat{west, south}, LonLat{east, south}, LonLat{east, north}, LonLat{west, north}})
@@ -79,7 +79,7 @@ Result<Region> regionOfFile(const std::filesystem::path& file, const Frame& fram
 }
 
 bool isWkt(std::string_view text) {
-    const std::string start = foldedText(text.substr(0, 24));
+    const std::string start = foldText(text.substr(0, 24));
     return start.starts_with("polygon") || start.starts_with("multipolygon");
 }
 
@@ -89,7 +89,7 @@ Result<Region> regionOfWkt(const std::string& text, const Frame& frame) {
     const OGRErr error = OGRGeometryFactory::createFromWkt(text.c_str(), nullptr, &made);
     const std::unique_ptr<OGRGeometry> geometry(made);
     if (error != OGRERR_NONE || !geometry)
-        return failure("It is not well-known text of a polygon", text,
+        return failure("It is not a polygon in well-known text", text,
                        "Give degrees, longitude first: POLYGON ((-73.98 40.76, -73.97 40.76, -73.97 40.77, "
                        "-73.98 40.76))");
     OGRSpatialReference degrees;
@@ -98,7 +98,7 @@ Result<Region> regionOfWkt(const std::string& text, const Frame& frame) {
     if (!reader) return tl::make_unexpected(reader.error());
     auto pieces = reader->polygons(*geometry);
     if (!pieces) return tl::make_unexpected(pieces.error());
-    if (pieces->empty()) return failure("The polygon has no area", text, "Give three corners or more");
+    if (pieces->empty()) return failure("The polygon has no area", text, "Give at least three corners");
     return Region{"polygon", *std::move(pieces)};
 }
 
@@ -109,7 +109,7 @@ Result<Region> readRegion(const std::string& boxOrFile, const Frame& frame) {
     if (isWkt(boxOrFile)) return regionOfWkt(boxOrFile, frame);
     std::error_code ignored;
     if (std::filesystem::exists(boxOrFile, ignored)) return regionOfFile(boxOrFile, frame);
-    return failure("There is no such file, and it is neither four numbers nor a polygon",
+    return failure("There is no such file, and the text is neither four numbers nor a polygon",
                    "region '" + boxOrFile + "'",
                    "Give west,south,east,north in degrees, for example -73.99,40.75,-73.98,40.76, a polygon "
                    "as well-known text, or a polygon file");

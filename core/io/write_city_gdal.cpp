@@ -6,10 +6,10 @@
 #include <optional>
 #include <unordered_set>
 
-#include "core/city/building_ground.h"
+#include "core/base/gdal_calls.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/geo/longitude.h"
-#include "core/io/gdal_calls.h"
-#include "core/io/pending_file.h"
+#include "core/io/files/pending_file.h"
 #include "core/io/write_city.h"
 
 namespace noonmark {
@@ -45,12 +45,12 @@ OGRLayer* createLayer(GDALDataset& dataset, const Figures& figures) {
     return layer;
 }
 
-// A building on the antimeridian is written in one piece, with longitudes that run on past 180.
+// A building on the antimeridian is written in one piece, with longitudes beyond 180.
 void addRing(OGRPolygon& polygon, const Ring& ring, const Frame& frame, double nearDeg) {
     OGRLinearRing line;
     for (const glm::vec2 point : ring) {
         const LonLat place = frame.lonLatFromLocal(glm::dvec2(point));
-        line.addPoint(longitudeNear(place.lonDeg, nearDeg), place.latDeg);
+        line.addPoint(wrapLongitudeNear(place.lonDeg, nearDeg), place.latDeg);
     }
     line.closeRings();
     polygon.addRing(&line);
@@ -64,7 +64,7 @@ OGRPolygon polygonOf(const Footprint& footprint, const Frame& frame) {
     return polygon;
 }
 
-// Writes building after building; keeps what cannot be written as it is.
+// Writes the buildings one by one and collects what cannot be written unchanged.
 class PartWriter {
 public:
     PartWriter(OGRLayer& layer, const City& city, const Figures& figures)
@@ -73,7 +73,7 @@ public:
     bool write(const Building& building, std::size_t index) {
         index_ = index;
         const std::string id = idFor(building);
-        const float ground = groundUnder(building, city_);
+        const float ground = findGroundUnder(building, city_);
         return std::ranges::all_of(
             building.parts, [&](const Part& part) { return write(building, id, part, double(ground)); });
     }
@@ -89,12 +89,12 @@ private:
         feature.SetField("status", building.status.c_str());
         feature.SetField("height", part.topM - groundM);
         feature.SetField("min_height", part.bottomM - groundM);
-        // A flat city at 0 knows no elevation; to state one would bury it under a terrain that is opened
-        // beside it.
+        // A flat city at 0 has no known elevation; writing one would bury it under a terrain that is opened
+        // with it.
         const double elevation = city_.frame.originElevationM() + groundM;
         if (city_.terrain || elevation != 0) feature.SetField("ground_elevation", elevation);
         feature.SetField("height_source", std::string(nameOf(part.heightSource)).c_str());
-        feature.SetField("hangs", part.hangs ? 1 : 0);
+        feature.SetField("hangs", part.isOverhanging ? 1 : 0);
         for (const BuildingColumn& column : figures_)
             feature.SetField(column.name.c_str(), column.values[index_]);
         const OGRPolygon polygon = polygonOf(part.footprint, city_.frame);
@@ -106,7 +106,8 @@ private:
         return layer_.CreateFeature(&feature) == OGRERR_NONE;
     }
 
-    // Two buildings of one source id (from two files, say) must not become one when they are read again.
+    // Two buildings with the same source id (from two files, for instance) must stay separate when they are
+    // read again.
     std::string idFor(const Building& building) {
         const std::string own = building.sourceId.empty() ? "building" : building.sourceId;
         std::string id = own;
@@ -117,13 +118,13 @@ private:
     OGRLayer& layer_;
     const City& city_;
     const Figures& figures_;
-    std::size_t index_ = 0;  // of the building at hand
+    std::size_t index_ = 0;  // index of the current building
     std::unordered_set<std::string> ids_;
 };
 
 std::optional<Warnings> writeAll(GDALDataset& dataset, const City& city, const Figures& figures) {
     if (dataset.StartTransaction() != OGRERR_NONE)
-        return std::nullopt;  // one for all: 40,000 parts in under a second
+        return std::nullopt;  // a single transaction: 40,000 parts in under a second
     OGRLayer* layer = createLayer(dataset, figures);
     if (layer == nullptr) return std::nullopt;
     PartWriter writer(*layer, city, figures);
@@ -147,7 +148,7 @@ Result<Warnings> writeCityGeoPackage(const std::filesystem::path& file, const Ci
     dataset.reset();
     if (!warnings || calls.failed())
         return failure("The GeoPackage could not be written: " + calls.why(), file.string(),
-                       "Check that the folder exists, can be written to and has room");
+                       "Check that the folder exists, is writable and has space");
     if (auto named = pending.commit(); !named) return tl::make_unexpected(named.error());
     if (city.terrain)
         warnings->push_back(

@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
-#include "core/io/gdal_calls.h"
-#include "core/io/open_dataset.h"
-#include "core/io/pending_file.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/files/open_dataset.h"
+#include "core/io/files/pending_file.h"
 #include "core/io/write_raster.h"
 
 namespace noonmark {
@@ -19,10 +19,10 @@ namespace {
 
 tl::unexpected<Error> notWritten(const std::filesystem::path& file, const std::string& why) {
     return failure("The map could not be written: " + why, file.string(),
-                   "Check that the folder exists, can be written to and has room");
+                   "Check that the folder exists, is writable and has space");
 }
 
-GDALDatasetUniquePtr created(const std::filesystem::path& file, const Grid& grid, std::size_t bands) {
+GDALDatasetUniquePtr createDataset(const std::filesystem::path& file, const Grid& grid, std::size_t bands) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     if (driver == nullptr) return nullptr;
     const std::string block = fmt::format("{}", GeoTiffWriter::blockCells);
@@ -31,7 +31,7 @@ GDALDatasetUniquePtr created(const std::filesystem::path& file, const Grid& grid
     options.SetNameValue("BLOCKXSIZE", block.c_str());
     options.SetNameValue("BLOCKYSIZE", block.c_str());
     options.SetNameValue("COMPRESS", "DEFLATE");
-    options.SetNameValue("PREDICTOR", "3");  // differences of floats: half the size
+    options.SetNameValue("PREDICTOR", "3");  // floating-point differences: half the size
     options.SetNameValue("INTERLEAVE", "BAND");
     options.SetNameValue("BIGTIFF", "IF_SAFER");
     options.SetNameValue("NUM_THREADS", "ALL_CPUS");
@@ -57,7 +57,7 @@ void describe(GDALDataset& dataset, const std::vector<RasterBand>& bands, const 
     }
 }
 
-// Our rows run northwards, the file's southwards: begin at the last row and step back.
+// Our rows run northwards, the file's southwards: starts at the last row and steps back.
 bool transfer(GDALRWFlag direction, GDALRasterBand& band, float* values, const Grid& part, int fileColumn,
               int fileRow) {
     const auto lineBytes = GSpacing(sizeof(float)) * part.columns;
@@ -101,7 +101,7 @@ Result<GeoTiffWriter> GeoTiffWriter::create(const std::filesystem::path& file, c
         return notWritten(file, "there are no cells or no bands");
     const GdalCalls calls;
     std::unique_ptr<Pending> pending(new Pending{PendingFile(file), file, grid, nullptr});
-    pending->dataset = created(pending->pending.path(), grid, bands.size());
+    pending->dataset = createDataset(pending->pending.path(), grid, bands.size());
     if (!pending->dataset || !place(*pending->dataset, frame, grid)) return notWritten(file, calls.why());
     describe(*pending->dataset, bands, tags);
     if (calls.failed()) return notWritten(file, calls.why());
@@ -114,7 +114,7 @@ Result<void> GeoTiffWriter::write(const Grid& part, const std::vector<const std:
     const int column = int(std::lround((part.westM - grid.westM) / grid.cellM));
     const int fileRow = int(std::lround((grid.northM() - part.northM()) / grid.cellM));
     for (std::size_t i = 0; i < values.size(); ++i) {
-        auto* first = const_cast<float*>(values[i]->data());  // GDAL only reads through it
+        auto* first = const_cast<float*>(values[i]->data());  // GDAL only reads through this pointer
         if (!transfer(GF_Write, *pending_->dataset->GetRasterBand(int(i) + 1), first, part, column, fileRow))
             return notWritten(pending_->file, calls.why());
     }
@@ -125,7 +125,7 @@ Result<void> GeoTiffWriter::finish(bool overviews, const std::stop_token& stop) 
     const GdalCalls calls;
     pending_->dataset->FlushCache(false);
     const bool whole = !overviews || addOverviews(*pending_->dataset, pending_->grid, stop);
-    pending_->dataset.reset();  // flushes: a full disk shows here
+    pending_->dataset.reset();  // flushes: a full disk is reported here
     if (stop.stop_requested()) return cancelled();
     if (!whole || calls.failed()) return notWritten(pending_->file, calls.why());
     return pending_->pending.commit();
@@ -136,7 +136,7 @@ Result<void> writeGeoTiff(const std::filesystem::path& file, const Frame& frame,
     std::vector<const std::vector<float>*> values;
     for (const RasterBand& band : bands) {
         if (band.values == nullptr || band.values->size() != grid.size())
-            return notWritten(file, fmt::format("band '{}' does not have one value a cell", band.name));
+            return notWritten(file, fmt::format("band '{}' does not have one value per cell", band.name));
         values.push_back(band.values);
     }
     auto writer = GeoTiffWriter::create(file, frame, grid, bands, tags);
@@ -148,7 +148,7 @@ Result<std::vector<std::vector<float>>> readGeoTiff(const std::filesystem::path&
     const GdalCalls calls;
     const auto open = openDataset(file, DatasetContent::maps);
     if (!open || (*open)->GetRasterXSize() != grid.columns || (*open)->GetRasterYSize() != grid.rows)
-        return failure("The map is not the one that was written here", file.string(),
+        return failure("The map is not the one that this run wrote", file.string(),
                        "Remove it and run again");
     GDALDataset& dataset = **open;
     std::vector<std::vector<float>> bands(std::size_t(dataset.GetRasterCount()));

@@ -6,14 +6,14 @@
 #include <set>
 #include <utility>
 
-#include "core/accumulate/reach.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/measures/compared_cells.h"
 
 namespace noonmark {
 
 namespace {
 
-/// Points of the unit square that fill it evenly, however many are taken.
+/// Points that fill the unit square evenly, whatever their number.
 class EvenPoints {
 public:
     explicit EvenPoints(std::uint32_t seed) {
@@ -80,15 +80,15 @@ Receivers onlyReceivers(const Receivers& receivers, std::vector<std::uint32_t> c
     return some;
 }
 
-Result<std::vector<ComparedCell>> comparedWithReference(const City& city, const Receivers& receivers,
-                                                        const SunSteps& sun, const ShadowField& field,
-                                                        std::vector<std::uint32_t> cells, Progress& progress,
-                                                        std::stop_token stop) {
+Result<std::vector<ComparedCell>> compareWithReference(const City& city, const Receivers& receivers,
+                                                       const SunSteps& sun, const ShadowField& field,
+                                                       std::vector<std::uint32_t> cells, Progress& progress,
+                                                       std::stop_token stop) {
     const Receivers sample = onlyReceivers(receivers, std::move(cells));
     if (stop.stop_requested()) return cancelled();
-    return RayScene::over(city, buildingsInReach(city, sample, sun), stop)
+    return RayScene::over(city, findBuildingsInReach(city, sample, sun), stop)
         .and_then([&](const RayScene& scene) {
-            return comparedByRays(scene, sample, sun, field, sample.cells, progress, stop);
+            return compareByRays(scene, sample, sun, field, sample.cells, progress, stop);
         });
 }
 
@@ -98,11 +98,11 @@ double longestDayMinutes(const SunSteps& sun) {
     return steps * sun.stepMinutes;
 }
 
-Result<SampledError> sampledError(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                  const ShadowField& field, const ErrorSampleSettings& settings,
-                                  Progress& progress, std::stop_token stop) {
+Result<SampledError> sampleError(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                 const ShadowField& field, const ErrorSampleSettings& settings,
+                                 Progress& progress, std::stop_token stop) {
     auto cells = spreadReceivers(receivers, sampleSize(settings, sun.steps.size()), settings.seed);
-    return comparedWithReference(city, receivers, sun, field, std::move(cells), progress, std::move(stop))
+    return compareWithReference(city, receivers, sun, field, std::move(cells), progress, std::move(stop))
         .map([&](const std::vector<ComparedCell>& pairs) {
             SampledError error = errorOf(pairs, field.sunlitMinutesPerDay, longestDayMinutes(sun));
             error.ofReceivers = receivers.cells.size();

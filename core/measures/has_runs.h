@@ -4,16 +4,17 @@
 #include <cmath>
 #include <span>
 
-#include "core/accumulate/shadow_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/measures/sampled_error.h"
 #include "core/measures/statistics.h"
 
 namespace noonmark {
 
-// Whether the longest runs were counted (core/accumulate/shadow_counts.h). Where they were not, minutes of
-// continuous shadow are NaN in every cell and every figure: there is nothing to show or to write of them.
+// Whether the longest runs were counted (core/engines/api/shadow_counts.h). If not, minutes of continuous
+// shadow are NaN in every cell and every statistic, and nothing is displayed or written for them.
 
-/// Of a map of runs, or of their change. Reads as far as the first number: all cells where there is none.
+/// For a map of continuous minutes, or of their change. Reads as far as the first number; reads all cells if
+/// there is none.
 inline bool hasRuns(std::span<const float> continuousMin) {
     return std::ranges::any_of(continuousMin, [](float minutes) { return !std::isnan(minutes); });
 }

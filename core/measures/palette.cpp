@@ -16,8 +16,8 @@ struct Lch {
     double hue;
 };
 
-// Hue winds from yellow over apricot, rose and purple to indigo. Lightness is not here: it falls along a
-// straight line.
+// The hue runs from yellow over apricot, rose and purple to indigo. Lightness is not in this table: it
+// decreases linearly.
 constexpr std::array<Lch, 5> shadowStops{
     {{95, 24, 98}, {75, 46, 66}, {55, 55, 14}, {35, 54, -38}, {15, 38, -64}}};
 constexpr Lch noChange{96, 0, 80};
@@ -33,8 +33,8 @@ double encoded(double linear) {
     return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
 }
 
-/// IEC 61966-2-1 (sRGB) from CIE 1976 L*a*b*, D65 white; what lies outside sRGB is clipped.
-Rgb colourOf(const Lch& lch) {
+/// IEC 61966-2-1 (sRGB) from CIE 1976 L*a*b*, D65 white; colours outside sRGB are clipped.
+Rgb pickColour(const Lch& lch) {
     const double hue = lch.hue * std::numbers::pi / 180;
     const double fy = (lch.lightness + 16) / 116;
     const double x = 0.95047 * labInverse(fy + lch.chroma * std::cos(hue) / 500);
@@ -51,7 +51,7 @@ Lch between(const Lch& a, const Lch& b, double share) {
             std::lerp(a.hue, b.hue, share)};
 }
 
-constexpr int tableSize = 1024;  // finer than 8 bits a channel can show
+constexpr int tableSize = 1024;  // finer than 8 bits per channel can show
 using Table = std::array<Rgb, tableSize>;
 
 Table shadowTable() {
@@ -60,12 +60,12 @@ Table shadowTable() {
         const double along = double(i) / (tableSize - 1) * (shadowStops.size() - 1);
         const auto from = std::min<std::size_t>(std::size_t(along), shadowStops.size() - 2);
         table[std::size_t(i)] =
-            colourOf(between(shadowStops[from], shadowStops[from + 1], along - double(from)));
+            pickColour(between(shadowStops[from], shadowStops[from + 1], along - double(from)));
     }
     return table;
 }
 
-// Rounder values than these are not needed: a day has 1,440 minutes.
+// Smaller or larger steps are not needed: a day has 1,440 minutes.
 constexpr std::array tickSteps{0.01, 0.02, 0.05, 0.1,  0.2,  0.5,   1.0,  2.0,
                                5.0,  10.0, 15.0, 30.0, 60.0, 120.0, 240.0};
 constexpr double mostTicks = 8;
@@ -82,13 +82,13 @@ Rgb impactRgb(double share) {
     const double clamped = std::isnan(share) ? 0 : std::clamp(share, -1.0, 1.0);
     Lch end = clamped < 0 ? lessShadow : moreShadow;
     Lch middle = noChange;
-    middle.hue = end.hue;  // white has no hue of its own
-    return colourOf(between(middle, end, std::abs(clamped)));
+    middle.hue = end.hue;  // white has no hue
+    return pickColour(between(middle, end, std::abs(clamped)));
 }
 
 LegendScale legendScale(double largestValue) {
     if (!(largestValue > 0) || !std::isfinite(largestValue)) return {};
-    const double slack = largestValue * 1e-9;  // 0.1 x 3 is no reason for a fourth tick
+    const double slack = largestValue * 1e-9;  // rounding errors, as of 0.1 x 3, must not add a tick
     double tick = tickSteps.front();
     for (const double step : tickSteps) {
         tick = step;

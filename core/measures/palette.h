@@ -4,23 +4,23 @@
 
 namespace noonmark {
 
-/// sRGB, 8 bits a channel.
+/// sRGB, 8 bits per channel.
 struct Rgb {
     std::uint8_t red = 0, green = 0, blue = 0;
     bool operator==(const Rgb&) const = default;
 };
 
-/// Colours for a field of minutes: from warm light (the sun) to deep indigo (shadow). Sequential, safe for
-/// the colour-blind and readable in grey print: CIELAB lightness falls evenly from no shadow to most shadow.
-/// A table look-up, for use per cell.
-Rgb shadowRgb(double share);  ///< share of the legend's range, 0 to 1, clamped; NaN is as 0
+/// Colours for a field of minutes: from warm light (sun) to deep indigo (shadow). Sequential, safe for
+/// colour-blind readers and readable in grey print: CIELAB lightness decreases evenly from no shadow to most
+/// shadow. A table look-up, for use per cell.
+Rgb shadowRgb(double share);  ///< share of the legend's range, 0 to 1, clamped; NaN counts as 0
 
-/// Colours for a field that may gain or lose: green-blue is less shadow (-1), nearly white no change (0),
-/// red-brown more (1). Equal steps on both sides are equally dark, and tell apart without red and green.
-Rgb impactRgb(double share);  ///< -1 to 1, clamped; NaN is as 0
+/// Colours for a field of changes: green-blue is less shadow (-1), nearly white no change (0), red-brown more
+/// (1). Equal steps on both sides are equally dark and can be distinguished without red and green.
+Rgb impactRgb(double share);  ///< -1 to 1, clamped; NaN counts as 0
 
-/// A round upper end for a legend and its ticks: 360 -> 360 by 60; 47 -> 50 by 10. Four to eight ticks, in
-/// steps that are natural for minutes. What is not above zero gives {1, 1}.
+/// A round upper end for a legend, and its ticks: 360 -> 360 by 60; 47 -> 50 by 10. Four to eight ticks, in
+/// steps that are natural for minutes. A value of zero or below gives {1, 1}.
 struct LegendScale {
     double top = 1;
     double tick = 1;

@@ -40,7 +40,7 @@ CellError continuousErrorOf(std::span<const ComparedCell> cells, double longestD
     return cellErrorOf(cells, longestDayMin, continuousDifference);
 }
 
-// Cells are of one size: the error of the area is the mean of theirs.
+// Cells are of equal size: the error of the area is the mean of the cells' errors.
 void addArea(SampledError& error, std::span<const ComparedCell> cells) {
     const auto count = double(cells.size());
     double mean = 0, squares = 0;

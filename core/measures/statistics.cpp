@@ -28,13 +28,13 @@ void ShadowSums::add(const ShadowSums& piece) {
     maxContinuousMin = std::max(maxContinuousMin, piece.maxContinuousMin);
 }
 
-ShadowSums sumsOf(const ShadowField& field) {
+ShadowSums computeSums(const ShadowField& field) {
     ShadowSums sums;
     for (std::size_t cell = 0; cell < field.grossMin.size(); ++cell) addCell(sums, field, cell);
     return sums;
 }
 
-ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2) {
+ShadowStatistics computeStatistics(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2) {
     if (sums.receivers == 0) return {};
     const auto count = double(sums.receivers);
     ShadowStatistics statistics{.receivers = sums.receivers, .receiverAreaM2 = count * cellAreaM2};
@@ -47,11 +47,11 @@ ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay
     return statistics;
 }
 
-ShadowStatistics statisticsOf(const ShadowField& field) {
-    return statisticsOf(sumsOf(field), field.sunlitMinutesPerDay, field.grid.cellAreaM2());
+ShadowStatistics computeStatistics(const ShadowField& field) {
+    return computeStatistics(computeSums(field), field.sunlitMinutesPerDay, field.grid.cellAreaM2());
 }
 
-ShadowStatistics statisticsOf(const ShadowField& field, const Region& region) {
+ShadowStatistics computeStatistics(const ShadowField& field, const Region& region) {
     std::vector<bool> inside(field.grid.size(), false);
     for (const Footprint& polygon : region.polygons)
         forEachRun(polygon, field.grid, [&](int row, int first, int end) {
@@ -60,7 +60,7 @@ ShadowStatistics statisticsOf(const ShadowField& field, const Region& region) {
     ShadowSums sums;
     for (std::size_t cell = 0; cell < inside.size(); ++cell)
         if (inside[cell]) addCell(sums, field, cell);
-    return statisticsOf(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
+    return computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
 }
 
 }  // namespace noonmark

@@ -1,11 +1,16 @@
 #pragma once
 
-#include "core/accumulate/shadow_field.h"
+// The folder core/measures turns shadow fields into numbers and colours: means, largest values and shadow
+// areas (this file), the error of an engine on a sample of receivers (error_sample.h selects and compares
+// them, sampled_error.h holds the result, compared_cells.h does it in an existing ray scene), the colours of
+// maps (palette.h), and whether continuous shadow was counted (has_runs.h).
+
+#include "core/engines/api/shadow_field.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
 
-/// Figures of a shadow field over its receivers. All zero where there are none.
+/// Statistics of a shadow field over its receivers. All zero if there are none.
 struct ShadowStatistics {
     std::size_t receivers = 0;
     double receiverAreaM2 = 0;
@@ -13,29 +18,30 @@ struct ShadowStatistics {
     double shadowAreaM2 = 0;
     double meanGrossMin = 0;
     double maxGrossMin = 0;
-    double meanContinuousMin = 0;  ///< NaN, as the largest, where runs were not counted
+    double meanContinuousMin = 0;  ///< NaN, like the largest, if runs were not counted
     double maxContinuousMin = 0;
 };
 
-/// What the figures of several pieces of one field are made from. Pieces have the same period and cell size.
+/// Sums from which the statistics of a field in several pieces are computed. All pieces have the same period
+/// and cell size.
 struct ShadowSums {
     std::size_t receivers = 0;
     double grossMin = 0;       ///< sum over the receivers
-    double continuousMin = 0;  ///< NaN where runs of a receiver were not counted
+    double continuousMin = 0;  ///< NaN if the runs of a receiver were not counted
     double maxGrossMin = 0;
     double maxContinuousMin = 0;
 
     void add(const ShadowSums& piece);
 };
-ShadowSums sumsOf(const ShadowField& field);
+ShadowSums computeSums(const ShadowField& field);
 
-/// Figures of the sums; `sunlitMinutesPerDay` and `cellAreaM2` as the pieces have them.
-ShadowStatistics statisticsOf(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2);
+/// Statistics from sums; `sunlitMinutesPerDay` and `cellAreaM2` as in the pieces.
+ShadowStatistics computeStatistics(const ShadowSums& sums, double sunlitMinutesPerDay, double cellAreaM2);
 
 /// Over all receivers of the field. O(cells), sums in double.
-ShadowStatistics statisticsOf(const ShadowField& field);
+ShadowStatistics computeStatistics(const ShadowField& field);
 
 /// Over the receivers whose centres lie in the region.
-ShadowStatistics statisticsOf(const ShadowField& field, const Region& region);
+ShadowStatistics computeStatistics(const ShadowField& field, const Region& region);
 
 }  // namespace noonmark

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t mostReadsAtEnd = 100;
 constexpr std::size_t mostTimesOver =
-    100;  // a reader may go over a file a few times, to find its format and then to read it
+    100;  // a reader may read a file a few times, to find its format and then its content
 
 class GuardedStream final : public Assimp::IOStream {
 public:
@@ -52,7 +52,7 @@ private:
         readInAll_ += got;
         readsAtEnd_ += got == 0 ? 1 : 0;
         const bool roundAndRound = readsAtEnd_ > mostReadsAtEnd || readInAll_ / mostTimesOver > size_ + 65536;
-        if (roundAndRound) throw std::runtime_error("the file breaks off");
+        if (roundAndRound) throw std::runtime_error("the file ends early");
     }
 
     std::ifstream stream_;

@@ -1,12 +1,12 @@
-// noonmark-mesh-reader: reads one mesh file under limits and writes its triangles to a pipe. Noonmark starts
-// it for each mesh (core/io/mesh_reader_process.h), so that a file which crashes the mesh library costs no
-// unsaved work.
+// noonmark-mesh-reader: reads one mesh file under limits and writes its scene to a pipe. Noonmark starts it
+// for each mesh (core/io/meshes/mesh_reader_process.h), so that a file that crashes the mesh library does not
+// end the program and lose unsaved work.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#include "core/io/mesh_reader_process.h"
+#include "core/io/meshes/mesh_reader_process.h"
 #include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/own_limits.h"
 #include "core/mesh_reader/read_scene.h"
@@ -15,8 +15,8 @@ namespace noonmark {
 
 namespace {
 
-// What good files take at most: an OBJ about forty bytes of memory for each of its own, and the library
-// itself.
+// Upper bound for well-formed files: an OBJ takes about forty bytes of memory for each of its own, plus the
+// library itself.
 constexpr std::uint64_t memoryPerByte = 128;
 constexpr std::uint64_t memoryAnyway = std::uint64_t(512) << 20;
 
@@ -28,7 +28,7 @@ void writeOut(std::FILE* out, std::string& bytes) {
 Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
     const auto bytesBehind = checkMeshFile(file);
     if (!bytesBehind) return tl::make_unexpected(bytesBehind.error());
-    constexpr std::uintmax_t most = std::uintmax_t(1) << 40;  // so that the product stays a number
+    constexpr std::uintmax_t most = std::uintmax_t(1) << 40;  // keeps the product in range
     limitMemory(memoryAnyway + memoryPerByte * std::min(*bytesBehind, most));
     return readScene(file, [&, bytes = std::string()](const MeshObject& object) mutable {
         appendObject(bytes, object);
@@ -36,7 +36,7 @@ Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
     });
 }
 
-// Ends without freeing anything: the kernel is quicker.
+// Exits without freeing memory: the kernel is faster.
 [[noreturn]] void readInto(const std::filesystem::path& file, std::FILE* out) {
     std::string bytes;
     appendSceneHead(bytes);
@@ -56,7 +56,8 @@ Result<void> writeScene(const std::filesystem::path& file, std::FILE* out) {
 int main(int argc, char** argv) {
     std::FILE* out = argc == 4 ? ::fdopen(noonmark::sceneDescriptor, "wb") : nullptr;
     if (out == nullptr) {
-        std::fputs("noonmark-mesh-reader is started by Noonmark and of no use by itself.\n", stderr);
+        std::fputs("noonmark-mesh-reader is started by Noonmark and is not meant to be run directly.\n",
+                   stderr);
         return EXIT_FAILURE;
     }
     noonmark::limitThisProcess(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));

@@ -24,7 +24,8 @@ std::string contentOf(const std::filesystem::path& file, std::size_t offset, std
     return content;
 }
 
-// Every item of an element takes a byte at least, in text two; so more items than bytes cannot be.
+// Every item of an element takes at least one byte, in text two; a header with more items than bytes is
+// wrong.
 Result<std::uintmax_t> checkPly(const std::string& head, std::uintmax_t fileSize, const std::string& where) {
     const auto end = head.find("end_header");
     if (end == head.npos) return failure("The PLY header does not end", where, again);
@@ -41,7 +42,7 @@ Result<std::uintmax_t> checkPly(const std::string& head, std::uintmax_t fileSize
     return fileSize;
 }
 
-// Bytes that the buffers of a glTF can come from: the file itself and the files it names beside it.
+// Size of the files that a glTF's buffers can come from: the file itself and the files it names beside it.
 Result<std::uintmax_t> bytesBehind(const Json& gltf, const std::filesystem::path& file) {
     std::error_code error;
     std::uintmax_t bytes = std::filesystem::file_size(file, error);
@@ -58,7 +59,7 @@ Result<std::uintmax_t> bytesBehind(const Json& gltf, const std::filesystem::path
     return bytes;
 }
 
-// Every vertex, index and buffer byte has to come from somewhere.
+// Every vertex, index and buffer byte must be stored somewhere.
 bool promisesMore(const Json& gltf, const char* list, const char* member, std::uintmax_t bytes) {
     for (const Json& item : gltf.value(list, Json::array()))
         if (item.is_object() && item.value(member, 0.0) > double(bytes)) return true;
@@ -84,7 +85,7 @@ Result<std::uintmax_t> checkGlb(const std::string& head, std::uintmax_t fileSize
     std::uint32_t promised = 0;
     std::uint32_t jsonLength = 0;
     constexpr std::size_t headerBytes = 20;
-    if (head.size() < headerBytes) return failure("The file breaks off in its header", file.string(), again);
+    if (head.size() < headerBytes) return failure("The file ends within its header", file.string(), again);
     std::memcpy(&promised, head.data() + 8, sizeof promised);
     std::memcpy(&jsonLength, head.data() + 12, sizeof jsonLength);
     if (promised > fileSize || jsonLength > fileSize - headerBytes)

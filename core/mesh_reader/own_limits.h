@@ -4,13 +4,13 @@
 
 namespace noonmark {
 
-/// Limits that this process sets itself before it looks at a file from a stranger: address space, processor
-/// time, no file written, no other process started, few files open; it ends when the program that started it
-/// does, and when memory runs out it ends with exitOutOfMemory. Under the sanitizers, which reserve more than
-/// there is, memory has no limit. Backend: own_limits_posix.cpp.
+/// Sets limits on this process before it reads an untrusted file: address space, processor time, no files
+/// written, no other processes started, few open files. The process ends when its parent does, and exits with
+/// exitOutOfMemory when memory runs out. Under the sanitizers, which reserve more address space than there is
+/// memory, memory is not limited. Backend: own_limits_posix.cpp.
 void limitThisProcess(std::uint64_t memoryBytes, std::uint64_t cpuSeconds);
 
-/// Lowers the limit of memory once more is known of the file; never raises it.
+/// Lowers the memory limit when more is known about the file; never raises it.
 void limitMemory(std::uint64_t memoryBytes);
 
 }  // namespace noonmark

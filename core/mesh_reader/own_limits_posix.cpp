@@ -1,4 +1,4 @@
-// The C++ library knows no limits of a process: POSIX calls (and two of Linux) of the reader are here only.
+// The C++ library cannot limit a process: the POSIX calls (and two of Linux) for it are all here.
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <new>
 
-#include "core/io/mesh_reader_process.h"
+#include "core/io/meshes/mesh_reader_process.h"
 #include "core/mesh_reader/own_limits.h"
 
 namespace noonmark {

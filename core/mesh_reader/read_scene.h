@@ -1,15 +1,21 @@
 #pragma once
 
+// The folder core/mesh_reader is the program noonmark-mesh-reader, which parses one untrusted mesh file in a
+// process of its own and writes the scene to its parent (core/io/meshes/mesh_reader_process.h). main.cpp runs
+// the steps: own_limits.h limits the process, mesh_file_check.h refuses hostile files, read_scene.h (this
+// file) parses with Assimp through the file access of guarded_files.h.
+
 #include <filesystem>
 #include <functional>
 
-#include "core/io/mesh_scene.h"
+#include "core/io/meshes/mesh_scene.h"
 
 namespace noonmark {
 
-/// Reads a mesh file and hands over its objects one by one, each where its place in the file's tree puts it.
-/// Points and lines are left out; polygons stay polygons. Mirrored objects have their polygons turned round,
-/// so that they still look outward. Backend: read_scene_assimp.cpp, which knows OBJ, PLY and glTF 2 only.
+/// Reads a mesh file and passes on its objects one by one, with the transformations in the file's tree
+/// applied. Points and lines are left out; polygons stay polygons. The polygons of mirrored objects are
+/// reversed, so that they still face outward. Backend: read_scene_assimp.cpp, which supports OBJ, PLY and
+/// glTF 2 only.
 Result<void> readScene(const std::filesystem::path& file, const std::function<void(const MeshObject&)>& take);
 
 }  // namespace noonmark

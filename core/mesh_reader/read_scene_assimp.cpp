@@ -17,7 +17,7 @@ namespace noonmark {
 
 namespace {
 
-// The library's own names. It knows some fifty formats more, all of which a file could choose by its content.
+// Names as in the library. It supports some fifty more formats, which a file could select by its content.
 constexpr std::array<std::string_view, 3> allowedImporters{
     "Wavefront Object Importer", "Stanford Polygon Library (PLY) Importer", "glTF2 Importer"};
 
@@ -31,11 +31,11 @@ void keepAllowedImporters(Assimp::Importer& importer) {
     }
     for (Assimp::BaseImporter* other : others) {
         importer.UnregisterLoader(other);
-        delete other;  // the importer gives it up
+        delete other;  // the importer has released it
     }
 }
 
-// Polygons are not triangulated here: Assimp's own step ends the program on some broken files.
+// Polygons are not triangulated here: Assimp's own step crashes on some broken files.
 MeshPiece pieceOf(const aiMesh& mesh, const aiMatrix4x4& toScene) {
     MeshPiece piece;
     piece.points.reserve(mesh.mNumVertices);
@@ -46,7 +46,7 @@ MeshPiece pieceOf(const aiMesh& mesh, const aiMatrix4x4& toScene) {
     const bool mirrored = toScene.Determinant() < 0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
-        if (face.mNumIndices < 3 || face.mIndices == nullptr) continue;  // points and lines are no surface
+        if (face.mNumIndices < 3 || face.mIndices == nullptr) continue;  // points and lines are not surfaces
         piece.cornerCounts.push_back(face.mNumIndices);
         piece.corners.insert(piece.corners.end(), face.mIndices, face.mIndices + face.mNumIndices);
         if (mirrored) std::reverse(piece.corners.end() - face.mNumIndices, piece.corners.end());
@@ -60,7 +60,7 @@ struct SceneWalk {
 
     void visit(const aiNode& node, const aiMatrix4x4& parent) const {
         const aiMatrix4x4 toScene = parent * node.mTransformation;
-        // The root's name is the file's.
+        // The root is named after the file.
         const bool isNested = node.mParent != nullptr && node.mParent->mParent != nullptr;
         MeshObject object{node.mName.C_Str(), {}, isNested ? node.mParent->mName.C_Str() : ""};
         for (unsigned i = 0; i < node.mNumMeshes; ++i)

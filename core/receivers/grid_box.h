@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/city/footprint.h"
-#include "core/receivers/grid.h"
+#include "core/city/footprints/footprint.h"
+#include "core/geo/grid.h"
 
 namespace noonmark {
 
-/// Whether a box has a point in common with the cells of a grid, their edges included.
+/// Whether a box intersects the cells of a grid, edges included.
 inline bool overlaps(const Box2& box, const Grid& grid) {
     return !box.empty() && double(box.low.x) <= grid.eastM() && double(box.high.x) >= grid.westM &&
            double(box.low.y) <= grid.northM() && double(box.high.y) >= grid.southM;

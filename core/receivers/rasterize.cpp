@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/city/crossing.h"
+#include "core/city/footprints/crossing.h"
 
 namespace noonmark {
 
@@ -25,7 +25,8 @@ void addCrossings(const Ring& ring, double y, Crossings& crossings) {
         if (crossesRow(ring[j], ring[i], y)) crossings.push_back(crossingX(ring[j], ring[i], y));
 }
 
-// ceil() of a rounded quotient can be one off; settle it with the comparison that `contains` makes: crossing <= centre.
+// ceil() of a rounded quotient can be off by one; correct it by the comparison that `contains` makes:
+// crossing <= centre.
 int firstColumn(const Grid& grid, double x) {
     int column = firstAtOrBeyond(x, grid.westM, grid.cellM, grid.columns);
     while (column > 0 && x <= grid.centre(column - 1, 0).x) --column;
@@ -39,7 +40,8 @@ void forEachRun(const Footprint& footprint, const Grid& grid,
                 const std::function<void(int row, int firstColumn, int endColumn)>& fill) {
     if (footprint.outer.size() < 3) return;
     Box2 box = bounds(footprint.outer);
-    for (const Ring& hole : footprint.holes) box.add(bounds(hole));  // even-odd: holes may stick out
+    // even-odd: holes may extend beyond the outline
+    for (const Ring& hole : footprint.holes) box.add(bounds(hole));
     const int first = std::max(0, firstAtOrBeyond(box.low.y, grid.southM, grid.cellM, grid.rows) - 1);
     const int end = std::min(grid.rows, firstAtOrBeyond(box.high.y, grid.southM, grid.cellM, grid.rows) + 1);
     Crossings crossings;

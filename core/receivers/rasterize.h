@@ -2,14 +2,14 @@
 
 #include <functional>
 
-#include "core/city/footprint.h"
-#include "core/receivers/grid.h"
+#include "core/city/footprints/footprint.h"
+#include "core/geo/grid.h"
 
 namespace noonmark {
 
-/// Calls `fill(row, firstColumn, endColumn)` for every run of cells whose centres lie in the footprint, by the half-open
-/// rule of `contains`: footprints that share an edge never share a cell. Crossings in double; rings may be in any
-/// orientation (even-odd). O(edges x rows they span).
+/// Calls `fill(row, firstColumn, endColumn)` for every run of cells whose centres lie in the footprint, by
+/// the half-open rule of `contains`: footprints that share an edge never share a cell. Crossings are computed
+/// in double; rings may have any orientation (even-odd). O(edges x rows they span).
 void forEachRun(const Footprint& footprint, const Grid& grid,
                 const std::function<void(int row, int firstColumn, int endColumn)>& fill);
 

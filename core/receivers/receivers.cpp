@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/city/ground_contact.h"
+#include "core/city/terrain/ground_contact.h"
 #include "core/receivers/grid_box.h"
 #include "core/receivers/rasterize.h"
 
@@ -19,7 +19,7 @@ Grid gridOfBox(const Box2& box, double cellM) {
     grid.cellM = cellM;
     grid.westM = std::floor(double(box.low.x) / cellM) * cellM;
     grid.southM = std::floor(double(box.low.y) / cellM) * cellM;
-    // At least one cell; a count that does not fit an int is caught by the caller through size().
+    // At least one cell; the caller detects a count beyond int through size().
     grid.columns = int(std::clamp(std::ceil((double(box.high.x) - grid.westM) / cellM), 1.0, 1e9));
     grid.rows = int(std::clamp(std::ceil((double(box.high.y) - grid.southM) / cellM), 1.0, 1e9));
     return grid;
@@ -41,7 +41,7 @@ void markBuildings(Receivers& receivers, const City& city, const std::stop_token
         for (const Part& part : building->parts) {
             const glm::vec2 corner =
                 part.footprint.outer.empty() ? glm::vec2(0) : part.footprint.outer.front();
-            for (const Footprint& contact : groundContact(part, groundAt(city, glm::dvec2(corner))))
+            for (const Footprint& contact : findGroundContact(part, groundAt(city, glm::dvec2(corner))))
                 mark(receivers, contact, CellKind::ground, CellKind::building);
         }
     }
@@ -69,12 +69,12 @@ Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings) {
         return failure(fmt::format("A cell of {} m is out of range", cellM), "cell size",
                        "Choose 0.25 to 10 m");
     const Box2 box = bounds(region);
-    if (box.empty()) return failure("The region has no area", region.name, "Draw a polygon with an inside");
+    if (box.empty()) return failure("The region has no area", region.name, "Draw a polygon with an interior");
     const Grid grid = gridOfBox(box, cellM);
     if (grid.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
         return failure(fmt::format("The region has {:.1f} billion cells", double(grid.size()) * 1e-9),
                        region.name,
-                       "Choose larger cells or a smaller region; up to 2.1 billion cells can be numbered");
+                       "Choose larger cells or a smaller region; the limit is 2.1 billion cells");
     return grid;
 }
 
@@ -92,15 +92,15 @@ double lowestGroundM(const Receivers& receivers) {
     return lowest;
 }
 
-Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
-                                    const std::stop_token& stop) {
+Result<Receivers> placeReceiversOnGround(const City& city, const Region& region,
+                                         const ReceiverSettings& settings, const std::stop_token& stop) {
     return gridOver(region, settings).and_then([&](const Grid& grid) {
-        return receiversInPart(city, region, grid, stop);
+        return placeReceiversInPart(city, region, grid, stop);
     });
 }
 
-Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
-                                  const std::stop_token& stop) {
+Result<Receivers> placeReceiversInPart(const City& city, const Region& region, const Grid& part,
+                                       const std::stop_token& stop) {
     Receivers receivers;
     receivers.grid = part;
     receivers.kind.assign(receivers.grid.size(), CellKind::outside);

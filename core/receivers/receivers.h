@@ -1,25 +1,30 @@
 #pragma once
 
+// The folder core/receivers says where shadow is measured. Region (region.h) is the area of a study;
+// Receivers (this file) are the cells of a grid over it, on the ground or on roofs (roof_receivers.h);
+// SurfacePoints (surface_points.h) are points on any surface. rasterize.h turns polygons into cells,
+// tile_plan.h divides a large grid into tiles.
+
 #include <cstdint>
 #include <stop_token>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/city.h"
-#include "core/receivers/grid.h"
+#include "core/geo/grid.h"
 #include "core/receivers/region.h"
-#include "core/result.h"
 
 namespace noonmark {
 
 enum class CellKind : std::uint8_t {
-    outside,   ///< its centre is not in the region, or nothing is asked there
-    building,  ///< its centre is where a part meets the ground (core/city/ground_contact.h)
+    outside,   ///< its centre is not in the region, or no shadow is measured there
+    building,  ///< its centre is where a part touches the ground (core/city/terrain/ground_contact.h)
     ground,    ///< a receiver
     roof,      ///< a receiver on top of a building
 };
 inline bool isReceiver(CellKind kind) { return kind == CellKind::ground || kind == CellKind::roof; }
 
-/// The cells of a regular grid that receive shadow, on the ground or on roofs.
+/// The cells of a regular grid where shadow is measured, on the ground or on roofs.
 struct Receivers {
     Grid grid;
     std::vector<CellKind> kind;        ///< grid order
@@ -29,7 +34,7 @@ struct Receivers {
     [[nodiscard]] bool flat() const { return groundM.empty(); }
 };
 
-/// Where shadow is asked for.
+/// The surfaces where shadow is measured.
 enum class ReceiverPlaces { ground, roofs, both };
 
 struct ReceiverSettings {
@@ -40,22 +45,22 @@ struct ReceiverSettings {
     bool operator==(const ReceiverSettings&) const = default;
 };
 
-/// Local z of the lowest receiver; 0 where there is none.
+/// Local z of the lowest receiver; 0 if there are none.
 double lowestGroundM(const Receivers& receivers);
 
-/// Cells of the region's bounding box, classified. West and south edges lie on multiples of the cell size, so
-/// that the same cells come back for an overlapping region. On the ground, whatever the settings' places
-/// (core/receivers/roof_receivers.h). Memory 9 bytes a cell; refused above 2^31 cells. cancelled() when
-/// stopped.
-Result<Receivers> receiversOnGround(const City& city, const Region& region, const ReceiverSettings& settings,
-                                    const std::stop_token& stop = {});
+/// Classifies the cells of the region's bounding box. West and south edges lie on multiples of the cell size,
+/// so that overlapping regions have the same cells. Always on the ground, whatever `settings.places` says
+/// (for roofs see core/receivers/roof_receivers.h). Memory 9 bytes per cell; refused above 2^31 cells.
+/// cancelled() when stopped.
+Result<Receivers> placeReceiversOnGround(const City& city, const Region& region,
+                                         const ReceiverSettings& settings, const std::stop_token& stop = {});
 
-/// The grid of such receivers: all of the region's box. The same errors.
+/// The grid of these receivers, which covers the region's box. The same errors.
 Result<Grid> gridOver(const Region& region, const ReceiverSettings& settings);
 
-/// The cells of any part of that grid, as they are in the whole. O(cells of the part + buildings).
+/// The cells of any part of that grid, identical to those of the whole. O(cells of the part + buildings).
 /// cancelled() when stopped.
-Result<Receivers> receiversInPart(const City& city, const Region& region, const Grid& part,
-                                  const std::stop_token& stop = {});
+Result<Receivers> placeReceiversInPart(const City& city, const Region& region, const Grid& part,
+                                       const std::stop_token& stop = {});
 
 }  // namespace noonmark

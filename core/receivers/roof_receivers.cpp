@@ -13,7 +13,7 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::lowest();
 
-/// Raises cells to the surfaces above them.
+/// Raises cells to the highest surface over them.
 class RoofHeights {
 public:
     explicit RoofHeights(const Grid& grid) : grid_(grid), heightM_(grid.size(), none) {}
@@ -38,7 +38,8 @@ private:
         });
     }
 
-    // Whichever way a face looks: the highest one is seen from above, and sheets may look down.
+    // Faces count whichever way they point: the highest one is what is seen from above, and sheets may face
+    // down.
     void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         const glm::dvec2 u = glm::dvec2(b) - glm::dvec2(a), v = glm::dvec2(c) - glm::dvec2(a);
         const double area = u.x * v.y - u.y * v.x;
@@ -74,18 +75,18 @@ std::string_view nameOf(ReceiverPlaces places) {
     return names[std::size_t(places)];
 }
 
-std::optional<ReceiverPlaces> placesNamed(std::string_view name) {
+std::optional<ReceiverPlaces> parsePlaces(std::string_view name) {
     for (const ReceiverPlaces places : allReceiverPlaces)
         if (nameOf(places) == name) return places;
     return std::nullopt;
 }
 
-std::string_view wordsOf(ReceiverPlaces places) {
+std::string_view describe(ReceiverPlaces places) {
     constexpr std::string_view words[] = {"the ground", "roofs", "the ground and roofs"};
     return words[std::size_t(places)];
 }
 
-Receivers placed(Receivers receivers, const City& city, ReceiverPlaces places) {
+Receivers placeAtHeights(Receivers receivers, const City& city, ReceiverPlaces places) {
     if (places == ReceiverPlaces::ground) return receivers;
     addRoofs(receivers, city);
     if (places == ReceiverPlaces::roofs)
@@ -99,13 +100,13 @@ Receivers placed(Receivers receivers, const City& city, ReceiverPlaces places) {
 Result<void> checkOnGround(ReceiverPlaces places) {
     if (places == ReceiverPlaces::ground) return {};
     return failure("This is measured on the ground only, not on roofs", "receivers",
-                   "Choose the ground, or make a study of the roofs");
+                   "Choose the ground, or run a study of the roofs");
 }
 
-Result<Receivers> receiversIn(const City& city, const Region& region, const ReceiverSettings& settings,
-                              const std::stop_token& stop) {
-    return receiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {
-        return placed(std::move(receivers), city, settings.places);
+Result<Receivers> placeReceivers(const City& city, const Region& region, const ReceiverSettings& settings,
+                                 const std::stop_token& stop) {
+    return placeReceiversOnGround(city, region, settings, stop).map([&](Receivers receivers) {
+        return placeAtHeights(std::move(receivers), city, settings.places);
     });
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/receivers/grid.h"
+#include "core/geo/grid.h"
 
 namespace noonmark {
 
-/// A grid cut into squares of `side` cells, counted from its NORTH-WEST corner, row after row southwards, as
-/// raster files are: those at the eastern and southern edge are smaller.
+/// A division of a grid into square tiles of `side` cells, counted from its NORTH-WEST corner in rows from
+/// north to south, as in raster files; tiles at the eastern and southern edge may be smaller.
 struct TilePlan {
     Grid whole;
     int side = 1;  ///< cells, above 0

@@ -10,7 +10,7 @@ namespace {
 constexpr double mostSlender = 9;  // height over width
 
 std::vector<Lot> freeLots(const StreetBox& block, const BlockSettings& settings, SampleRandom& random) {
-    std::vector<Lot> lots = lotsOf(block, settings.widths, random);
+    std::vector<Lot> lots = cutIntoLots(block, settings.widths, random);
     for (const SkewedAvenue& avenue : settings.avenues) lots = cutBy(avenue, std::move(lots));
     std::erase_if(lots, [&](const Lot& lot) {
         return std::any_of(settings.cleared.begin(), settings.cleared.end(),
@@ -27,12 +27,12 @@ double heightOn(const Lot& lot, const BlockSettings& settings, SampleRandom& ran
 
 }  // namespace
 
-std::vector<Building> buildingsOn(const StreetBox& block, const BlockSettings& settings,
+std::vector<Building> buildOnLots(const StreetBox& block, const BlockSettings& settings,
                                   const StreetAxes& axes, SampleRandom& random) {
     std::vector<Building> buildings;
     for (const Lot& lot : freeLots(block, settings, random)) {
         const LotBuildingSettings one{heightOn(lot, settings, random), settings.roundness};
-        Building building = buildingOn(lot, one, axes, random);
+        Building building = buildOnLot(lot, one, axes, random);
         if (!building.parts.empty()) buildings.push_back(std::move(building));
     }
     return buildings;

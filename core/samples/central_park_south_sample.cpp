@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/city/mesh_outline.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "core/samples/block_buildings.h"
 #include "core/samples/central_park_streets.h"
 #include "core/samples/central_park_towers.h"
@@ -14,9 +14,9 @@ namespace noonmark {
 namespace {
 
 constexpr double clearM = 3;          // free ground around a named tower
-constexpr std::uint32_t seed = 2017;  // the paper's year; any other would do
+constexpr std::uint32_t seed = 2017;  // the paper's year; any other number would do
 
-// 60 m buildings in Midtown's middle, half of that far away; the avenues that look onto the park are higher.
+// 60 m in the middle of Midtown, half of that far away; the avenues along the park have higher buildings.
 double medianHeight(glm::dvec2 place) {
     const glm::dvec2 d = (place - glm::dvec2{-60, -470}) / 480.0;
     const double share = d.x * d.x + d.y * d.y;
@@ -25,13 +25,13 @@ double medianHeight(glm::dvec2 place) {
     return (onPark ? 44.0 : 26.0) + 40 / (1 + share * share);
 }
 
-StreetBox widened(const StreetBox& box, double byM) {
+StreetBox widen(const StreetBox& box, double byM) {
     return {box.west - byM, box.south - byM, box.east + byM, box.north + byM};
 }
 
 std::vector<StreetBox> clearedBoxes() {
-    std::vector<StreetBox> boxes{columbusCircle(), widened(timeWarnerPodium(), clearM)};
-    for (const NamedTower& tower : caseStudyTowers()) boxes.push_back(widened(tower.floor, clearM));
+    std::vector<StreetBox> boxes{columbusCircle(), widen(timeWarnerPodium(), clearM)};
+    for (const NamedTower& tower : caseStudyTowers()) boxes.push_back(widen(tower.floor, clearM));
     return boxes;
 }
 
@@ -54,21 +54,21 @@ void add(City& city, Building building, std::string id) {
 
 void addBlock(City& city, const BlockSettings& settings, Avenue avenue, int street) {
     SampleRandom random(seed, int(avenue), street);
-    for (Building& building : buildingsOn(blockAt(avenue, street), settings, {}, random))
+    for (Building& building : buildOnLots(blockAt(avenue, street), settings, {}, random))
         add(city, std::move(building), fmt::format("lot {}", city.buildings.size() + 1));
 }
 
 Building buildingOf(const NamedTower& tower) {
     return {.name = tower.name,
             .status = tower.status,
-            .parts = prismOn({cornersOf(tower.floor)}, 0, tower.heightM, {})};
+            .parts = makePrism({cornersOf(tower.floor)}, 0, tower.heightM, {})};
 }
 
 Building timeWarnerCenter() {
     Building center{.name = "Time Warner Center", .status = "built"};
-    center.parts = prismOn({cornersOf(timeWarnerPodium())}, 0, timeWarnerPodiumM, {});
+    center.parts = makePrism({cornersOf(timeWarnerPodium())}, 0, timeWarnerPodiumM, {});
     for (const NamedTower& tower : timeWarnerTowers())
-        for (Part& part : prismOn({cornersOf(tower.floor)}, timeWarnerPodiumM, tower.heightM, {}))
+        for (Part& part : makePrism({cornersOf(tower.floor)}, timeWarnerPodiumM, tower.heightM, {}))
             center.parts.push_back(std::move(part));
     return center;
 }
@@ -88,7 +88,7 @@ void addParkSides(City& city) {
             addBlock(city, settings, avenue, street);
 }
 
-// Street axes to another frame's metres.
+// Transforms street axes to another frame's metres.
 Footprint groundOf(const StreetPolygon& polygon, const Frame& frame) {
     const Frame own = centralParkFrame();
     Ring ring;
@@ -97,11 +97,11 @@ Footprint groundOf(const StreetPolygon& polygon, const Frame& frame) {
     return {std::move(ring), {}};
 }
 
-// The lots of a block as addBlock() cuts them.
+// The lots of a block as addBlock() divides it.
 std::vector<Lot> lotsOfBlock(Avenue avenue, int street) {
     SampleRandom random(seed, int(avenue), street);
     const BlockSettings settings = quarter(street < 59 ? broadwaySouth() : broadwayNorth());
-    std::vector<Lot> lots = lotsOf(blockAt(avenue, street), settings.widths, random);
+    std::vector<Lot> lots = cutIntoLots(blockAt(avenue, street), settings.widths, random);
     for (const SkewedAvenue& broadway : settings.avenues) lots = cutBy(broadway, std::move(lots));
     return lots;
 }
@@ -112,14 +112,14 @@ std::vector<Lot> emptiedLots(const StreetBox& floor) {
         for (int avenue = int(Avenue::tenth); avenue < int(Avenue::third); ++avenue) {
             if (!blockAt(Avenue(avenue), street).overlaps(floor)) continue;
             for (const Lot& lot : lotsOfBlock(Avenue(avenue), street))
-                if (lot.box.overlaps(widened(floor, clearM))) emptied.push_back(lot);
+                if (lot.box.overlaps(widen(floor, clearM))) emptied.push_back(lot);
         }
     return emptied;
 }
 
 }  // namespace
 
-City centralParkSouthSample() {
+City makeCentralParkSouthSample() {
     City city;
     city.frame = centralParkFrame();
     for (const NamedTower& tower : caseStudyTowers()) add(city, buildingOf(tower), tower.name);
@@ -134,13 +134,13 @@ Region centralParkRegion(const City& city) {
 }
 
 // Joined in street axes, where neighbours share their corners to the last bit.
-std::vector<CaseStudyLot> caseStudyLots(const City& city) {
+std::vector<CaseStudyLot> listCaseStudyLots(const City& city) {
     std::vector<CaseStudyLot> lots;
     for (const NamedTower& tower : caseStudyTowers()) {
         std::vector<Footprint> pieces;
         for (const Lot& lot : emptiedLots(tower.floor))
             pieces.push_back({{lot.ground.begin(), lot.ground.end()}, {}});
-        for (const Footprint& joined : unionOf(pieces))
+        for (const Footprint& joined : computeUnion(pieces))
             lots.push_back({tower.name, groundOf({joined.outer.begin(), joined.outer.end()}, city.frame)});
     }
     return lots;

@@ -9,8 +9,8 @@ namespace {
 struct Sides {
     double west, east;
 };
-// In the order of the enumeration. Blocks of 800 or 920 feet, Madison and Lexington Avenues between; the
-// park's corner is 14 m into Fifth Avenue.
+// In the order of the enumeration. Blocks are 800 or 920 feet long, Madison and Lexington Avenues lie
+// between; the park's corner is 14 m into Fifth Avenue.
 constexpr std::array<Sides, 10> avenues{{
     {-1422.5, -1392},
     {-1148, -1117.5},
@@ -28,7 +28,7 @@ constexpr double streetDistanceM = 80.47;  // twenty blocks to the mile
 constexpr double middleOf59th = -17;
 
 const Sides& sidesOf(Avenue avenue) { return avenues[std::size_t(avenue)]; }
-double middleOf(int street) { return middleOf59th + (street - 59) * streetDistanceM; }
+double findMiddle(int street) { return middleOf59th + (street - 59) * streetDistanceM; }
 double halfWidthOf(int street) { return street == 57 || street == 59 || street == 72 ? 15.2 : 9.1; }
 
 const glm::dvec2 circleMiddle{-858, middleOf59th};
@@ -39,8 +39,8 @@ Frame centralParkFrame() { return Frame({-73.97300, 40.76432}); }
 
 double westSideOf(Avenue avenue) { return sidesOf(avenue).west; }
 double eastSideOf(Avenue avenue) { return sidesOf(avenue).east; }
-double southSideOf(int street) { return middleOf(street) - halfWidthOf(street); }
-double northSideOf(int street) { return middleOf(street) + halfWidthOf(street); }
+double southSideOf(int street) { return findMiddle(street) - halfWidthOf(street); }
+double northSideOf(int street) { return findMiddle(street) + halfWidthOf(street); }
 
 StreetBox blockAt(Avenue avenue, int street) {
     const Avenue next = Avenue(int(avenue) + 1);

@@ -6,10 +6,10 @@
 namespace noonmark {
 
 /// The streets around Central Park's southern end as an ideal grid: widths and distances of the
-/// Commissioners' Plan of 1811, in street axes from the park's south-eastern corner. True to some 15 m.
+/// Commissioners' Plan of 1811, in street axes from the park's south-eastern corner. Accurate to some 15 m.
 enum class Avenue { tenth, ninth, eighth, seventh, sixth, fifth, madison, park, lexington, third };
 
-/// The frame's origin is the axes' origin: the park's corner at Grand Army Plaza.
+/// The frame; its origin is the origin of the axes: the park's corner at Grand Army Plaza.
 Frame centralParkFrame();
 
 double westSideOf(Avenue avenue);
@@ -24,7 +24,7 @@ StreetBox blockAt(Avenue avenue, int street);
 /// Eighth Avenue to Fifth Avenue, 59th to 72nd Street.
 StreetBox parkBox();
 
-/// Broadway south of Columbus Circle, and north of it.
+/// Broadway south and north of Columbus Circle.
 SkewedAvenue broadwaySouth();
 SkewedAvenue broadwayNorth();
 StreetBox columbusCircle();

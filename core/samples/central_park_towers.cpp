@@ -11,12 +11,12 @@ namespace {
 constexpr const char* built = "built";
 constexpr const char* toBeBuilt = "to be built";
 
-/// Across and along the avenues, metres.
+/// Size across and along the avenues, metres.
 struct Floor {
     double width, depth;
 };
 
-// As near to the middle as the block lets it.
+// As near to `middle` as the block allows.
 StreetBox floorOn(const StreetBox& block, glm::dvec2 middle, Floor floor) {
     const double x = std::clamp(middle.x, block.west + floor.width / 2, block.east - floor.width / 2);
     const double y = std::clamp(middle.y, block.south + floor.depth / 2, block.north - floor.depth / 2);

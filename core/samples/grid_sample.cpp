@@ -20,7 +20,7 @@ constexpr double rowM = blockDepthM + streetM;
 constexpr double longerThanWide = 2.5;
 constexpr double lotsPerBlock = 36;
 
-/// How many blocks lie side by side, and about how many rows of them are needed.
+/// Number of blocks side by side, and approximate number of rows.
 struct Extent {
     int columns;
     double lengthM;
@@ -33,7 +33,7 @@ Extent extentFor(int buildings) {
     return {whole, std::ceil(blocks / whole) * rowM};
 }
 
-// 1 in the middle of a quarter of towers, falling to 0 away from it.
+// 1 in the middle of a quarter of towers, decreasing to 0 away from it.
 double nearness(glm::dvec2 place, double northM, double radiusM) {
     const double north = place.y - northM;
     const double share = (place.x * place.x + north * north) / (radiusM * radiusM);
@@ -74,14 +74,14 @@ void addRow(City& city, const GridSampleSettings& settings, const Extent& extent
     const BlockSettings block = blockSettings(settings, extent);
     for (int column = 0; column < extent.columns; ++column) {
         SampleRandom random(settings.seed, column, row);
-        for (Building& building : buildingsOn(blockAt(column, row, extent.columns), block, {}, random)) {
+        for (Building& building : buildOnLots(blockAt(column, row, extent.columns), block, {}, random)) {
             if (int(city.buildings.size()) == settings.buildings) return;
             add(city, std::move(building));
         }
     }
 }
 
-Result<void> checked(const GridSampleSettings& settings) {
+Result<void> validate(const GridSampleSettings& settings) {
     const auto refuse = [](std::string what, const char* where, const char* advice) {
         return failure(std::move(what), where, advice);
     };
@@ -93,15 +93,15 @@ Result<void> checked(const GridSampleSettings& settings) {
                       "Choose 0 to 64");
     const auto [lonDeg, latDeg] = settings.origin;
     if (!(std::abs(lonDeg) <= 180) || !(std::abs(latDeg) <= 90))
-        return refuse(fmt::format("{}, {} is no place on the globe", lonDeg, latDeg), "sample grid",
+        return refuse(fmt::format("{}, {} is not a place on the globe", lonDeg, latDeg), "sample grid",
                       "Give a longitude of -180 to 180 and a latitude of -90 to 90 degrees");
     return {};
 }
 
 }  // namespace
 
-Result<City> gridSample(const GridSampleSettings& settings) {
-    if (const auto good = checked(settings); !good) return tl::make_unexpected(good.error());
+Result<City> makeGridSample(const GridSampleSettings& settings) {
+    if (const auto good = validate(settings); !good) return tl::make_unexpected(good.error());
     City city;
     city.frame = Frame(settings.origin);
     const Extent extent = extentFor(settings.buildings);

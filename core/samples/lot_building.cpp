@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/samples/lot_forms.h"
 
 namespace noonmark {
 
 namespace {
 
-/// One lot's plans become parts: from the lot's axes to the streets' and on to the local frame.
+/// Makes parts of a lot's plans: transforms the lot's axes to the streets' and to the local frame.
 class Builder {
 public:
     Builder(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes, SampleRandom& random)
@@ -42,10 +42,10 @@ private:
     }
 
     void addOnStreet(const Plan& plan, double bottomM, double topM) {
-        for (Part& part : prismOn(plan, bottomM, topM, axes_)) parts_.push_back(std::move(part));
+        for (Part& part : makePrism(plan, bottomM, topM, axes_)) parts_.push_back(std::move(part));
     }
 
-    // A half turn on the northern side: it keeps orientation.
+    // Lots on the northern side are turned by 180 degrees, which keeps the orientation.
     [[nodiscard]] glm::dvec2 onStreet(glm::dvec2 point) const {
         if (lot_.frontsNorth) return {lot_.box.east - point.x, lot_.box.north - point.y};
         return {lot_.box.west + point.x, lot_.box.south + point.y};
@@ -80,7 +80,7 @@ private:
             podiumM, settings_.heightM);
     }
 
-    // The zoning of 1916: the higher, the further back.
+    // The zoning of 1916: higher tiers are set back further.
     void buildTiers() {
         const double stepM = std::min(size_.width, size_.depth) * random_.between(0.08, 0.15);
         const double firstM = settings_.heightM * random_.between(0.35, 0.5);
@@ -90,7 +90,7 @@ private:
         add(insetPlan(size_, 2 * stepM), secondM, settings_.heightM);
     }
 
-    // A convex ground, shrunk towards its corners' mean, stays inside itself.
+    // A convex ground, shrunk towards the mean of its corners, stays inside itself.
     void buildOnCut() {
         if (settings_.heightM < towerFromM) return addOnStreet({lot_.ground}, 0, settings_.heightM);
         const double podiumM = random_.between(12, 25);
@@ -110,7 +110,7 @@ private:
     std::vector<Part> parts_;
 };
 
-Part partOf(Footprint footprint, double bottomM, double topM) {
+Part cutInterval(Footprint footprint, double bottomM, double topM) {
     return {.footprint = std::move(footprint),
             .bottomM = float(bottomM),
             .topM = float(topM),
@@ -119,18 +119,18 @@ Part partOf(Footprint footprint, double bottomM, double topM) {
 
 }  // namespace
 
-std::vector<Part> prismOn(const std::vector<StreetPolygon>& rings, double bottomM, double topM,
-                          const StreetAxes& axes) {
+std::vector<Part> makePrism(const std::vector<StreetPolygon>& rings, double bottomM, double topM,
+                            const StreetAxes& axes) {
     std::vector<RawRing> local = rings;
     for (RawRing& ring : local)
         for (glm::dvec2& point : ring) point = axes.localFromStreet(point);
     std::vector<Part> parts;
     for (Footprint& piece : repairFootprint(local).pieces)
-        parts.push_back(partOf(std::move(piece), bottomM, topM));
+        parts.push_back(cutInterval(std::move(piece), bottomM, topM));
     return parts;
 }
 
-Building buildingOn(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes,
+Building buildOnLot(const Lot& lot, const LotBuildingSettings& settings, const StreetAxes& axes,
                     SampleRandom& random) {
     Building building;
     building.status = "built";

@@ -9,7 +9,7 @@ StreetPolygon rectangle(double west, double south, double east, double north) {
     return cornersOf({west, south, east, north});
 }
 
-StreetPolygon mirrored(StreetPolygon outline, double width) {
+StreetPolygon mirror(StreetPolygon outline, double width) {
     for (glm::dvec2& point : outline) point.x = width - point.x;
     return {outline.rbegin(), outline.rend()};
 }
@@ -26,7 +26,7 @@ Plan lPlan(LotSize lot, SampleRandom& random) {
     const double wing = lot.width * random.between(0.35, 0.6);
     const double back = lot.depth * random.between(0.8, 0.98);
     StreetPolygon outline{{0, 0}, {lot.width, 0}, {lot.width, front}, {wing, front}, {wing, back}, {0, back}};
-    return {random.chance(0.5) ? mirrored(std::move(outline), lot.width) : std::move(outline)};
+    return {random.chance(0.5) ? mirror(std::move(outline), lot.width) : std::move(outline)};
 }
 
 Plan uPlan(LotSize lot, SampleRandom& random) {

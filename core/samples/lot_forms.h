@@ -7,7 +7,7 @@
 
 namespace noonmark {
 
-/// A storey plan on a lot, in the lot's own axes: x along the street, y from the street inwards, metres, both
+/// A floor plan on a lot, in the lot's own axes: x along the street, y from the street inwards, metres, both
 /// from 0. An outline counter-clockwise, then holes clockwise.
 using Plan = std::vector<StreetPolygon>;
 
@@ -15,18 +15,18 @@ struct LotSize {
     double width, depth;
 };
 
-/// Plans that fill the lot's street front from side to side, so that neighbours share party walls. Behind
-/// them a yard stays free.
+/// Plans that fill the lot's street front from side to side, so that neighbours share party walls. A yard
+/// behind them stays free.
 Plan rowPlan(LotSize lot, SampleRandom& random);
 Plan lPlan(LotSize lot, SampleRandom& random);
 Plan uPlan(LotSize lot, SampleRandom& random);
 Plan courtPlan(LotSize lot, SampleRandom& random);
-/// A front that bulges to the street, `points` between its ends.
+/// A front that bulges towards the street, with `points` points between its ends.
 Plan bowedPlan(LotSize lot, int points, SampleRandom& random);
 
 /// A rectangle `insetM` inside another plan's bounds on every side.
 Plan insetPlan(LotSize lot, double insetM);
-/// A circle in the lot's middle as a polygon of `sides`.
+/// A circle in the middle of the lot, as a polygon with `sides` sides.
 Plan roundPlan(LotSize lot, double radiusM, int sides);
 
 }  // namespace noonmark

@@ -34,7 +34,7 @@ void addRow(std::vector<Lot>& lots, const StreetBox& row, bool frontsNorth, cons
 
 }  // namespace
 
-std::vector<Lot> lotsOf(const StreetBox& block, const LotWidths& widths, SampleRandom& random) {
+std::vector<Lot> cutIntoLots(const StreetBox& block, const LotWidths& widths, SampleRandom& random) {
     std::vector<Lot> lots;
     const double middle = block.middle().y;
     addRow(lots, {block.west, block.south, block.east, middle}, false, widths, random);
@@ -45,7 +45,7 @@ std::vector<Lot> lotsOf(const StreetBox& block, const LotWidths& widths, SampleR
 std::vector<Lot> cutBy(const SkewedAvenue& avenue, std::vector<Lot> lots) {
     constexpr double smallestM2 = 60;
     for (Lot& lot : lots) lot.ground = avenue.clipped(lot.ground);
-    std::erase_if(lots, [](const Lot& lot) { return areaOf(lot.ground) < smallestM2; });
+    std::erase_if(lots, [](const Lot& lot) { return computeArea(lot.ground) < smallestM2; });
     return lots;
 }
 

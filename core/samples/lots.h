@@ -11,21 +11,21 @@ namespace noonmark {
 struct Lot {
     StreetBox box;
     bool frontsNorth = false;
-    StreetPolygon ground;  ///< what a skewed avenue left of the box
+    StreetPolygon ground;  ///< the polygon of the box that a skewed avenue leaves
 
-    [[nodiscard]] bool isWhole() const { return areaOf(ground) > 0.999 * box.width() * box.depth(); }
+    [[nodiscard]] bool isWhole() const { return computeArea(ground) > 0.999 * box.width() * box.depth(); }
 };
 
 struct LotWidths {
     double narrowestM = 7.5;
     double widestM = 30;
-    double preferWide = 0;  ///< 0: narrow lots are common; 1: all widths alike
+    double preferWide = 0;  ///< 0: narrow lots are common; 1: all widths are equally likely
 };
 
-/// A block's lots: two rows back to back, side by side without gaps, together the block.
-std::vector<Lot> lotsOf(const StreetBox& block, const LotWidths& widths, SampleRandom& random);
+/// The lots of a block: two rows back to back, side by side without gaps; together they fill the block.
+std::vector<Lot> cutIntoLots(const StreetBox& block, const LotWidths& widths, SampleRandom& random);
 
-/// The lots with their ground cut by an avenue; those with less than 60 m2 left are left out.
+/// The lots with their ground cut by an avenue; lots with less than 60 m2 left are removed.
 std::vector<Lot> cutBy(const SkewedAvenue& avenue, std::vector<Lot> lots);
 
 }  // namespace noonmark

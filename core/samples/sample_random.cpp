@@ -5,7 +5,7 @@
 namespace noonmark {
 
 namespace {
-// The finaliser of MurmurHash3 (Austin Appleby): neighbours in, strangers out.
+// The finaliser of MurmurHash3 (Austin Appleby): neighbouring inputs give unrelated outputs.
 std::uint32_t scrambled(std::uint32_t h) {
     h = (h ^ (h >> 16U)) * 0x85EBCA6BU;
     h = (h ^ (h >> 13U)) * 0xC2B2AE35U;
@@ -38,7 +38,7 @@ double sameExp(double x) {
 }
 
 SineCosine sameSineCosine(double turns) {
-    // An eighth of the angle by Taylor's series, then doubled three times.
+    // Taylor's series for an eighth of the angle, then doubled three times.
     const double angle = turns * std::numbers::pi / 4;
     double sine = 1, cosine = 1;
     for (int i = 18; i > 1; i -= 2) {

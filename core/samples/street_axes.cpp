@@ -11,7 +11,7 @@ namespace {
 constexpr double sine = 0.48480962024633706;
 constexpr double cosine = 0.87461970713939574;
 
-// What lies where east - eastPerNorth * north >= limit (side 1) or <= limit (side -1): Sutherland and
+// The part with east - eastPerNorth * north >= limit (side 1) or <= limit (side -1), by Sutherland and
 // Hodgman's clipping.
 StreetPolygon halfOf(const StreetPolygon& polygon, double eastPerNorth, double limit, int side) {
     const auto beyond = [&](glm::dvec2 p) { return side * (p.x - eastPerNorth * p.y - limit); };
@@ -41,7 +41,7 @@ StreetPolygon cornersOf(const StreetBox& box) {
     return {{box.west, box.south}, {box.east, box.south}, {box.east, box.north}, {box.west, box.north}};
 }
 
-double areaOf(const StreetPolygon& polygon) {
+double computeArea(const StreetPolygon& polygon) {
     double twice = 0;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
         const glm::dvec2 a = polygon[i] - polygon[0];
@@ -56,7 +56,7 @@ StreetPolygon SkewedAvenue::clipped(const StreetPolygon& polygon) const {
     const double middle = through.x - eastPerNorth * through.y;
     StreetPolygon west = halfOf(polygon, eastPerNorth, middle - half, -1);
     StreetPolygon east = halfOf(polygon, eastPerNorth, middle + half, 1);
-    return areaOf(west) > areaOf(east) ? std::move(west) : std::move(east);
+    return computeArea(west) > computeArea(east) ? std::move(west) : std::move(east);
 }
 
 }  // namespace noonmark

@@ -6,8 +6,8 @@
 namespace noonmark {
 
 /// The axes of a street grid: x across the avenues (towards the east), y along them (towards the north),
-/// metres from the crossing that stands at `origin` in the local frame. Manhattan's avenues run at an azimuth
-/// of 29 degrees.
+/// metres from the crossing at `origin` in the local frame. Manhattan's avenues run at an azimuth of 29
+/// degrees.
 struct StreetAxes {
     glm::dvec2 origin{0, 0};
 
@@ -15,7 +15,7 @@ struct StreetAxes {
     [[nodiscard]] glm::dvec2 streetFromLocal(glm::dvec2 local) const;
 };
 
-/// A rectangle along the streets.
+/// A rectangle parallel to the streets.
 struct StreetBox {
     double west = 0, south = 0, east = 0, north = 0;
 
@@ -31,16 +31,16 @@ struct StreetBox {
 using StreetPolygon = std::vector<glm::dvec2>;
 
 StreetPolygon cornersOf(const StreetBox& box);
-double areaOf(const StreetPolygon& polygon);
+double computeArea(const StreetPolygon& polygon);
 
-/// A straight avenue that minds no grid: Broadway.
+/// A straight avenue that does not follow the grid, such as Broadway.
 struct SkewedAvenue {
     glm::dvec2 through{0, 0};
     double eastPerNorth = 0;  ///< metres east for each metre north
     double widthM = 30;
 
-    /// The larger of the two sides that the avenue leaves of a convex polygon; the polygon itself where they
-    /// do not meet.
+    /// The larger of the two pieces into which the avenue divides a convex polygon; the polygon itself if
+    /// they do not meet.
     [[nodiscard]] StreetPolygon clipped(const StreetPolygon& polygon) const;
 };
 

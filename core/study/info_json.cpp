@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <string>
 
-#include "core/city/building_ground.h"
-#include "core/city/triangle_count.h"
-#include "core/study/height_words.h"
+#include "core/city/meshes/triangle_count.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/study/study.h"
-#include "core/study/terrain_text.h"
-#include "core/study/warnings_json.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 
@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// What one walk over the city counts.
+// Counts from one pass over the city.
 struct Counts {
     std::size_t parts = 0;
-    std::size_t hanging = 0;
+    std::size_t overhanging = 0;
     std::size_t triangles = 0;
     float tallestM = 0;
     std::string tallest;
@@ -25,8 +25,8 @@ struct Counts {
 
 void add(Counts& counts, const Part& part) {
     ++counts.parts;
-    if (part.hangs) ++counts.hanging;
-    counts.triangles += triangleCount(part);
+    if (part.isOverhanging) ++counts.overhanging;
+    counts.triangles += countTriangles(part);
 }
 
 Counts countsOf(const City& city) {
@@ -58,7 +58,7 @@ std::string infoJson(const CityRead& read) {
     info["features"] = read.features;
     info["buildings"] = read.city.buildings.size();
     info["parts"] = counts.parts;
-    info["parts_hanging"] = counts.hanging;
+    info["parts_hanging"] = counts.overhanging;
     info["triangles"] = counts.triangles;
     info["heights"] = heightsJson(countHeights(read.city), read.heights);
     info["height_sources"] = info["heights"]["by_source"];
@@ -71,7 +71,7 @@ std::string infoJson(const CityRead& read) {
     info["terrain_source"] = read.city.terrain ? terrainJson(*read.city.terrain) : Json();
     info["attribution"] = read.attribution;
     info["warnings"] = warningsJson(read.warnings);
-    return jsonText(info);
+    return toJsonText(info);
 }
 
 }  // namespace noonmark

@@ -12,10 +12,10 @@ namespace noonmark {
 
 namespace {
 
-// Kind 1, ground 4, list of receivers 4, gross and continuous 8; as much again while a map is drawn from
-// them.
+// Kind 1, ground 4, list of receivers 4, gross and continuous 8; and the same again while a map is drawn.
 constexpr double bytesPerCell = 32;
-// Vertices and indices 36, their copy in the acceleration structure and its nodes; measured with Embree 3.
+// Vertices and indices take 36; the rest is their copy in the acceleration structure and its nodes; measured
+// with Embree 3.
 constexpr double bytesPerTriangle = 250;
 constexpr double bytesPerStep = 2 * sizeof(SunStep);
 
@@ -30,10 +30,10 @@ double estimatedTriangles(const Part& part) {
     if (part.mesh) return double(part.mesh->triangles.size());
     std::size_t points = part.footprint.outer.size();
     for (const Ring& hole : part.footprint.holes) points += hole.size();
-    return 4 * double(points);  // two a wall, about one a point in each cap
+    return 4 * double(points);  // two per wall, about one per point in each cap
 }
 
-double triangleCount(const City& city) {
+double countTriangles(const City& city) {
     double count = city.terrain ? 2 * double(city.terrain->grid.size()) : 0;
     for (const auto& building : city.buildings)
         for (const Part& part : building->parts) count += estimatedTriangles(part);
@@ -46,7 +46,7 @@ double stepCount(const Period& period) {
 }
 
 double engineBytesPerCell(const EngineList& engines, const std::string& key) {
-    const Engine* engine = findEngine(engines, key);
+    const EngineEntry* engine = findEngine(engines, key);
     return engine == nullptr ? 0 : engine->info.bytesPerCell;
 }
 
@@ -54,14 +54,14 @@ double gigabytes(std::uint64_t bytes) { return double(bytes) * 1e-9; }
 
 }  // namespace
 
-std::uint64_t memoryNeed(const City& city, const StudySettings& settings, const EngineList& engines) {
+std::uint64_t estimateMemory(const City& city, const StudySettings& settings, const EngineList& engines) {
     const double bytes = cellCount(settings) * (bytesPerCell + engineBytesPerCell(engines, settings.engine)) +
-                         triangleCount(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
+                         countTriangles(city) * bytesPerTriangle + stepCount(settings.period) * bytesPerStep;
     constexpr double most = double(std::numeric_limits<std::int64_t>::max());
     return bytes < most ? std::uint64_t(bytes) : std::uint64_t(most);
 }
 
-std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminfo) {
+std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo) {
     std::ifstream file(meminfo);
     std::string key;
     std::uint64_t kibibytes = 0;
@@ -73,8 +73,9 @@ std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminf
 
 Result<void> checkMemory(const City& city, const StudySettings& settings, const EngineList& engines) {
     std::uint64_t limit = settings.memoryLimit;
-    if (limit == 0) limit = availableMemory().value_or(std::numeric_limits<std::uint64_t>::max()) / 4 * 3;
-    const std::uint64_t need = memoryNeed(city, settings, engines);
+    if (limit == 0)
+        limit = measureAvailableMemory().value_or(std::numeric_limits<std::uint64_t>::max()) / 4 * 3;
+    const std::uint64_t need = estimateMemory(city, settings, engines);
     if (need <= limit) return {};
     return failure(fmt::format("The study would need {:.2f} GB of memory; {:.2f} GB may be used",
                                gigabytes(need), gigabytes(limit)),

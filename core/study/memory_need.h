@@ -8,17 +8,16 @@
 
 namespace noonmark {
 
-/// Bytes that a study will take at its peak, from the sizes of its parts; within some 30 % for the ray
+/// Estimates the peak memory of a study, bytes, from the sizes of its parts; within some 30 % for the ray
 /// engine. O(parts).
-std::uint64_t memoryNeed(const City& city, const StudySettings& settings,
-                         const EngineList& engines = coreEngines());
+std::uint64_t estimateMemory(const City& city, const StudySettings& settings,
+                             const EngineList& engines = coreEngines());
 
-/// Memory that programs can still take without swapping, bytes: MemAvailable of Linux. Nothing where the
-/// system does not say.
-std::optional<std::uint64_t> availableMemory(const std::filesystem::path& meminfo = "/proc/meminfo");
+/// Memory that programs can still take without swapping, bytes: MemAvailable of Linux. Nothing if the system
+/// does not provide it.
+std::optional<std::uint64_t> measureAvailableMemory(const std::filesystem::path& meminfo = "/proc/meminfo");
 
-/// Error, with the size it would need, when the study is larger than settings.memoryLimit (0: 3/4 of what is
-/// available).
+/// Error, stating the memory needed, if the study exceeds settings.memoryLimit (0: 3/4 of what is available).
 Result<void> checkMemory(const City& city, const StudySettings& settings,
                          const EngineList& engines = coreEngines());
 

@@ -8,7 +8,7 @@
 
 namespace noonmark {
 
-std::string remainingWords(double seconds) {
+std::string describeRemaining(double seconds) {
     if (seconds < 100)
         return fmt::format("about {:.0f} s left", std::max(10.0, std::ceil(seconds / 10) * 10));
     if (seconds < 100 * 60) return fmt::format("about {:.0f} min left", std::ceil(seconds / 60));
@@ -25,9 +25,9 @@ void PiecewiseProgress::end() { done_ += std::exchange(size_, 0); }
 void PiecewiseProgress::report(double fraction, std::string_view stage) {
     const double here = done_ + std::clamp(fraction, 0.0, 1.0) * size_;
     const double left = whole_ - before_ - here;
-    // The first moments tell nothing about the pace.
+    // The first seconds do not show the speed.
     const std::string time = here > 0 && watch_.seconds() > 2
-                                 ? ", " + remainingWords(watch_.seconds() / here * left)
+                                 ? ", " + describeRemaining(watch_.seconds() / here * left)
                                  : std::string();
     progress_.report((before_ + here) / whole_, fmt::format("{}{}: {}", name_, time, stage));
 }

@@ -2,23 +2,24 @@
 
 #include <string>
 
-#include "core/progress.h"
-#include "core/stopwatch.h"
+#include "core/base/progress.h"
+#include "core/base/stopwatch.h"
 
 namespace noonmark {
 
-/// "about 14 min left", "about 20 s left"; in steps that do not flicker.
-std::string remainingWords(double seconds);
+/// "about 14 min left", "about 20 s left"; rounded so that the text does not flicker.
+std::string describeRemaining(double seconds);
 
-/// Progress of work in pieces of known sizes. Each piece reports its own part as if it were alone; the sink
-/// hears the share of the whole and the time left, reckoned from the pace of the pieces done so far here.
+/// Progress of work in pieces of known sizes. Each piece reports its own fraction; `progress` receives the
+/// fraction of the whole and the remaining time, estimated from the speed of the pieces done so far in this
+/// run.
 class PiecewiseProgress final : public Progress {
 public:
-    /// `whole`: the sum of all sizes; `before`: what earlier runs have done of it.
+    /// `whole`: the sum of all sizes; `before`: the part that earlier runs have done.
     PiecewiseProgress(Progress& progress, double whole, double before)
         : progress_(progress), whole_(whole), before_(before) {}
 
-    /// "tile 12 of 96"; not while a piece is at work.
+    /// `name`: "tile 12 of 96". Call only between pieces.
     void begin(std::string name, double size);
     void end();
 

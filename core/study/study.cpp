@@ -1,26 +1,25 @@
 #include "core/study/study.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <new>
 #include <utility>
 
-#include "core/accumulate/projected_breakdown.h"
-#include "core/accumulate/sweep_options.h"
+#include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/stopwatch.h"
 #include "core/study/memory_need.h"
 
 namespace noonmark {
 
 namespace {
 
-// Runs one stage into its place and notes how long it took.
+// Runs one stage, stores its result in `place` and its duration in `study.seconds`.
 template <class T, class Stage>
-Result<void> timed(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
+Result<void> timeStage(Study& study, const char* name, T& place, std::stop_token stop, Stage&& stage) {
     if (stop.stop_requested()) return cancelled();
     const Stopwatch watch;
     auto made = std::forward<Stage>(stage)();
@@ -39,76 +38,65 @@ Result<void> checkReceivers(const Study& study) {
                    "Choose a region outside the buildings, or smaller cells");
 }
 
-Result<void> checkSun(const Study& study) {
-    if (!study.sun.steps.empty()) return {};
-    return failure("The sun is below the horizon all the time", textOf(study.settings.period),
-                   "Choose other hours or days");
-}
-
 bool wantsBreakdown(const StudySettings& settings) { return settings.byMonth || settings.contributions; }
 
-Result<void> checkBreakdown(const StudySettings& settings) {
-    const bool months = !settings.contributions && settings.engine == "projected";
-    if (!wantsBreakdown(settings) || months || settings.engine == "horizon" || settings.engine == "auto")
-        return {};
-    return failure(fmt::format("{} from the engine '{}'",
-                               settings.contributions ? "Contributions come from the horizon sweep, not"
-                                                      : "Months come from the horizon sweep or projected "
-                                                        "shadows, not",
-                               settings.engine),
-                   "engine", "Choose --engine horizon");
+std::string enginesThatSum(bool byBuilding, const EngineList& engines) {
+    std::vector<std::string_view> keys;
+    for (const EngineEntry& engine : engines)
+        if (byBuilding ? engine.info.capabilities.attribution : engine.info.capabilities.sets)
+            keys.push_back(engine.info.key);
+    return fmt::format("{}", fmt::join(keys, ", "));
 }
 
-// Months by projected shadows where these made the field: both say the same then.
-Result<ShadowBreakdown> breakdownOf(const Study& study, Progress& progress, std::stop_token stop) {
-    const StudySettings& settings = study.settings;
-    const StepSets sets = settings.byMonth ? monthsOf(study.sun) : oneSet(study.sun);
-    const bool projected = settings.engine == "projected" || study.field.engineKey == "projected";
-    if (projected && !settings.contributions)
-        return projectedBreakdown(study.city, study.receivers, study.sun, sets, progress, std::move(stop));
-    const BreakdownSettings breakdown{.sweep = sweepSettings(settings.engineSettings),
-                                      .byBuilding = settings.contributions};
-    return horizonBreakdown(study.city, study.receivers, study.sun, sets, breakdown, progress,
-                            std::move(stop));
+Result<void> checkBreakdown(const StudySettings& settings, const EngineCapabilities& able,
+                            const EngineList& engines) {
+    const bool byBuilding = settings.contributions;
+    if (!wantsBreakdown(settings) || (byBuilding ? able.attribution : able.sets)) return {};
+    return unsupported(fmt::format("The engine '{}' does not sum shadow by {}", settings.engine,
+                                   byBuilding ? "building" : "month"),
+                       "engine", fmt::format("Choose one of: {}", enginesThatSum(byBuilding, engines)));
 }
 
-Result<void> brokenDown(Study& study, Progress& progress, std::stop_token stop) {
+Result<void> breakDown(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     if (!wantsBreakdown(study.settings)) return {};
-    return timed(study, "breakdown", study.breakdown, stop,
-                 [&] { return breakdownOf(study, progress, stop); });
+    const StepSets sets = study.settings.byMonth ? monthsOf(study.sun) : makeOneSet(study.sun);
+    return timeStage(study, "breakdown", study.breakdown, stop, [&] {
+        return engine.breakDown(study.city, study.receivers, study.sun, sets, study.settings.contributions,
+                                progress, stop);
+    });
 }
 
-Result<void> computed(Study& study, const Accumulator& engine, Progress& progress, std::stop_token stop) {
+Result<void> computeStudy(Study& study, const Engine& engine, Progress& progress, std::stop_token stop) {
     const StudySettings& settings = study.settings;
-    return timed(study, "receivers", study.receivers, stop,
-                 [&] { return receiversIn(study.city, settings.region, settings.receivers, stop); })
+    return timeStage(study, "receivers", study.receivers, stop,
+                     [&] { return placeReceivers(study.city, settings.region, settings.receivers, stop); })
         .and_then([&] { return checkReceivers(study); })
         .and_then([&] {
-            return timed(study, "sun", study.sun, stop,
-                         [&] { return sunSteps(settings.period, observerOf(study), stop); });
+            return timeStage(study, "sun", study.sun, stop, [&] {
+                return computeDaylightSteps(settings.period, makeObserver(study), stop);
+            });
         })
-        .and_then([&] { return checkSun(study); })
         .and_then([&] {
-            study.terrainCoverage = terrainCoverage(study.city, study.receivers, study.sun);
+            study.terrainCoverage = computeTerrainCoverage(study.city, study.receivers, study.sun);
             return checkCoverage(study.terrainCoverage, settings.region.name);
         })
         .and_then([&] {
-            return timed(study, "accumulate", study.field, stop, [&] {
+            return timeStage(study, "accumulate", study.field, stop, [&] {
                 return engine.accumulate(study.city, study.receivers, study.sun, progress, stop);
             });
         })
-        .and_then([&] { return brokenDown(study, progress, stop); });
+        .and_then([&] { return breakDown(study, engine, progress, stop); });
 }
 
 bool wantsError(const Study& study) {
     return study.settings.errorSample.receivers > 0 && !study.byReference();
 }
 
-// A study is not lost for want of its error: only a stop request ends it.
+// A failure to measure the error does not fail the study; only a stop request ends it.
 Result<void> measureError(Study& study, Progress& progress, const std::stop_token& stop) {
     const Stopwatch watch;
-    const auto error = sampledError(study.city, study.receivers, study.sun, study.field,
-                                    study.settings.errorSample, progress, stop);
+    const auto error = sampleError(study.city, study.receivers, study.sun, study.field,
+                                   study.settings.errorSample, progress, stop);
     if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
     if (error)
         study.error = *error;
@@ -121,52 +109,53 @@ Result<void> measureError(Study& study, Progress& progress, const std::stop_toke
 
 }  // namespace
 
-Observer observerOf(const City& city, const StudySettings& settings) {
+Observer makeObserver(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);
-    Observer observer = observerIn(city, glm::dvec2(box.low + box.high) / 2.0);
+    Observer observer = placeObserver(city, glm::dvec2(box.low + box.high) / 2.0);
     observer.pressureHPa = settings.pressureHPa;
     observer.temperatureC = settings.temperatureC;
     return observer;
 }
 
-SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings) {
+SunFrameFacts computeSunFrame(const City& city, const StudySettings& settings) {
     const Box2 box = bounds(settings.region);
-    const glm::dmat3 turn = observerOf(city, settings).frameFromPlace;
+    const glm::dmat3 turn = makeObserver(city, settings).frameFromPlace;
     const glm::dvec3 up = glm::normalize(glm::cross(turn[0], turn[1]));
     SunFrameFacts facts;
     facts.convergenceDeg = Radians{std::atan2(turn[1].x, turn[1].y)}.degrees().value;
     facts.tiltDeg = Radians{std::atan2(std::hypot(up.x, up.y), up.z)}.degrees().value;
     facts.farthestM = glm::length(glm::dvec2(box.high - box.low)) / 2;
-    facts.verticalErrorDeg = verticalErrorDeg(facts.farthestM);
+    facts.verticalErrorDeg = computeVerticalErrorDeg(facts.farthestM);
     return facts;
 }
 
-Observer observerOf(const Study& study) { return observerOf(study.city, study.settings); }
+Observer makeObserver(const Study& study) { return makeObserver(study.city, study.settings); }
 
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
                        std::stop_token stop, const EngineList& engines) try {
     const Stopwatch watch;
-    const auto period = checked(settings.period);
+    const auto period = validate(settings.period);
     if (!period) return tl::make_unexpected(period.error());
-    const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
+    const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
-    if (auto able = checkBreakdown(settings); !able) return tl::make_unexpected(able.error());
+    if (auto able = checkBreakdown(settings, (*engine)->capabilities(), engines); !able)
+        return tl::make_unexpected(able.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
 
     Study study{.city = city, .settings = settings};
-    if (auto done = computed(study, **engine, progress, stop); !done)
+    if (auto done = computeStudy(study, **engine, progress, stop); !done)
         return tl::make_unexpected(done.error());
     if (study.field.engineKey.empty()) study.field.engineKey = settings.engine;
-    study.statistics = statisticsOf(study.field);
+    study.statistics = computeStatistics(study.field);
     study.warnings = study.field.warnings;
-    for (Warning& warning : warningsOf(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
+    for (Warning& warning : makeWarnings(study.terrainCoverage)) study.warnings.push_back(std::move(warning));
     if (wantsError(study))
         if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this study", "",
-                   "Choose larger cells, a smaller region or fewer steps");
+    return limitReached("There is not enough memory for this study", "",
+                        "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

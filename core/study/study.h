@@ -1,42 +1,48 @@
 #pragma once
 
+// The folder core/study answers one question: the shadow over a region, in a period, by an engine. runStudy()
+// (this file) runs the steps and returns a Study; memory_need.h and terrain_coverage.h refuse studies that
+// cannot succeed, remaining_time.h estimates the remaining time. tiles/ does the same for regions that do not
+// fit into memory. text/ turns results into JSON, CSV and words, provenance/ records what a result was made
+// from.
+
 #include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "core/accumulate/engine_list.h"
-#include "core/accumulate/horizon_breakdown.h"
+#include "core/engines/api/engine_registry.h"
+#include "core/engines/horizon/attribution/horizon_breakdown.h"
 #include "core/io/read_city.h"
 #include "core/measures/error_sample.h"
 #include "core/measures/statistics.h"
 #include "core/receivers/receivers.h"
-#include "core/study/provenance.h"
+#include "core/study/provenance/provenance.h"
 #include "core/study/terrain_coverage.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
-/// What to compute over a city that is already there.
+/// Settings of a study of a given city.
 struct StudySettings {
     Region region;
     ReceiverSettings receivers;
     Period period;
     std::string engine = "auto";
-    EngineSettings engineSettings;  ///< what differs from the engine's usual settings
-    bool byMonth = false;        ///< the shadow of each month too; by the horizon sweep or projected shadows
-    bool contributions = false;  ///< and what each building does; by the horizon sweep only
+    EngineSettings engineSettings;  ///< settings that differ from the engine's usual ones
+    bool byMonth = false;  ///< also compute the shadow of each month; horizon sweep or projected shadows only
+    bool contributions = false;  ///< also compute the contribution of each building; horizon sweep only
     ErrorSampleSettings errorSample;
     double pressureHPa = 1010;  ///< for refraction
     double temperatureC = 10;
-    /// The most memory the study may take, bytes; above it, it is refused with the size it would need. 0 =
-    /// 3/4 of what is free.
+    /// Maximum memory of the study, bytes; a study that needs more is refused, and the error states how much
+    /// it needs. 0 = 3/4 of the available memory.
     std::uint64_t memoryLimit = 0;
     bool operator==(const StudySettings&) const = default;
 };
 
-/// One answered question: everything that a report, a file or the window shows of it.
+/// The result of a study: everything that a report, a file or the window displays.
 struct Study {
     City city;
     StudySettings settings;
@@ -44,45 +50,45 @@ struct Study {
     SunSteps sun;
     ShadowField field;
     ShadowStatistics statistics;
-    TerrainCoverage terrainCoverage;  ///< what of it lies beyond the terrain
+    TerrainCoverage terrainCoverage;  ///< how much of the study lies beyond the terrain
     std::optional<ShadowBreakdown>
-        breakdown;  ///< by month (else all in one) and by building, where asked for
-    /// Against the ray reference; nothing where that was switched off, could not be done (a warning says so)
-    /// or the engine is the reference itself.
+        breakdown;  ///< by month (else one set) and by building, if the settings ask for it
+    /// Error against the ray reference; nothing if it was switched off, could not be measured (a warning says
+    /// so) or the engine is the reference itself.
     std::optional<SampledError> error;
     std::map<std::string, double>
         seconds;        ///< by stage: "read", "sun", "receivers", "accumulate", "error_sample"; and "total"
-    Warnings warnings;  ///< of reading and of computing
+    Warnings warnings;  ///< from reading and from computing
 
     [[nodiscard]] bool byReference() const { return field.engineKey == referenceEngine; }
-    Provenance provenance;  ///< what the city came from; set by who read it
-    HeightFacts heights;    ///< of the inputs' fields
+    Provenance provenance;  ///< what the city was made from; set by the caller
+    HeightFacts heights;    ///< heights in the inputs
 };
 
-/// Receivers, sun and engine (one of `engines`) over `city`; the sun is the one seen from the middle of the
-/// region. Fills everything of Study but `provenance` and what reading adds to `seconds` and
+/// Computes receivers, sun and field, by one of `engines`, over `city`; the sun is the one seen from the
+/// middle of the region. Fills everything in Study except `provenance` and what reading adds to `seconds` and
 /// `warnings`. Error: a setting out of range, an unknown engine, a region without open ground, a sun that
-/// never rises in the period, a region or buildings in reach mostly beyond the terrain, or more memory than
-/// the limit. Stops with cancelled() within 0.2 s.
+/// never rises in the period, most of the region or of the buildings in reach beyond the terrain, or more
+/// memory than the limit. Stops with cancelled() within 0.2 s.
 Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
                        std::stop_token stop, const EngineList& engines = coreEngines());
 
-/// Where the sun of a study is seen from: the middle of its region, at the frame's elevation, in the air of
-/// its settings.
-Observer observerOf(const City& city, const StudySettings& settings);
-Observer observerOf(const Study& study);
+/// The observer of a study's sun: at the middle of its region, at the frame's elevation, in the air of its
+/// settings.
+Observer makeObserver(const City& city, const StudySettings& settings);
+Observer makeObserver(const Study& study);
 
-/// How that sun is told in the frame of the geometry, for reports.
+/// How the observer's directions differ from the frame of the geometry, for reports.
 struct SunFrameFacts {
-    double convergenceDeg = 0;    ///< of the observer's north against the frame's +y, clockwise positive
-    double tiltDeg = 0;           ///< of the observer's vertical against the frame's z; 0 on flat ground
+    double convergenceDeg = 0;    ///< angle of the observer's north from the frame's +y, clockwise positive
+    double tiltDeg = 0;           ///< angle of the observer's vertical from the frame's z; 0 on flat ground
     double farthestM = 0;         ///< from the observer to the farthest corner of the region
-    double verticalErrorDeg = 0;  ///< at most, there (core/city/city_observer.h)
+    double verticalErrorDeg = 0;  ///< the largest error, at that corner (core/city/city_observer.h)
 };
-SunFrameFacts sunFrameOf(const City& city, const StudySettings& settings);
+SunFrameFacts computeSunFrame(const City& city, const StudySettings& settings);
 
-/// The study as the JSON of `study.json`: keys are stable, units in their names. Row order, definitions and
-/// what was skipped included.
+/// The study as the JSON of `study.json`: keys are stable, units are in their names. Includes row order,
+/// definitions and what was left out.
 std::string studyJson(const Study& study);
 
 /// The city as the JSON of `noonmark-cli info --json`: buildings, parts, triangles, height_sources,

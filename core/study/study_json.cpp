@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/accumulate/blank_field.h"
+#include "core/base/version.h"
+#include "core/engines/api/blank_field.h"
 #include "core/measures/has_runs.h"
 #include "core/receivers/roof_receivers.h"
-#include "core/study/breakdown_text.h"
-#include "core/study/error_json.h"
-#include "core/study/height_words.h"
-#include "core/study/provenance_json.h"
-#include "core/study/repeat_command.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/repeat_command.h"
 #include "core/study/study.h"
-#include "core/study/terrain_text.h"
-#include "core/study/warnings_json.h"
-#include "core/version.h"
+#include "core/study/text/breakdown_text.h"
+#include "core/study/text/error_json.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
 
 namespace noonmark {
 
@@ -22,15 +22,15 @@ namespace {
 
 Json periodJson(const Period& period, const SunSteps& sun) {
     Json json;
-    json["text"] = textOf(period);
-    json["start"] = textOf(period.start);
+    json["text"] = formatText(period);
+    json["start"] = formatText(period.start);
     json["days"] = period.days;
     json["step_min"] = period.stepMinutes;
     json["counted_step_min"] = sun.stepMinutes;
     json["hours_min_per_day"] = sun.days.empty() ? 0 : sun.windowMinutes / double(sun.days.size());
     json["day_rounding_min"] = sun.mostOffADayMin;
     json["zone"] = period.zone;
-    json["from"] = period.window ? Json() : Json(textOf(period.from));
+    json["from"] = period.window ? Json() : Json(formatText(period.from));
     json["hours"] = period.window ? Json() : Json(period.hours);
     json["window"] = nullptr;
     if (period.window)
@@ -51,10 +51,10 @@ Json observerJson(const Observer& observer) {
             {"temperature_c", observer.temperatureC}};
 }
 
-/// Of the sun's direction in the frame of the geometry, and what is left of it at the region's farthest
-/// corner.
+/// Facts about the sun's direction in the frame of the geometry, with the remaining error at the region's
+/// farthest corner.
 Json sunFrameJson(const Study& study) {
-    const SunFrameFacts facts = sunFrameOf(study.city, study.settings);
+    const SunFrameFacts facts = computeSunFrame(study.city, study.settings);
     return {{"north_turned_deg", facts.convergenceDeg},
             {"vertical_turned_deg", facts.tiltDeg},
             {"farthest_from_observer_m", facts.farthestM},
@@ -98,12 +98,12 @@ void addFigures(Json& json, const ShadowStatistics& statistics) {
     json["shadow_area_m2"] = statistics.shadowAreaM2;
     json["mean_gross_min"] = statistics.meanGrossMin;
     json["max_gross_min"] = statistics.maxGrossMin;
-    // NaN, where runs were not counted, is null in JSON.
+    // NaN (runs were not counted) becomes null in JSON.
     json["mean_continuous_min"] = statistics.meanContinuousMin;
     json["max_continuous_min"] = statistics.maxContinuousMin;
 }
 
-// Buildings are used or skipped; each engine says in words what else it did not need to do.
+// Buildings are used or skipped; each engine states in words what else it skipped.
 void addCost(Json& json, const Study& study) {
     const Cost& cost = study.field.cost;
     const std::size_t buildings = study.city.buildings.size();
@@ -134,31 +134,31 @@ Json monthsJson(const Study& study) {
 Json definitions(bool runs) {
     const std::string continuous = "longest unbroken run in shadow on any day of the period, minutes";
     return {
-        {"gross", "minutes a receiver is in shadow per day, averaged over the days of the period"},
+        {"gross", "minutes per day that a receiver is in shadow, averaged over the days of the period"},
         {"continuous", runs ? continuous : continuous + "; null: it was not counted"},
         {"shadow_area_m2", "sum over receivers of the fraction of time in shadow times the cell area"},
         {"fraction_of_time",
-         "of the time in the period that the sun is above the horizon; steps with the sun below it are "
-         "left out"},
+         "share of the period's time with the sun above the horizon; steps with the sun below it are left "
+         "out"},
         {"error",
          "of the engine against the ray reference on a sample of receivers and all steps: area_pct, its "
-         "shadow area less the reference's over the sample's area; gross and continuous, the absolute "
-         "differences of the cells over whole_min (the sunlit minutes of a mean day, of the longest day)"},
+         "shadow area minus the reference's, divided by the sample's area; gross and continuous, the "
+         "absolute differences of the cells, as shares of whole_min (the sunlit minutes of a mean day, of "
+         "the longest day)"},
         {"receiver",
-         "a cell of the region whose centre is where receivers_on says: on the ground, outside every "
-         "footprint "
-         "that stands on it, or on the roof of a building there, its highest surface"},
+         "a cell of the region with its centre at the place that receivers_on states: on the ground, outside "
+         "every footprint that stands on it, or on the roof of a building there, its highest surface"},
         {"period",
-         "whole steps of nearly step_min fill the hours of each day (hours_min_per_day in the mean); each "
-         "counts counted_step_min, so that no time is dropped; the steps of a day count as long as its hours "
-         "to within day_rounding_min"},
+         "the hours of each day (hours_min_per_day in the mean) are divided into whole steps of nearly "
+         "step_min; each counts counted_step_min, so that no time is dropped; the steps of a day add up to "
+         "its hours within day_rounding_min"},
         {"azimuth", "from true north, clockwise"},
         {"sun_frame",
-         "the sun is the observer's, turned into the frame of the geometry: north_turned_deg, clockwise, "
-         "from the "
-         "frame's +y to the observer's north; vertical_turned_deg, for the drop of the terrain; "
-         "vertical_error_deg, how far the vertical is off at the farthest corner of the region (1 deg = 4 "
-         "minutes of the sun's way); steps_levelled, suns below the frame's plane taken in it"}};
+         "the sun is the observer's, rotated into the frame of the geometry: north_turned_deg, clockwise, "
+         "from the frame's +y to the observer's north; vertical_turned_deg, for the drop of the terrain; "
+         "vertical_error_deg, the error of the vertical at the farthest corner of the region (1 deg = 4 "
+         "minutes of the sun's motion); steps_levelled, steps with the sun below the frame's horizontal "
+         "plane, moved into that plane"}};
 }
 
 }  // namespace
@@ -182,15 +182,15 @@ std::string studyJson(const Study& study) {
     json["region"] = regionJson(study);
     json["cells"] = cellsJson(study);
     json["terrain"] = study.city.terrain ? terrainJson(*study.city.terrain) : Json();
-    if (study.city.terrain) json["beyond_terrain"] = coverageJson(study.terrainCoverage);
-    json["observer"] = observerJson(observerOf(study));
+    if (study.city.terrain) json["beyond_terrain"] = makeCoverageJson(study.terrainCoverage);
+    json["observer"] = observerJson(makeObserver(study));
     json["sun_frame"] = sunFrameJson(study);
     addProvenance(json, study.provenance);
     json["heights"] = heightsJson(countHeights(study.city), study.heights);
-    addRepeat(json, repeatCommand(study, std::numeric_limits<std::size_t>::max()));
+    addRepeat(json, makeRepeatCommand(study, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions(hasRuns(study.statistics));
     json["warnings"] = warningsJson(study.warnings);
-    return jsonText(json);
+    return toJsonText(json);
 }
 
 }  // namespace noonmark

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accumulate/reach.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/receivers/rasterize.h"
 
 namespace noonmark {
 
 namespace {
 
-// Whether a grid's outline, looked at cell by cell, lies on the terrain: what is inside then does, too.
+// Whether every cell of a grid's outline lies on the terrain; then the cells inside do too.
 bool coversAll(const Terrain& terrain, const Grid& cells) {
     const auto off = [&](int column, int row) {
         return beyondM(terrain.grid, cells.centre(column, row)) > 0;
@@ -24,11 +24,11 @@ bool coversAll(const Terrain& terrain, const Grid& cells) {
     return true;
 }
 
-Box2 boxOf(const Grid& cells) {
+Box2 computeBox(const Grid& cells) {
     return {{float(cells.westM), float(cells.southM)}, {float(cells.eastM()), float(cells.northM())}};
 }
 
-// Counts places into a share.
+// Counts points into a share.
 class Counter {
 public:
     Counter(const Terrain& terrain, TerrainCoverage::Share& share) : posts_(terrain.grid), share_(share) {
@@ -49,14 +49,14 @@ private:
     double farM_ = 0;
 };
 
-TerrainCoverage::Share castersOf(const City& city, const Grid& cells, const SunSteps& sun) {
+TerrainCoverage::Share placeCasters(const City& city, const Grid& cells, const SunSteps& sun) {
     TerrainCoverage::Share share;
     Counter counter(*city.terrain, share);
     const ShadowReach reach(sun);
     const float lowest = *std::ranges::min_element(city.terrain->elevationM);
     for (const auto& building : city.buildings) {
         const Box2 box = bounds(*building);
-        if (reach.touches(box, double(topM(*building) - lowest), boxOf(cells)))
+        if (reach.touches(box, double(topM(*building) - lowest), computeBox(cells)))
             counter.add(glm::dvec2(box.low + box.high) / 2.0);
     }
     return share;
@@ -64,9 +64,9 @@ TerrainCoverage::Share castersOf(const City& city, const Grid& cells, const SunS
 
 }  // namespace
 
-TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun) {
+TerrainCoverage computeTerrainCoverage(const City& city, const Receivers& receivers, const SunSteps& sun) {
     if (!city.terrain) return {};
-    TerrainCoverage coverage{.casters = castersOf(city, receivers.grid, sun)};
+    TerrainCoverage coverage{.casters = placeCasters(city, receivers.grid, sun)};
     if (coversAll(*city.terrain, receivers.grid)) {
         coverage.receivers.all = receivers.cells.size();
         return coverage;
@@ -76,10 +76,10 @@ TerrainCoverage terrainCoverage(const City& city, const Receivers& receivers, co
     return coverage;
 }
 
-TerrainCoverage terrainCoverage(const City& city, const Region& region, const Grid& cells,
-                                const SunSteps& sun) {
+TerrainCoverage computeTerrainCoverage(const City& city, const Region& region, const Grid& cells,
+                                       const SunSteps& sun) {
     if (!city.terrain) return {};
-    TerrainCoverage coverage{.casters = castersOf(city, cells, sun)};
+    TerrainCoverage coverage{.casters = placeCasters(city, cells, sun)};
     Counter counter(*city.terrain, coverage.receivers);
     constexpr double mostCells = 1e6;
     const int step = std::max(1, int(std::ceil(std::sqrt(double(cells.size()) / mostCells))));
@@ -94,9 +94,11 @@ TerrainCoverage terrainCoverage(const City& city, const Region& region, const Gr
 
 Result<void> checkCoverage(const TerrainCoverage& coverage, const std::string& region) {
     const auto refused = [&](const char* what, std::size_t count, const TerrainCoverage::Share& share) {
-        return failure(fmt::format("Most {} the terrain: {} of {}, up to {:.0f} m from it", what, count,
-                                   share.all, share.farthestM),
-                       region, "Choose a terrain that covers the region and what shades it, or leave it out");
+        return failure(
+            fmt::format("Most {} the terrain: {} of {}, up to {:.0f} m from it", what, count, share.all,
+                        share.farthestM),
+            region,
+            "Choose a terrain that covers the region and the buildings that shade it, or omit the terrain");
     };
     const auto& [receivers, casters] = coverage;
     if (receivers.off * 2 > receivers.all) return refused("receivers lie beyond", receivers.off, receivers);
@@ -105,7 +107,7 @@ Result<void> checkCoverage(const TerrainCoverage& coverage, const std::string& r
     return {};
 }
 
-Warnings warningsOf(const TerrainCoverage& coverage) {
+Warnings makeWarnings(const TerrainCoverage& coverage) {
     Warnings warnings;
     const auto add = [&](const char* what, const TerrainCoverage::Share& share) {
         if (share.off > 0)
@@ -115,7 +117,7 @@ Warnings warningsOf(const TerrainCoverage& coverage) {
                              100.0 * double(share.off) / double(share.all), share.farthestM)});
     };
     add("receivers beyond the terrain are at its nearest elevation", coverage.receivers);
-    add("buildings beyond the terrain, whose shadow can reach the region, stand on its nearest elevation",
+    add("buildings beyond the terrain whose shadow can reach the region stand on its nearest elevation",
         coverage.casters);
     return warnings;
 }

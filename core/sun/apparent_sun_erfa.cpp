@@ -16,8 +16,8 @@ glm::dvec3 vectorOf(const double v[3]) { return {v[0], v[1], v[2]}; }
 
 struct EarthAndSun {
     glm::dvec3 sunFromEarth;   // au, at the same instant
-    glm::dvec3 sunVelocity;    // au a day, barycentric
-    glm::dvec3 earthVelocity;  // au a day, barycentric
+    glm::dvec3 sunVelocity;    // au per day, barycentric
+    glm::dvec3 earthVelocity;  // au per day, barycentric
 };
 
 EarthAndSun earthAndSun(double ttDays) {
@@ -28,7 +28,7 @@ EarthAndSun earthAndSun(double ttDays) {
             vectorOf(barycentric[1])};
 }
 
-/// Light shows the sun where it was, and the earth's own speed tilts the light.
+/// Applies light time (the sun is seen where it was) and aberration (the earth's speed tilts the light).
 glm::dvec3 asSeen(const EarthAndSun& at) {
     const double distance = glm::length(at.sunFromEarth);
     const glm::dvec3 past = at.sunFromEarth - at.sunVelocity * (distance * lightDaysPerAu);
@@ -41,12 +41,13 @@ glm::dvec3 asSeen(const EarthAndSun& at) {
 
 }  // namespace
 
-glm::dvec3 apparentSun(double ttDays) {
+glm::dvec3 computeApparentSun(double ttDays) {
     double precessionNutation[3][3];
     double x = 0;
     double y = 0;
     double toIntermediate[3][3];
-    eraPnm00b(j2000, ttDays, precessionNutation);  // the short nutation: 0.001 arc seconds
+    // The abridged nutation model: accurate to 0.001 arc seconds
+    eraPnm00b(j2000, ttDays, precessionNutation);
     eraBpn2xy(precessionNutation, &x, &y);
     eraC2ixys(x, y, eraS00(j2000, ttDays, x, y), toIntermediate);
     glm::dvec3 seen = asSeen(earthAndSun(ttDays));

@@ -2,7 +2,7 @@
 
 namespace noonmark {
 
-SunSteps chosenDays(const SunSteps& sun, std::span<const std::size_t> days) {
+SunSteps chooseDays(const SunSteps& sun, std::span<const std::size_t> days) {
     SunSteps chosen;
     chosen.stepMinutes = sun.stepMinutes;
     for (const std::size_t number : days) {

@@ -6,8 +6,8 @@
 
 namespace noonmark {
 
-/// The period made of these of its days only (indices of SunSteps::days, in the order given). What is missing
-/// below the horizon is that of these days.
-SunSteps chosenDays(const SunSteps& sun, std::span<const std::size_t> days);
+/// A period that consists of some days of `sun` (indices of SunSteps::days, in the order given). Steps below
+/// the horizon are counted for these days only.
+SunSteps chooseDays(const SunSteps& sun, std::span<const std::size_t> days);
 
 }  // namespace noonmark

@@ -15,7 +15,7 @@ class Fields {
 public:
     explicit Fields(std::string_view text) : rest_(text) {}
 
-    /// Exactly `digits` digits; -1 where they are not there.
+    /// Exactly `count` digits; -1 if there are fewer.
     int digits(std::size_t count) {
         if (rest_.size() < count) return -1;
         int value = 0;
@@ -41,7 +41,7 @@ private:
 };
 
 tl::unexpected<Error> badText(std::string_view text, std::string_view kind, std::string advice) {
-    return failure(fmt::format("\"{}\" is no {}", text, kind), std::string(kind), std::move(advice));
+    return failure(fmt::format("\"{}\" is not a {}", text, kind), std::string(kind), std::move(advice));
 }
 
 tl::unexpected<Error> notInCalendar(std::string_view text, CivilDate date) {
@@ -61,7 +61,7 @@ std::optional<milliseconds> takeTime(Fields& fields) {
     return hours{hour} + minutes{minute};
 }
 
-/// ":30", ":30.5"; nothing there is 0.
+/// ":30", ":30.5"; 0 if there is none.
 std::optional<milliseconds> takeSeconds(Fields& fields) {
     if (!fields.takeIf(':')) return 0ms;
     const int second = fields.digits(2);
@@ -90,7 +90,7 @@ std::optional<minutes> takeOffset(Fields& fields) {
 
 constexpr auto instantAdvice = "Write it like 2003-10-17T12:30:30-07:00, or without the offset";
 
-/// What follows the date and the T: time, seconds, offset.
+/// Parses what follows the date and the T: time, seconds, offset.
 Result<Instant> instantOn(CivilDate date, std::string_view time, const Zone& zone, std::string_view whole) {
     Fields fields(time);
     const auto minute = takeTime(fields);

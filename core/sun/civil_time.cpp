@@ -22,18 +22,18 @@ std::string Zone::text(Instant at) const {
     const auto wallClock = at + offset;
     const auto midnight = floor<days>(wallClock);
     const hh_mm_ss time{wallClock - midnight};
-    std::string text = fmt::format("{}T{:02}:{:02}:{:02}", textOf(CivilDate{midnight}), time.hours().count(),
-                                   time.minutes().count(), time.seconds().count());
+    std::string text = fmt::format("{}T{:02}:{:02}:{:02}", formatText(CivilDate{midnight}),
+                                   time.hours().count(), time.minutes().count(), time.seconds().count());
     if (time.subseconds() != 0ms) text += fmt::format(".{:03}", time.subseconds().count());
     const auto size = abs(offset).count();
     return text + fmt::format("{}{:02}:{:02}", offset < 0min ? '-' : '+', size / 60, size % 60);
 }
 
-std::string textOf(CivilDate date) {
+std::string formatText(CivilDate date) {
     return fmt::format("{:04}-{:02}-{:02}", int(date.year()), unsigned(date.month()), unsigned(date.day()));
 }
 
-std::string textOf(minutes timeOfDay) {
+std::string formatText(minutes timeOfDay) {
     return fmt::format("{:02}:{:02}", timeOfDay.count() / 60, timeOfDay.count() % 60);
 }
 

@@ -22,9 +22,9 @@ using std::chrono::minutes;
 using std::chrono::seconds;
 using std::chrono::sys_seconds;
 
-const char* const zoneFolder = "/usr/share/zoneinfo";  // where the date library of the system reads from
+const char* const zoneFolder = "/usr/share/zoneinfo";  // where the system's date library reads from
 
-/// The last line of the zone's file: the rule after its last listed change.
+/// The last line of the zone's file: the rule that applies after its last listed change.
 std::optional<PosixRule> ruleOf(const std::string& zone) {
     std::ifstream file(std::filesystem::path(zoneFolder) / zone, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -33,14 +33,15 @@ std::optional<PosixRule> ruleOf(const std::string& zone) {
     return PosixRule::parsed(std::string_view(bytes).substr(bytes.rfind('\n') + 1));
 }
 
-/// Names in the folder that are no zones: the machine's own setting, and one that says that nothing is set.
+/// False for names in the folder that are not zones: the machine's own setting, and one that means that
+/// nothing is set.
 bool isZone(const std::string& name) {
     return name != "localtime" && name != "posixrules" && name != "Factory";
 }
 
 tl::unexpected<Error> unknownZone(std::string_view name) {
-    const auto close = closeNames(name, zoneNames());
-    return failure(fmt::format("\"{}\" is no time zone", name), "zone",
+    const auto close = findCloseNames(name, zoneNames());
+    return failure(fmt::format("\"{}\" is not a time zone", name), "zone",
                    close.empty() ? "Give a name such as America/New_York or UTC"
                                  : fmt::format("Did you mean {}?", fmt::join(close, ", ")));
 }
@@ -70,10 +71,11 @@ Result<Zone> Zone::named(std::string_view ianaName) {
             std::ranges::find(zones, zone.name_, [](const auto& entry) { return entry.name(); });
         if (found == zones.end() || !isZone(zone.name_)) return unknownZone(ianaName);
         zone.rules_ = std::make_shared<const Rules>(Rules{&*found, ruleOf(zone.name_)});
-        static_cast<void>(zone.rules_->offsetAt({}));  // reads the file now, while an error can still be told
+        // Reads the file now, while an error can still be reported
+        static_cast<void>(zone.rules_->offsetAt({}));
         return zone;
     } catch (const std::exception& error) {
-        return failure(fmt::format("The time zone database can't be read ({})", error.what()), zoneFolder,
+        return failure(fmt::format("The time zone database cannot be read ({})", error.what()), zoneFolder,
                        "Install the package tzdata");
     }
 }
@@ -81,7 +83,7 @@ Result<Zone> Zone::named(std::string_view ianaName) {
 seconds Zone::offsetAt(sys_seconds at) const { return rules_ ? rules_->offsetAt(at) : 0s; }
 
 Instant Zone::instantOf(std::chrono::local_seconds wallClock) const {
-    // Offsets well before and after, whatever the zone: no two changes are as close, and none is as large.
+    // Offsets well before and after: in no zone are two changes this close, or a change this large.
     const sys_seconds asUtc{wallClock.time_since_epoch()};
     const seconds before = offsetAt(asUtc - 36h);
     const seconds after = offsetAt(asUtc + 36h);
@@ -103,7 +105,7 @@ std::vector<std::string> zoneNames() {
             if (isZone(zone.name()) && zone.name() != "UTC") names.push_back(zone.name());
         }
     } catch (const std::exception&) {
-        return names;  // without the database there is only UTC; `Zone::named` says what is missing
+        return names;  // without the database only UTC is known; `Zone::named` says what is missing
     }
     std::ranges::sort(names);
     return names;

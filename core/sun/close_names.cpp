@@ -9,7 +9,7 @@ namespace noonmark {
 
 namespace {
 
-/// Lower case, blanks as the tz database writes them.
+/// Lower case, with blanks as in the tz database.
 std::string plain(std::string_view text) {
     std::string result(text);
     for (char& c : result) {
@@ -19,7 +19,7 @@ std::string plain(std::string_view text) {
     return result;
 }
 
-/// Levenshtein: letters to insert, drop or change.
+/// Levenshtein distance: letters to insert, delete or change.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -35,7 +35,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string_view lastPart(std::string_view name) { return name.substr(name.rfind('/') + 1); }
 
-/// Letters between the two, where that is few for their length.
+/// The distance between the two, if it is small for their length.
 std::optional<std::size_t> nearness(std::string_view wanted, std::string_view candidate) {
     const std::size_t away = distance(wanted, candidate);
     if (away > std::max<std::size_t>(1, wanted.size() / 4)) return std::nullopt;
@@ -44,8 +44,8 @@ std::optional<std::size_t> nearness(std::string_view wanted, std::string_view ca
 
 }  // namespace
 
-std::vector<std::string> closeNames(std::string_view text, const std::vector<std::string>& names,
-                                    std::size_t most) {
+std::vector<std::string> findCloseNames(std::string_view text, const std::vector<std::string>& names,
+                                        std::size_t most) {
     constexpr std::size_t longestName = 64;
     const std::string wanted = plain(text.substr(0, longestName));
     std::vector<std::pair<std::size_t, std::string>> ranked;

@@ -15,16 +15,16 @@ namespace {
 
 using namespace std::chrono;
 
-// Two days apart the cubic through four nodes misses the sun by 0.000003 deg (the moon's pull on the earth is
-// what bends most).
+// With nodes two days apart the cubic through four nodes differs from the sun by 0.000003 deg (mostly because
+// of the moon's pull on the earth).
 constexpr milliseconds spacing = days{2};
 constexpr Instant earliest = sys_days{1900y / January / 1} - days{4};
 constexpr Instant latest = sys_days{2101y / January / 1} + days{4};
 
-/// The sun's vector between two nodes: a polynomial in the fraction of the way from one to the other.
+/// The sun's vector between two nodes: a polynomial in the fraction of the way between them.
 using Cubic = std::array<glm::dvec3, 4>;
 
-/// Lagrange's cubic through the nodes at -1, 0, 1 and 2.
+/// Lagrange's cubic through nodes at -1, 0, 1 and 2.
 Cubic cubicThrough(const glm::dvec3& before, const glm::dvec3& at, const glm::dvec3& next,
                    const glm::dvec3& after) {
     return {at, next - at / 2.0 - before / 3.0 - after / 6.0, (before + next) / 2.0 - at,
@@ -34,7 +34,7 @@ Cubic cubicThrough(const glm::dvec3& before, const glm::dvec3& at, const glm::dv
 std::vector<glm::dvec3> nodesFrom(Instant first, std::size_t count) {
     std::vector<glm::dvec3> nodes(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        nodes[i] = apparentSun(ttDays(first + spacing * std::int64_t(i)));
+        nodes[i] = computeApparentSun(ttDays(first + spacing * std::int64_t(i)));
     });
     return nodes;
 }
@@ -69,11 +69,11 @@ Ephemeris::Ephemeris(Ephemeris&&) noexcept = default;
 Ephemeris& Ephemeris::operator=(Ephemeris&&) noexcept = default;
 
 Result<Ephemeris> Ephemeris::over(const Observer& observer, Instant from, Instant to) {
-    if (const auto good = checked(observer); !good) return tl::make_unexpected(good.error());
+    if (const auto good = validate(observer); !good) return tl::make_unexpected(good.error());
     if (to < from)
         return failure("The end of the time span lies before its start", "time span", "Swap the two");
     if (from < earliest || to > latest) {
-        return failure("The place of the sun is known for the years 1900 to 2100 only", "time span",
+        return failure("The position of the sun is known for the years 1900 to 2100 only", "time span",
                        "Choose a date in these years");
     }
     return spanning(observer, from, to);

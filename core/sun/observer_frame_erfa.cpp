@@ -15,14 +15,14 @@ constexpr double metresPerAu = 149597870700.0;
 constexpr double earthTurnRadPerS = 7.292115e-5;
 constexpr double lightMPerS = 299792458.0;
 
-// Secular pole of the IERS Conventions (2010, update of 2018) at 2000.0. Chandler's wobble and its drift stay
-// within 0.3 arc seconds of it.
+// Secular pole of the IERS Conventions (2010, update of 2018) at 2000.0. Chandler's wobble and the drift of
+// the pole stay within 0.3 arc seconds of it.
 constexpr double poleX = 0.0550 * ERFA_DAS2R;
 constexpr double poleY = 0.3205 * ERFA_DAS2R;
 
-/// Longitude and latitude about the axis of date instead of the map's pole, which is how almanacs and JPL
-/// Horizons take azimuth. Beyond 80 deg that north runs away from the map's (at the pole by any angle), so
-/// there it is held as at 80 deg.
+/// Longitude and latitude about the axis of date instead of the map's pole; almanacs and JPL Horizons define
+/// azimuth this way. Beyond 80 deg that north diverges from the map's (at the pole by any angle), so the
+/// difference is held at its value at 80 deg.
 struct PlaceOfDate {
     double longitudeRad;
     double latitudeRad;

@@ -16,30 +16,31 @@ constexpr int mostDays = 3660;
 constexpr double shortestStepMinutes = 1.0 / 60;
 constexpr double longestStepMinutes = 240;
 
-/// Not-a-number is out of every range.
+/// False for not-a-number.
 bool within(double value, double lowest, double highest) { return value >= lowest && value <= highest; }
 
 std::optional<Error> troubleWithDates(const Period& period) {
     if (!period.start.ok())
-        return Error{"The start is no date of the calendar", "start", "Give a date such as 2026-03-21"};
+        return Error{"The start is not a date of the calendar", "start", "Give a date such as 2026-03-21"};
     if (!within(period.days, 1, mostDays)) {
         return Error{fmt::format("A period of {} days is out of range", period.days), "days",
                      fmt::format("Give 1 to {}", mostDays)};
     }
     const year_month_day last{sys_days{period.start} + days{period.days - 1}};
     if (period.start.year() >= firstYear && last.year() <= lastYear) return std::nullopt;
-    return Error{fmt::format("The period from {} to {} leaves the years 1900 to 2100", textOf(period.start),
-                             textOf(last)),
-                 "start", "Choose other dates; the place of the sun is known for these years only"};
+    return Error{fmt::format("The period from {} to {} is not within the years 1900 to 2100",
+                             formatText(period.start), formatText(last)),
+                 "start", "Choose other dates; the position of the sun is known for these years only"};
 }
 
 std::optional<Error> troubleWithHours(const Period& period) {
     if (period.from < 0min || period.from > 24h) {
-        return Error{"The start of the day's hours is out of range", "from", "Give 00:00 to 24:00"};
+        return Error{"The time of day at which the hours begin is out of range", "from",
+                     "Give 00:00 to 24:00"};
     }
     constexpr double leastHours = 1.0 / 3600;
     if (!within(period.hours, 0, 24) || (period.hours > 0 && period.hours < leastHours)) {
-        return Error{fmt::format("{:g} hours a day are out of range", period.hours), "hours",
+        return Error{fmt::format("{:g} hours per day are out of range", period.hours), "hours",
                      "Give 0 (one instant), or a second (0.00028) to 24"};
     }
     return std::nullopt;
@@ -47,7 +48,7 @@ std::optional<Error> troubleWithHours(const Period& period) {
 
 std::optional<Error> troubleWithWindow(const SolarWindow& window) {
     if (abs(window.afterSunrise) <= 12h && abs(window.beforeSunset) <= 12h) return std::nullopt;
-    return Error{"The hours counted from sunrise or sunset are out of range", "window",
+    return Error{"The hours after sunrise or before sunset are out of range", "window",
                  "Give at most 12 hours on either side"};
 }
 
@@ -58,9 +59,9 @@ std::optional<Error> troubleWithStep(const Period& period) {
 }
 
 std::string hoursText(const Period& period) {
-    if (period.window) return textOf(*period.window);
-    if (period.hours == 0) return fmt::format("at {}", textOf(period.from));
-    return fmt::format("{} for {:g} h", textOf(period.from), period.hours);
+    if (period.window) return formatText(*period.window);
+    if (period.hours == 0) return fmt::format("at {}", formatText(period.from));
+    return fmt::format("{} for {:g} h", formatText(period.from), period.hours);
 }
 
 /// "+1.5h", "-30m"; nothing for 0.
@@ -73,7 +74,7 @@ std::string offsetText(minutes offset) {
 
 }  // namespace
 
-Result<Period> checked(const Period& period) {
+Result<Period> validate(const Period& period) {
     for (const auto& trouble :
          {troubleWithDates(period), troubleWithHours(period), troubleWithStep(period)}) {
         if (trouble) return tl::make_unexpected(*trouble);
@@ -85,15 +86,15 @@ Result<Period> checked(const Period& period) {
     return period;
 }
 
-std::string textOf(const SolarWindow& window) {
+std::string formatText(const SolarWindow& window) {
     return fmt::format("sunrise{}..sunset{}{}", offsetText(window.afterSunrise),
                        offsetText(-window.beforeSunset),
                        window.rule == SunriseRule::centre ? " (sun's centre)" : "");
 }
 
-std::string textOf(const Period& period) {
+std::string formatText(const Period& period) {
     const bool instant = !period.window && period.hours == 0;
-    return fmt::format("{}, {} day{}, {}{}, {}{}", textOf(period.start), period.days,
+    return fmt::format("{}, {} day{}, {}{}, {}{}", formatText(period.start), period.days,
                        period.days == 1 ? "" : "s", hoursText(period),
                        instant ? "" : fmt::format(", every {:g} min", period.stepMinutes), period.zone,
                        period.refraction ? "" : ", no refraction");

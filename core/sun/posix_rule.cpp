@@ -11,7 +11,7 @@ using namespace std::chrono;
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Takes the text from the left, piece by piece; once something is missing, all that follows fails.
+/// Consumes the text from the left, piece by piece; after a missing piece everything fails.
 class Scanner {
 public:
     explicit Scanner(std::string_view text) : rest_(text) {}
@@ -62,7 +62,7 @@ private:
     bool good_ = true;
 };
 
-// POSIX; changes of the clocks may lie a week away (RFC 8536).
+// POSIX; a change of the clocks may lie up to a week from its day (RFC 8536).
 constexpr unsigned mostHoursOfOffset = 24;
 constexpr unsigned mostHoursOfChange = 167;
 
@@ -127,8 +127,8 @@ seconds PosixRule::offsetAt(sys_seconds at) const {
     const year inYear = year_month_day{floor<days>(at + standard_)}.year();
     const sys_seconds start = dayOf(summer_->start, inYear) + summer_->start.time - standard_;
     const sys_seconds end = dayOf(summer_->end, inYear) + summer_->end.time - summer_->offset;
-    const bool isSummer = start < end ? at >= start && at < end
-                                      : at >= start || at < end;  // south of the equator it spans new year
+    // In the southern hemisphere summer time spans new year
+    const bool isSummer = start < end ? at >= start && at < end : at >= start || at < end;
     return isSummer ? summer_->offset : standard_;
 }
 

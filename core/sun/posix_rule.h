@@ -6,12 +6,12 @@
 
 namespace noonmark {
 
-/// The rule in the last line of a time zone file, for all time after its last listed change:
-/// "EST5EDT,M3.2.0,M11.1.0" (POSIX, TZ). Files of the tz database list changes up to 2037 at most, and short
-/// ones ("slim") only up to the last change of the law.
+/// The POSIX TZ rule in the last line of a time zone file ("EST5EDT,M3.2.0,M11.1.0"), which holds for all
+/// time after the last listed change. Files of the tz database list changes up to 2037 at most; "slim" files
+/// only up to the last change of the law.
 class PosixRule {
 public:
-    /// Nothing where the text is no such rule.
+    /// Nothing if the text is not such a rule.
     static std::optional<PosixRule> parsed(std::string_view text);
 
     /// Offset of local time from UTC, east positive.
@@ -23,7 +23,7 @@ public:
         enum class Kind { weekday, dayWithoutLeap, dayOfYear };  // "M3.2.0", "J60", "59"
         Kind kind = Kind::weekday;
         unsigned month = 1;  // 1 to 12
-        unsigned week = 1;   // 1 to 5, 5 the last
+        unsigned week = 1;   // 1 to 5; 5 is the last
         unsigned day = 0;    // 0 Sunday to 6; or the day of the year
         std::chrono::seconds time{0};
     };

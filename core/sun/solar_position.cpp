@@ -25,7 +25,7 @@ bool inRange(const Field& field) { return field.value >= field.lowest && field.v
 
 }  // namespace
 
-Result<Observer> checked(const Observer& observer) {
+Result<Observer> validate(const Observer& observer) {
     const Field fields[] = {{"longitude", observer.place.lonDeg, -180, 180, "degrees"},
                             {"latitude", observer.place.latDeg, -90, 90, "degrees"},
                             {"elevation", observer.elevationM, -500, 9000, "m"},
@@ -39,23 +39,24 @@ Result<Observer> checked(const Observer& observer) {
     return observer;
 }
 
-SolarPosition solarPosition(const Observer& observer, Instant at) {
-    return ObserverFrame(observer).position(apparentSun(ttDays(at)), earthRotation(ut1Days(at)));
+SolarPosition computeSolarPosition(const Observer& observer, Instant at) {
+    return ObserverFrame(observer).position(computeApparentSun(ttDays(at)), earthRotation(ut1Days(at)));
 }
 
 Degrees refraction(const Observer& observer, Degrees trueAltitude) {
     // Saemundsson (Sky and Telescope 72, 1986, p. 70), made for 1010 hPa and 10 deg C, scaled by the density
-    // of the air as in Meeus, Astronomical Algorithms, chapter 16. NREL SPA and JPL Horizons use the same.
+    // of the air as in Meeus, Astronomical Algorithms, chapter 16. NREL SPA and JPL Horizons use the same
+    // formula.
     constexpr double lowest = -1;
     if (!(trueAltitude.value >= lowest)) return {0};
     const double density = observer.pressureHPa / 1010 * 283 / (273 + observer.temperatureC);
     const Degrees angle{trueAltitude.value + 10.3 / (trueAltitude.value + 5.11)};
     const double arcMinutes = 1.02 / std::tan(angle.radians().value);
     return {std::max(
-        0.0, density * arcMinutes / 60)};  // the formula turns negative at the zenith, by 0.002 arc minutes
+        0.0, density * arcMinutes / 60)};  // the formula becomes negative at the zenith, by 0.002 arc minutes
 }
 
-glm::dvec3 directionFromAzimuthAltitude(Degrees azimuth, Degrees altitude) {
+glm::dvec3 toDirection(Degrees azimuth, Degrees altitude) {
     const double a = azimuth.radians().value;
     const double e = altitude.radians().value;
     return {std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};

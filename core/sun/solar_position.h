@@ -5,35 +5,35 @@
 #include <glm/vec3.hpp>
 #include <memory>
 
-#include "core/result.h"
-#include "core/units.h"
+#include "core/base/result.h"
+#include "core/base/units.h"
 
 namespace noonmark {
 
 struct SunEvents;
 enum class SunriseRule;
 
-/// An instant in UTC. 1900 to 2100 is the range of the ephemeris (civil days of every zone of the earth at
-/// both ends included).
+/// An instant in UTC. The ephemeris covers 1900 to 2100 (including the civil days of every time zone at both
+/// ends).
 using Instant = std::chrono::sys_time<std::chrono::milliseconds>;
 
-/// Where on earth, and the air over it that bends the light. The defaults are the air that the formula of
-/// refraction was made for, and the one that almanacs take. The observer of a city is made by observerIn
-/// (core/city/city_observer.h), which knows how the place lies in the frame of the city's geometry.
+/// A place on earth and the state of its air, which determines refraction. The default air is the one that
+/// the refraction formula was made for and that almanacs use. placeObserver() (core/city/city_observer.h)
+/// makes the observer of a city; it knows how the place lies in the frame of the city's geometry.
 struct Observer {
     LonLat place;
     double elevationM = 0;      ///< above the ellipsoid, -500 to 9000
     double pressureHPa = 1010;  ///< 0 to 1200
     double temperatureC = 10;   ///< -90 to 60
-    /// How directions in east, north and up at the place read in the frame of the geometry. The identity
-    /// where the place is that frame's origin. SunStep::direction is told in that frame; azimuths and
-    /// altitudes stay those of the place.
+    /// Transforms directions from east, north and up at the place to the frame of the geometry. The identity
+    /// if the place is that frame's origin. SunStep::direction is in the frame of the geometry; azimuths and
+    /// altitudes remain those of the place.
     glm::dmat3 frameFromPlace{1.0};
     bool operator==(const Observer&) const = default;
 };
 
-/// The observer itself, or what is out of range.
-Result<Observer> checked(const Observer& observer);
+/// The observer itself, or an error that names the value out of range.
+Result<Observer> validate(const Observer& observer);
 
 /// Centre of the sun's disc, topocentric.
 struct SolarPosition {
@@ -44,21 +44,21 @@ struct SolarPosition {
 };
 
 /// One position from ERFA, not interpolated: within 0.0003 deg of NREL SPA and of JPL Horizons. About 30 us.
-SolarPosition solarPosition(const Observer& observer, Instant at);
+SolarPosition computeSolarPosition(const Observer& observer, Instant at);
 
-/// Refraction to be added to a true altitude. Source of the formula: see the .cpp.
+/// Refraction to add to a true altitude. Source of the formula: see the .cpp.
 Degrees refraction(const Observer& observer, Degrees trueAltitude);
 
 /// Unit vector towards the sun in the local frame: x east, y north, z up.
-glm::dvec3 directionFromAzimuthAltitude(Degrees azimuth, Degrees altitude);
+glm::dvec3 toDirection(Degrees azimuth, Degrees altitude);
 
-/// Positions for many instants of a span: ERFA at a coarse spacing, interpolated; differs from solarPosition
-/// by less than 0.00002 deg. A year of minutes costs milliseconds. Immutable once made; safe to share between
-/// threads.
+/// Positions for many instants of a span: ERFA at a coarse spacing, interpolated; differs from
+/// computeSolarPosition by less than 0.00002 deg. A year of minutes costs milliseconds. Immutable once made;
+/// safe to share between threads.
 class Ephemeris {
 public:
-    /// Covers [from, to]; error outside 1900 to 2100, or for an observer out of range. 15 us for a day of the
-    /// span.
+    /// Covers [from, to]; Error outside 1900 to 2100, or for an observer out of range. 15 us for each day of
+    /// the span.
     static Result<Ephemeris> over(const Observer& observer, Instant from, Instant to);
     ~Ephemeris();
     Ephemeris(Ephemeris&&) noexcept;
@@ -67,12 +67,13 @@ public:
     /// `at` within the span. About 100 ns.
     [[nodiscard]] SolarPosition at(Instant at) const;
 
-    /// How far the sun is past the meridian at an instant within the span; west positive, -pi to pi.
+    /// Hour angle at an instant within the span: the sun's angle past the meridian, west positive, -pi to pi.
     [[nodiscard]] Radians hourAngle(Instant at) const;
 
 private:
-    friend SunEvents sunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
-    static Ephemeris spanning(const Observer& observer, Instant from, Instant to);  // no check of the years
+    friend SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule);
+    // does not check the years
+    static Ephemeris spanning(const Observer& observer, Instant from, Instant to);
 
     Ephemeris();
     struct Table;

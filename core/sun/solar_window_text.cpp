@@ -27,14 +27,14 @@ void dropPrefix(std::string_view& text, std::string_view prefix) {
     if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
 }
 
-/// Minutes in one of the unit; 0 for what is no unit.
+/// Minutes per unit; 0 for an unknown unit.
 double minutesOf(std::string_view unit) {
     if (unit == "h" || unit == "hours" || unit == "hour") return 60;
     if (unit == "m" || unit == "min" || unit == "minutes") return 1;
     return 0;
 }
 
-/// Digits with at most one point.
+/// Number of leading characters that are digits with at most one point.
 std::size_t numberLength(std::string_view text) {
     const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
     const std::string_view number = text.substr(0, end);
@@ -54,8 +54,8 @@ std::optional<minutes> duration(std::string_view text) {
     return minutes{std::lround(value)};
 }
 
-/// The minutes after `event` ("sunrise" or "sunset"): a sign says before or after; without one the hours
-/// count into the day.
+/// Minutes after `event` ("sunrise" or "sunset"): a sign says before or after; without a sign the hours count
+/// into the day.
 std::optional<minutes> offset(std::string_view text, std::string_view event, int intoDay) {
     dropPrefix(text, event);
     if (text.empty()) return minutes{0};
@@ -73,13 +73,14 @@ Result<SolarWindow> parseSolarWindow(std::string_view text) {
     const std::string plain = compact(text);
     const std::size_t dots = plain.find("..");
     if (dots == std::string::npos)
-        return failure(fmt::format("\"{}\" is no solar window", text), "window", advice);
+        return failure(fmt::format("\"{}\" is not a solar window", text), "window", advice);
     const auto start = offset(std::string_view(plain).substr(0, dots), "sunrise", 1);
     const auto end = offset(std::string_view(plain).substr(dots + 2), "sunset", -1);
     if (!start || !end) {
         return failure(
             fmt::format(
-                "\"{}\" is no solar window of whole minutes, at most 12 hours from sunrise and sunset", text),
+                "\"{}\" is not a solar window of whole minutes, at most 12 hours from sunrise and sunset",
+                text),
             "window", advice);
     }
     return SolarWindow{*start, -*end};

@@ -9,8 +9,8 @@ namespace {
 
 using namespace std::chrono;
 
-// Almanacs and SPA count -0.833 deg (34' of refraction, 16' of half the disc) from the earth's centre; from
-// its surface the sun stands lower by its parallax.
+// Almanacs and SPA define -0.833 deg (34' of refraction, 16' of half the disc) from the earth's centre; seen
+// from its surface the sun is lower by its parallax.
 constexpr double parallaxDeg = 8.794 / 3600;
 constexpr double limbAltitudeDeg = -0.8333 - parallaxDeg;
 constexpr milliseconds halfDay = 12h;
@@ -19,8 +19,8 @@ double thresholdDeg(SunriseRule rule) { return rule == SunriseRule::upperLimb ? 
 
 double altitudeAt(const Ephemeris& sun, Instant at) { return sun.at(at).altitude.value; }
 
-/// How long until the sun passes due south or north, less than half a day either way. Zero only where its
-/// azimuth is that of the meridian.
+/// Time until the sun passes due south or north, less than half a day either way. Zero only if its azimuth is
+/// that of the meridian.
 milliseconds untilTransit(const Ephemeris& sun, Instant at) {
     const double hourAngle = sun.hourAngle(at).value;
     return milliseconds{
@@ -33,7 +33,7 @@ Instant transitNearest(const Ephemeris& sun, Instant noon) {
     return transit;
 }
 
-/// The sun is highest a little before or after the transit, near the poles hours away: golden section.
+/// Time of the highest sun, a little before or after the transit, near the poles by hours: golden section.
 Instant highestBetween(const Ephemeris& sun, Instant from, Instant to) {
     constexpr double shrink = 1 / std::numbers::phi;
     while (to - from > 100ms) {
@@ -47,7 +47,8 @@ Instant highestBetween(const Ephemeris& sun, Instant from, Instant to) {
     return from + (to - from) / 2;
 }
 
-/// Between an instant when the sun is up and one when it may be down; none if it is up at both.
+/// Time of the crossing between an instant with the sun up and one when it may be down; nothing if it is up
+/// at both.
 std::optional<Instant> crossing(const Ephemeris& sun, Instant up, Instant down, double altitudeDeg) {
     if (altitudeAt(sun, down) > altitudeDeg) return std::nullopt;
     while (abs(up - down) > 1ms) {
@@ -59,7 +60,7 @@ std::optional<Instant> crossing(const Ephemeris& sun, Instant up, Instant down, 
 
 }  // namespace
 
-SunEvents sunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule) {
+SunEvents computeSunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rule) {
     SunEvents events;
     events.transit = transitNearest(sun, localMidnight + halfDay);
     const double altitudeDeg = thresholdDeg(rule);
@@ -74,9 +75,9 @@ SunEvents sunEvents(const Ephemeris& sun, Instant localMidnight, SunriseRule rul
     return events;
 }
 
-SunEvents sunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule) {
-    return sunEvents(Ephemeris::spanning(observer, localMidnight - days{1}, localMidnight + days{2}),
-                     localMidnight, rule);
+SunEvents computeSunEvents(const Observer& observer, Instant localMidnight, SunriseRule rule) {
+    return computeSunEvents(Ephemeris::spanning(observer, localMidnight - days{1}, localMidnight + days{2}),
+                            localMidnight, rule);
 }
 
 }  // namespace noonmark

@@ -17,7 +17,7 @@ using namespace std::chrono;
 constexpr double millisecondsPerMinute = 60000;
 constexpr double mostSteps = 50'000'000;  // 1.6 GB
 
-/// The hours of one day, and the whole steps that fill them, before the horizon is looked at.
+/// The window of one day and its whole steps, before the horizon is considered.
 struct Window {
     Instant from;
     double minutes = 0;
@@ -30,41 +30,42 @@ double stepMinutesOf(const Period& period) {
     return instant ? 1 : period.stepMinutes;
 }
 
-/// As many steps of equal length as come nearest to what is asked for; at least one where there is any time.
-/// Hours that the step divides, but for rounding, are divided by it exactly.
-Window filled(Instant from, double minutes, double stepMinutes) {
-    constexpr double rounding = 1e-6;  // of a step: 6 h of 0.1 min are 3600 steps
+/// Divides a window into equal steps as near to the requested step as possible; at least one if the window is
+/// not empty. A window that the step divides, apart from rounding, gets exactly that step.
+Window fillWindow(Instant from, double minutes, double stepMinutes) {
+    constexpr double rounding = 1e-6;  // as a share of a step: 6 h of 0.1 min are 3600 steps
     if (!(minutes > rounding * stepMinutes)) return {from};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(minutes / stepMinutes));
     const double asked = double(steps) * stepMinutes;
     return {from, std::abs(asked - minutes) <= rounding * stepMinutes ? asked : minutes, steps};
 }
 
-/// Where there is no sunrise or sunset because the sun stays up, the civil day itself bounds the window.
+/// If there is no sunrise or sunset because the sun stays up, the civil day bounds the window.
 Window solarWindow(const SunEvents& events, const SolarWindow& window, Instant midnight, Instant nextMidnight,
                    double stepMinutes) {
     if (events.kind == DayKind::polarNight) return {midnight};
     const Instant from = events.sunrise ? *events.sunrise + window.afterSunrise : midnight;
     const Instant to = events.sunset ? *events.sunset - window.beforeSunset : nextMidnight;
-    return filled(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
+    return fillWindow(from, duration<double, std::ratio<60>>(to - from).count(), stepMinutes);
 }
 
-/// A sun above the observer's horizon, in the frame of the geometry. Where that lies so far from the observer
-/// that the sun is below its plane, it is taken in the plane: engines know suns above it.
+/// The direction of a sun above the observer's horizon, in the frame of the geometry. Far from the frame's
+/// origin the sun may be below that frame's horizontal plane; it is then moved just above the plane, since
+/// engines expect z > 0.
 struct FramedSun {
     glm::vec3 direction;
     bool levelled = false;
 };
 
 FramedSun inFrame(const glm::dmat3& frameFromPlace, Degrees azimuth, Degrees altitude) {
-    constexpr double leastZ = 1e-6;  // a ten-thousandth of a degree
-    glm::dvec3 towards = frameFromPlace * directionFromAzimuthAltitude(azimuth, altitude);
+    constexpr double leastZ = 1e-6;  // 0.00006 degrees
+    glm::dvec3 towards = frameFromPlace * toDirection(azimuth, altitude);
     const bool levelled = towards.z <= 0;
     if (levelled) towards.z = leastZ;
     return {glm::vec3(glm::normalize(towards)), levelled};
 }
 
-/// Makes the days of a period, each on its own.
+/// Computes the days of a period independently of each other.
 class Days {
 public:
     Days(const Period& period, const Zone& zone, const Ephemeris& sun, const glm::dmat3& frameFromPlace)
@@ -98,14 +99,14 @@ private:
     [[nodiscard]] Window windowOf(CivilDate date) const {
         if (period_.window) {
             const Instant midnight = zone_.instantAt(date, 0min);
-            const SunEvents events = sunEvents(sun_, midnight, period_.window->rule);
+            const SunEvents events = computeSunEvents(sun_, midnight, period_.window->rule);
             return solarWindow(events, *period_.window, midnight, zone_.instantAt(date, 24h), step_);
         }
         const Instant from = zone_.instantAt(date, period_.from);
-        return filled(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
+        return fillWindow(from, period_.hours == 0 ? step_ : period_.hours * 60, step_);
     }
 
-    /// Nothing while the sun is below the horizon.
+    /// Nothing if the sun is below the horizon.
     [[nodiscard]] std::optional<SunStep> stepAt(const Window& window, std::int64_t slot,
                                                 std::size_t& levelled) const {
         const double sinceFrom = double(slot) * window.stepMinutes() * millisecondsPerMinute;
@@ -136,7 +137,8 @@ std::vector<Days::Steps> allDays(const Period& period, const Days& days, const s
     return made;
 }
 
-/// Every step counts the same: the mean of all, so that the minutes of the period are those of its hours.
+/// Gives every step the same weight, the mean over all days, so that the steps add up to the hours of the
+/// period.
 void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes) {
     std::int64_t steps = 0;
     for (const auto& day : days) {
@@ -152,7 +154,7 @@ void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes)
     }
 }
 
-SunSteps joined(std::vector<Days::Steps> days, double stepMinutes) {
+SunSteps joinDays(std::vector<Days::Steps> days, double stepMinutes) {
     SunSteps sun;
     weigh(sun, days, stepMinutes);
     std::size_t count = 0;
@@ -175,13 +177,14 @@ std::optional<Error> tooManySteps(const Period& period) {
     if (steps <= mostSteps) return std::nullopt;
     return Error{fmt::format("The period has up to {:.0f} million steps, which need {:.1f} GB", steps / 1e6,
                              steps * sizeof(SunStep) / 1e9),
-                 "step", "Take a longer step or fewer days; 50 million steps are possible"};
+                 "step", "Choose a longer step or fewer days; the limit is 50 million steps"};
 }
 
 }  // namespace
 
-Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const std::stop_token& stop) {
-    if (const auto good = checked(period); !good) return tl::make_unexpected(good.error());
+Result<SunSteps> computeSunSteps(const Period& period, const Observer& observer,
+                                 const std::stop_token& stop) {
+    if (const auto good = validate(period); !good) return tl::make_unexpected(good.error());
     if (const auto trouble = tooManySteps(period)) return tl::make_unexpected(*trouble);
     const auto zone = Zone::named(period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
@@ -191,7 +194,15 @@ Result<SunSteps> sunSteps(const Period& period, const Observer& observer, const 
     if (!sun) return tl::make_unexpected(sun.error());
     auto days = allDays(period, Days(period, *zone, *sun, observer.frameFromPlace), stop);
     if (stop.stop_requested()) return cancelled();
-    return joined(std::move(days), stepMinutesOf(period));
+    return joinDays(std::move(days), stepMinutesOf(period));
+}
+
+Result<SunSteps> computeDaylightSteps(const Period& period, const Observer& observer, std::stop_token stop) {
+    auto sun = computeSunSteps(period, observer, std::move(stop));
+    if (sun && sun->steps.empty())
+        return failure("The sun is below the horizon all the time", formatText(period),
+                       "Choose other hours or days");
+    return sun;
 }
 
 }  // namespace noonmark

@@ -4,11 +4,12 @@
 
 namespace noonmark {
 
-/// Draws depth maps: resources/shaders/accrual/throw.vert; each instance goes to a layer of its own, chosen
-/// in the vertex shader where the device can (GlLimits::layerInVertex), else in a geometry shader.
+/// Draws depth maps: resources/shaders/accrual/throw.vert. Each instance goes to its own layer; the vertex
+/// shader chooses the layer where the device supports that (GlLimits::layerInVertex), otherwise a geometry
+/// shader does.
 Result<GlProgram> drawingProgram(bool layerInVertex);
 
-/// Tests receivers against them: look_up.comp.
+/// Tests receivers against the depth maps: look_up.comp.
 Result<GlProgram> lookUpProgram();
 
 }  // namespace noonmark

@@ -15,16 +15,16 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t groupSize = 64;      // of look_up.comp
-constexpr std::size_t mostGroups = 65535;  // a side, by the standard
+constexpr std::size_t groupSize = 64;      // as in look_up.comp
+constexpr std::size_t mostGroups = 65535;  // per dimension, guaranteed by the standard
 
-/// A receiver as look_up.comp reads it.
+/// A receiver in the layout of look_up.comp.
 struct PackedReceiver {
     glm::vec4 place;
     glm::vec4 normal;
 };
 
-std::vector<PackedReceiver> packed(const PlacedSurface& surface) {
+std::vector<PackedReceiver> packReceivers(const PlacedSurface& surface) {
     std::vector<PackedReceiver> all(surface.count);
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i] = {{surface.x[i], surface.y[i], surface.w[i], 0},
@@ -38,7 +38,7 @@ void upload(GLenum target, GLuint buffer, const std::vector<T>& values) {
     glBufferData(target, GLsizeiptr(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
 }
 
-// Texel centres are half a texel from the map's border, and clip space runs from -1 to 1.
+// Texel centres lie half a texel inside the map's border; clip space runs from -1 to 1.
 glm::mat3 clipFromPlane(const MapFrame& frame) {
     glm::dmat3 clip(1);
     clip[0][0] = 2.0 / frame.columns, clip[2][0] = 1.0 / frame.columns - 1;
@@ -60,7 +60,7 @@ struct DepthMaps::Parts {
     AccrualSettings settings;
     std::size_t receiverCount = 0;
     double lowestW = 0, smallestQ = 1;
-    GLsizei oneSided = 0, twoSided = 0;  // indices of each kind, in this order
+    GLsizei oneSided = 0, twoSided = 0;  // numbers of indices, in this order
     std::vector<glm::vec2> shears;
     std::vector<glm::vec3> suns;
     glm::vec2 depthRange{0, 1};
@@ -77,7 +77,8 @@ struct DepthMaps::Parts {
         glReadBuffer(GL_NONE);
     }
 
-    // Only what is drawn and asked for need be told apart: nothing below the lowest receiver matters.
+    // Covers only depths between the lowest receiver and the top: what lies below all receivers does not
+    // matter.
     void setDepthRange(const IntervalCasters& casters) {
         double top = lowestW;
         for (const glm::dvec3 point : casters.points) top = std::max(top, point.z);
@@ -126,13 +127,13 @@ void DepthMaps::take(const MapFrame& frame, const PlacedSurface& receivers, cons
     p.receiverCount = receivers.count;
     p.lowestW = double(receivers.lowestW);
     p.smallestQ = 1e30;
-    // q is linear, and receivers lie on the map: it is least at one of the map's corners.
+    // q is linear and receivers lie on the map, so q is least at a corner of the map.
     const glm::dmat3 inverse = glm::inverse(frame.texelFromPlane);
     for (const glm::dvec2 corner :
          {glm::dvec2(-0.5, -0.5), glm::dvec2(frame.columns - 0.5, -0.5), glm::dvec2(-0.5, frame.rows - 0.5),
           glm::dvec2(frame.columns - 0.5, frame.rows - 0.5)})
         p.smallestQ = std::min(p.smallestQ, 1 / (inverse * glm::dvec3(corner, 1)).z);
-    upload(GL_SHADER_STORAGE_BUFFER, p.receivers, packed(receivers));
+    upload(GL_SHADER_STORAGE_BUFFER, p.receivers, packReceivers(receivers));
     upload(GL_SHADER_STORAGE_BUFFER, p.masks, std::vector<ShadowMask>(receivers.count));
 }
 
@@ -168,7 +169,7 @@ void DepthMaps::draw(int first, int count) {
     glBindFramebuffer(GL_FRAMEBUFFER, p.framebuffer);
     glViewport(0, 0, p.columns, p.rows);
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_DEPTH_CLAMP);  // nothing is too near or too far to throw a shadow
+    glEnable(GL_DEPTH_CLAMP);  // casters outside the depth range still cast shadows
     glDepthFunc(GL_GREATER);
     glClearDepth(0);
     glClear(GL_DEPTH_BUFFER_BIT);

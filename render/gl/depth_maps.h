@@ -6,52 +6,53 @@
 #include <span>
 #include <vector>
 
-#include "core/accumulate/accrual/accrual_settings.h"
-#include "core/accumulate/accrual/interval_casters.h"
-#include "core/accumulate/accrual/map_frame.h"
-#include "core/accumulate/accrual/surface_lookup.h"
-#include "core/accumulate/shadow_mask.h"
+#include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/accrual/interval_casters.h"
+#include "core/engines/accrual/map_frame.h"
+#include "core/engines/accrual/surface_lookup.h"
+#include "core/engines/common/shadow_mask.h"
 #include "render/gl/gl_context.h"
 
 namespace noonmark {
 
-/// What OpenGL was asked to do.
+/// Counts of the work submitted to OpenGL.
 struct GlWork {
-    std::uint64_t passes = 0;  ///< maps cleared and drawn, and receivers tested against them
+    std::uint64_t passes = 0;  ///< maps cleared and drawn, plus tests of the receivers against them
     std::uint64_t drawCalls = 0;
-    std::uint64_t vertices = 0;  ///< through the vertex shader, as indexed
+    std::uint64_t vertices = 0;  ///< processed by the vertex shader, as indexed
     std::uint64_t lookups = 0;   ///< receivers x steps
 };
 
-/// Depth maps of an interval in OpenGL and the receivers' lookups in them: `layers` steps at a time, so one
-/// layer gives a shadow map for each step, and as many layers as steps give a shadow accrual map in a single
-/// draw (paper, section 4). Both run the same shaders. All calls with the context current, on one thread at a
+/// Depth maps of an interval in OpenGL and the lookups of the receivers in them, `layers` steps at a time.
+/// One layer gives a shadow map per step; as many layers as steps give a shadow accrual map in a single draw
+/// (paper, section 4). Both use the same shaders. All calls need the current context, on one thread at a
 /// time.
 class DepthMaps {
 public:
-    /// Error: no memory for so many maps, or a driver that refuses the shaders.
+    /// Error: not enough memory for that many maps, or the driver rejects the shaders.
     static Result<std::unique_ptr<DepthMaps>> make(const GlLimits& limits, int columns, int rows, int layers);
     ~DepthMaps();
 
-    /// The plane of the maps to come, and who is tested against them.
+    /// Sets the plane of the following maps and the receivers tested against them.
     void take(const MapFrame& frame, const PlacedSurface& receivers, const AccrualSettings& settings);
 
-    /// What is drawn, and the suns of the steps.
+    /// Sets the geometry to draw and the sun directions of the steps.
     void take(const IntervalCasters& casters, const SunInterval& interval);
 
     /// Draws the maps of steps [first, first + count); count is at most `layers`.
     void draw(int first, int count);
 
-    /// Sets the receivers' bits of those steps; first = 0 begins anew.
+    /// Sets the receivers' bits for those steps; first = 0 clears all bits first.
     void lookUp(int first, int count);
 
-    /// Until the device has done what it was asked to.
+    /// Waits until the device has completed its work.
     void wait() const;
 
-    /// Waits for the device. Error when something went wrong on the way, as a device without memory.
+    /// Waits for the device and reads the masks. Error: an OpenGL operation failed, for example for lack of
+    /// memory.
     Result<void> read(std::span<ShadowMask> masks);
 
-    /// Depths of one layer as drawn last, rows x columns, 0 = empty, larger is nearer to the sun.
+    /// Depths of one layer as last drawn, rows x columns; 0 = empty, larger = nearer to the sun.
     [[nodiscard]] std::vector<float> depths(int layer) const;
 
     [[nodiscard]] const GlWork& work() const;

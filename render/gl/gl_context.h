@@ -3,26 +3,26 @@
 #include <memory>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark {
 
-/// What a device can do.
+/// Capabilities of a device.
 struct GlLimits {
     std::string device;  ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
     std::string version;
-    int mapSize = 0;             ///< texels a side of the largest texture
+    int mapSize = 0;             ///< largest texture, texels per side
     int layers = 0;              ///< of a texture array
-    bool layerInVertex = false;  ///< a vertex shader may choose the layer; else a geometry shader does
-    bool software = false;       ///< drawn by the processor
+    bool layerInVertex = false;  ///< the vertex shader may choose the layer; otherwise a geometry shader must
+    bool software = false;       ///< rendered on the CPU
 };
 
-/// OpenGL 4.3 without a window, on the first device that has it, graphics cards before software (EGL, no
-/// surface). Lives beside the contexts of a window in the same process. Not bound to a thread: whoever draws
-/// makes it current for as long as that takes, one thread at a time.
+/// OpenGL 4.3 without a window, on the first device that supports it, graphics cards before software (EGL, no
+/// surface). Coexists with window contexts in the same process. Not bound to a thread: make it current while
+/// drawing, in one thread at a time.
 class GlContext {
 public:
-    /// Error where there is no OpenGL, or none of 4.3 or later. Some 50 ms.
+    /// Error: no OpenGL 4.3 or later. About 50 ms.
     static Result<std::shared_ptr<const GlContext>> make();
     ~GlContext();
     GlContext(const GlContext&) = delete;
@@ -30,7 +30,8 @@ public:
 
     [[nodiscard]] const GlLimits& limits() const { return limits_; }
 
-    /// While it lives the calling thread draws into this context; what was current before comes back.
+    /// Makes the context current in the calling thread for the lifetime of this object, then restores the
+    /// previous one.
     class Current {
     public:
         explicit Current(const GlContext& context);

@@ -34,7 +34,7 @@ Function functionOf(const char* name) {
     return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-// Every device's display, graphics cards first; then Mesa's own without a surface.
+// The displays of all devices, graphics cards first, then Mesa's surfaceless display.
 std::vector<EGLDisplay> displays() {
     const auto query = functionOf<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     const auto text = functionOf<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
@@ -66,7 +66,7 @@ EGLContext contextOn(EGLDisplay display) {
     return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
 }
 
-std::string textOf(GLenum name) {
+std::string formatText(GLenum name) {
     const GLubyte* text = glGetString(name);
     return text != nullptr ? reinterpret_cast<const char*>(text) : "";
 }
@@ -87,8 +87,8 @@ bool choosesLayerInVertex() {
 
 GlLimits limitsOfCurrent() {
     GlLimits limits;
-    limits.device = textOf(GL_RENDERER);
-    limits.version = textOf(GL_VERSION);
+    limits.device = formatText(GL_RENDERER);
+    limits.version = formatText(GL_VERSION);
     limits.mapSize = numberOf(GL_MAX_TEXTURE_SIZE);
     limits.layers = numberOf(GL_MAX_ARRAY_TEXTURE_LAYERS);
     limits.layerInVertex = choosesLayerInVertex();
@@ -116,7 +116,7 @@ Result<std::shared_ptr<const GlContext>> GlContext::make() {
                    "Choose an engine that runs on the processor, or install the graphics card's driver");
 }
 
-// The display stays open: a process has one of each, and others may be using it.
+// The display stays open: a process has one per device, and other code may be using it.
 GlContext::~GlContext() { eglDestroyContext(handles_->display, handles_->context); }
 
 GlContext::Current::Current(const GlContext& context) {

@@ -2,42 +2,42 @@
 
 #include <algorithm>
 
-#include "core/accumulate/graph_accumulator.h"
-#include "core/accumulate/interval_options.h"
+#include "core/engines/accrual/interval_options.h"
+#include "core/engines/graph/graph_engine.h"
 #include "render/gl/gl_shadow_maps.h"
 
 namespace noonmark {
 
 namespace {
 
-Engine engineOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
+EngineEntry engineOf(EngineInfo info, GlPasses passes, const GlLimits& limits) {
     info.bytesPerCell = accrualBytesPerCell;
     info.options = accrualOptions(std::min(limits.mapSize, AccrualSettings::maxMapSize));
-    return {std::move(info),
-            [passes](const EngineSettings& settings) -> Result<std::unique_ptr<Accumulator>> {
-                const auto maps = GlShadowMaps::make(passes, accrualSettings(settings));
+    return {std::move(info), [passes](const EngineSettings& settings) -> Result<std::unique_ptr<Engine>> {
+                const auto maps = GlShadowMaps::make(passes, readAccrualSettings(settings));
                 if (!maps) return tl::make_unexpected(maps.error());
-                return std::make_unique<GraphAccumulator>(*maps, graphSettings(settings));
+                return std::make_unique<GraphEngine>(*maps, readGraphSettings(settings));
             }};
 }
 
-EngineList found() {
+EngineList findEngines() {
     const auto context = GlContext::make();
     if (!context) return {};
     const GlLimits& limits = (*context)->limits();
-    return {engineOf({"shadow-map-gl", "Shadow maps (OpenGL)",
-                      "A depth map drawn for each step, all cells tested against it: the baseline of the "
-                      "accrual maps"},
-                     GlPasses::oneAStep, limits),
-            engineOf({"sam-gl", "Shadow accrual map (OpenGL)",
-                      "One draw on the graphics device fills the depth maps of all steps of an hour"},
-                     GlPasses::oneAnInterval, limits)};
+    return {
+        engineOf({"shadow-map-gl", "Shadow maps (OpenGL)",
+                  "Draws one depth map per step and tests every cell against it: the method that the paper "
+                  "compares accrual maps with"},
+                 GlPasses::oneAStep, limits),
+        engineOf({"sam-gl", "Shadow accrual map (OpenGL)",
+                  "One draw on the graphics device fills the depth maps of all steps of an hour"},
+                 GlPasses::oneAnInterval, limits)};
 }
 
 }  // namespace
 
 const EngineList& glEngines() {
-    static const EngineList engines = found();
+    static const EngineList engines = findEngines();
     return engines;
 }
 

@@ -11,7 +11,7 @@ Result<void> checkGlErrors(const char* doing) {
     if (error == GL_NO_ERROR) return {};
     while (glGetError() != GL_NO_ERROR) continue;
     if (error == GL_OUT_OF_MEMORY)
-        return failure("The graphics device has not enough memory", doing, "Choose a smaller map");
+        return failure("The graphics device does not have enough memory", doing, "Choose a smaller map");
     return failure(fmt::format("The graphics device failed (OpenGL error {:#x})", error), doing,
                    "Choose an engine that runs on the processor");
 }

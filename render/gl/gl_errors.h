@@ -1,10 +1,11 @@
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark {
 
-/// What went wrong in the current context since the last call, if anything; `doing` is shown as the place.
+/// Reports an OpenGL error in the current context since the last call; `doing` is the place shown in the
+/// Error.
 Result<void> checkGlErrors(const char* doing);
 
 }  // namespace noonmark

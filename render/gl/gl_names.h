@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-/// Owns one name of OpenGL; made and released in the context that is current.
+/// Owns one OpenGL name; created and deleted in the context that is current at that time.
 template <auto Generate, auto Delete>
 class GlName {
 public:

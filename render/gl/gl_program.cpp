@@ -17,11 +17,11 @@ std::string logOf(GLuint name, decltype(&glGetShaderInfoLog) read) {
 }
 
 tl::unexpected<Error> refused(const std::string& log) {
-    return failure(fmt::format("The graphics driver refuses a shader: {}", log), "OpenGL",
-                   "Choose an engine that runs on the processor, or renew the graphics card's driver");
+    return failure(fmt::format("The graphics driver rejects a shader: {}", log), "OpenGL",
+                   "Choose an engine that runs on the processor, or update the graphics card's driver");
 }
 
-Result<GLuint> compiled(const std::string& head, const GlProgram::Stage& stage) {
+Result<GLuint> compileStage(const std::string& head, const GlProgram::Stage& stage) {
     const GLuint shader = glCreateShader(stage.kind);
     const char* texts[] = {head.c_str(), stage.text};
     glShaderSource(shader, 2, texts, nullptr);
@@ -39,10 +39,10 @@ Result<GLuint> compiled(const std::string& head, const GlProgram::Stage& stage) 
 Result<GlProgram> GlProgram::make(const std::string& head, const std::vector<Stage>& stages) {
     GlProgram program(glCreateProgram());
     for (const Stage& stage : stages) {
-        const auto shader = compiled(head, stage);
+        const auto shader = compileStage(head, stage);
         if (!shader) return tl::make_unexpected(shader.error());
         glAttachShader(program.name_, *shader);
-        glDeleteShader(*shader);  // lives as long as the program
+        glDeleteShader(*shader);  // deleted together with the program
     }
     glLinkProgram(program.name_);
     GLint done = GL_FALSE;

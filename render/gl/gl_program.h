@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "render/gl/gl_api.h"
 
 namespace noonmark {
@@ -16,14 +16,14 @@ public:
         GLenum kind;  ///< GL_VERTEX_SHADER, ...
         const char* text;
     };
-    /// `head` comes before each stage: version and switches. Error with what the driver says.
+    /// `head` precedes each stage: version and switches. Error with the driver's message.
     static Result<GlProgram> make(const std::string& head, const std::vector<Stage>& stages);
     ~GlProgram();
     GlProgram(GlProgram&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
     GlProgram& operator=(GlProgram&&) = delete;
 
     void use() const { glUseProgram(name_); }
-    /// -1, which OpenGL passes over, for what the driver optimised away.
+    /// -1, which OpenGL ignores, for uniforms that the driver optimised away.
     [[nodiscard]] GLint uniform(const char* name) const { return glGetUniformLocation(name_, name); }
 
 private:

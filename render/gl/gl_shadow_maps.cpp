@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/accumulate/level_ground.h"
-#include "core/accumulate/projected/receiver_count.h"
-#include "core/accumulate/reach.h"
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
+#include "core/engines/api/engine.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/projected/counting/receiver_count.h"
 #include "render/gl/depth_maps.h"
 
 namespace noonmark {
@@ -21,7 +21,7 @@ SurfacePoints cellsOf(const Receivers& receivers) {
     return points;
 }
 
-// Software OpenGL takes seconds for an hour's maps, and no stop request reaches it within a draw.
+// Software OpenGL takes seconds for the maps of an hour and cannot be interrupted within a draw.
 constexpr int layersInSoftware = 4;
 
 int layersADraw(GlPasses passes, const GlLimits& limits, int steps) {
@@ -38,10 +38,10 @@ public:
           settings_(settings),
           passes_(passes),
           cellM_(receivers.grid.cellM),
-          frame_(groundFrame(receivers.grid, settings.mapSize, settings.texelsOnCells)),
+          frame_(makeGroundFrame(receivers.grid, settings.mapSize, settings.texelsOnCells)),
           placed_(frame_.placed(faces_.points)),
           count_(receivers),
-          receivers_(placedSurface(cellsOf(receivers), frame_)),
+          receivers_(placeSurface(cellsOf(receivers), frame_)),
           cost_(std::move(cost)) {}
 
     ~GlScene() override {
@@ -59,7 +59,7 @@ public:
         if (auto ok = checkSteps(interval.steps); !ok) return ok;
         const Stopwatch place;
         const IntervalCasters casters =
-            castersOf(faces_, placed_, frame_, interval, settings_.side, extent());
+            placeCasters(faces_, placed_, frame_, interval, settings_.side, extent());
         cost_.skipped["faces on the lit side of solids, or on the ground"] += casters.turnedOther;
         cost_.skipped["faces whose shadow meets no receiver"] += casters.outOfReach;
         cost_.seconds["place"] += place.seconds();
@@ -146,10 +146,10 @@ Result<std::shared_ptr<const GlShadowMaps>> GlShadowMaps::make(GlPasses passes,
 Result<std::unique_ptr<IntervalScene>> GlShadowMaps::prepare(const City& city, const Receivers& receivers,
                                                              const SunSteps& directions,
                                                              std::stop_token stop) const {
-    if (const auto level = checkLevelGround(city, receivers, "This engine's shadow maps lie"); !level)
+    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
         return tl::make_unexpected(level.error());
-    const std::vector<std::uint32_t> used = buildingsInReach(city, receivers, directions);
-    CasterFaces faces = casterFaces(city, used, stop);
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions);
+    CasterFaces faces = makeCasterFaces(city, used, stop);
     if (stop.stop_requested()) return cancelled();
     Cost cost;
     cost.buildingsUsed = std::uint32_t(used.size());

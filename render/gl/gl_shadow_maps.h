@@ -1,32 +1,37 @@
 #pragma once
 
+// The folder render/gl/ contains the engines that draw with OpenGL, without a window and without Qt.
+// gl_engines.h registers them, gl_shadow_maps.h implements them, depth_maps.h draws the depth maps with the
+// programs of accrual_programs.h, and gl_context.h opens the device. The other headers wrap single OpenGL
+// objects and errors.
+
 #include <memory>
 
-#include "core/accumulate/accrual/accrual_settings.h"
-#include "core/accumulate/interval_engine.h"
+#include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/common/interval_engine.h"
 #include "render/gl/gl_context.h"
 
 namespace noonmark {
 
 enum class GlPasses {
-    /// The paper's baseline: for each step a depth map is drawn and all receivers are tested against it.
+    /// Conventional shadow maps: draws a depth map per step and tests all receivers against it.
     oneAStep,
     /// Shadow accrual map: one draw fills the maps of all steps, one pass tests all receivers against them.
-    /// In
-    /// software a few steps at a time, so that it can be stopped.
+    /// In software it draws a few steps at a time, so that it can be cancelled.
     oneAnInterval,
 };
 
-/// Shadow maps in OpenGL, for flat ground. Both kinds cull alike and run the same shaders, so what they
-/// differ in is the number of passes; their masks are the same to the last bit.
+/// Shadow maps in OpenGL, for flat ground. Both kinds cull in the same way and run the same shaders, so they
+/// differ only in the number of passes; their masks are bit-identical.
 class GlShadowMaps final : public IntervalEngine {
 public:
-    /// Error when a setting is out of range, of the device's range too, or there is no OpenGL 4.3.
+    /// Error: a setting is out of its own or the device's range, or there is no OpenGL 4.3.
     static Result<std::shared_ptr<const GlShadowMaps>> make(GlPasses passes, const AccrualSettings& settings);
 
     [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Shadow maps"; }
     [[nodiscard]] std::string describe() const override;
     [[nodiscard]] const GlLimits& limits() const { return context_->limits(); }
 

@@ -1,6 +1,6 @@
 // Draws the shadow lines of one lane of places a work item. A lane's masks belong to no other lane, so plain reads and
-// writes will do. The same algorithm, to the bit, as core/accumulate/shadow_lines.cpp and source_runs.h; the host side
-// and the meaning of every argument: core/accumulate/shadow_lines_opencl.cpp, lane_sources.h and lane_masks.h.
+// writes will do. The same algorithm, to the bit, as core/engines/inverse/shadow_lines.cpp and source_runs.h; the host side
+// and the meaning of every argument: core/engines/inverse/shadow_lines_opencl.cpp, lane_sources.h and lane_masks.h.
 #pragma OPENCL FP_CONTRACT OFF
 
 #define TABLE_SIZE 4096

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/city/building_ground.h"
 #include "core/city/plausible_heights.h"
-#include "core/io/stand_on_terrain.h"
+#include "core/city/terrain/building_ground.h"
+#include "core/io/terrain/stand_on_terrain.h"
 
 namespace noonmark {
 
@@ -16,10 +16,10 @@ namespace {
 using Shared = std::shared_ptr<const Building>;
 
 double lowestGround(const Building& building, const City& city) {
-    return city.terrain ? double(lowestGroundUnder(building, *city.terrain)) : 0.0;
+    return city.terrain ? double(findLowestGround(building, *city.terrain)) : 0.0;
 }
 
-// A city while edits are made to it; it keeps the account of what came and went.
+// A city while edits are applied to it; records which buildings were removed and added.
 class CityInWork {
 public:
     explicit CityInWork(const City& city) : edited_{city, {}} {}
@@ -47,7 +47,7 @@ public:
         if (!(scale >= 0.001 && scale <= 1000))
             return failure(fmt::format("A mesh cannot be scaled by {:g}", scale), edit.file,
                            "Give a scale of 0.001 to 1000");
-        const Building there = placed(*edit.shape, edit.placement);
+        const Building there = placeBuilding(*edit.shape, edit.placement);
         if (double(topM(there)) > tallestBuildingM)
             return failure(fmt::format("The building would be {:.0f} m high", topM(there)), edit.file,
                            fmt::format("Give a smaller scale: at most {:g} m are allowed", tallestBuildingM));
@@ -57,7 +57,7 @@ public:
     Result<void> operator()(const ChangeHeight& edit) {
         return with(edit.building, [&](std::size_t i) {
             const Building& old = *buildings()[i];
-            return withHeight(old, double(groundUnder(old, edited_.city)), edit.heightM)
+            return withHeight(old, double(findGroundUnder(old, edited_.city)), edit.heightM)
                 .map([&](Building building) { put(i, std::move(building)); });
         });
     }
@@ -67,7 +67,7 @@ public:
     Result<void> operator()(const Rotate& edit) {
         return with(edit.building, [&](std::size_t i) {
             return relocate(edit.building,
-                            {.about = middleOf(*buildings()[i]), .clockwiseDeg = edit.clockwiseDeg});
+                            {.about = findMiddle(*buildings()[i]), .clockwiseDeg = edit.clockwiseDeg});
         });
     }
 
@@ -83,11 +83,11 @@ private:
         if (found == buildings().end())
             return failure("There is no such building", id, "It may have been demolished by an earlier edit");
         if (std::find_if(found + 1, buildings().end(), is) != buildings().end())
-            return failure("Two buildings have this id", id, "Give every building an id of its own");
+            return failure("Two buildings have this id", id, "Give every building a unique id");
         return change(std::size_t(found - buildings().begin()));
     }
 
-    // A new building on its ground; `leaving` is the id that becomes free.
+    // A copy of `shape` on its ground. `leaving`: the id that the edit frees.
     Result<Building> fresh(const Building& shape, const std::string& leaving) {
         if (shape.parts.empty()) return failure("The new building has no parts", shape.sourceId);
         if (shape.sourceId.empty()) return failure("The new building has no id", shape.name);
@@ -96,7 +96,7 @@ private:
         };
         if (std::ranges::any_of(buildings(), clashes))
             return failure("Another building has this id", shape.sourceId, "Choose another name");
-        return lifted(shape, lowestGround(shape, edited_.city));
+        return liftBuilding(shape, lowestGround(shape, edited_.city));
     }
 
     Result<void> add(const Building& shape) {
@@ -109,12 +109,13 @@ private:
     Result<void> relocate(const std::string& id, const Placement& placement) {
         const auto finite = [](double value) { return std::abs(value) <= 1e6; };
         if (!finite(placement.byM.x) || !finite(placement.byM.y) || !finite(placement.clockwiseDeg))
-            return failure("It cannot be moved that far", id, "Give metres, or degrees");
+            return failure("The building cannot be moved or turned that far", id,
+                           "Give at most 1,000,000 metres or degrees");
         return with(id, [&](std::size_t i) -> Result<void> {
             const Building& old = *buildings()[i];
-            const Building there = placed(old, placement);
+            const Building there = placeBuilding(old, placement);
             const City& city = edited_.city;
-            put(i, lifted(there, lowestGround(there, city) - lowestGround(old, city)));
+            put(i, liftBuilding(there, lowestGround(there, city) - lowestGround(old, city)));
             return {};
         });
     }
@@ -139,12 +140,12 @@ Result<EditedCity> applied(const City& city, std::span<const Edit> edits) {
     for (std::size_t i = 0; i < edits.size(); ++i)
         if (const auto done = std::visit(work, edits[i]); !done)
             return failure(done.error().what,
-                           fmt::format("edit {} ({}): {}", i + 1, textOf(edits[i]), done.error().where),
+                           fmt::format("edit {} ({}): {}", i + 1, formatText(edits[i]), done.error().where),
                            done.error().advice);
     return std::move(work).take();
 }
 
-ChangedVolume volumeOf(const CityChanges& changes) {
+ChangedVolume computeVolume(const CityChanges& changes) {
     ChangedVolume volume;
     for (const auto* list : {&changes.removed, &changes.added})
         for (const auto& building : *list) {

@@ -18,7 +18,7 @@ std::vector<std::size_t> matching(const City& city, const std::string& text, std
     return found;
 }
 
-// One whose id or name begins alike, or nothing.
+// A building whose id or name begins like `text`; empty where none does.
 std::string nearOne(const City& city, const std::string& text) {
     for (std::size_t letters = text.size(); letters >= 3; --letters)
         for (const auto& building : city.buildings)
@@ -29,7 +29,7 @@ std::string nearOne(const City& city, const std::string& text) {
 
 }  // namespace
 
-City withUniqueIds(City city) {
+City makeIdsUnique(City city) {
     std::unordered_set<std::string> used;
     for (auto& building : city.buildings) {
         const std::string own = building->sourceId.empty() ? "building" : building->sourceId;
@@ -52,7 +52,7 @@ Result<std::size_t> findBuilding(const City& city, const std::string& idOrName) 
         const std::string near = nearOne(city, idOrName);
         return failure("There is no such building", idOrName,
                        near.empty() ? "Give the id or the name of a building of the scenario"
-                                    : fmt::format("Do you mean '{}'?", near));
+                                    : fmt::format("Did you mean '{}'?", near));
     }
     std::vector<std::string> ids;
     for (const std::size_t i : byName) ids.push_back(city.buildings[i]->sourceId);

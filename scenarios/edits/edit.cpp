@@ -30,9 +30,9 @@ struct Words {
 
 }  // namespace
 
-std::string textOf(const Edit& edit) { return std::visit(Words{}, edit); }
+std::string formatText(const Edit& edit) { return std::visit(Words{}, edit); }
 
-std::string_view kindOf(const Edit& edit) {
+std::string_view getKind(const Edit& edit) {
     constexpr std::array<std::string_view, std::variant_size_v<Edit>> kinds{
         "demolish", "replace", "add", "height", "move", "rotate", "import"};
     return kinds[edit.index()];

@@ -1,5 +1,9 @@
 #pragma once
 
+// The folder scenarios/edits/ changes cities. edit.h defines the edits, placed_building.h the geometry of
+// moving, turning and scaling a building, read_shape.h reads a building from a mesh file, building_ids.h
+// gives buildings unique ids, and apply_edits.h applies a list of edits to a City.
+
 #include <memory>
 #include <string>
 #include <variant>
@@ -9,10 +13,10 @@
 
 namespace noonmark {
 
-/// One change to a city, as a plain value. A building is named by its `sourceId`, which a project keeps
-/// unique (building_ids.h). New buildings state their z from the ground under them (0: on the ground); they
-/// are put onto the terrain when the edit is applied. Equality of buildings is that of the shared value: an
-/// edit that was copied is equal, one that was made again is not.
+/// One change to a city, as a plain value. An edit names a building by its `sourceId`, which is unique in a
+/// project (building_ids.h). New buildings give z relative to the ground under them (0: on the ground);
+/// applying the edit puts them onto the terrain. Buildings compare by pointer: a copied edit is equal, an
+/// edit with a newly built equal shape is not.
 using NewShape = std::shared_ptr<const Building>;  ///< never null, at least one part
 
 struct Demolish {
@@ -20,7 +24,7 @@ struct Demolish {
     bool operator==(const Demolish&) const = default;
 };
 
-/// The new building takes the old one's place; its own id must be free, or the old one's.
+/// The new building takes the old one's place in the list. Its id must be free or that of the old building.
 struct Replace {
     std::string building;
     NewShape with;
@@ -34,37 +38,37 @@ struct AddBuilding {
 
 struct ChangeHeight {
     std::string building;
-    double heightM = 0;  ///< above its ground, 0.1 to 2000; see withHeight()
+    double heightM = 0;  ///< above the building's ground, 0.1 to 2000; see withHeight()
     bool operator==(const ChangeHeight&) const = default;
 };
 
 struct Move {
     std::string building;
-    glm::dvec2 byM{0, 0};  ///< east, north; on terrain it goes up and down with the ground
+    glm::dvec2 byM{0, 0};  ///< east, north; on terrain the building follows the ground up and down
     bool operator==(const Move&) const = default;
 };
 
 struct Rotate {
     std::string building;
-    double clockwiseDeg = 0;  ///< about the middle of its outlines' area
+    double clockwiseDeg = 0;  ///< about the centroid of its outlines, findMiddle()
     bool operator==(const Rotate&) const = default;
 };
 
-/// A building from a mesh file, placed and scaled by the user.
+/// A building read from a mesh file, placed and scaled by the user.
 struct ImportMesh {
-    NewShape shape;  ///< as it was read, see read_shape.h
+    NewShape shape;  ///< as read_shape.h reads it
     Placement placement;
-    std::string file;  ///< where it came from, for people
+    std::string file;  ///< source file, for display only
     bool operator==(const ImportMesh&) const = default;
 };
 
 using Edit = std::variant<Demolish, Replace, AddBuilding, ChangeHeight, Move, Rotate, ImportMesh>;
 
-/// "Demolish One57", "Move lot 17 by 3.0 m east, 0.0 m north": for lists and undo.
-std::string textOf(const Edit& edit);
+/// "Demolish One57", "Move lot 17 by 3.0 m east, 0.0 m north": for edit lists and undo menus.
+std::string formatText(const Edit& edit);
 
-/// The word of the file and the command line: "demolish", "replace", "add", "height", "move", "rotate",
-/// "import".
-std::string_view kindOf(const Edit& edit);
+/// The keyword in the project file and on the command line: "demolish", "replace", "add", "height", "move",
+/// "rotate", "import".
+std::string_view getKind(const Edit& edit);
 
 }  // namespace noonmark

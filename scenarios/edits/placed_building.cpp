@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/city/footprints/repair_footprint.h"
 #include "core/city/plausible_heights.h"
-#include "core/city/repair_footprint.h"
 
 namespace noonmark {
 
@@ -34,19 +34,19 @@ private:
     double cos_ = 1, sin_ = 0;
 };
 
-RawRing moved(const Ring& ring, const Motion& motion) {
+RawRing applyMotion(const Ring& ring, const Motion& motion) {
     RawRing points;
     for (const glm::vec2 point : ring) points.push_back(motion(glm::dvec2(point)));
     return points;
 }
 
-std::vector<Footprint> moved(const Footprint& footprint, const Motion& motion) {
-    std::vector<RawRing> rings{moved(footprint.outer, motion)};
-    for (const Ring& hole : footprint.holes) rings.push_back(moved(hole, motion));
+std::vector<Footprint> applyMotion(const Footprint& footprint, const Motion& motion) {
+    std::vector<RawRing> rings{applyMotion(footprint.outer, motion)};
+    for (const Ring& hole : footprint.holes) rings.push_back(applyMotion(hole, motion));
     return repairFootprint(rings).pieces;
 }
 
-std::shared_ptr<const TriangleMesh> moved(const TriangleMesh& mesh, const Motion& motion) {
+std::shared_ptr<const TriangleMesh> applyMotion(const TriangleMesh& mesh, const Motion& motion) {
     auto result = std::make_shared<TriangleMesh>(mesh);
     for (glm::vec3& vertex : result->vertices) {
         const glm::dvec2 point = motion({vertex.x, vertex.y});
@@ -55,14 +55,14 @@ std::shared_ptr<const TriangleMesh> moved(const TriangleMesh& mesh, const Motion
     return result;
 }
 
-// A mesh stays with the first piece of its outline: it is one solid.
+// A mesh is one solid, so it stays with the first piece of its outline.
 void addMoved(const Part& part, const Motion& motion, std::vector<Part>& parts) {
-    for (Footprint& piece : moved(part.footprint, motion)) {
+    for (Footprint& piece : applyMotion(part.footprint, motion)) {
         Part copy = part;
         copy.footprint = std::move(piece);
         copy.bottomM = motion.z(part.bottomM);
         copy.topM = motion.z(part.topM);
-        if (part.mesh) copy.mesh = moved(*part.mesh, motion);
+        if (part.mesh) copy.mesh = applyMotion(*part.mesh, motion);
         parts.push_back(std::move(copy));
         if (part.mesh) return;
     }
@@ -72,7 +72,7 @@ bool hasMesh(const Building& building) {
     return std::ranges::any_of(building.parts, [](const Part& part) { return part.mesh != nullptr; });
 }
 
-Building stretched(Building building, double groundM, double factor) {
+Building stretch(Building building, double groundM, double factor) {
     const auto z = [=](float value) { return float(groundM + (double(value) - groundM) * factor); };
     for (Part& part : building.parts) {
         part.bottomM = z(part.bottomM);
@@ -99,7 +99,7 @@ Building cutOrRaised(Building building, float oldTop, float newTop) {
 
 }  // namespace
 
-Building placed(const Building& building, const Placement& placement) {
+Building placeBuilding(const Building& building, const Placement& placement) {
     if (placement == Placement{.about = placement.about}) return building;
     const Motion motion(placement);
     Building result = building;
@@ -108,7 +108,7 @@ Building placed(const Building& building, const Placement& placement) {
     return result;
 }
 
-Building lifted(Building building, double byM) {
+Building liftBuilding(Building building, double byM) {
     if (byM == 0) return building;
     for (Part& part : building.parts) {
         part.bottomM = float(part.bottomM + byM);
@@ -127,14 +127,14 @@ Result<Building> withHeight(const Building& building, double groundM, double hei
                        "Give a height of 0.1 to 2000 m, or demolish it");
     const float oldTop = topM(building);
     const float newTop = float(groundM + heightM);
-    if (hasMesh(building)) return stretched(building, groundM, heightM / (double(oldTop) - groundM));
+    if (hasMesh(building)) return stretch(building, groundM, heightM / (double(oldTop) - groundM));
     Building changed = cutOrRaised(building, oldTop, newTop);
     if (!changed.parts.empty()) return changed;
-    return failure(fmt::format("Nothing of it stands lower than {:g} m", heightM), building.sourceId,
+    return failure(fmt::format("No part of the building begins below {:g} m", heightM), building.sourceId,
                    "Choose a greater height, or demolish it");
 }
 
-glm::dvec2 middleOf(const Building& building) {
+glm::dvec2 findMiddle(const Building& building) {
     glm::dvec2 sum{0, 0};
     double weight = 0;
     for (const Part& part : building.parts) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "core/io/file_kind.h"
+#include "core/io/files/file_kind.h"
 
 namespace noonmark {
 
 namespace {
 
-Building joined(const City& city, const std::string& id) {
+Building joinBuildings(const City& city, const std::string& id) {
     Building whole{.sourceId = id, .name = id};
     for (const auto& building : city.buildings)
         whole.parts.insert(whole.parts.end(), building->parts.begin(), building->parts.end());
@@ -26,7 +26,7 @@ double lowestM(const Building& building) {
 Result<ImportMesh> readShape(const std::filesystem::path& file, const std::string& id,
                              const ReadSettings& settings, const Frame& frame, Warnings& warnings,
                              Progress& progress, std::stop_token stop) {
-    const auto kind = fileKind(file);
+    const auto kind = detectFileKind(file);
     if (!kind) return tl::make_unexpected(kind.error());
     ReadSettings here = settings;
     here.frame = frame;
@@ -34,10 +34,11 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     auto read = readCity({file}, here, progress, std::move(stop));
     if (!read) return tl::make_unexpected(read.error());
     std::ranges::move(read->warnings, std::back_inserter(warnings));
-    Building whole = joined(read->city, id);
+    Building whole = joinBuildings(read->city, id);
     if (whole.parts.empty())
-        return failure("It holds no building", file.string(), "Export the building as a closed solid");
-    if (*kind != FileKind::mesh) whole = lifted(std::move(whole), -lowestM(whole));
+        return failure("The file contains no building", file.string(),
+                       "Export the building as a closed solid");
+    if (*kind != FileKind::mesh) whole = liftBuilding(std::move(whole), -lowestM(whole));
     return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
 }
 

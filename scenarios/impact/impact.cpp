@@ -6,8 +6,8 @@
 #include <optional>
 #include <unordered_set>
 
-#include "core/accumulate/auto_engine.h"
-#include "core/progress_share.h"
+#include "core/base/progress_share.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
 #include "core/study/terrain_coverage.h"
@@ -30,7 +30,7 @@ CellChange changeOf(CellKind before, CellKind after) {
     return CellChange::none;
 }
 
-// Where the buildings of `after` lie that `before` does not share.
+// Indices of the buildings of `after` that `before` does not share.
 std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     std::unordered_set<const Building*> known;
     for (const auto& building : before.buildings) known.insert(building.get());
@@ -40,13 +40,14 @@ std::vector<std::size_t> newBuildings(const City& before, const City& after) {
     return fresh;
 }
 
-// Whether an engine gives a receiver the same minutes whichever others there are; those with maps of the
-// whole region may not, and on terrain the sweep rounds heights from the lowest receiver up.
-bool looksAtEachReceiverAlone(std::string_view engineKey, bool flat) {
-    return engineKey == referenceEngine || engineKey == "projected" || (engineKey == "horizon" && flat);
+// Whether the engine finds the same minutes for a receiver whichever other receivers there are.
+bool isIndependent(const EngineList& engines, std::string_view key, bool flat) {
+    const EngineEntry* engine = findEngine(engines, key);
+    const Independence how = engine == nullptr ? Independence::none : engine->info.capabilities.independence;
+    return how == Independence::always || (how == Independence::onLevelGround && flat);
 }
 
-// One question asked of several cities.
+// Computes the same study for several cities.
 class Comparison {
 public:
     Comparison(const ImpactSettings& settings, const EngineList& engines, Progress& progress,
@@ -56,8 +57,10 @@ public:
     Result<ImpactStudy> run(const City& before, const City& after) {
         if (auto ready = prepare(before, after); !ready) return tl::make_unexpected(ready.error());
         auto study = compare(before, after);
-        if (study || isCancelled(study.error()) || !choice_ || choice_->key == referenceEngine) return study;
-        choice_ = raysSince(*choice_, study.error());
+        if (study || !choice_) return study;
+        auto other = engine_->chooseInstead(*choice_, study.error());
+        if (!other) return study;
+        choice_ = std::move(other);
         return compare(before, after);
     }
 
@@ -65,7 +68,7 @@ private:
     Result<ImpactStudy> compare(const City& before, const City& after) {
         done_ = 0;
         const auto fresh = settings_.byBuilding ? newBuildings(before, after) : std::vector<std::size_t>{};
-        fields_ = 3 + fresh.size();  // and the error
+        fields_ = 3 + fresh.size();  // two fields, their error, and one field per new building
         ImpactStudy study{.sun = sun_, .frame = after.frame};
         auto first = fieldOf(before);
         if (!first) return tl::make_unexpected(first.error());
@@ -75,20 +78,20 @@ private:
         study.after = *std::move(second);
         for (ShadowField* field : {&study.before, &study.after})
             if (field->engineKey.empty()) field->engineKey = settings_.study.engine;
-        study.total = differenceOf(study.before, study.after, common_.change);
+        study.total = computeDifference(study.before, study.after, common_.change);
         for (const std::size_t i : fresh)
             if (auto added = addBuilding(after, i, study); !added) return tl::make_unexpected(added.error());
         if (auto done = measureError(before, after, study); !done) return tl::make_unexpected(done.error());
         return study;
     }
 
-    // A comparison is not lost for want of its error: only a stop request ends it.
+    // A missing error only adds a warning to the comparison; only a stop request ends it.
     Result<void> measureError(const City& before, const City& after, ImpactStudy& study) {
         const ErrorSampleSettings& sample = settings_.study.errorSample;
         if (sample.receivers == 0 || study.after.engineKey == referenceEngine) return {};
         ProgressShare share(progress_, done_++, fields_);
-        const auto error = changeError({before, study.before}, {after, study.after}, common_.receivers, sun_,
-                                       sample, share, stop_);
+        const auto error = measureChangeError({before, study.before}, {after, study.after}, common_.receivers,
+                                              sun_, sample, share, stop_);
         if (!error && isCancelled(error.error())) return tl::make_unexpected(error.error());
         if (error)
             study.error = *error;
@@ -101,39 +104,32 @@ private:
     Result<void> prepare(const City& before, const City& after) {
         const StudySettings& study = settings_.study;
         if (auto ground = checkOnGround(study.receivers.places); !ground) return ground;
-        auto engine = makeAccumulator(study.engine, study.engineSettings, engines_);
+        auto engine = makeEngine(study.engine, study.engineSettings, engines_);
         if (!engine) return tl::make_unexpected(engine.error());
         engine_ = *std::move(engine);
         if (auto fits = checkMemory(after, study, engines_); !fits) return fits;
-        auto common = commonReceivers(before, after, study.region, study.receivers, stop_);
+        auto common = findCommonReceivers(before, after, study.region, study.receivers, stop_);
         if (!common) return tl::make_unexpected(common.error());
         common_ = *std::move(common);
         if (common_.receivers.cells.empty())
             return failure("No cell of the region is open ground in both cities", study.region.name,
                            "Choose a larger region, or smaller cells");
-        return checked(study.period).and_then([&](const Period& period) {
-            return sunSteps(period, observerOf(after, study), stop_)
-                .and_then([&](SunSteps sun) { return keep(std::move(sun)); })
-                .and_then([&] {
-                    return checkCoverage(terrainCoverage(after, common_.receivers, sun_), study.region.name);
+        return validate(study.period).and_then([&](const Period& period) {
+            return computeDaylightSteps(period, makeObserver(after, study), stop_)
+                .and_then([&](SunSteps sun) {
+                    sun_ = std::move(sun);
+                    return checkCoverage(computeTerrainCoverage(after, common_.receivers, sun_),
+                                         study.region.name);
                 })
                 .map([&] { chooseOnce(before, after); });
         });
     }
 
-    // Left to itself `auto` would choose for every city anew, and the fields would differ by the engines too.
+    // Left to itself, an engine that chooses would choose for every city anew, and the fields would differ by
+    // the engines too.
     void chooseOnce(const City& before, const City& after) {
-        const auto* automatic = dynamic_cast<const AutoEngine*>(engine_.get());
-        if (automatic == nullptr) return;
         const City* const cities[]{&before, &after};
-        choice_ = automatic->choose(cities, common_.receivers, sun_);
-    }
-
-    Result<void> keep(SunSteps sun) {
-        sun_ = std::move(sun);
-        if (!sun_.steps.empty()) return {};
-        return failure("The sun is below the horizon all the time", textOf(settings_.study.period),
-                       "Choose other hours or days");
+        choice_ = engine_->choose(cities, common_.receivers, sun_);
     }
 
     Result<ShadowField> fieldOf(const City& city) { return fieldOf(city, common_.receivers); }
@@ -151,15 +147,15 @@ private:
         auto field = fieldWithout(without, building, study.after);
         if (!field) return tl::make_unexpected(field.error());
         study.byBuilding.push_back(
-            {building.sourceId, building.name, differenceOf(*field, study.after, common_.change)});
+            {building.sourceId, building.name, computeDifference(*field, study.after, common_.change)});
         return {};
     }
 
-    // Looks only where the building's shadow can fall: elsewhere the field is as it is with the building.
+    // Computes only where the building's shadow can fall; elsewhere the field with the building is the same.
     Result<ShadowField> fieldWithout(const City& without, const Building& building, const ShadowField& with) {
-        if (!looksAtEachReceiverAlone(with.engineKey, common_.receivers.flat())) return fieldOf(without);
+        if (!isIndependent(engines_, with.engineKey, common_.receivers.flat())) return fieldOf(without);
         if (!reach_) reach_.emplace(sun_);
-        const Receivers reached = reachedBy(building, common_.receivers, *reach_);
+        const Receivers reached = findReached(building, common_.receivers, *reach_);
         if (reached.cells.empty()) {
             ++done_;
             return with;
@@ -173,22 +169,22 @@ private:
     const EngineList& engines_;
     Progress& progress_;
     std::stop_token stop_;
-    std::unique_ptr<Accumulator> engine_;
-    std::optional<EngineChoice> choice_;  // by the engine auto, for all fields
+    std::unique_ptr<Engine> engine_;
+    std::optional<EngineChoice> choice_;  // of the engine auto, for all fields
     CommonReceivers common_;
     SunSteps sun_;
-    std::optional<ShadowReach> reach_;  // of the sun, once it is asked for
+    std::optional<ShadowReach> reach_;  // created on first use
     std::size_t fields_ = 2;
     std::size_t done_ = 0;
 };
 
 }  // namespace
 
-Result<CommonReceivers> commonReceivers(const City& before, const City& after, const Region& region,
-                                        const ReceiverSettings& settings, const std::stop_token& stop) {
-    const auto old = receiversOnGround(before, region, settings, stop);
+Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
+                                            const ReceiverSettings& settings, const std::stop_token& stop) {
+    const auto old = placeReceiversOnGround(before, region, settings, stop);
     if (!old) return tl::make_unexpected(old.error());
-    auto made = receiversOnGround(after, region, settings, stop);
+    auto made = placeReceiversOnGround(after, region, settings, stop);
     if (!made) return tl::make_unexpected(made.error());
     CommonReceivers common{*std::move(made), {}};
     common.change.resize(common.receivers.kind.size());
@@ -201,7 +197,8 @@ Result<CommonReceivers> commonReceivers(const City& before, const City& after, c
     return common;
 }
 
-Impact differenceOf(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change) {
+Impact computeDifference(const ShadowField& before, const ShadowField& after,
+                         std::vector<CellChange> change) {
     Impact impact{.grid = after.grid};
     impact.grossMin = difference(before.grossMin, after.grossMin);
     impact.continuousMin = difference(before.continuousMin, after.continuousMin);
@@ -217,8 +214,8 @@ Result<ImpactStudy> runImpact(const City& before, const City& after, const Impac
                               Progress& progress, std::stop_token stop, const EngineList& engines) try {
     return Comparison(settings, engines, progress, std::move(stop)).run(before, after);
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this comparison", "",
-                   "Choose larger cells, a smaller region or fewer steps");
+    return limitReached("There is not enough memory for this comparison", "",
+                        "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

@@ -1,73 +1,81 @@
 #pragma once
 
+// The folder scenarios/impact/ compares two cities. impact.h computes the two fields, their difference and
+// the contribution of each new building; reached_receivers.h limits that work to the receivers that a
+// building's shadow can reach; impact_error.h measures the error against the ray reference; impact_figures.h
+// sums the difference up; impact_text.h writes JSON and CSV.
+
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "core/accumulate/shadow_field.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/study/study.h"
 
 namespace noonmark {
 
-/// What became of a cell between two cities.
+/// How a cell changed between two cities.
 enum class CellChange : std::uint8_t {
-    none,            ///< a receiver in both, or in neither
-    becameBuilding,  ///< ground before, under a building after
-    becameGround,    ///< under a building before, ground after
+    none,            ///< a receiver in both cities, or in neither
+    becameBuilding,  ///< open ground before, under a building after
+    becameGround,    ///< under a building before, open ground after
 };
 
-/// The difference that a scenario makes: after less before, on the cells that are receivers in both.
+/// The change that a scenario causes: after minus before, on cells that are receivers in both cities.
 struct Impact {
     Grid grid;
-    std::vector<float> grossMin;       ///< minutes a day; NaN where it is no receiver in both; grid order
-    std::vector<float> continuousMin;  ///< minutes; likewise; NaN everywhere where runs were not counted
-    std::vector<CellChange> change;    ///< one a cell
+    std::vector<float> grossMin;       ///< minutes a day, grid order; NaN unless a receiver in both cities
+    std::vector<float> continuousMin;  ///< minutes; likewise; all NaN if not computed
+    std::vector<CellChange> change;    ///< one per cell, grid order
     double sunlitMinutesPerDay = 0;
     double stepMinutes = 1;
-    std::string engine;  ///< of both fields: name and settings in words
+    std::string engine;  ///< of both fields: name and settings, as text
     Warnings warnings;
 };
 
-/// What one building that is new does by itself: the scenario less the scenario without it.
+/// The sole contribution of one new building: the scenario minus the scenario without it.
 struct BuildingImpact {
     std::string id;
     std::string name;
     Impact impact;
 };
 
-/// The cells that are receivers in both cities, and what became of the others; `after` first.
+/// The cells that are receivers in both cities, with the heights of `after`, and how the other cells changed.
 struct CommonReceivers {
     Receivers receivers;
     std::vector<CellChange> change;
 };
-Result<CommonReceivers> commonReceivers(const City& before, const City& after, const Region& region,
-                                        const ReceiverSettings& settings, const std::stop_token& stop = {});
+Result<CommonReceivers> findCommonReceivers(const City& before, const City& after, const Region& region,
+                                            const ReceiverSettings& settings,
+                                            const std::stop_token& stop = {});
 
-/// Difference of two fields on the same receivers.
-Impact differenceOf(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);
+/// The difference of two fields on the same receivers.
+Impact computeDifference(const ShadowField& before, const ShadowField& after, std::vector<CellChange> change);
 
 struct ImpactSettings {
-    StudySettings study;      ///< region, cells, period, engine: the same for both cities
-    bool byBuilding = false;  ///< one more field for each building that is new
+    StudySettings study;      ///< region, cells, period and engine: the same for both cities
+    bool byBuilding = false;  ///< also compute one field per new building
 };
 
 struct ImpactStudy {
     Impact total;
-    std::vector<BuildingImpact> byBuilding;  ///< in the order of the scenario's city
+    std::vector<BuildingImpact> byBuilding;  ///< in the order of the buildings in the scenario's city
     ShadowField before;
     ShadowField after;
     SunSteps sun;
     Frame frame{{0, 0}};  ///< of the cities
-    /// Of total: see changeError(). None: by the ray reference itself, not asked for, or a warning says why.
+    /// Error of `total` against the ray reference, see measureChangeError(). Empty where the ray reference
+    /// itself was the engine, where no error was requested, or where a warning states why it is missing.
     std::optional<SampledError> error;
 };
 
-/// All fields with the same engine, receivers and steps; the engine auto is asked once, and what it chose is
-/// said in `engine`. A building is new when `before` does not share it (its pointer): both cities come from
-/// one project. Error: as of runStudy, receivers on roofs, or no cell is open ground in both. Costs two
-/// fields, their error on a sample, and for each new building one where its shadow can fall (with the ray
-/// reference, projected shadows and the horizon sweep; with the others one more everywhere).
+/// Computes all fields with the same engine, receivers and steps. The engine "auto" chooses once for all
+/// fields, and `engine` states its choice. A building is new if `before` does not share its pointer, so both
+/// cities must come from one project. Error: as of runStudy(), receivers on roofs, or no cell is open ground
+/// in both cities. Cost: two fields, their error on a sample, and per new building one more field. The ray
+/// reference, projected shadows and the horizon sweep on flat ground compute that field only where the
+/// building's shadow can fall; other engines compute it everywhere.
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
                               Progress& progress, std::stop_token stop,
                               const EngineList& engines = coreEngines());

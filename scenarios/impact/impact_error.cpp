@@ -1,6 +1,6 @@
 #include "scenarios/impact/impact_error.h"
 
-#include "core/progress_share.h"
+#include "core/base/progress_share.h"
 
 namespace noonmark {
 
@@ -16,16 +16,17 @@ ComparedCell changeOf(const ComparedCell& before, const ComparedCell& after) {
 
 }  // namespace
 
-Result<SampledError> changeError(const CityField& before, const CityField& after, const Receivers& receivers,
-                                 const SunSteps& sun, const ErrorSampleSettings& settings, Progress& progress,
-                                 const std::stop_token& stop) {
+Result<SampledError> measureChangeError(const CityField& before, const CityField& after,
+                                        const Receivers& receivers, const SunSteps& sun,
+                                        const ErrorSampleSettings& settings, Progress& progress,
+                                        const std::stop_token& stop) {
     const std::vector<std::uint32_t> cells =
         spreadReceivers(receivers, sampleSize(settings, 2 * sun.steps.size()), settings.seed);
     std::vector<ComparedCell> changes[2];
     for (int i = 0; i < 2; ++i) {
         const auto& [city, field] = i == 0 ? before : after;
         ProgressShare share(progress, std::size_t(i), 2);
-        auto compared = comparedWithReference(city, receivers, sun, field, cells, share, stop);
+        auto compared = compareWithReference(city, receivers, sun, field, cells, share, stop);
         if (!compared) return tl::make_unexpected(compared.error());
         changes[i] = *std::move(compared);
     }

@@ -6,17 +6,18 @@
 
 namespace noonmark {
 
-/// A city with the field that an engine found in it.
+/// A city and the field that an engine computed for it.
 struct CityField {
     const City& city;
     const ShadowField& field;
 };
 
-/// How far the change that an engine finds between two cities is from the change that the ray reference
-/// finds, on a sample of the receivers that both have. Twice the rays of a study's error, so on half as many
-/// receivers where rays are short.
-Result<SampledError> changeError(const CityField& before, const CityField& after, const Receivers& receivers,
-                                 const SunSteps& sun, const ErrorSampleSettings& settings, Progress& progress,
-                                 const std::stop_token& stop);
+/// Measures how far the change between two cities by an engine differs from the change by the ray reference,
+/// on a sample of the receivers common to both cities. It traces twice the rays of a study's error, so a
+/// limited number of rays covers half as many receivers.
+Result<SampledError> measureChangeError(const CityField& before, const CityField& after,
+                                        const Receivers& receivers, const SunSteps& sun,
+                                        const ErrorSampleSettings& settings, Progress& progress,
+                                        const std::stop_token& stop);
 
 }  // namespace noonmark

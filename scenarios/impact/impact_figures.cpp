@@ -15,7 +15,7 @@ constexpr double noChangeMin = 1e-3;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr ChangeFigures notCounted{unknown, unknown, unknown, unknown, unknown, unknown, unknown};
 
-// Cells counted and minutes summed of one measure.
+// Counts cells and sums minutes of one measure.
 class Sum {
 public:
     explicit Sum(double thresholdMin) : thresholdMin_(std::max(noChangeMin, thresholdMin)) {}
@@ -41,11 +41,11 @@ public:
 
 private:
     double thresholdMin_;
-    ChangeFigures figures_;  // areas in cells until figures()
+    ChangeFigures figures_;  // areas count cells until figures()
 };
 
 template <class IsCounted>
-ImpactFigures counted(const Impact& impact, double thresholdMin, IsCounted&& isCounted) {
+ImpactFigures countCells(const Impact& impact, double thresholdMin, IsCounted&& isCounted) {
     const double cellM2 = impact.grid.cellAreaM2();
     ImpactFigures figures{.thresholdMin = thresholdMin};
     Sum gross(thresholdMin), continuous(thresholdMin);
@@ -70,17 +70,17 @@ ImpactFigures counted(const Impact& impact, double thresholdMin, IsCounted&& isC
 
 }  // namespace
 
-ImpactFigures figuresOf(const Impact& impact, double thresholdMin) {
-    return counted(impact, thresholdMin, [](std::size_t) { return true; });
+ImpactFigures computeFigures(const Impact& impact, double thresholdMin) {
+    return countCells(impact, thresholdMin, [](std::size_t) { return true; });
 }
 
-ImpactFigures figuresOf(const Impact& impact, const Region& region, double thresholdMin) {
+ImpactFigures computeFigures(const Impact& impact, const Region& region, double thresholdMin) {
     std::vector<bool> inside(impact.grid.size(), false);
     for (const Footprint& polygon : region.polygons)
         forEachRun(polygon, impact.grid, [&](int row, int first, int end) {
             for (int column = first; column < end; ++column) inside[impact.grid.index(column, row)] = true;
         });
-    return counted(impact, thresholdMin, [&](std::size_t i) { return inside[i]; });
+    return countCells(impact, thresholdMin, [&](std::size_t i) { return inside[i]; });
 }
 
 }  // namespace noonmark

@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// Whether the longest runs of both fields were counted, as of core/measures/has_runs.h. In files their
-/// change is null or empty where they were not.
+/// Whether continuous shadow was computed for both fields, as in core/measures/has_runs.h. Where it was not,
+/// files hold its change as null or an empty field.
 inline bool hasRuns(const Impact& impact) { return hasRuns(impact.continuousMin); }
 inline bool hasRuns(const ImpactFigures& figures) { return !std::isnan(figures.continuous.meanMin); }
 

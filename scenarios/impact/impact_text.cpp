@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/study/error_json.h"
-#include "core/study/provenance_json.h"
-#include "core/study/source_columns.h"
-#include "core/study/warnings_json.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/error_json.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -28,7 +28,7 @@ Json changeJson(const ChangeFigures& figures) {
 Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
     Json json = Json::array();
     for (const double threshold : thresholds) {
-        const ImpactFigures figures = figuresOf(impact, threshold);
+        const ImpactFigures figures = computeFigures(impact, threshold);
         json.push_back({{"threshold_min", threshold},
                         {"receiver_area_m2", figures.receiverAreaM2},
                         {"gross", changeJson(figures.gross)},
@@ -41,17 +41,17 @@ Json figuresJson(const Impact& impact, const std::vector<double>& thresholds) {
 }
 
 Json definitions() {
-    return {{"change", "the field of `to` less the field of `from`, same engine, steps and receivers"},
-            {"error", "of the change on a sample of receivers, in both cities traced by the ray reference"},
+    return {{"change", "the field of `to` minus the field of `from`, same engine, steps and receivers"},
+            {"error", "of the change on a sample of receivers that the ray reference traced in both cities"},
             {"gained_m2", "area where the minutes rose by more than the threshold"},
             {"touched_m2", "area where they rose at all"},
             {"shadow_area_change_m2",
              "change of the sum over receivers of (share of the sunlit time in shadow x cell area)"},
-            {"by_building", "`to` less `to` without this building: what it shades alone"},
+            {"by_building", "`to` minus `to` without this building: its sole contribution"},
             {"became_building_m2", "open ground in `from`, under a building in `to`: no receiver"}};
 }
 
-// Gained and lost; empty fields where it was not counted.
+// Area gained and lost; empty fields where the measure was not computed.
 std::string areasText(const ChangeFigures& figures) {
     return std::isnan(figures.meanMin) ? "," : fmt::format("{:.1f},{:.1f}", figures.gainedM2, figures.lostM2);
 }
@@ -78,21 +78,22 @@ std::vector<RepeatOption> optionsOf(const ImpactAnswer& answer) {
 
 }  // namespace
 
-ComparisonFigures figuresOf(const ImpactAnswer& answer) {
+ComparisonFigures computeFigures(const ImpactAnswer& answer) {
     const Impact& total = answer.study.total;
-    ComparisonFigures figures{answer.from, answer.to, {}, {}, textOf(answer.settings.study.period),
+    ComparisonFigures figures{answer.from, answer.to, {}, {}, formatText(answer.settings.study.period),
                               total.engine};
-    for (const double threshold : answer.thresholdsMin) figures.all.push_back(figuresOf(total, threshold));
+    for (const double threshold : answer.thresholdsMin)
+        figures.all.push_back(computeFigures(total, threshold));
     for (const BuildingImpact& building : answer.study.byBuilding)
         figures.byBuilding.push_back({building.name.empty() ? building.id : building.name,
-                                      figuresOf(building.impact, answer.thresholdsMin.front())});
+                                      computeFigures(building.impact, answer.thresholdsMin.front())});
     return figures;
 }
 
-Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width) {
-    return repeatCommand(projectQuestion("impact", answer.settings.study, answer.provenance,
-                                         answer.study.after.engineKey, optionsOf(answer)),
-                         width);
+Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width) {
+    return makeRepeatCommand(projectQuestion("impact", answer.settings.study, answer.provenance,
+                                             answer.study.after.engineKey, optionsOf(answer)),
+                             width);
 }
 
 std::string impactJson(const ImpactAnswer& answer) {
@@ -112,10 +113,10 @@ std::string impactJson(const ImpactAnswer& answer) {
                                        {"name", building.name},
                                        {"impact", figuresJson(building.impact, answer.thresholdsMin)}});
     addProvenance(json, answer.provenance);
-    addRepeat(json, repeatCommand(answer, std::numeric_limits<std::size_t>::max()));
+    addRepeat(json, makeRepeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["definitions"] = definitions();
     json["warnings"] = warningsJson(total.warnings);
-    return jsonText(json);
+    return toJsonText(json);
 }
 
 std::string impactCsv(const ImpactAnswer& answer) {
@@ -126,10 +127,10 @@ std::string impactCsv(const ImpactAnswer& answer) {
         std::string(sourceColumns) + "\r\n";
     const std::string source = sourceFields(answer.provenance);
     for (const double threshold : answer.thresholdsMin)
-        csv += line("", "all", figuresOf(answer.study.total, threshold), source);
+        csv += line("", "all", computeFigures(answer.study.total, threshold), source);
     for (const BuildingImpact& building : answer.study.byBuilding)
         for (const double threshold : answer.thresholdsMin)
-            csv += line(building.id, building.name, figuresOf(building.impact, threshold), source);
+            csv += line(building.id, building.name, computeFigures(building.impact, threshold), source);
     return csv;
 }
 

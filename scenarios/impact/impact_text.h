@@ -7,38 +7,38 @@
 
 namespace noonmark {
 
-/// An impact with the question that it answers, for files and kept results.
+/// An impact with its settings, for files and saved results.
 struct ImpactAnswer {
-    std::string from;  ///< scenarios
+    std::string from;  ///< scenario of the city before
     std::string to;
     ImpactSettings settings;
-    std::vector<double> thresholdsMin{30, 60};  ///< Boston's rules ask for 60
+    std::vector<double> thresholdsMin{30, 60};  ///< 60: Boston's rules
     ImpactStudy study;
     Provenance provenance{};
 };
 
-/// The figures of an impact without its fields, as lists show them.
+/// The figures of an impact without its fields, for lists in the window.
 struct ComparisonFigures {
     struct NewBuilding {
-        std::string name;       ///< or its id
-        ImpactFigures figures;  ///< of the first threshold
+        std::string name;       ///< or its id where it has no name
+        ImpactFigures figures;  ///< for the first threshold
     };
     std::string from;
     std::string to;
-    std::vector<ImpactFigures> all;  ///< for every threshold
+    std::vector<ImpactFigures> all;  ///< one per threshold
     std::vector<NewBuilding> byBuilding;
-    std::string period;  ///< in words
+    std::string period;  ///< as text
     std::string engine;
 };
-ComparisonFigures figuresOf(const ImpactAnswer& answer);
+ComparisonFigures computeFigures(const ImpactAnswer& answer);
 
-/// The command that repeats it; see core/study/repeat_command.h.
-Result<std::string> repeatCommand(const ImpactAnswer& answer, std::size_t width = 120);
+/// The command line that repeats this impact; see core/study/provenance/repeat_command.h.
+Result<std::string> makeRepeatCommand(const ImpactAnswer& answer, std::size_t width = 120);
 
-/// Keys are stable, units in their names; figures for every threshold, of all and of each new building.
+/// Stable keys with their units; figures per threshold for the total and for each new building.
 std::string impactJson(const ImpactAnswer& answer);
 
-/// One line for all and each new building and every threshold, with a heading; RFC 4180.
+/// A heading and one line per threshold for the total and for each new building; RFC 4180.
 std::string impactCsv(const ImpactAnswer& answer);
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int side = 32;
 
-Box2 boxOf(const Grid& grid, int column, int row) {
+Box2 computeBox(const Grid& grid, int column, int row) {
     const auto along = [&](double fromM, int cells) { return float(fromM + cells * grid.cellM); };
     return {{along(grid.westM, column), along(grid.southM, row)},
             {along(grid.westM, std::min(column + side, grid.columns)),
@@ -25,13 +25,13 @@ void leaveOut(Receivers& receivers, int firstColumn, int firstRow) {
 
 }  // namespace
 
-Receivers reachedBy(const Building& building, const Receivers& receivers, const ShadowReach& reach) {
+Receivers findReached(const Building& building, const Receivers& receivers, const ShadowReach& reach) {
     Receivers reached = receivers;
     const Box2 box = bounds(building);
     const double heightM = double(topM(building)) - lowestGroundM(receivers);
     for (int row = 0; row < receivers.grid.rows; row += side)
         for (int column = 0; column < receivers.grid.columns; column += side)
-            if (!reach.touches(box, heightM, boxOf(receivers.grid, column, row)))
+            if (!reach.touches(box, heightM, computeBox(receivers.grid, column, row)))
                 leaveOut(reached, column, row);
     std::erase_if(reached.cells, [&](std::uint32_t cell) { return reached.kind[cell] == CellKind::outside; });
     return reached;

@@ -1,18 +1,19 @@
 #pragma once
 
-#include "core/accumulate/reach.h"
-#include "core/accumulate/shadow_field.h"
 #include "core/city/building.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/engines/common/shadow_reach.h"
 #include "core/receivers/receivers.h"
 
 namespace noonmark {
 
-/// The receivers on which a building's shadow can fall at some step, by squares of 32 cells; the others lie
-/// outside. Never leaves one out wrongly. O(cells + squares x degrees of azimuth visited).
-Receivers reachedBy(const Building& building, const Receivers& receivers, const ShadowReach& reach);
+/// Keeps the receivers that a building's shadow may reach at some step and marks the others as outside. Works
+/// on tiles of 32 x 32 cells and never drops a receiver that shadow reaches. O(cells + tiles x degrees of
+/// azimuth visited).
+Receivers findReached(const Building& building, const Receivers& receivers, const ShadowReach& reach);
 
-/// Fills what a field of reachedBy() leaves open from the field with the building: there it makes no
-/// difference. `receivers`: all.
+/// Fills the receivers that findReached() dropped with the values of the field with the building, which are
+/// the same there. `receivers`: all receivers.
 void fillUnreached(ShadowField& without, const ShadowField& with, const Receivers& receivers);
 
 }  // namespace noonmark

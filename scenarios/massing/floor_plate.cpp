@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/city/mesh_outline.h"
-#include "core/city/plan_overlay.h"
+#include "core/city/footprints/plan_overlay.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "scenarios/edits/placed_building.h"
 #include "scenarios/massing/straight_skeleton.h"
 
@@ -23,15 +23,15 @@ Building asBuilding(const Plate& plate) {
     return building;
 }
 
-Plate moved(const Plate& plate, Placement placement) {
+Plate movePlate(const Plate& plate, Placement placement) {
     const Building building = asBuilding(plate);
-    placement.about = middleOf(building);
+    placement.about = findMiddle(building);
     Plate result;
-    for (Part& part : placed(building, placement).parts) result.push_back(std::move(part.footprint));
+    for (Part& part : placeBuilding(building, placement).parts) result.push_back(std::move(part.footprint));
     return result;
 }
 
-// The argument at which `areaAt` falls (or rises) through `areaM2`.
+// The argument at which the monotonic `areaAt` crosses `areaM2`, by bisection.
 template <class AreaAt>
 double argumentOf(double areaM2, double low, double high, bool rising, AreaAt&& areaAt) {
     for (int i = 0; i < halvings; ++i) {
@@ -54,31 +54,31 @@ Result<double> wantedArea(const Footprint& lot, const PlateSize& size) {
 
 }  // namespace
 
-double areaOf(const Plate& plate) {
+double computeArea(const Plate& plate) {
     double sum = 0;
     for (const Footprint& piece : plate) sum += area(piece);
     return sum;
 }
 
-Result<Plate> plateOn(const Footprint& lot, const PlateSize& size) {
+Result<Plate> makePlate(const Footprint& lot, const PlateSize& size) {
     const auto wanted = wantedArea(lot, size);
     if (!wanted) return tl::make_unexpected(wanted.error());
     if (*wanted >= area(lot) * (1 - 1e-9)) return Plate{lot};
     const auto skeleton = StraightSkeleton::of(lot);
     if (!skeleton) return tl::make_unexpected(skeleton.error());
     const double inset = argumentOf(*wanted, 0, skeleton->deepestM(), false,
-                                    [&](double distance) { return areaOf(skeleton->inset(distance)); });
+                                    [&](double distance) { return computeArea(skeleton->inset(distance)); });
     Plate plate = skeleton->inset(inset);
-    if (std::abs(areaOf(plate) - *wanted) <= 0.001 * *wanted) return plate;
+    if (std::abs(computeArea(plate) - *wanted) <= 0.001 * *wanted) return plate;
     return failure(fmt::format("The lot cannot be inset to a plate of {:.1f} m2", *wanted), "floor plate",
                    "Choose a larger plate");
 }
 
-Plate turned(const Plate& plate, double clockwiseDeg) {
-    return clockwiseDeg == 0 ? plate : moved(plate, {.clockwiseDeg = clockwiseDeg});
+Plate turnPlate(const Plate& plate, double clockwiseDeg) {
+    return clockwiseDeg == 0 ? plate : movePlate(plate, {.clockwiseDeg = clockwiseDeg});
 }
 
-Result<Plate> insetBy(const Plate& plate, double insetM) {
+Result<Plate> insetPlate(const Plate& plate, double insetM) {
     Plate left;
     double deepest = 0;
     for (const Footprint& piece : plate) {
@@ -94,22 +94,22 @@ Result<Plate> insetBy(const Plate& plate, double insetM) {
 
 bool liesOn(const Plate& plate, const Plate& ground) {
     double outside = 0;
-    for (const Footprint& piece : plate) outside += areaOutside(piece, ground);
-    return outside <= 0.0002 * areaOf(plate) + 0.05;
+    for (const Footprint& piece : plate) outside += computeAreaOutside(piece, ground);
+    return outside <= 0.0002 * computeArea(plate) + 0.05;
 }
 
-Plate resized(const Plate& plate, const Footprint& lot, double areaM2) {
+Plate resizePlate(const Plate& plate, const Footprint& lot, double areaM2) {
     const auto at = [&](double scale) {
-        const Plate scaled = moved(plate, {.scale = scale});
-        return scale > 1 ? sharedPieces(scaled, {lot}) : scaled;
+        const Plate scaled = movePlate(plate, {.scale = scale});
+        return scale > 1 ? cutSharedPieces(scaled, {lot}) : scaled;
     };
-    const double even = std::sqrt(areaM2 / areaOf(plate));
+    const double even = std::sqrt(areaM2 / computeArea(plate));
     if (even <= 1) return at(even);
-    // Large enough that even a corner of the lot is reached from the plate's middle.
+    // Factor at which the scaled plate covers even the farthest corner of the lot.
     const Box2 lotBox = bounds(lot), box = bounds(plate.front());
     const double reach = 4 * double(glm::length(lotBox.high - lotBox.low) / glm::length(box.high - box.low));
     return at(argumentOf(areaM2, 1, std::max(even, reach) * 10, true,
-                         [&](double scale) { return areaOf(at(scale)); }));
+                         [&](double scale) { return computeArea(at(scale)); }));
 }
 
 }  // namespace noonmark

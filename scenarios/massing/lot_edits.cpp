@@ -1,20 +1,20 @@
 #include "scenarios/massing/lot_edits.h"
 
-#include "core/city/building_ground.h"
-#include "core/city/plan_overlay.h"
+#include "core/city/footprints/plan_overlay.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/edits/placed_building.h"
 #include "scenarios/massing/same_floor_area.h"
 
 namespace noonmark {
 
-std::vector<Footprint> outlineOf(const Building& building) {
+std::vector<Footprint> computeOutline(const Building& building) {
     constexpr LeastPiece least{.areaM2 = 1, .widthM = 0};
     std::vector<Footprint> standing, all;
     for (const Part& part : building.parts) {
         all.push_back(part.footprint);
-        if (!part.hangs) standing.push_back(part.footprint);
+        if (!part.isOverhanging) standing.push_back(part.footprint);
     }
-    return piecesOutside(standing.empty() ? all : standing, {}, least);
+    return cutPiecesOutside(standing.empty() ? all : standing, {}, least);
 }
 
 std::vector<Edit> clearing(const City& city, const Footprint& lot) {
@@ -24,17 +24,17 @@ std::vector<Edit> clearing(const City& city, const Footprint& lot) {
         const Box2 other = bounds(*building);
         const bool near = other.low.x < box.high.x && box.low.x < other.high.x && other.low.y < box.high.y &&
                           box.low.y < other.high.y;
-        if (near && contains(lot, middleOf(*building))) edits.emplace_back(Demolish{building->sourceId});
+        if (near && contains(lot, findMiddle(*building))) edits.emplace_back(Demolish{building->sourceId});
     }
     return edits;
 }
 
-Result<Variant> variantOf(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
-                          double storeyHeightM) {
+Result<Variant> makeVariant(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
+                            double storeyHeightM) {
     const Building& old = *city.buildings[building];
-    const auto given = givenBy(old, double(groundUnder(old, city)), storeyHeightM);
+    const auto given = givenBy(old, double(findGroundUnder(old, city)), storeyHeightM);
     if (!given) return tl::make_unexpected(given.error());
-    auto massing = sameFloorArea(lot, *given, plateFactor);
+    auto massing = findSameFloorArea(lot, *given, plateFactor);
     if (!massing) return failure(massing.error().what, old.sourceId, massing.error().advice);
     auto made = buildingOf(*massing, old.sourceId);
     if (!made) return tl::make_unexpected(made.error());

@@ -9,23 +9,25 @@
 
 namespace noonmark {
 
-/// What a building covers where it stands, all parts together; several pieces where it stands in several.
-std::vector<Footprint> outlineOf(const Building& building);
+/// The union of the outlines of all parts that stand on the ground, or of all parts where every part is an
+/// overhang. Several pieces where they do not touch.
+std::vector<Footprint> computeOutline(const Building& building);
 
-/// Demolitions of all buildings whose middle lies on the lot.
+/// Demolitions of all buildings whose centroid lies on the lot.
 std::vector<Edit> clearing(const City& city, const Footprint& lot);
 
-/// The storey height of buildings that do not say theirs, metres.
+/// Storey height of buildings that do not state one, metres.
 inline constexpr double usualStoreyM = 3.5;
 
-/// A building's variant of the same gross floor area on a plate `plateFactor` times as large (sameFloorArea),
-/// with its id, name and place in the list. Error: as of sameFloorArea.
+/// A variant of a building with the same gross floor area on a plate `plateFactor` times as large
+/// (findSameFloorArea()). It keeps the building's id, name and place in the list. Errors as of
+/// findSameFloorArea().
 struct Variant {
     Replace edit;
     Massing massing;
-    double grossFloorM2 = 0;  ///< of the given building
+    double grossFloorM2 = 0;  ///< of the original building
 };
-Result<Variant> variantOf(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
-                          double storeyHeightM = usualStoreyM);
+Result<Variant> makeVariant(const City& city, std::size_t building, const Footprint& lot, double plateFactor,
+                            double storeyHeightM = usualStoreyM);
 
 }  // namespace noonmark

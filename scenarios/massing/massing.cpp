@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/city/city.h"
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "core/city/plausible_heights.h"
 #include "scenarios/massing/floor_plate.h"
 
@@ -45,7 +45,7 @@ Result<Heights> heightsOf(const MassingSettings& settings) {
     if (settings.storeys < 0 || settings.storeys > 500)
         return outOfRange("The number of storeys", settings.storeys, "Give 1 to 500");
     if ((settings.storeys > 0) == (settings.heightM != 0))
-        return failure("The height is stated twice or not at all", "massing",
+        return failure("The height is given twice or not at all", "massing",
                        "Give either storeys or a total height");
     Heights heights{0, settings.storeys > 0 ? settings.storeys * settings.storeyHeightM : settings.heightM};
     if (!(heights.topM >= settings.storeyHeightM && heights.topM <= tallestBuildingM))
@@ -54,17 +54,17 @@ Result<Heights> heightsOf(const MassingSettings& settings) {
     heights.podiumM = settings.podium->storeys * settings.storeyHeightM;
     if (settings.podium->storeys >= 1 && heights.podiumM < heights.topM) return heights;
     return failure(
-        fmt::format("A podium of {} storeys is not lower than the whole", settings.podium->storeys),
+        fmt::format("A podium of {} storeys is not lower than the whole building", settings.podium->storeys),
         "massing", fmt::format("Give 1 storey or more, below {:g} m", heights.topM));
 }
 
-// The plate's size in words, the largest share of the lot that can be turned so.
+// An Error that states the largest share of the lot that can be turned this far.
 tl::unexpected<Error> doesNotTurn(const Footprint& lot, double degrees) {
     double fits = 0, tooLarge = 1;
     for (int i = 0; i < 10; ++i) {
         const double share = (fits + tooLarge) / 2;
-        const auto plate = plateOn(lot, {.shareOfLot = share});
-        (plate && liesOn(turned(*plate, degrees), {lot}) ? fits : tooLarge) = share;
+        const auto plate = makePlate(lot, {.shareOfLot = share});
+        (plate && liesOn(turnPlate(*plate, degrees), {lot}) ? fits : tooLarge) = share;
     }
     return failure(
         fmt::format("Turned by {:g} degrees the floor plate leaves the lot", degrees), "massing",
@@ -72,13 +72,13 @@ tl::unexpected<Error> doesNotTurn(const Footprint& lot, double degrees) {
 }
 
 Result<Plate> towerPlate(const Footprint& lot, const MassingSettings& settings, const Plate& ground) {
-    const auto plate = plateOn(lot, settings.plate);
+    const auto plate = makePlate(lot, settings.plate);
     if (!plate) return plate;
-    const Plate there = turned(*plate, settings.clockwiseDeg);
+    const Plate there = turnPlate(*plate, settings.clockwiseDeg);
     if (settings.clockwiseDeg != 0 && !liesOn(there, {lot})) return doesNotTurn(lot, settings.clockwiseDeg);
     if (liesOn(there, ground)) return there;
-    return failure(fmt::format("The tower's plate of {:.0f} m2 stands out over its podium of {:.0f} m2",
-                               areaOf(there), areaOf(ground)),
+    return failure(fmt::format("The tower's plate of {:.0f} m2 extends beyond its podium of {:.0f} m2",
+                               computeArea(there), computeArea(ground)),
                    "massing", "Make the podium's plate larger, or the tower's smaller");
 }
 
@@ -87,7 +87,7 @@ Result<std::vector<Tier>> tiersOn(const Footprint& lot, const MassingSettings& s
     std::vector<Tier> tiers;
     Plate ground{lot};
     if (settings.podium) {
-        const auto podium = plateOn(lot, settings.podium->plate);
+        const auto podium = makePlate(lot, settings.podium->plate);
         if (!podium) return tl::make_unexpected(podium.error());
         ground = *podium;
         tiers.push_back({.plate = ground, .bottomM = 0, .topM = heights.podiumM});
@@ -96,7 +96,7 @@ Result<std::vector<Tier>> tiersOn(const Footprint& lot, const MassingSettings& s
     if (!plate) return tl::make_unexpected(plate.error());
     tiers.push_back({.plate = *plate, .bottomM = heights.podiumM, .topM = heights.topM});
     for (const Setback& setback : settings.setbacks) {
-        plate = insetBy(*plate, setback.insetM);
+        plate = insetPlate(*plate, setback.insetM);
         if (!plate) return tl::make_unexpected(plate.error());
         tiers.back().topM = setback.aboveM;
         tiers.push_back({.plate = *plate, .bottomM = setback.aboveM, .topM = heights.topM});
@@ -114,20 +114,20 @@ Result<Footprint> usable(const Footprint& lot) {
 Result<void> checkSolid(const Part& part, const std::string& id) {
     const TriangleMesh mesh = meshOf(part);
     const double volume = area(part.footprint) * double(part.topM - part.bottomM);
-    if (openEdges(mesh) == 0 && std::abs(signedVolume(mesh) - volume) <= 1e-3 * volume) return {};
+    if (findOpenEdges(mesh) == 0 && std::abs(signedVolume(mesh) - volume) <= 1e-3 * volume) return {};
     return failure("The massing is not a closed solid", id, "Simplify the lot's outline");
 }
 
 }  // namespace
 
-Massing massingOf(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM) {
+Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM) {
     Massing massing{.tiers = std::move(tiers), .storeyHeightM = storeyHeightM};
     MassingFigures& figures = massing.figures;
     figures.lotM2 = area(lot);
     figures.heightM = massing.tiers.back().topM;
     figures.storeys = std::max(1, int(figures.heightM / storeyHeightM + sameLevelM));
     for (Tier& tier : massing.tiers) {
-        tier.areaM2 = areaOf(tier.plate);
+        tier.areaM2 = computeArea(tier.plate);
         for (int floor = 0; floor < figures.storeys; ++floor) {
             const double level = floor * storeyHeightM + sameLevelM;
             if (level >= tier.bottomM && level < tier.topM) ++tier.storeys;
@@ -139,7 +139,7 @@ Massing massingOf(const Footprint& lot, std::vector<Tier> tiers, double storeyHe
     return massing;
 }
 
-Result<Massing> massingOn(const Footprint& lot, const MassingSettings& settings) {
+Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings) {
     const auto ground = usable(lot);
     if (!ground) return tl::make_unexpected(ground.error());
     const auto heights = heightsOf(settings);
@@ -150,7 +150,7 @@ Result<Massing> massingOn(const Footprint& lot, const MassingSettings& settings)
         return outOfRange("The turn in degrees", settings.clockwiseDeg, "Give -360 to 360");
     auto tiers = tiersOn(lot, settings, *heights);
     if (!tiers) return tl::make_unexpected(tiers.error());
-    return massingOf(lot, *std::move(tiers), settings.storeyHeightM);
+    return assembleMassing(lot, *std::move(tiers), settings.storeyHeightM);
 }
 
 Result<Building> buildingOf(const Massing& massing, const std::string& id) {

@@ -1,52 +1,56 @@
 #pragma once
 
+// The folder scenarios/massing/ builds towers on lots. massing.h extrudes one from a user's settings;
+// floor_plate.h computes its plates with straight_skeleton.h (backend CGAL); same_floor_area.h reshapes a
+// building at constant gross floor area; lot_edits.h turns massings into edits of a city.
+
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/city/building.h"
-#include "core/result.h"
 
 namespace noonmark {
 
-/// How large a floor plate is: a share of the lot, or an area; with neither it is the whole lot.
+/// Size of a floor plate: a share of the lot or an area. With neither, the plate is the whole lot.
 struct PlateSize {
-    std::optional<double> shareOfLot;  ///< over 0, at most 1
-    std::optional<double> areaM2;      ///< over 0, at most the lot's
+    std::optional<double> shareOfLot;  ///< more than 0, at most 1
+    std::optional<double> areaM2;      ///< more than 0, at most the lot's area
     bool operator==(const PlateSize&) const = default;
 };
 
-/// Above `aboveM` the walls stand `insetM` further in.
+/// Above `aboveM` the walls are inset by `insetM`.
 struct Setback {
-    double aboveM = 0;  ///< above the ground; inside the tower's height
-    double insetM = 0;  ///< over 0, square to every wall, courtyards' walls too
+    double aboveM = 0;  ///< above the ground; less than the tower's height
+    double insetM = 0;  ///< more than 0, perpendicular to every wall, courtyard walls included
     bool operator==(const Setback&) const = default;
 };
 
 struct Podium {
-    int storeys = 1;  ///< fewer than the whole
+    int storeys = 1;  ///< fewer than the whole building has
     PlateSize plate;
     bool operator==(const Podium&) const = default;
 };
 
-/// What a user states of a tower on a lot.
+/// User settings for a tower on a lot.
 struct MassingSettings {
     double storeyHeightM = 3.5;  ///< 2 to 10
-    int storeys = 0;             ///< all of them, the podium's too: 1 to 500; 0: as many as fit into heightM
+    int storeys = 0;             ///< in total, podium included: 1 to 500; 0: as many as fit into heightM
     double heightM = 0;          ///< 0: storeys x storey height; else 2 to 2000
-    PlateSize plate;             ///< of the tower where it begins
+    PlateSize plate;             ///< of the tower at its base
     std::optional<Podium> podium;
-    std::vector<Setback> setbacks;  ///< from below upwards
-    double clockwiseDeg = 0;        ///< the tower turned about the middle of its plate; must stay on the lot
+    std::vector<Setback> setbacks;  ///< from bottom to top
+    double clockwiseDeg = 0;  ///< turns the tower about the centroid of its plate; it must stay on the lot
     bool operator==(const MassingSettings&) const = default;
 };
 
-/// One prism of a massing; its plate may be in several pieces where insets part it.
+/// One prism of a massing. Its plate has several pieces where insets split it.
 struct Tier {
     std::vector<Footprint> plate;
     double bottomM = 0;  ///< above the ground
     double topM = 0;
-    int storeys = 0;  ///< floors that lie in it
+    int storeys = 0;  ///< number of floors in it
     double areaM2 = 0;
 };
 
@@ -54,29 +58,29 @@ struct MassingFigures {
     double lotM2 = 0;
     double grossFloorM2 = 0;    ///< sum of plate x storeys
     double floorAreaRatio = 0;  ///< gross floor area / lot
-    double coverage = 0;        ///< share of the lot that is built on
+    double coverage = 0;        ///< share of the lot that is covered
     double heightM = 0;
     int storeys = 0;
 };
 
 struct Massing {
-    std::vector<Tier> tiers;  ///< from below upwards, each inside the one below
+    std::vector<Tier> tiers;  ///< from bottom to top, each inside the one below
     double storeyHeightM = 0;
     MassingFigures figures;
 };
 
-/// Extrudes a tower on a lot. A plate smaller than the lot is the lot's straight-skeleton inset of that area:
-/// it keeps the lot's shape and its courtyards (grown). A floor belongs to the tier in which its level lies;
-/// what height is left over after whole storeys is the last storey's. Error, with the limit: a setting out of
-/// range, a plate larger than the lot, an inset that leaves nothing, a turned plate that leaves the lot, a
-/// podium as high as the whole. Some 5 ms a plate.
-Result<Massing> massingOn(const Footprint& lot, const MassingSettings& settings);
+/// Extrudes a tower on a lot. A plate smaller than the lot is the straight-skeleton inset of the lot with
+/// that area: it keeps the lot's shape and enlarges its courtyards. A floor belongs to the tier that contains
+/// its level; height left over after whole storeys goes to the last storey. Error, with the limit: a setting
+/// out of range, a plate larger than the lot, an inset that leaves nothing, a turned plate that leaves the
+/// lot, or a podium as high as the whole building. About 5 ms per plate.
+Result<Massing> makeMassing(const Footprint& lot, const MassingSettings& settings);
 
-/// Tiers made of plates, their figures worked out; for shapes that are not made from settings.
-Massing massingOf(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
+/// Builds a massing from given tiers and computes its figures, for shapes that do not come from settings.
+Massing assembleMassing(const Footprint& lot, std::vector<Tier> tiers, double storeyHeightM);
 
-/// A building of prisms that stand on z = 0, one part a piece of a tier; status "proposed". Error when a
-/// prism is not a closed, outward oriented solid of the volume that it should have.
+/// A building of prisms on z = 0 with status "proposed", one part per piece of a tier. Error: a prism is not
+/// a closed, outward-oriented solid of the expected volume.
 Result<Building> buildingOf(const Massing& massing, const std::string& id);
 
 }  // namespace noonmark

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/city/floor_area.h"
-#include "core/city/mesh_outline.h"
+#include "core/city/footprints/floor_area.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "core/city/plausible_heights.h"
 
 namespace noonmark {
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int mostStoreys = 500;
 
-Result<void> checked(const Footprint& lot, const GivenMass& given, double plateFactor) {
+Result<void> validate(const Footprint& lot, const GivenMass& given, double plateFactor) {
     if (!(plateFactor > 0))
         return failure(fmt::format("A floor plate cannot be {:g} times as large", plateFactor), "variant",
                        "Give a factor over 0");
@@ -28,20 +28,20 @@ Result<void> checked(const Footprint& lot, const GivenMass& given, double plateF
 
 int storeysFor(double grossFloorM2, double plateM2, bool wider) {
     const double storeys = grossFloorM2 / plateM2;
-    // A wider plate must not outgrow its limit, so storeys are rounded up.
+    // Rounding up keeps a wider plate within its limit.
     return std::max(1, int(wider ? std::ceil(storeys - 1e-6) : std::round(storeys)));
 }
 
-// Where a mesh leans out above its foot, the foot counts.
+// For a mesh that leans outwards above its base, the base counts.
 Plate plateOf(const Building& building, double groundM, double storeyHeightM) {
     const bool anyMesh =
         std::ranges::any_of(building.parts, [](const Part& part) { return part.mesh != nullptr; });
-    if (Plate foot = anyMesh ? groundFloorOf(building, groundM, storeyHeightM) : Plate(); !foot.empty())
+    if (Plate foot = anyMesh ? findGroundFloor(building, groundM, storeyHeightM) : Plate(); !foot.empty())
         return foot;
     Plate ground;
     for (const Part& part : building.parts)
         if (double(part.bottomM) <= groundM + 0.5) ground.push_back(part.footprint);
-    return unionOf(ground);
+    return computeUnion(ground);
 }
 
 }  // namespace
@@ -54,20 +54,20 @@ Result<GivenMass> givenBy(const Building& building, double groundM, double store
     if (!(storeyHeightM >= 2 && storeyHeightM <= 10))
         return failure(fmt::format("A storey cannot be {:g} m high", storeyHeightM), "variant",
                        "Give 2 to 10 m");
-    const FloorArea floors = floorAreaOf(building, groundM, storeyHeightM);
+    const FloorArea floors = computeFloorArea(building, groundM, storeyHeightM);
     GivenMass given{.plate = plateOf(building, groundM, storeyHeightM),
                     .grossFloorM2 = floors.grossM2,
                     .storeyHeightM = storeyHeightM,
                     .estimatedStoreys = floors.estimatedStoreys};
     if (given.grossFloorM2 > 0 && !given.plate.empty()) return given;
-    return failure("The building has not one storey", building.sourceId, "Choose another building");
+    return failure("The building has less than one storey", building.sourceId, "Choose another building");
 }
 
-Result<Massing> sameFloorArea(const Footprint& lot, const GivenMass& given, double plateFactor) {
-    if (const auto sound = checked(lot, given, plateFactor); !sound)
+Result<Massing> findSameFloorArea(const Footprint& lot, const GivenMass& given, double plateFactor) {
+    if (const auto sound = validate(lot, given, plateFactor); !sound)
         return tl::make_unexpected(sound.error());
     const bool wider = plateFactor > 1;
-    const double wanted = std::min(area(lot), areaOf(given.plate) * plateFactor);
+    const double wanted = std::min(area(lot), computeArea(given.plate) * plateFactor);
     const int storeys = storeysFor(given.grossFloorM2, wanted, wider);
     const int most = std::min(mostStoreys, int(tallestBuildingM / given.storeyHeightM));
     if (storeys > most)
@@ -75,8 +75,8 @@ Result<Massing> sameFloorArea(const Footprint& lot, const GivenMass& given, doub
                        fmt::format("Give a floor plate of {:.0f} m2 or more: {} storeys",
                                    given.grossFloorM2 / most, most));
     const double plateM2 = std::min(given.grossFloorM2 / storeys, area(lot));
-    Tier tier{.plate = resized(given.plate, lot, plateM2), .topM = storeys * given.storeyHeightM};
-    Massing massing = massingOf(lot, {std::move(tier)}, given.storeyHeightM);
+    Tier tier{.plate = resizePlate(given.plate, lot, plateM2), .topM = storeys * given.storeyHeightM};
+    Massing massing = assembleMassing(lot, {std::move(tier)}, given.storeyHeightM);
     if (std::abs(massing.figures.grossFloorM2 - given.grossFloorM2) <= 0.001 * given.grossFloorM2)
         return massing;
     return failure(fmt::format("The lot allows {:.0f} m2 of the {:.0f} m2 of floor area",

@@ -4,32 +4,30 @@
 #include <memory>
 #include <vector>
 
-#include "core/city/footprint.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/city/footprints/footprint.h"
 
 namespace noonmark {
 
-/// The straight skeleton of a polygon with holes (Aichholzer and others, 1995): made once, it gives the
-/// polygon inset by any distance, walls parallel to the old ones, holes grown. Backend:
-/// straight_skeleton_cgal.cpp.
+/// The straight skeleton of a polygon with holes (Aichholzer and others, 1995). Computed once, it gives the
+/// polygon inset by any distance: walls stay parallel, holes grow. Backend: straight_skeleton_cgal.cpp.
 class StraightSkeleton {
 public:
-    /// More points than any lot has: beyond it CGAL takes seconds, and cannot be stopped.
+    /// More points than real lots have. Above it CGAL takes seconds and cannot be cancelled.
     static constexpr std::size_t mostPoints = 300;
 
-    /// Some 0.1 ms for ten points; grows with the square of their number, or worse. Error: no simple polygon,
-    /// or more than mostPoints.
+    /// About 0.1 ms for ten points; grows at least with the square of their number. Error: the polygon is not
+    /// simple, or it has more than mostPoints.
     static Result<StraightSkeleton> of(const Footprint& footprint);
 
     StraightSkeleton(StraightSkeleton&&) noexcept;
     StraightSkeleton& operator=(StraightSkeleton&&) noexcept;
     ~StraightSkeleton();
 
-    /// What is left at `distanceM` (>= 0) from the outline: none, one or several polygons, simple and
-    /// oriented.
+    /// The polygons left at `distanceM` (>= 0) inside the outline: none, one or several, simple and oriented.
     [[nodiscard]] std::vector<Footprint> inset(double distanceM) const;
 
-    /// The distance at which nothing is left, metres.
+    /// Metres; the inset of this distance is empty.
     [[nodiscard]] double deepestM() const { return deepestM_; }
 
 private:

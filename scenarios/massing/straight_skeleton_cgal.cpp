@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "scenarios/massing/straight_skeleton.h"
 
 namespace noonmark {
@@ -24,14 +24,14 @@ Polygon polygonOf(const Ring& ring) {
     return polygon;
 }
 
-// Only simple rings have an orientation.
+// Call only for simple rings: others have no orientation.
 void orient(PolygonWithHoles& polygon) {
     if (polygon.outer_boundary().is_clockwise_oriented()) polygon.outer_boundary().reverse_orientation();
     for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
         if (hole->is_counterclockwise_oriented()) hole->reverse_orientation();
 }
 
-RawRing ringOf(const Polygon& polygon) {
+RawRing parseRing(const Polygon& polygon) {
     RawRing ring;
     for (const auto& point : polygon.vertices()) ring.emplace_back(point.x(), point.y());
     return ring;
@@ -44,7 +44,7 @@ bool touch(const Polygon& a, const Polygon& b) {
     });
 }
 
-// Rings that touch would keep CGAL busy for ever.
+// CGAL does not terminate on rings that touch.
 bool isSimple(const PolygonWithHoles& polygon) {
     const auto& outer = polygon.outer_boundary();
     if (!outer.is_simple()) return false;
@@ -110,17 +110,18 @@ std::vector<Footprint> StraightSkeleton::inset(double distanceM) const try {
     if (!(distanceM > 0)) return {skeleton_->outline};
     if (distanceM >= deepestM_) return {};
     const auto rings = CGAL::create_offset_polygons_2<Polygon>(distanceM, *skeleton_->cgal);
-    // Outlines come counter-clockwise, holes clockwise; a hole belongs to the outline that holds it.
+    // CGAL returns outlines counter-clockwise and holes clockwise; each hole goes to the outline that
+    // contains it.
     std::vector<std::vector<RawRing>> polygons;
     for (const auto& ring : rings)
-        if (ring->is_counterclockwise_oriented()) polygons.push_back({ringOf(*ring)});
+        if (ring->is_counterclockwise_oriented()) polygons.push_back({parseRing(*ring)});
     for (const auto& ring : rings) {
         if (ring->is_counterclockwise_oriented()) continue;
         for (auto& polygon : polygons) {
             Polygon outline;
             for (const glm::dvec2 point : polygon.front()) outline.push_back({point.x, point.y});
             if (outline.has_on_unbounded_side(*ring->vertices_begin())) continue;
-            polygon.push_back(ringOf(*ring));
+            polygon.push_back(parseRing(*ring));
             break;
         }
     }

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/json_number.h"
-#include "scenarios/project/ring_json.h"
+#include "core/base/json_number.h"
+#include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr NumberLimits scaleLimits{1e-6, 1e6};
 constexpr NumberLimits angleLimitsDeg{-1e6, 1e6};
 
-Json jsonOf(const TriangleMesh& mesh) {
+Json toJson(const TriangleMesh& mesh) {
     Json vertices = Json::array(), triangles = Json::array();
     for (const glm::vec3 point : mesh.vertices) vertices.push_back({point.x, point.y, point.z});
     for (const glm::uvec3 corner : mesh.triangles) triangles.push_back({corner.x, corner.y, corner.z});
@@ -32,13 +32,13 @@ std::shared_ptr<const TriangleMesh> meshOf(const Json& json) {
                                  wholeNumberFrom<unsigned>(at.at(2))};
         for (int i = 0; i < 3; ++i)
             if (corners[i] >= mesh->vertices.size())
-                throw std::invalid_argument("a corner that is not there");
+                throw std::invalid_argument("a triangle names a vertex that does not exist");
         mesh->triangles.push_back(corners);
     }
     return mesh;
 }
 
-Json jsonOf(const Part& part) {
+Json toJson(const Part& part) {
     Json holes = Json::array();
     for (const Ring& hole : part.footprint.holes) holes.push_back(ringJson(hole));
     Json json{{"source_id", part.sourceId},
@@ -47,34 +47,34 @@ Json jsonOf(const Part& part) {
               {"bottom_m", part.bottomM},
               {"top_m", part.topM},
               {"height_source", nameOf(part.heightSource)},
-              {"hangs", part.hangs}};
-    if (part.mesh) json["mesh"] = jsonOf(*part.mesh);
+              {"hangs", part.isOverhanging}};
+    if (part.mesh) json["mesh"] = toJson(*part.mesh);
     return json;
 }
 
-Part partOf(const Json& json) {
-    Part part{.sourceId = json.at("source_id"), .footprint = {ringOf(json.at("outer")), {}}};
-    for (const Json& hole : json.at("holes")) part.footprint.holes.push_back(ringOf(hole));
+Part cutInterval(const Json& json) {
+    Part part{.sourceId = json.at("source_id"), .footprint = {parseRing(json.at("outer")), {}}};
+    for (const Json& hole : json.at("holes")) part.footprint.holes.push_back(parseRing(hole));
     part.bottomM = float(numberFrom(json.at("bottom_m"), elevationLimitsM));
     part.topM = float(numberFrom(json.at("top_m"), elevationLimitsM));
     if (!(part.topM > part.bottomM)) throw std::invalid_argument("a part without a height");
-    if (const auto source = heightSourceNamed(json.at("height_source").get<std::string>()))
+    if (const auto source = parseHeightSource(json.at("height_source").get<std::string>()))
         part.heightSource = *source;
-    part.hangs = json.at("hangs").get<bool>();
+    part.isOverhanging = json.at("hangs").get<bool>();
     if (json.contains("mesh")) part.mesh = meshOf(json.at("mesh"));
     return part;
 }
 
-Json jsonOf(const Building& building) {
+Json toJson(const Building& building) {
     Json parts = Json::array();
-    for (const Part& part : building.parts) parts.push_back(jsonOf(part));
+    for (const Part& part : building.parts) parts.push_back(toJson(part));
     return {
         {"id", building.sourceId}, {"name", building.name}, {"status", building.status}, {"parts", parts}};
 }
 
 NewShape shapeOf(const Json& json) {
     Building building{.sourceId = json.at("id"), .name = json.at("name"), .status = json.at("status")};
-    for (const Json& part : json.at("parts")) building.parts.push_back(partOf(part));
+    for (const Json& part : json.at("parts")) building.parts.push_back(cutInterval(part));
     if (building.parts.empty()) throw std::invalid_argument("a building without parts");
     return std::make_shared<const Building>(std::move(building));
 }
@@ -82,9 +82,9 @@ NewShape shapeOf(const Json& json) {
 struct Writer {
     Json operator()(const Demolish& edit) const { return {{"building", edit.building}}; }
     Json operator()(const Replace& edit) const {
-        return {{"building", edit.building}, {"with", jsonOf(*edit.with)}};
+        return {{"building", edit.building}, {"with", toJson(*edit.with)}};
     }
-    Json operator()(const AddBuilding& edit) const { return {{"with", jsonOf(*edit.building)}}; }
+    Json operator()(const AddBuilding& edit) const { return {{"with", toJson(*edit.building)}}; }
     Json operator()(const ChangeHeight& edit) const {
         return {{"building", edit.building}, {"height_m", edit.heightM}};
     }
@@ -95,7 +95,7 @@ struct Writer {
         return {{"building", edit.building}, {"clockwise_deg", edit.clockwiseDeg}};
     }
     Json operator()(const ImportMesh& edit) const {
-        return {{"with", jsonOf(*edit.shape)},
+        return {{"with", toJson(*edit.shape)},
                 {"file", edit.file},
                 {"about_m", {edit.placement.about.x, edit.placement.about.y}},
                 {"scale", edit.placement.scale},
@@ -132,12 +132,12 @@ Edit read(const std::string& kind, const Json& json) {
 
 }  // namespace
 
-// Names from files may hold bytes that are no UTF-8.
-std::string jsonOf(const Edit& edit) {
+// Invalid UTF-8 is replaced: names read from files may contain it.
+std::string toJson(const Edit& edit) {
     return std::visit(Writer{}, edit).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Result<Edit> editOf(const std::string& kind, const std::string& json) try {
+Result<Edit> parseEdit(const std::string& kind, const std::string& json) try {
     return read(kind, Json::parse(json));
 } catch (const std::exception& trouble) {
     return failure(std::string("An edit cannot be read (") + trouble.what() + ")", "edit '" + kind + "'",

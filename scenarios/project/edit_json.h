@@ -2,15 +2,15 @@
 
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "scenarios/edits/edit.h"
 
 namespace noonmark {
 
-/// An edit as the JSON of the project file (docs/project-file.md). Coordinates come back to the last bit.
-std::string jsonOf(const Edit& edit);
+/// The JSON of an edit in the project file (docs/project-file.md). Coordinates round-trip exactly.
+std::string toJson(const Edit& edit);
 
-/// `kind`: of kindOf(). Error: JSON that is not that of an edit.
-Result<Edit> editOf(const std::string& kind, const std::string& json);
+/// `kind`: as returned by getKind(). Error: the JSON is not that of an edit.
+Result<Edit> parseEdit(const std::string& kind, const std::string& json);
 
 }  // namespace noonmark

@@ -16,7 +16,7 @@ using Head = std::array<unsigned char, 100>;
 
 tl::unexpected<Error> damaged(const fs::path& file, const std::string& how) {
     return failure(fmt::format("The project file is damaged ({})", how), file.string(),
-                   "Take a copy of it, or the recovery file beside it; this one was left as it is");
+                   "Take a copy of it, or the recovery file beside it; this file was not changed");
 }
 
 std::uint64_t number(const Head& head, std::size_t at, int bytes) {
@@ -25,7 +25,8 @@ std::uint64_t number(const Head& head, std::size_t at, int bytes) {
     return value;
 }
 
-// The file format of SQLite, section 1.3: page size, change counter, page count and what it is valid for.
+// SQLite file format, section 1.3: page size (offset 16), change counter (24), page count (28), and the
+// change counter for which the page count is valid (92).
 Result<void> checkLength(const Head& head, const fs::path& file, std::uintmax_t size) {
     const std::uint64_t stated = number(head, 16, 2);
     const std::uint64_t pageBytes = stated == 1 ? 65536 : stated;
@@ -40,7 +41,7 @@ Result<void> checkWhole(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(file, error)) return failure("There is no such file", file.string(), "Check its name");
     if (!fs::is_regular_file(file, error))
-        return failure("It is no file", file.string(), "Name a project file");
+        return failure("It is not a file", file.string(), "Give the path of a project file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) return failure("The project file cannot be read", file.string(), "Check its permissions");
     Head head{};
@@ -49,7 +50,7 @@ Result<void> checkWhole(const fs::path& file) {
     const std::string_view begin(reinterpret_cast<const char*>(head.data()), magic.size());
     if (stream.gcount() == 0) return damaged(file, "it is empty");
     if (begin != magic)
-        return failure("It is no Noonmark project", file.string(),
+        return failure("It is not a Noonmark project", file.string(),
                        "Choose a file that ends in .noonmark.gpkg");
     if (stream.gcount() < std::streamsize(head.size())) return damaged(file, "its end is missing");
     if (fs::exists(file.string() + "-journal", error)) return {};
@@ -61,9 +62,9 @@ Result<void> checkWritable(const fs::path& file) {
     const fs::perms anyWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
     const bool marked = (fs::status(file, error).permissions() & anyWrite) == fs::perms::none;
     if (!fs::exists(file, error))
-        return failure("The project file is gone", file.string(), "Save it under another name");
+        return failure("The project file no longer exists", file.string(), "Save it under another name");
     if (!marked && ::access(file.c_str(), W_OK) == 0) return {};
-    return failure("The project file may only be read", file.string(), "Save it under another name");
+    return failure("The project file is read-only", file.string(), "Save it under another name");
 }
 
 }  // namespace noonmark

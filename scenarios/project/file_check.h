@@ -2,15 +2,16 @@
 
 #include <filesystem>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace noonmark {
 
-/// Whether a file is there, readable, an SQLite file, and as long as its head says. Looks at the first 100
-/// bytes only. Files with a journal beside them are SQLite's to judge.
+/// Checks that a file exists, is readable, is an SQLite file and has the length that its header states. Reads
+/// only the first 100 bytes. The length is not checked where a journal lies beside the file: SQLite recovers
+/// it.
 Result<void> checkWhole(const std::filesystem::path& file);
 
-/// Whether the file may be written, also by the mark that root is not held to.
+/// Checks that the file is writable. A file without any write permission counts as read-only for root, too.
 Result<void> checkWritable(const std::filesystem::path& file);
 
 }  // namespace noonmark

@@ -14,7 +14,7 @@ constexpr auto ownName = [](const auto& one) -> const std::string& { return one.
 constexpr auto sharedName = [](const auto& one) -> const std::string& { return one->name; };
 
 template <class T, class Name>
-Result<T> named(const std::vector<T>& list, Name nameOf, const std::string& name, const char* what) {
+Result<T> findNamed(const std::vector<T>& list, Name nameOf, const std::string& name, const char* what) {
     const auto found = std::ranges::find(list, name, nameOf);
     if (found != list.end()) return *found;
     std::vector<std::string> names;
@@ -38,38 +38,38 @@ Result<void> checkNames(const Range& list, Name nameOf, const char* what) {
 
 }  // namespace
 
-Result<NamedLot> lotNamed(const Project& project, const std::string& name) {
-    return named(project.lots, ownName, name, "lot");
+Result<NamedLot> findLot(const Project& project, const std::string& name) {
+    return findNamed(project.lots, ownName, name, "lot");
 }
-Result<Region> regionNamed(const Project& project, const std::string& name) {
-    return named(project.regions, ownName, name, "region");
+Result<Region> findRegion(const Project& project, const std::string& name) {
+    return findNamed(project.regions, ownName, name, "region");
 }
-Result<TimeWeights> weightsNamed(const Project& project, const std::string& name) {
-    return named(project.weights, ownName, name, "weight table");
+Result<TimeWeights> findWeights(const Project& project, const std::string& name) {
+    return findNamed(project.weights, ownName, name, "weight table");
 }
-Result<NamedPeriod> periodNamed(const Project& project, const std::string& name) {
-    return named(project.periods, ownName, name, "period");
+Result<NamedPeriod> findPeriod(const Project& project, const std::string& name) {
+    return findNamed(project.periods, ownName, name, "period");
 }
-Result<std::shared_ptr<const KeptResult>> resultNamed(const Project& project, const std::string& name) {
-    return named(project.results, sharedName, name, "kept result");
+Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name) {
+    return findNamed(project.results, sharedName, name, "saved result");
 }
-Result<Scenario> scenarioNamed(const Project& project, const std::string& name) {
-    return named(project.scenarios, ownName, name, "scenario");
+Result<Scenario> findScenarioByName(const Project& project, const std::string& name) {
+    return findNamed(project.scenarios, ownName, name, "scenario");
 }
 
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario) {
     return cityOf(*project.city, project.scenarios, scenario);
 }
 
-Result<void> checked(const Project& project) {
-    Result<void> sound = checked(project.scenarios);
+Result<void> validate(const Project& project) {
+    Result<void> sound = validate(project.scenarios);
     if (sound) sound = checkNames(project.lots, ownName, "lot");
     if (sound) sound = checkNames(project.regions, ownName, "region");
     if (sound) sound = checkNames(project.weights, ownName, "weight table");
     if (sound) sound = checkNames(project.periods, ownName, "period");
     if (sound) sound = checkNames(project.results, sharedName, "result");
     for (const TimeWeights& table : project.weights)
-        if (sound) sound = checked(table);
+        if (sound) sound = validate(table);
     return sound;
 }
 

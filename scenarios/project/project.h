@@ -1,5 +1,11 @@
 #pragma once
 
+// The folder scenarios/project/ holds the project and its file. project.h defines the Project value;
+// project_file.h opens and saves it as a GeoPackage through read_project.h and write_project.h, file_check.h
+// and edit_json.h; recovery_file.h stores unsaved work; project_provenance.h states what a result was made
+// from. results/ converts saved results to and from their JSON, and tables/ holds the SQLite and GeoPackage
+// layer.
+
 #include <map>
 #include <memory>
 #include <optional>
@@ -7,30 +13,30 @@
 #include <vector>
 
 #include "core/city/city.h"
-#include "core/io/height_facts.h"
-#include "core/receivers/grid.h"
+#include "core/geo/grid.h"
+#include "core/io/heights/height_facts.h"
 #include "core/receivers/region.h"
-#include "core/study/provenance.h"
+#include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
 #include "scenarios/scenario.h"
 #include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 
-/// Ground that is built on.
+/// A lot: ground that may be built on.
 struct NamedLot {
     std::string name;
     Footprint outline;
     bool operator==(const NamedLot&) const = default;
 };
 
-/// How the city was read from its files, and what was noted then. It belongs to the city: every answer about
-/// the city, or about a scenario of it, states these warnings.
+/// How the city was read from its files, and the warnings of reading. Every result about the city or one of
+/// its scenarios repeats these warnings.
 struct CityReading {
-    /// Nothing: not known, as of a project file of version 1.
+    /// Empty: unknown, because the project file is of version 1.
     std::optional<ReadSettings> settings = ReadSettings{};
     Warnings warnings;
-    HeightFacts heights;  ///< the fields that heights were read from
+    HeightFacts heights;  ///< the fields from which heights were read
 };
 
 struct NamedPeriod {
@@ -39,55 +45,55 @@ struct NamedPeriod {
     bool operator==(const NamedPeriod&) const = default;
 };
 
-/// One map of a kept result.
-struct KeptLayer {
+/// One map of a saved result.
+struct SavedLayer {
     std::string name;           ///< "gross shadow"
     std::string unit;           ///< "min/day"
     std::vector<float> values;  ///< grid order, NaN where there is no receiver
 };
 
-/// A result that the user keeps, with all that it rests on.
-struct KeptResult {
+/// A result saved in the project, with everything it is based on.
+struct SavedResult {
     std::string name;      ///< unique in a project
     std::string kind;      ///< "study", "impact" or "score"
-    std::string scenario;  ///< the city that it is of
-    std::string baseline;  ///< impact: the city that it is compared with; else empty
-    std::string settings;  ///< JSON: engine, period, region, figures, as study.json has them
-    std::string inputs;    ///< JSON: path, bytes and sha256 of every file that the city was read from
+    std::string scenario;  ///< whose city was measured
+    std::string baseline;  ///< impact: the scenario compared with; else empty
+    std::string settings;  ///< JSON: engine, period, region and figures, as in study.json
+    std::string inputs;    ///< JSON: path, bytes and sha256 of every file from which the city was read
     Grid grid;
-    std::vector<KeptLayer> layers;
+    std::vector<SavedLayer> layers;
 };
 
-/// All that one project file holds. A value: cheap to copy for undo, since the city and the results are
-/// shared. Equality of those, and of the reading, is that of the pointer.
+/// The whole content of one project file. A value: cheap to copy for undo, because the city and the results
+/// are shared. City, results and reading compare by pointer.
 struct Project {
     std::shared_ptr<const City> city =
-        std::make_shared<const City>();  ///< as it stands; ids unique, never null
+        std::make_shared<const City>();  ///< existing city; ids unique, never null
     std::string attribution;
-    std::vector<InputFile> inputs;  ///< the city's files
-    /// Of those files; shared like the city, never null.
+    std::vector<InputFile> inputs;  ///< the files from which the city was read
+    /// How those files were read; shared like the city, never null.
     std::shared_ptr<const CityReading> reading = std::make_shared<const CityReading>();
     std::vector<NamedLot> lots;
     std::vector<Region> regions;
     std::vector<Scenario> scenarios;
-    std::vector<TimeWeights> weights{monthlyWeights()};
+    std::vector<TimeWeights> weights{makeMonthlyWeights()};
     std::vector<NamedPeriod> periods;
-    std::vector<std::shared_ptr<const KeptResult>> results;
-    std::map<std::string, std::string> view;  ///< camera, layout, switches: keys are the window's own
+    std::vector<std::shared_ptr<const SavedResult>> results;
+    std::map<std::string, std::string> view;  ///< camera, layout, switches: the window defines the keys
 };
 
-/// What a name means, or an Error that lists the names there are.
-Result<NamedLot> lotNamed(const Project& project, const std::string& name);
-Result<Region> regionNamed(const Project& project, const std::string& name);
-Result<TimeWeights> weightsNamed(const Project& project, const std::string& name);
-Result<NamedPeriod> periodNamed(const Project& project, const std::string& name);
-Result<std::shared_ptr<const KeptResult>> resultNamed(const Project& project, const std::string& name);
-Result<Scenario> scenarioNamed(const Project& project, const std::string& name);
+/// Finds an entry by name. Error: there is none; the Error lists the existing names.
+Result<NamedLot> findLot(const Project& project, const std::string& name);
+Result<Region> findRegion(const Project& project, const std::string& name);
+Result<TimeWeights> findWeights(const Project& project, const std::string& name);
+Result<NamedPeriod> findPeriod(const Project& project, const std::string& name);
+Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name);
+Result<Scenario> findScenarioByName(const Project& project, const std::string& name);
 
-/// What a scenario, or existingCity, makes of the project's city.
+/// The city of a scenario or of existingCity.
 Result<EditedCity> cityOf(const Project& project, const std::string& scenario);
 
-/// Error: names that are missing or double, scenarios or tables that are not sound.
-Result<void> checked(const Project& project);
+/// Error: a name is missing or used twice, or a scenario or weight table is invalid.
+Result<void> validate(const Project& project);
 
 }  // namespace noonmark

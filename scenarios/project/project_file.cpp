@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <random>
 
-#include "core/io/pending_file.h"
-#include "core/version.h"
+#include "core/base/version.h"
+#include "core/io/files/pending_file.h"
 #include "scenarios/project/file_check.h"
-#include "scenarios/project/grid_tiles.h"
 #include "scenarios/project/read_project.h"
-#include "scenarios/project/schema.h"
+#include "scenarios/project/tables/grid_tiles.h"
+#include "scenarios/project/tables/schema.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -25,7 +25,7 @@ std::string newId() {
     return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
 }
 
-// Turns what SQLite and the readers throw into an Error; no exception leaves this file.
+// Turns exceptions of SQLite and of the readers into an Error; no exception leaves this file.
 template <class Work>
 auto guarded(const fs::path& file, Work&& work) -> decltype(work()) try {
     return work();
@@ -33,7 +33,7 @@ auto guarded(const fs::path& file, Work&& work) -> decltype(work()) try {
     return tl::make_unexpected(errorOf(trouble, file));
 } catch (const std::exception& trouble) {
     return failure(fmt::format("The project file cannot be used ({})", trouble.what()), file.string(),
-                   "Check that there is memory and room on the disk");
+                   "Check that there is enough memory and disk space");
 }
 
 void prepareToWrite(Database& database) {
@@ -46,19 +46,19 @@ void noteSave(Database& database, std::int64_t saves) {
     setFact(database, "saved_at", *database.value("SELECT strftime('%Y-%m-%dT%H:%M:%fZ','now')"));
 }
 
-std::int64_t savesIn(Database& database) { return std::atoll(factOf(database, "saves").c_str()); }
+std::int64_t savesIn(Database& database) { return std::atoll(readFact(database, "saves").c_str()); }
 
 Result<void> checkVersion(Database& database, const fs::path& file) {
     const int version = versionOf(database);
     if (version == schemaVersion || (version > 0 && version < schemaVersion)) return {};
     if (version == 0)
-        return failure("It is a GeoPackage, but no Noonmark project", file.string(),
-                       "To begin a project with its buildings: noonmark-cli project new");
+        return failure("It is a GeoPackage, but not a Noonmark project", file.string(),
+                       "To start a project with its buildings: noonmark-cli project new");
     return failure(
         fmt::format(
             "The project was written by a newer Noonmark (version {} of the file; this program knows {})",
             version, schemaVersion),
-        file.string(), "Install the newer program; the file was left as it is");
+        file.string(), "Install the newer program; the file was not changed");
 }
 
 void writeNew(const fs::path& file, const Project& project, const std::string& id) {
@@ -77,7 +77,7 @@ Project readChecked(Database& database) {
     return readProject(database);
 }
 
-// An older file is brought to this version in a copy, so that a file that may only be read is opened too.
+// An older file is migrated in a copy in memory, so that a read-only file can be opened, too.
 Project readAnyVersion(Database& database) {
     if (versionOf(database) == schemaVersion) return readChecked(database);
     Database copy(Database::InMemory{}, database);
@@ -87,7 +87,7 @@ Project readAnyVersion(Database& database) {
 
 Result<void> isOurs(Database& database, const ProjectFile& file) {
     if (auto known = checkVersion(database, file.path()); !known) return known;
-    if (factOf(database, "project_id") == file.id() && savesIn(database) == file.saves()) return {};
+    if (readFact(database, "project_id") == file.id() && savesIn(database) == file.saves()) return {};
     return failure("The project was saved by someone else since it was opened", file.path().string(),
                    "Save under another name, or open it again");
 }
@@ -95,7 +95,7 @@ Result<void> isOurs(Database& database, const ProjectFile& file) {
 }  // namespace
 
 Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& project, IfThere ifThere) {
-    if (auto sound = checked(project); !sound) return tl::make_unexpected(sound.error());
+    if (auto sound = validate(project); !sound) return tl::make_unexpected(sound.error());
     std::error_code ignored;
     if (ifThere == IfThere::refuse && fs::exists(file, ignored))
         return failure("There is a file of this name already", file.string(), "Choose another name");
@@ -115,17 +115,17 @@ Result<ProjectFile> ProjectFile::create(const fs::path& file, const Project& pro
 Result<ProjectFile> ProjectFile::open(const fs::path& file) {
     if (auto whole = checkWhole(file); !whole) return tl::make_unexpected(whole.error());
     return guarded(file, [&]() -> Result<ProjectFile> {
-        // What a killed process left half done is rolled back, which needs the right to write.
+        // Rolling back an unfinished transaction of a killed process needs write access.
         const bool writable = bool(checkWritable(file));
         Database database(file, writable ? Database::Access::write : Database::Access::read);
         const Transaction transaction(database, false);
         if (auto known = checkVersion(database, file); !known) return tl::make_unexpected(known.error());
         ProjectFile opened;
         opened.path_ = file;
-        opened.id_ = factOf(database, "project_id");
+        opened.id_ = readFact(database, "project_id");
         opened.saves_ = savesIn(database);
         opened.project_ = readAnyVersion(database);
-        if (auto sound = checked(opened.project_); !sound)
+        if (auto sound = validate(opened.project_); !sound)
             throwDamaged(fmt::format("{}: {}", sound.error().where, sound.error().what));
         return opened;
     });
@@ -140,7 +140,7 @@ bool ProjectFile::isUnchanged() const {
 }
 
 Result<void> ProjectFile::save(const Project& project) {
-    if (auto sound = checked(project); !sound) return sound;
+    if (auto sound = validate(project); !sound) return sound;
     if (auto writable = checkWritable(path_); !writable) return writable;
     if (auto whole = checkWhole(path_); !whole) return whole;
     return guarded(path_, [&]() -> Result<void> {

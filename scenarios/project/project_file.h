@@ -9,39 +9,42 @@
 
 namespace noonmark {
 
-/// The ending that project files have.
+/// File name ending of project files.
 inline constexpr const char* projectEnding = ".noonmark.gpkg";
 
-/// A project file NAME.noonmark.gpkg on the disk, and what was last read from it or saved to it. A GeoPackage
-/// (docs/project-file.md). No handle is kept open between calls. A value; not for two threads at once.
+/// A project file NAME.noonmark.gpkg on disk, with its content as last read or saved. It is a GeoPackage
+/// (docs/project-file.md). No file handle stays open between calls. A value; not safe for concurrent use.
 ///
-/// Every save is one transaction of SQLite with a rollback journal, synchronous = FULL: a process that is
-/// killed at any moment leaves the last save that ended, or (killed in the last instant) the new one. A file
-/// that is damaged, newer than the program, locked, read-only, or was saved by someone else since, gives an
-/// Error and stays as it is.
+/// Every save is one SQLite transaction with a rollback journal and synchronous = FULL: after a crash at any
+/// moment the file holds the last completed save, or the new one if the crash came at the very end. A file
+/// that is damaged, newer than the program, locked, read-only, or saved by another program since it was read
+/// gives an Error and is not changed.
 class ProjectFile {
 public:
     enum class IfThere { refuse, replace };
 
-    /// Writes a new file beside its place and renames it there. Error: it is there already (refuse), or a
-    /// project that is not sound. 43,000 buildings take about half a second.
+    /// Writes a new file under a temporary name in the same folder and renames it. Error: the file exists
+    /// (refuse), or the project is invalid. About half a second for 43,000 buildings.
     static Result<ProjectFile> create(const std::filesystem::path& file, const Project& project,
                                       IfThere ifThere = IfThere::refuse);
 
-    /// Reads all of it. A file of an older schema version is brought to this one in memory, and on the disk
-    /// with the next save.
+    /// Reads the whole file. An older schema version is migrated in memory; the next save migrates the file.
     static Result<ProjectFile> open(const std::filesystem::path& file);
 
-    /// Writes what differs from project(), by the size of the difference. On an Error the file is as it was.
+    /// Writes the differences from project(); the cost depends on their size. On an Error the file stays
+    /// unchanged.
     Result<void> save(const Project& project);
 
-    /// Whether the file still holds project(): nobody else has saved it since. False where it cannot be read.
+    /// Whether the file still holds project(), that is, no other program has saved it since. False where it
+    /// cannot be read.
     [[nodiscard]] bool isUnchanged() const;
 
-    [[nodiscard]] const Project& project() const { return project_; }  ///< as it is on the disk
+    [[nodiscard]] const Project& project() const { return project_; }  ///< as on disk
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] std::int64_t saves() const { return saves_; }  ///< how often it was saved, from 1
-    [[nodiscard]] const std::string& id() const { return id_; }  ///< of the project, the same in its copies
+    [[nodiscard]] std::int64_t saves() const { return saves_; }  ///< number of saves so far, at least 1
+    [[nodiscard]] const std::string& id() const {
+        return id_;
+    }  ///< of the project; copies of the file share it
 
 private:
     std::filesystem::path path_;

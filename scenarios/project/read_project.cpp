@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "scenarios/project/checked_row.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/geometry_blob.h"
-#include "scenarios/project/grid_tiles.h"
-#include "scenarios/project/schema.h"
+#include "scenarios/project/tables/checked_row.h"
+#include "scenarios/project/tables/geometry_blob.h"
+#include "scenarios/project/tables/grid_tiles.h"
+#include "scenarios/project/tables/schema.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -23,13 +23,13 @@ std::vector<InputFile> readInputs(Database& database) {
     return inputs;
 }
 
-// Lots may be drawn in a GIS: a polygon in several pieces is several lots.
+// A lot drawn in a GIS program may have several pieces; each piece becomes a lot.
 std::vector<NamedLot> readLots(Database& database) {
     std::vector<NamedLot> lots;
     Statement row = database.prepare("SELECT fid, geom, name FROM lots ORDER BY fid");
     while (row.step()) {
-        const auto polygons = polygonsOf(row.blob(1));
-        if (!polygons) throwDamaged("the outline of a lot");
+        const auto polygons = toPolygons(row.blob(1));
+        if (!polygons) throwDamaged("a lot has an invalid outline");
         const std::string name = row.isNull(2) ? fmt::format("lot {}", row.integer(0)) : row.text(2);
         for (std::size_t i = 0; i < polygons->size(); ++i)
             lots.push_back({i == 0 ? name : fmt::format("{} ({})", name, i + 1), (*polygons)[i]});
@@ -41,8 +41,8 @@ std::vector<Region> readRegions(Database& database) {
     std::vector<Region> regions;
     Statement row = database.prepare("SELECT fid, geom, name FROM regions ORDER BY fid");
     while (row.step()) {
-        auto polygons = polygonsOf(row.blob(1));
-        if (!polygons) throwDamaged("the outline of a region");
+        auto polygons = toPolygons(row.blob(1));
+        if (!polygons) throwDamaged("a region has an invalid outline");
         const std::string name = row.isNull(2) ? fmt::format("region {}", row.integer(0)) : row.text(2);
         regions.push_back({name, *std::move(polygons)});
     }
@@ -53,7 +53,7 @@ std::vector<Edit> readEdits(Database& database, std::int64_t scenario) {
     std::vector<Edit> edits;
     Statement row = database.prepare("SELECT kind, value FROM edits WHERE scenario = ? ORDER BY position");
     for (row.begin(scenario); row.step();) {
-        auto edit = editOf(row.text(0), row.text(1));
+        auto edit = parseEdit(row.text(0), row.text(1));
         if (!edit) throwDamaged(edit.error().what);
         edits.push_back(*std::move(edit));
     }
@@ -73,7 +73,7 @@ std::chrono::month_day dayOf(const CheckedRow& row, int column) {
 }
 
 constexpr NumberLimits dayMinutes{0, 24 * 60};
-constexpr std::size_t mostIntervals = 1000;  // each is compared with each
+constexpr std::size_t mostIntervals = 1000;  // checked pairwise for overlap
 
 std::vector<TimeWeights> readWeights(Database& database) {
     std::vector<TimeWeights> tables;
@@ -99,7 +99,7 @@ constexpr NumberLimits windowMinutes{-12 * 60, 12 * 60};
 Period periodOf(const Statement& row) {
     Period period;
     const auto start = parseDate(row.text(1));
-    if (!start) throwDamaged("the date of a period");
+    if (!start) throwDamaged("a period has an invalid date");
     period.start = *start;
     const CheckedRow checked(row, "periods", 11);
     period.days = checked.integer(2, "days", {1, 3660});
@@ -133,8 +133,8 @@ std::map<std::string, std::string> readView(Database& database) {
     return view;
 }
 
-// What a result's layers are called in write_results.cpp: no other table may be read, or dropped with the
-// result.
+// Whether a name is one that write_results.cpp gives to a result's layers. No other table may be read, or
+// dropped with the result.
 bool isTileTable(std::string_view name) {
     constexpr std::string_view start = "result_";
     if (!name.starts_with(start)) return false;
@@ -144,11 +144,11 @@ bool isTileTable(std::string_view name) {
            numbers.find('_', bar + 1) == numbers.npos;
 }
 
-KeptLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
-    KeptLayer layer{row.text(0), row.text(1), {}};
+SavedLayer readLayer(Database& database, const Statement& row, const Grid& grid) {
+    SavedLayer layer{row.text(0), row.text(1), {}};
     layer.values.assign(grid.size(), std::numeric_limits<float>::quiet_NaN());
     const std::string table = row.text(2);
-    if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is no table of a result", table));
+    if (!isTileTable(table)) throwDamaged(fmt::format("'{}' is not a table of a result", table));
     checkTable(database, table, {"id", "zoom_level", "tile_column", "tile_row", "tile_data"});
     Statement tile = database.prepare("SELECT id, tile_column, tile_row, tile_data FROM " + table +
                                       " WHERE zoom_level = 0");
@@ -166,20 +166,20 @@ KeptLayer readLayer(Database& database, const Statement& row, const Grid& grid) 
 
 }  // namespace
 
-std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database) {
-    std::vector<std::shared_ptr<const KeptResult>> results;
+std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database) {
+    std::vector<std::shared_ptr<const SavedResult>> results;
     Statement row = database.prepare(
         "SELECT id, name, kind, scenario, baseline, settings, inputs, west_m, south_m, cell_m, columns, rows "
         "FROM results ORDER BY id");
     while (row.step()) {
-        KeptResult result{row.text(1), row.text(2), row.text(3), row.text(4),
-                          row.text(5), row.text(6), {},          {}};
+        SavedResult result{row.text(1), row.text(2), row.text(3), row.text(4),
+                           row.text(5), row.text(6), {},          {}};
         result.grid = CheckedRow(row, "results").grid(7);
         Statement layer =
             database.prepare("SELECT name, unit, tiles FROM result_layers WHERE result = ? ORDER BY id");
         for (layer.begin(row.integer(0)); layer.step();)
             result.layers.push_back(readLayer(database, layer, result.grid));
-        results.push_back(std::make_shared<const KeptResult>(std::move(result)));
+        results.push_back(std::make_shared<const SavedResult>(std::move(result)));
     }
     return results;
 }
@@ -187,7 +187,7 @@ std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database) {
 Project readProject(Database& database) {
     Project project;
     project.city = readCityTables(database);
-    project.attribution = factOf(database, "attribution");
+    project.attribution = readFact(database, "attribution");
     project.inputs = readInputs(database);
     project.reading = readReading(database);
     project.lots = readLots(database);
@@ -197,7 +197,7 @@ Project readProject(Database& database) {
     project.periods = readPeriods(database);
     project.results = readResults(database);
     project.view = readView(database);
-    const std::string buildings = factOf(database, "buildings");
+    const std::string buildings = readFact(database, "buildings");
     if (buildings != std::to_string(project.city->buildings.size())) throwDamaged("buildings are missing");
     return project;
 }

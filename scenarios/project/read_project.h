@@ -1,17 +1,16 @@
 #pragma once
 
-#include "scenarios/project/database.h"
 #include "scenarios/project/project.h"
+#include "scenarios/project/tables/database.h"
 
 namespace noonmark {
 
-/// The project that the tables of schemaVersion hold. Throws DatabaseTrouble, also for contents that make no
-/// sense.
+/// Reads the project from tables of schemaVersion. Throws DatabaseTrouble, also for invalid content.
 Project readProject(Database& database);
 
-/// Parts of it.
+/// The parts of readProject().
 std::shared_ptr<const City> readCityTables(Database& database);
 std::shared_ptr<const CityReading> readReading(Database& database);
-std::vector<std::shared_ptr<const KeptResult>> readResults(Database& database);
+std::vector<std::shared_ptr<const SavedResult>> readResults(Database& database);
 
 }  // namespace noonmark

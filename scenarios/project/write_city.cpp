@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "core/city/building_ground.h"
-#include "core/study/terrain_text.h"
-#include "scenarios/project/geometry_blob.h"
-#include "scenarios/project/geopackage.h"
-#include "scenarios/project/grid_tiles.h"
+#include "core/city/terrain/building_ground.h"
+#include "core/study/text/terrain_text.h"
+#include "scenarios/project/tables/geometry_blob.h"
+#include "scenarios/project/tables/geopackage.h"
+#include "scenarios/project/tables/grid_tiles.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
@@ -37,19 +37,19 @@ public:
 
     void add(std::size_t index) {
         const Building& building = *city_.buildings[index];
-        const float ground = groundUnder(building, city_);
+        const float ground = findGroundUnder(building, city_);
         for (const Part& part : building.parts) add(index, building, part, ground);
     }
 
 private:
     void add(std::size_t index, const Building& building, const Part& part, float ground) {
-        // A flat city at 0 knows no elevation.
+        // In a flat city at 0 the elevation is unknown.
         const double elevation = city_.frame.originElevationM() + double(ground);
         std::optional<double> stated;
         if (city_.terrain || elevation != 0) stated.emplace(elevation);
         add_.run(AsBlob{polygonBlob(part.footprint)}, building.sourceId, part.sourceId, building.name,
                  building.status, part.topM - ground, part.bottomM - ground, stated,
-                 nameOf(part.heightSource), part.hangs, part.bottomM, part.topM, index);
+                 nameOf(part.heightSource), part.isOverhanging, part.bottomM, part.topM, index);
         if (!part.mesh) return;
         const Bytes vertices = bytesOf(part.mesh->vertices), triangles = bytesOf(part.mesh->triangles);
         addMesh_.run(database_.lastRow(), AsBlob{vertices}, AsBlob{triangles});

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "scenarios/project/geometry_blob.h"
-#include "scenarios/project/geopackage.h"
+#include "scenarios/project/tables/geometry_blob.h"
+#include "scenarios/project/tables/geopackage.h"
 
 namespace noonmark {
 
@@ -83,7 +83,7 @@ void writePeriods(Database& database, const std::vector<NamedPeriod>& periods) {
             before = int(period.window->beforeSunset.count());
             rule = period.window->rule == SunriseRule::centre ? "centre" : "upper limb";
         }
-        add.run(name, textOf(period.start), period.days, int(period.from.count()), period.hours,
+        add.run(name, formatText(period.start), period.days, int(period.from.count()), period.hours,
                 period.stepMinutes, after, before, rule, period.zone, period.refraction);
     }
 }
@@ -119,7 +119,7 @@ void removeFact(Database& database, const std::string& key) {
     database.prepare("DELETE FROM noonmark WHERE key = ?").run(key);
 }
 
-std::string factOf(Database& database, const std::string& key) {
+std::string readFact(Database& database, const std::string& key) {
     Statement get = database.prepare("SELECT value FROM noonmark WHERE key = ?");
     get.begin(key);
     return get.step() ? get.text(0) : std::string();

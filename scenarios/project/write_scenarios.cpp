@@ -1,19 +1,19 @@
 #include <algorithm>
 
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/geometry_blob.h"
+#include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/write_project.h"
 
 namespace noonmark {
 
 namespace {
 
-// What an edit builds, for the layer of proposals; heights from the ground.
+// The building that an edit adds, for the layer of proposals; heights are above the ground.
 struct BuiltBy {
     NewShape operator()(const Replace& edit) const { return edit.with; }
     NewShape operator()(const AddBuilding& edit) const { return edit.building; }
     NewShape operator()(const ImportMesh& edit) const {
-        return std::make_shared<const Building>(placed(*edit.shape, edit.placement));
+        return std::make_shared<const Building>(placeBuilding(*edit.shape, edit.placement));
     }
     template <class Other>
     NewShape operator()(const Other&) const {
@@ -31,14 +31,14 @@ public:
               "INSERT INTO proposals (geom, scenario, building_id, name, height, min_height, edit) "
               "VALUES (?, ?, ?, ?, ?, ?, ?)")) {}
 
-    // Edits before `first` are in the tables already.
+    // Edits before `first` are already in the tables.
     void write(std::size_t id, const Scenario& scenario, std::size_t first) {
         cut(id, first);
         database_.prepare("INSERT OR REPLACE INTO scenarios (id, name, base) VALUES (?, ?, ?)")
             .run(id, scenario.name, scenario.base);
         for (std::size_t i = first; i < scenario.edits.size(); ++i) {
             const Edit& edit = scenario.edits[i];
-            addEdit_.run(id, i, kindOf(edit), textOf(edit), jsonOf(edit));
+            addEdit_.run(id, i, getKind(edit), formatText(edit), toJson(edit));
             addProposals(database_.lastRow(), scenario.name, std::visit(BuiltBy{}, edit));
         }
     }
@@ -69,7 +69,7 @@ private:
     Statement addEdit_, addProposal_;
 };
 
-// How many edits at the beginning are the same and need not be written.
+// Number of equal edits at the start of both lists, which need not be written.
 std::size_t sharedEdits(const Scenario& before, const Scenario& after) {
     if (before.name != after.name) return 0;
     const auto [old, made] = std::ranges::mismatch(before.edits, after.edits);

@@ -45,14 +45,16 @@ private:
 
 }  // namespace
 
-std::vector<CsvRow> csvRows(std::string_view text) {
+std::vector<CsvRow> parseCsvRows(std::string_view text) {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
     const char separator = separatorOf(text);
     Rows rows;
     bool inQuotes = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        // Of "\r\n" the second ends the line, and an empty row, which is none.
+        // In "\r
+        // " only the "
+        // " ends the line.
         if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n")) rows.lineEnds();
         if (text[i] == '"' && inQuotes && i + 1 < text.size() && text[i + 1] == '"')
             rows.letter(text[i++]);

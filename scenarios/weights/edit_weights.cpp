@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono;
 
-constexpr int yearDays = 366;  // tables hold every year: 29 February is one of their days
+constexpr int yearDays = 366;  // 29 February is a day of every table
 constexpr auto leapYear = 2000y;
 
 int dayOf(month_day date) {
@@ -24,7 +24,7 @@ month_day dateOf(int day) {
     return date.month() / date.day();
 }
 
-// How many days an interval holds; it may go over New Year.
+// Number of days of an interval, which may span New Year.
 int lengthOf(const WeightedInterval& interval) {
     const int length = dayOf(interval.last) - dayOf(interval.first) + 1;
     return length > 0 ? length : length + yearDays;
@@ -45,7 +45,7 @@ std::string nameOf(const WeightedInterval& interval) {
     return text(interval.first) + " to " + text(interval.last);
 }
 
-// Days that nobody holds, from `from` on and around the year.
+// The first run of free days at or after `from`, around the year.
 std::optional<WeightedInterval> gapAfter(const TimeWeights& table, int from) {
     const auto held = heldDays(table);
     const auto isHeld = [&](int day) { return held[std::size_t(day % yearDays)]; };
@@ -61,7 +61,7 @@ Result<WeightedInterval> laterHalf(WeightedInterval& interval) {
     const int length = lengthOf(interval);
     if (length < 2)
         return failure(
-            "There is no room for another interval: every day has one, and this one holds a single day",
+            "There is no room for another interval: every day has one, and this one covers a single day",
             interval.name, "Choose a longer one, or shorten one first");
     WeightedInterval half = interval;
     half.first = dateOf(dayOf(interval.first) + length / 2);
@@ -71,7 +71,7 @@ Result<WeightedInterval> laterHalf(WeightedInterval& interval) {
 
 }  // namespace
 
-Result<AddedInterval> withInterval(TimeWeights table, std::size_t after) {
+Result<AddedInterval> addInterval(TimeWeights table, std::size_t after) {
     after = std::min(after, table.intervals.size() - 1);
     WeightedInterval& before = table.intervals[after];
     const auto gap = gapAfter(table, dayOf(before.last) + 1);
@@ -82,10 +82,10 @@ Result<AddedInterval> withInterval(TimeWeights table, std::size_t after) {
     return AddedInterval{std::move(table), after + 1};
 }
 
-Result<TimeWeights> withoutInterval(TimeWeights table, std::size_t position) {
+Result<TimeWeights> removeInterval(TimeWeights table, std::size_t position) {
     if (position < table.intervals.size())
         table.intervals.erase(table.intervals.begin() + std::ptrdiff_t(position));
-    return checked(table).map([&] { return std::move(table); });
+    return validate(table).map([&] { return std::move(table); });
 }
 
 }  // namespace noonmark

@@ -6,10 +6,7 @@
 #include <new>
 #include <optional>
 
-#include "core/accumulate/auto_engine.h"
-#include "core/accumulate/projected_breakdown.h"
-#include "core/accumulate/projected_shadows.h"
-#include "core/progress_share.h"
+#include "core/base/progress_share.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
 #include "core/study/memory_need.h"
@@ -20,11 +17,11 @@ namespace noonmark {
 
 namespace {
 
-// Beyond it the maps of all pieces take more memory (4 bytes a cell and piece) than it is worth.
+// Above these limits the maps of all pieces (4 bytes per cell and piece) need too much memory.
 constexpr std::size_t mostCellsAtOnce = std::size_t{1} << 27U;
 constexpr std::size_t mostPiecesAtOnce = 40;
 
-// The same steps, added up with weights.
+// Scores one set of steps with a weight table.
 class Scoring {
 public:
     Scoring(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
@@ -33,62 +30,48 @@ public:
           receivers_(receivers),
           sun_(sun),
           weights_(weights),
-          pieces_(piecesOf(sun, zone, weights)),
+          pieces_(splitIntoPieces(sun, zone, weights)),
           progress_(progress),
           stop_(std::move(stop)) {}
 
-    Result<Score> run(const Accumulator& engine) {
-        const auto* automatic = dynamic_cast<const AutoEngine*>(&engine);
-        if (automatic == nullptr) return by(engine);
+    Result<Score> run(const Engine& engine) {
         const City* const cities[]{&city_};
-        EngineChoice choice = automatic->choose(cities, receivers_, sun_);
-        auto score = by(*choice.engine);
-        if (!score && !isCancelled(score.error()) && choice.key != referenceEngine) {
-            choice = raysSince(choice, score.error());
-            score = by(*choice.engine);
-        }
-        if (!score) return score;
-        score->engine += fmt::format(" (chosen: {})", choice.why);
-        score->engineKey = choice.key;
-        return score;
+        auto choice = engine.choose(cities, receivers_, sun_);
+        if (!choice) return by(engine);
+        auto score = by(*choice->engine);
+        if (score) return stated(*std::move(score), *choice);
+        auto other = engine.chooseInstead(*choice, score.error());
+        if (!other) return score;
+        return by(*other->engine).map([&](Score made) { return stated(std::move(made), *other); });
     }
 
 private:
-    Result<Score> by(const Accumulator& engine) {
-        if (pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce)
-            if (auto score = atOnce(engine)) return *std::move(score);
-        return pieceByPiece(engine);
-    }
-
-    // Nothing: by an engine that knows no pieces.
-    std::optional<Result<Score>> atOnce(const Accumulator& engine) {
-        const StepSets sets = setsOf(pieces_, sun_);
-        if (const auto* sweep = dynamic_cast<const HorizonSweep*>(&engine))
-            return horizonBreakdown(city_, receivers_, sun_, sets, {.sweep = sweep->settings()}, progress_,
-                                    stop_)
-                .map([&](const ShadowBreakdown& breakdown) {
-                    return summed(breakdown,
-                                  fmt::format("Horizon sweep: {}, one sweep for all months and intervals",
-                                              breakdown.bins));
-                });
-        if (dynamic_cast<const ProjectedShadows*>(&engine) == nullptr) return std::nullopt;
-        return projectedBreakdown(city_, receivers_, sun_, sets, progress_, stop_)
-            .map([&](const ShadowBreakdown& breakdown) {
-                return summed(
-                    breakdown,
-                    "Projected shadows: exact on flat ground, one run for all months and intervals");
-            });
-    }
-
-    Score summed(const ShadowBreakdown& breakdown, std::string engine) const {
-        ScoreSum sum(receivers_, weights_, pieces_);
-        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown.minutes[i]);
-        Score score = std::move(sum).finish();
-        score.engine = std::move(engine);
+    static Score stated(Score score, const EngineChoice& choice) {
+        score.engine += fmt::format(" (chosen: {})", choice.why);
+        score.engineKey = choice.key;
         return score;
     }
 
-    Result<Score> pieceByPiece(const Accumulator& engine) {
+    Result<Score> by(const Engine& engine) {
+        const bool fits =
+            pieces_.size() <= mostPiecesAtOnce && pieces_.size() * receivers_.grid.size() <= mostCellsAtOnce;
+        return fits && engine.capabilities().sets ? atOnce(engine) : pieceByPiece(engine);
+    }
+
+    Result<Score> atOnce(const Engine& engine) {
+        return engine.breakDown(city_, receivers_, sun_, makeSets(pieces_, sun_), false, progress_, stop_)
+            .map([&](const ShadowBreakdown& breakdown) { return summed(breakdown); });
+    }
+
+    Score summed(const ShadowBreakdown& breakdown) const {
+        ScoreSum sum(receivers_, weights_, pieces_);
+        for (std::size_t i = 0; i < pieces_.size(); ++i) sum.add(pieces_[i], breakdown.minutes[i]);
+        Score score = std::move(sum).finish();
+        score.engine = breakdown.engine;
+        return score;
+    }
+
+    Result<Score> pieceByPiece(const Engine& engine) {
         ScoreSum sum(receivers_, weights_, pieces_);
         std::string words;
         Warnings warnings;
@@ -117,10 +100,10 @@ private:
 
 }  // namespace
 
-Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
-                      const TimeWeights& weights, const Accumulator& engine, Progress& progress,
-                      const std::stop_token& stop) {
-    if (const auto sound = checked(weights); !sound) return tl::make_unexpected(sound.error());
+Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
+                           const Zone& zone, const TimeWeights& weights, const Engine& engine,
+                           Progress& progress, const std::stop_token& stop) {
+    if (const auto sound = validate(weights); !sound) return tl::make_unexpected(sound.error());
     return Scoring(city, receivers, sun, zone, weights, progress, stop).run(engine);
 }
 
@@ -128,41 +111,26 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
                        Progress& progress, const std::stop_token& stop, const EngineList& engines) try {
     if (const auto ground = checkOnGround(settings.receivers.places); !ground)
         return tl::make_unexpected(ground.error());
-    const auto engine = makeAccumulator(settings.engine, settings.engineSettings, engines);
+    const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
     if (!engine) return tl::make_unexpected(engine.error());
     const auto zone = Zone::named(settings.period.zone);
     if (!zone) return tl::make_unexpected(zone.error());
     if (auto fits = checkMemory(city, settings, engines); !fits) return tl::make_unexpected(fits.error());
-    const auto receivers = receiversOnGround(city, settings.region, settings.receivers, stop);
+    const auto receivers = placeReceiversOnGround(city, settings.region, settings.receivers, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
     if (receivers->cells.empty())
         return failure("No cell of the region lies on open ground", settings.region.name,
                        "Choose a region outside the buildings, or smaller cells");
-    const auto sun = checked(settings.period).and_then([&](const Period& period) {
-        return sunSteps(period, observerOf(city, settings), stop);
+    const auto sun = validate(settings.period).and_then([&](const Period& period) {
+        return computeDaylightSteps(period, makeObserver(city, settings), stop);
     });
     if (!sun) return tl::make_unexpected(sun.error());
-    if (sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(settings.period),
-                       "Choose other hours or days");
-    auto score = scoreOf(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
+    auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
     if (score && score->engineKey.empty()) score->engineKey = settings.engine;
     return score;
 } catch (const std::bad_alloc&) {
-    return failure("There is not enough memory for this score", "",
-                   "Choose larger cells, a smaller region or fewer steps");
-}
-
-double scoreIn(const Score& score, const Region& region) {
-    double sum = 0;
-    for (const Footprint& polygon : region.polygons)
-        forEachRun(polygon, score.grid, [&](int row, int first, int end) {
-            for (int column = first; column < end; ++column) {
-                const double value = double(score.score[score.grid.index(column, row)]);
-                if (!std::isnan(value)) sum += value * score.grid.cellAreaM2();
-            }
-        });
-    return sum;
+    return limitReached("There is not enough memory for this score", "",
+                        "Choose larger cells, a smaller region or fewer steps");
 }
 
 }  // namespace noonmark

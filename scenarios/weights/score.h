@@ -10,51 +10,48 @@
 
 namespace noonmark {
 
-/// A month of the period.
+/// One month of the period.
 struct MonthFigures {
     std::chrono::year_month month;
-    double shadowAreaM2 =
-        0;               ///< sum over receivers of (share of the month's sunlit time in shadow x cell area)
-    double scoreM2 = 0;  ///< what the month adds to the score; months add up to it
+    double shadowAreaM2 = 0;  ///< sum of (share of the month's sunlit time in shadow x cell area)
+    double scoreM2 = 0;       ///< the month's part of the score; the months add up to it
     double sunlitMinutes = 0;
 };
 
 struct IntervalFigures {
     std::string name;
     double weight = 0;
-    double shadowAreaM2 = 0;  ///< share of the interval's sunlit time
+    double shadowAreaM2 = 0;  ///< as in MonthFigures, over the interval's sunlit time
     double scoreM2 = 0;       ///< weight x shadow area
 };
 
-/// Shadow score (paper, section 5.4): at a receiver the sum over intervals of weight x share of the
-/// interval's sunlit time in shadow; over a region that times the cell area. Positive where shade is wanted
-/// more than shadow is unwanted.
+/// Shadow score (paper, section 5.4). At a receiver: the sum over intervals of weight x share of the
+/// interval's sunlit time in shadow. Over a region: the sum over receivers of that x cell area. Positive
+/// where wanted shade outweighs unwanted shadow.
 struct Score {
     Grid grid;
-    std::vector<float> score;  ///< one a cell, NaN where there is no receiver; grid order
+    std::vector<float> score;  ///< one per cell, NaN where there is no receiver; grid order
     double scoreM2 = 0;
     double receiverAreaM2 = 0;
     std::vector<MonthFigures> months;        ///< of the period, in order
-    std::vector<IntervalFigures> intervals;  ///< of the table, in its order
-    std::string engine;                      ///< name and settings in words
-    std::string engineKey;                   ///< of the engine that made it
+    std::vector<IntervalFigures> intervals;  ///< of the weight table, in its order
+    std::string engine;                      ///< name and settings, as text
+    std::string engineKey;                   ///< key of the engine that computed it
     Warnings warnings;
 };
 
-/// The score over steps that are made already. `zone`: of the steps' wall clock. The horizon sweep and
-/// projected shadows look at the city once for all months and intervals, at the cost of one field. Any other
-/// engine runs once for every part of the period that lies in one month and one interval. The engine auto is
-/// asked once, and what it chose is said in `engine`. Error: a table that is not sound, or the engine's.
-Result<Score> scoreOf(const City& city, const Receivers& receivers, const SunSteps& sun, const Zone& zone,
-                      const TimeWeights& weights, const Accumulator& engine, Progress& progress,
-                      const std::stop_token& stop);
+/// Computes the score over given steps. `zone`: time zone of their wall clock. The horizon sweep and
+/// projected shadows process the city once for all months and intervals, at the cost of one field. Any other
+/// engine runs once per combination of month and interval. The engine "auto" chooses once, and `engine`
+/// states its choice. Error: an invalid table, or an error of the engine.
+Result<Score> computeScore(const City& city, const Receivers& receivers, const SunSteps& sun,
+                           const Zone& zone, const TimeWeights& weights, const Engine& engine,
+                           Progress& progress, const std::stop_token& stop);
 
-/// Receivers, sun and score over `settings.region`. Errors as of runStudy and scoreOf.
+/// Places receivers in `settings.region`, computes the steps of the sun and the score. Errors as of
+/// runStudy() and computeScore().
 Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
                        Progress& progress, const std::stop_token& stop,
                        const EngineList& engines = coreEngines());
-
-/// The score of the cells whose centres lie in the region, m2.
-double scoreIn(const Score& score, const Region& region);
 
 }  // namespace noonmark

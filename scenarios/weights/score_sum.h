@@ -7,23 +7,23 @@
 
 namespace noonmark {
 
-/// Adds the shadow of pieces up to a score.
+/// Accumulates the shadow of time pieces into a score.
 class ScoreSum {
 public:
     ScoreSum(const Receivers& receivers, const TimeWeights& weights, const std::vector<TimePiece>& pieces);
 
-    /// `minutes`: in shadow in the piece's steps, times `factor`; grid order.
+    /// `minutes` x `factor`: minutes in shadow during the steps of the piece; grid order.
     void add(const TimePiece& piece, const std::vector<float>& minutes, double factor = 1);
 
-    /// Without engine and warnings.
+    /// The score without `engine` and `warnings`.
     [[nodiscard]] Score finish() &&;
 
 private:
     const Receivers& receivers_;
     const TimeWeights& weights_;
-    std::vector<double> sunlit_;  // minutes of every interval, in the table's order
-    std::vector<double> sum_;     // of cells
-    Score score_;                 // until finish() the months' shadow areas are cell-minutes x m2
+    std::vector<double> sunlit_;  // minutes per interval, in the table's order
+    std::vector<double> sum_;     // one per cell
+    Score score_;                 // until finish() the months' shadow areas are in cell-minutes x m2
 };
 
 }  // namespace noonmark

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "core/study/provenance_json.h"
-#include "core/study/source_columns.h"
-#include "core/study/warnings_json.h"
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/settings_json.h"
 
 namespace noonmark {
@@ -15,14 +15,14 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string textOf(std::chrono::year_month month) {
+std::string formatText(std::chrono::year_month month) {
     return fmt::format("{:04}-{:02}", int(month.year()), unsigned(month.month()));
 }
 
 Json monthsJson(const Score& score) {
     Json json = Json::array();
     for (const MonthFigures& month : score.months)
-        json.push_back({{"month", textOf(month.month)},
+        json.push_back({{"month", formatText(month.month)},
                         {"sunlit_min", month.sunlitMinutes},
                         {"shadow_area_m2", month.shadowAreaM2},
                         {"score_m2", month.scoreM2}});
@@ -41,16 +41,16 @@ Json intervalsJson(const Score& score) {
 
 }  // namespace
 
-Result<std::string> repeatCommand(const ScoreAnswer& answer, std::size_t width) {
-    return repeatCommand(projectQuestion("score", answer.settings, answer.provenance, answer.score.engineKey,
-                                         {{"--weights", {answer.weights.name}}}),
-                         width);
+Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t width) {
+    return makeRepeatCommand(projectQuestion("score", answer.settings, answer.provenance,
+                                             answer.score.engineKey, {{"--weights", {answer.weights.name}}}),
+                             width);
 }
 
 std::string scoreJson(const ScoreAnswer& answer) {
     Json json = settingsJson(answer.settings);
     addProvenance(json, answer.provenance);
-    addRepeat(json, repeatCommand(answer, std::numeric_limits<std::size_t>::max()));
+    addRepeat(json, makeRepeatCommand(answer, std::numeric_limits<std::size_t>::max()));
     json["scenario"] = answer.scenario;
     json["weights"] = answer.weights.name;
     json["engine_settings"] = answer.score.engine;
@@ -63,14 +63,14 @@ std::string scoreJson(const ScoreAnswer& answer) {
          "sum over intervals of weight x share of the interval's sunlit time in shadow, times cell area"},
         {"shadow_area_m2", "sum over receivers of (share of the sunlit time in shadow x cell area)"}};
     json["warnings"] = warningsJson(answer.score.warnings);
-    return jsonText(json);
+    return toJsonText(json);
 }
 
 std::string scoreCsv(const ScoreAnswer& answer) {
     std::string csv = "month,sunlit_min,shadow_area_m2,score_m2" + std::string(sourceColumns) + "\r\n";
     const std::string source = sourceFields(answer.provenance);
     for (const MonthFigures& month : answer.score.months)
-        csv += fmt::format("{},{:g},{:.1f},{:.1f}{}\r\n", textOf(month.month), month.sunlitMinutes,
+        csv += fmt::format("{},{:g},{:.1f},{:.1f}{}\r\n", formatText(month.month), month.sunlitMinutes,
                            month.shadowAreaM2, month.scoreM2, source);
     return csv;
 }

@@ -6,7 +6,7 @@
 
 namespace noonmark {
 
-/// A score with the question that it answers.
+/// A score with its settings.
 struct ScoreAnswer {
     std::string scenario;
     StudySettings settings;
@@ -15,13 +15,13 @@ struct ScoreAnswer {
     Provenance provenance{};
 };
 
-/// The command that repeats it; see core/study/repeat_command.h.
-Result<std::string> repeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
+/// The command line that repeats it; see core/study/provenance/repeat_command.h.
+Result<std::string> makeRepeatCommand(const ScoreAnswer& answer, std::size_t width = 120);
 
-/// Keys are stable, units in their names; the months and the intervals with their weights.
+/// Stable keys with their units; lists months, and intervals with their weights.
 std::string scoreJson(const ScoreAnswer& answer);
 
-/// One line a month: year, month, sunlit minutes, shadow area, score; with a heading.
+/// A heading and one line per month: year, month, sunlit minutes, shadow area, score.
 std::string scoreCsv(const ScoreAnswer& answer);
 
 }  // namespace noonmark

@@ -45,7 +45,7 @@ void add(TimePiece& piece, const SunSteps& whole, std::uint32_t number, CivilDat
 
 }  // namespace
 
-std::vector<TimePiece> piecesOf(const SunSteps& sun, const Zone& zone, const TimeWeights& weights) {
+std::vector<TimePiece> splitIntoPieces(const SunSteps& sun, const Zone& zone, const TimeWeights& weights) {
     std::vector<TimePiece> pieces;
     for (const SunDay& day : sun.days)
         for (std::uint32_t i = day.first; i < day.first + day.count; ++i) {
@@ -56,7 +56,7 @@ std::vector<TimePiece> piecesOf(const SunSteps& sun, const Zone& zone, const Tim
     return pieces;
 }
 
-StepSets setsOf(const std::vector<TimePiece>& pieces, const SunSteps& sun) {
+StepSets makeSets(const std::vector<TimePiece>& pieces, const SunSteps& sun) {
     StepSets sets{std::vector<std::string>(pieces.size()), std::vector<std::uint16_t>(sun.steps.size())};
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (const std::uint32_t step : pieces[i].steps) sets.ofStep[step] = std::uint16_t(i);

@@ -6,24 +6,25 @@
 #include <optional>
 #include <vector>
 
-#include "core/accumulate/step_sets.h"
+#include "core/engines/api/step_sets.h"
 #include "core/sun/sun_steps.h"
 #include "scenarios/weights/time_weights.h"
 
 namespace noonmark {
 
-/// The steps of a period that lie in one month and in one interval of a table.
+/// The steps of a period that lie in one month and one interval of a weight table.
 struct TimePiece {
     std::chrono::year_month month;
-    std::optional<std::size_t> interval;  ///< index; nothing: none holds them
-    SunSteps sun;                         ///< its days are those that have steps here
-    std::vector<std::uint32_t> steps;     ///< which of the period's they are
+    std::optional<std::size_t> interval;  ///< index in the table; empty: steps outside every interval
+    SunSteps sun;                         ///< contains only the days that have steps in this piece
+    std::vector<std::uint32_t> steps;     ///< indices of the piece's steps in the period
 };
 
-/// All steps, each in just one piece, in the order in which the pieces begin. O(steps x intervals).
-std::vector<TimePiece> piecesOf(const SunSteps& sun, const Zone& zone, const TimeWeights& weights);
+/// Splits the period: each step is in exactly one piece; pieces are sorted by their first step. O(steps x
+/// intervals).
+std::vector<TimePiece> splitIntoPieces(const SunSteps& sun, const Zone& zone, const TimeWeights& weights);
 
-/// Each piece as one set of the period's steps. At most 65,535 pieces.
-StepSets setsOf(const std::vector<TimePiece>& pieces, const SunSteps& sun);
+/// One set of the period's steps per piece. At most 65,535 pieces.
+StepSets makeSets(const std::vector<TimePiece>& pieces, const SunSteps& sun);
 
 }  // namespace noonmark

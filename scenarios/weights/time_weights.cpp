@@ -20,14 +20,14 @@ bool holdsDate(const WeightedInterval& interval, month_day date) {
     return interval.first <= date || date <= interval.last;
 }
 
-Result<void> checked(const WeightedInterval& interval) {
+Result<void> validate(const WeightedInterval& interval) {
     if (!(interval.weight >= -1 && interval.weight <= 1))
         return failure(fmt::format("A weight cannot be {:g}", interval.weight), interval.name,
                        "Give -1 (unwanted shadow) to 1 (wanted shade)");
     if (!interval.first.ok() || !interval.last.ok())
         return failure("A date is not in the calendar", interval.name, "Give a month and a day of it");
     if (interval.from < minutes(0) || interval.to > hours(24) || interval.from >= interval.to)
-        return failure("The hours are none", interval.name,
+        return failure("The hours are not a valid range", interval.name,
                        "Give an earlier and a later hour, 0:00 to 24:00");
     return {};
 }
@@ -43,7 +43,7 @@ bool WeightedInterval::holds(CivilDate date, std::chrono::minutes timeOfDay) con
     return holdsDate(*this, date.month() / date.day()) && from <= timeOfDay && timeOfDay < to;
 }
 
-TimeWeights monthlyWeights() {
+TimeWeights makeMonthlyWeights() {
     TimeWeights table{"default", {}};
     for (unsigned i = 0; i < 12; ++i) {
         const month at{i + 1};
@@ -55,17 +55,17 @@ TimeWeights monthlyWeights() {
     return table;
 }
 
-Result<void> checked(const TimeWeights& weights) {
+Result<void> validate(const TimeWeights& weights) {
     if (weights.name.empty()) return failure("The table has no name", "time weights", "Give it a name");
     if (weights.intervals.empty())
         return failure("The table has no intervals", weights.name, "Add months or dates with a weight");
     for (std::size_t i = 0; i < weights.intervals.size(); ++i) {
-        if (const auto sound = checked(weights.intervals[i]); !sound) return sound;
+        if (const auto sound = validate(weights.intervals[i]); !sound) return sound;
         for (std::size_t j = 0; j < i; ++j)
             if (overlap(weights.intervals[j], weights.intervals[i]))
-                return failure(fmt::format("'{}' and '{}' hold the same time", weights.intervals[j].name,
+                return failure(fmt::format("'{}' and '{}' overlap", weights.intervals[j].name,
                                            weights.intervals[i].name),
-                               weights.name, "Let every time have one weight");
+                               weights.name, "Give every time only one weight");
     }
     return {};
 }

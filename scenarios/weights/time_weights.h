@@ -1,29 +1,35 @@
 #pragma once
 
+// The folder scenarios/weights/ weighs wanted shade against unwanted shadow. time_weights.h defines tables of
+// weights by date and hour, weights_text.h (with csv_rows.h) reads and writes them, and edit_weights.h edits
+// their intervals. score.h computes a shadow score: time_pieces.h splits the steps by month and interval,
+// score_sum.h adds the pieces up, score_text.h writes JSON and CSV.
+
 #include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "core/sun/civil_time.h"
 
 namespace noonmark {
 
-/// Part of every year, and of the day, that has one weight.
+/// A range of dates in every year and a range of hours that share one weight.
 struct WeightedInterval {
     std::string name;  ///< "January", "school afternoons"
     std::chrono::month_day first{std::chrono::January / 1};
-    std::chrono::month_day last{std::chrono::December / 31};  ///< itself too; before `first`: over New Year
-    std::chrono::minutes from{0};                             ///< wall clock, 0 to 24 h
-    std::chrono::minutes to{24 * 60};                         ///< not itself; after `from`
-    double weight = 0;  ///< -1 (shadow is unwanted) to 1 (shade is wanted)
+    std::chrono::month_day last{std::chrono::December /
+                                31};   ///< inclusive; before `first`: the range spans New Year
+    std::chrono::minutes from{0};      ///< wall clock, 0 to 24 h
+    std::chrono::minutes to{24 * 60};  ///< exclusive; after `from`
+    double weight = 0;                 ///< -1 (shadow is unwanted) to 1 (shade is wanted)
 
     [[nodiscard]] bool holds(CivilDate date, std::chrono::minutes timeOfDay) const;
     bool operator==(const WeightedInterval&) const = default;
 };
 
-/// A named table. Time that no interval holds has no weight.
+/// A named table of weights. Time outside every interval has no weight.
 struct TimeWeights {
     std::string name;
     std::vector<WeightedInterval> intervals;
@@ -31,9 +37,9 @@ struct TimeWeights {
 };
 
 /// The paper's table 3, month by month: -1 -1 -0.5 0 0.5 1 1 1 0.5 0 -0.5 -1. Its name is "default".
-TimeWeights monthlyWeights();
+TimeWeights makeMonthlyWeights();
 
-/// Error: no name or interval, a weight, date or hour out of range, or two intervals that hold the same time.
-Result<void> checked(const TimeWeights& weights);
+/// Error: no name or no interval; a weight, date or hour out of range; or two intervals that overlap.
+Result<void> validate(const TimeWeights& weights);
 
 }  // namespace noonmark

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/io/fold_text.h"
-#include "core/study/source_columns.h"
-#include "core/study/warnings_json.h"
+#include "core/io/files/fold_text.h"
+#include "core/study/provenance/source_columns.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/weights/csv_rows.h"
 
 namespace noonmark {
@@ -24,7 +24,7 @@ namespace {
 constexpr std::array columns{"name", "first", "last", "from", "to", "weight"};
 constexpr std::size_t largestFile = 1'000'000;
 
-// One interval as it is written; `where` names it for people.
+// The texts of one interval; `where` tells the user which one.
 struct Row {
     std::string where;
     std::map<std::string, std::string> fields;
@@ -35,16 +35,16 @@ struct Row {
     }
 };
 
-std::string textOf(std::chrono::month_day date) {
+std::string formatText(std::chrono::month_day date) {
     return fmt::format("{:02}-{:02}", unsigned(date.month()), unsigned(date.day()));
 }
 
-// "Jun": where the interval begins its first day is meant, where it ends its last.
+// "Jun" means its first day where an interval begins, its last where it ends.
 std::optional<std::chrono::month_day> monthAsDay(const std::string& text, bool last) {
-    const std::string folded = foldedText(text);
+    const std::string folded = foldText(text);
     if (folded.size() < 3) return std::nullopt;
-    for (const WeightedInterval& month : monthlyWeights().intervals)
-        if (foldedText(month.name).starts_with(folded)) return last ? month.last : month.first;
+    for (const WeightedInterval& month : makeMonthlyWeights().intervals)
+        if (foldText(month.name).starts_with(folded)) return last ? month.last : month.first;
     return std::nullopt;
 }
 
@@ -57,11 +57,11 @@ Result<std::chrono::month_day> dayOf(const Row& row, const char* column) {
     if (first == std::errc{} && dash != end && *dash == '-') {
         const auto [last, second] = std::from_chars(dash + 1, end, day);
         const std::chrono::month_day date{std::chrono::month(month), std::chrono::day(day)};
-        // Months and days are kept as bytes: 257 would come out as 1.
+        // chrono stores months and days in bytes: 257 would become 1.
         if (second == std::errc{} && last == end && month <= 12 && day <= 31 && date.ok()) return date;
     }
-    return failure(fmt::format("'{}' is no day of the year", text), fmt::format("{}, {}", row.where, column),
-                   "Give month and day: 12-31, or a month: June");
+    return failure(fmt::format("'{}' is not a day of the year", text),
+                   fmt::format("{}, {}", row.where, column), "Give month and day: 12-31, or a month: June");
 }
 
 Result<std::chrono::minutes> hourOf(const Row& row, const char* column, std::chrono::minutes usual) {
@@ -79,7 +79,7 @@ Result<double> weightOf(const Row& row) {
     const char* const end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, weight);
     if (error == std::errc{} && rest == end && weight >= -1 && weight <= 1) return weight;
-    return failure(fmt::format("'{}' is no weight", text), row.where,
+    return failure(fmt::format("'{}' is not a weight", text), row.where,
                    "Give -1 (unwanted shadow) to 1 (wanted shade)");
 }
 
@@ -100,7 +100,7 @@ Result<WeightedInterval> intervalOf(const Row& row) {
     interval.from = *from;
     interval.to = *to;
     interval.weight = *weight;
-    if (interval.name.empty()) interval.name = textOf(*first) + " to " + textOf(*last);
+    if (interval.name.empty()) interval.name = formatText(*first) + " to " + formatText(*last);
     return interval;
 }
 
@@ -111,17 +111,17 @@ Result<TimeWeights> tableOf(const std::vector<Row>& rows, const std::string& nam
         if (!interval) return tl::make_unexpected(interval.error());
         table.intervals.push_back(*std::move(interval));
     }
-    return checked(table).map([&] { return table; });
+    return validate(table).map([&] { return table; });
 }
 
 }  // namespace
 
 std::map<std::string, std::string> textsOf(const WeightedInterval& interval) {
     return {{"name", interval.name},
-            {"first", textOf(interval.first)},
-            {"last", textOf(interval.last)},
-            {"from", noonmark::textOf(interval.from)},
-            {"to", noonmark::textOf(interval.to)},
+            {"first", formatText(interval.first)},
+            {"last", formatText(interval.last)},
+            {"from", noonmark::formatText(interval.from)},
+            {"to", noonmark::formatText(interval.to)},
             {"weight", fmt::to_string(interval.weight)}};
 }
 
@@ -149,37 +149,39 @@ std::string weightsJson(const TimeWeights& weights) {
         for (const char* column : columns) entry[column] = texts.at(column);
         entry["weight"] = interval.weight;
     }
-    return jsonText(entries);
+    return toJsonText(entries);
 }
 
-Result<TimeWeights> weightsFromCsv(std::string_view text, const std::string& name) {
-    const auto lines = csvRows(text);
-    if (lines.empty()) return failure("The table is empty", name, "Begin with `weights show`");
+Result<TimeWeights> parseWeightsCsv(std::string_view text, const std::string& name) {
+    const auto lines = parseCsvRows(text);
+    if (lines.empty()) return failure("The table is empty", name, "Start from the output of `weights show`");
     std::vector<Row> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         const std::vector<std::string>&heading = lines[0].fields, &fields = lines[i].fields;
         Row row{fmt::format("line {}", lines[i].line), {}};
         if (fields.size() != heading.size())
-            return failure(fmt::format("It has {} fields, and the heading {}", fields.size(), heading.size()),
-                           row.where, "Give a field for every column");
+            return failure(
+                fmt::format("The row has {} fields, the heading {}", fields.size(), heading.size()),
+                row.where, "Give a field for every column");
         for (std::size_t column = 0; column < fields.size(); ++column)
-            if (!row.fields.emplace(foldedText(heading[column]), fields[column]).second)
-                return failure(fmt::format("The column '{}' stands twice", heading[column]), "heading",
-                               "Leave one of them out");
+            if (!row.fields.emplace(foldText(heading[column]), fields[column]).second)
+                return failure(fmt::format("The column '{}' appears twice", heading[column]), "heading",
+                               "Remove one of them");
         rows.push_back(std::move(row));
     }
     return tableOf(rows, name);
 }
 
-Result<TimeWeights> weightsFromJson(std::string_view text, const std::string& name) {
+Result<TimeWeights> parseWeightsJson(std::string_view text, const std::string& name) {
     const Json entries = Json::parse(text, nullptr, false);
     if (!entries.is_array())
-        return failure("It is no JSON array of intervals", name, "Begin with `weights show --json`");
+        return failure("The text is not a JSON array of intervals", name,
+                       "Start from the output of `weights show --json`");
     std::vector<Row> rows;
     for (const Json& entry : entries) {
         Row row{fmt::format("entry {}", rows.size() + 1), {}};
         if (!entry.is_object())
-            return failure("It is no object", row.where, "Give {\"first\": \"06-01\", ...}");
+            return failure("The entry is not an object", row.where, "Give {\"first\": \"06-01\", ...}");
         for (const auto& [key, value] : entry.items())
             row.fields[key] = value.is_string() ? value.get<std::string>() : value.dump();
         rows.push_back(std::move(row));
@@ -194,11 +196,11 @@ Result<TimeWeights> readWeights(const std::filesystem::path& file, const std::st
     text.resize(std::size_t(std::max<std::streamsize>(0, stream.gcount())));
     if (text.empty()) return failure("The file cannot be read, or is empty", file.string(), "Check its name");
     if (text.size() > largestFile)
-        return failure("It is too large for a time-weight table", file.string(),
+        return failure("The file is too large for a time-weight table", file.string(),
                        "Give a table of less than 1 MB");
     const auto start = text.find_first_not_of(" \t\r\n");
     const bool json = start != std::string::npos && (text[start] == '[' || text[start] == '{');
-    return (json ? weightsFromJson(text, name) : weightsFromCsv(text, name)).map_error([&](Error error) {
+    return (json ? parseWeightsJson(text, name) : parseWeightsCsv(text, name)).map_error([&](Error error) {
         error.where = fmt::format("{}, {}", file.string(), error.where);
         return error;
     });

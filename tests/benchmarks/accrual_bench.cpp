@@ -1,5 +1,5 @@
-// The shadow accrual map against shadow maps, in OpenGL and on the processor: the same masks first, then the
-// time, in turn in one run, then where the time of OpenGL goes.
+// Compares the shadow accrual map with shadow maps, in OpenGL and on the CPU: first the masks, which must be
+// equal, then the times in alternating runs, then the parts of OpenGL's time.
 //
 //     accrual_bench [FILE or number of buildings] [rounds] [map size]
 #include <fmt/format.h>
@@ -8,8 +8,8 @@
 #include <functional>
 #include <memory>
 
-#include "core/accumulate/reach.h"
-#include "core/accumulate/shadow_accrual_map.h"
+#include "core/engines/accrual/shadow_accrual_map.h"
+#include "core/engines/common/shadow_reach.h"
 #include "render/gl/depth_maps.h"
 #include "render/gl/gl_api.h"
 #include "render/gl/gl_shadow_maps.h"
@@ -22,11 +22,11 @@ namespace {
 
 using Masks = std::vector<ShadowMask>;
 
-/// One way to shade the hour.
+/// One method of shading the hour.
 struct Contender {
     std::string name;
     std::unique_ptr<IntervalScene> scene;
-    bool stepByStep = false;  ///< an interval of its own for each step
+    bool stepByStep = false;  ///< one interval per step
     std::vector<double> wall, processor;
     Masks masks;
 
@@ -64,7 +64,7 @@ double differentPercent(const Masks& a, const Masks& b) {
 }
 
 void raceInTurn(std::vector<Contender>& all, const SunInterval& hour, int rounds) {
-    for (Contender& one : all) one.shade(hour);  // checked below; makes its maps and shaders
+    for (Contender& one : all) one.shade(hour);  // creates maps and shaders; the result is checked below
     for (int round = 0; round < rounds; ++round)
         for (Contender& one : all) {
             const Seconds seconds = secondsOf([&] { one.shade(hour); });
@@ -82,26 +82,27 @@ void printTable(const std::vector<Contender>& all) {
             median(base.processor) / median(one.processor), differentPercent(one.masks, base.masks));
 }
 
-/// What 60 passes and one draw cost OpenGL, each part alone.
+/// The cost of 60 passes and of one draw in OpenGL, part by part.
 class Anatomy {
 public:
     Anatomy(const HourScene& scene, const AccrualSettings& settings, const GlLimits& limits)
         : scene_(scene),
           settings_(settings),
           limits_(limits),
-          frame_(groundFrame(scene.receivers.grid, settings.mapSize, settings.texelsOnCells)),
+          frame_(makeGroundFrame(scene.receivers.grid, settings.mapSize, settings.texelsOnCells)),
           masks_(scene.receivers.cells.size()) {
         const CasterFaces faces =
-            casterFaces(scene.city, buildingsInReach(scene.city, scene.receivers, scene.sun));
-        casters_ = castersOf(faces, frame_.placed(faces.points), frame_, scene.interval(), settings.side, {});
+            makeCasterFaces(scene.city, findBuildingsInReach(scene.city, scene.receivers, scene.sun));
+        casters_ =
+            placeCasters(faces, frame_.placed(faces.points), frame_, scene.interval(), settings.side, {});
         SurfacePoints cells;
         for (const std::uint32_t cell : scene.receivers.cells)
             cells.positions.push_back(scene.receivers.position(cell));
         cells.normals.assign(cells.size(), {0, 0, 1});
-        receivers_ = placedSurface(cells, frame_);
+        receivers_ = placeSurface(cells, frame_);
     }
 
-    // Drawing cannot be timed alone: software OpenGL leaves out what nobody looks at.
+    // Drawing cannot be timed alone: software OpenGL skips work whose result is not used.
     void print(const char* name, int layers) {
         const auto maps = DepthMaps::make(limits_, frame_.columns, frame_.rows, layers).value();
         maps->take(frame_, receivers_, settings_);
@@ -124,7 +125,7 @@ public:
     }
 
 private:
-    // Those that were nearer to the sun than what was there.
+    // Counts fragments that were nearer to the sun than the stored depth.
     static std::uint64_t fragmentsOf(const std::function<void()>& work) {
         GLuint query = 0;
         glGenQueries(1, &query);

@@ -1,16 +1,16 @@
-// The error of shadow accrual maps against the rays: by map size, side, bias and warp; on the ground, and on
-// what a camera sees.
+// The error of shadow accrual maps against rays, by map size, side, bias and warp, on the ground and on the
+// surfaces that a camera sees.
 //
 //     accrual_error_bench [FILE or number of buildings]
 #include <fmt/format.h>
 
-#include "core/accumulate/graph_accumulator.h"
-#include "core/accumulate/ray_reference.h"
-#include "core/accumulate/ray_scene.h"
-#include "core/accumulate/shadow_accrual_map.h"
-#include "core/accumulate/surface_accrual.h"
-#include "core/accumulate/surface_rays.h"
-#include "core/receivers/visible_surface.h"
+#include "core/engines/accrual/shadow_accrual_map.h"
+#include "core/engines/accrual/surface_accrual.h"
+#include "core/engines/graph/graph_engine.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/ray/ray_scene.h"
+#include "core/engines/ray/surface_rays.h"
+#include "core/engines/ray/visible_surface.h"
 #include "tests/benchmarks/accrual_scene.h"
 
 using namespace noonmark;
@@ -36,7 +36,7 @@ void print(const std::string& name, const MinuteError& error, const Seconds& sec
         name, error.area, error.mean, error.p99, error.worst, seconds.processor);
 }
 
-/// A name and what it stands for.
+/// Settings with a name.
 struct Choice {
     std::string name;
     AccrualSettings settings;
@@ -55,7 +55,7 @@ void onTheGround(const HourScene& scene) {
         choices.push_back({fmt::format("{} stretched", size), {.mapSize = size, .texelsOnCells = false}});
     fmt::print("Ground, {} cells\n", truth.size());
     for (const Choice& choice : choices) {
-        const GraphAccumulator engine(ShadowAccrualMap::make(choice.settings).value(), everyHour);
+        const GraphEngine engine(ShadowAccrualMap::make(choice.settings).value(), everyHour);
         std::vector<double> minutes;
         const Seconds seconds = secondsOf([&] {
             minutes =
@@ -66,10 +66,10 @@ void onTheGround(const HourScene& scene) {
     }
 }
 
-/// A camera above the middle of a city.
+/// A camera above the centre of a city.
 struct View {
     std::string name;
-    glm::dvec3 eye;  ///< from the middle
+    glm::dvec3 eye;  ///< relative to the centre
 };
 
 std::vector<Choice> viewChoices() {
@@ -90,7 +90,7 @@ void onWhatIsSeen(const HourScene& scene, const RayScene& rays, const View& view
     const Box2 box = bounds(scene.city);
     const glm::dvec3 middle(glm::dvec2(box.low + box.high) * 0.5, 0);
     const SurfacePoints points =
-        visibleSurface(rays, !scene.city.terrain, cameraLooking(middle + view.eye, middle, 40, 800, 800))
+        findVisibleSurface(rays, !scene.city.terrain, makeCamera(middle + view.eye, middle, 40, 800, 800))
             .value()
             .points;
     NoProgress progress;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "core/accumulate/interval_engine.h"
+#include "core/engines/common/interval_engine.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 #include "tests/benchmarks/bench_scene.h"
 
-/// What the benchmarks of accrual maps share: an hour of 60 steps over 800 x 800 cells.
+/// Shared by the benchmarks of accrual maps: an hour of 60 steps over 800 x 800 cells.
 namespace noonmark::bench {
 
 struct HourScene {
@@ -22,13 +22,14 @@ struct HourScene {
     }
 };
 
-/// 800 x 800 cells of 1 m in the middle of a city; 21 March 2026, 9:00 to 10:00 in New York, every minute.
+/// 800 x 800 cells of 1 m in the centre of a city; 21 March 2026, 9:00 to 10:00 in New York, every minute.
 inline HourScene hourScene(const std::string& cityName) {
     HourScene scene;
     scene.city = cityFrom(cityName);
-    scene.receivers = receiversOnGround(scene.city, middleOf(scene.city), {1}).value();
+    scene.receivers = placeReceiversOnGround(scene.city, findMiddle(scene.city), {1}).value();
     scene.sun =
-        sunSteps({.hours = 1, .zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
+        computeSunSteps({.hours = 1, .zone = "America/New_York"}, {.place = scene.city.frame.origin()})
+            .value();
     return scene;
 }
 
@@ -37,7 +38,7 @@ inline double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// Of minutes against the rays' minutes, per cent of the period; `p99` and `worst` of a receiver.
+/// Errors of minutes against those of rays, in per cent of the period; `p99` and `worst` are over receivers.
 struct MinuteError {
     double area = 0;
     double mean = 0;

@@ -13,10 +13,10 @@
 #include "core/receivers/region.h"
 #include "core/samples/sample_city.h"
 
-/// What the benchmarks share: a city, the middle of it, and a clock.
+/// Shared by the benchmarks: a city, its central region, and a clock.
 namespace noonmark::bench {
 
-/// Wall time, and processor time of all threads: the one to look at where other programs run too.
+/// Wall time, and processor time of all threads; the latter is more reliable where other programs run.
 struct Seconds {
     double wall = 1e9;
     double processor = 1e9;
@@ -40,20 +40,21 @@ City taken(auto made, auto cityIn) {
     std::exit(EXIT_FAILURE);
 }
 
-/// A file of buildings, or the grid sample with so many.
+/// Reads a file of buildings, or makes the grid sample with this number of buildings.
 inline City cityFrom(const std::string& argument) {
     NoProgress progress;
     if (std::filesystem::exists(argument))
         return taken(readCity({argument}, {}, progress, {}),
                      [](CityRead&& read) { return std::move(read.city); });
-    return taken(gridSample({.buildings = std::stoi(argument)}), [](City&& city) { return std::move(city); });
+    return taken(makeGridSample({.buildings = std::stoi(argument)}),
+                 [](City&& city) { return std::move(city); });
 }
 
-/// 800 m square around the middle.
-inline Region middleOf(const City& city) {
+/// A square of 800 m around the centre.
+inline Region findMiddle(const City& city) {
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F;
-    return regionFromLocalBox({middle - 400.0F, middle + 400.0F});
+    return makeRegionFromLocalBox({middle - 400.0F, middle + 400.0F});
 }
 
 }  // namespace noonmark::bench

@@ -1,5 +1,5 @@
-// Every engine of core against the ray reference on some hours of one day: the error first, then the time, in
-// turn in one run.
+// Every engine of core against the ray reference over some hours of one day: first the error, then the time
+// in alternating runs.
 //
 //     engines_bench [FILE or number of buildings] [rounds] [hours] [engines other than ray, all if none]
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/accumulate/engine_list.h"
+#include "core/engines/api/engine_registry.h"
 #include "core/measures/statistics.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -24,28 +24,28 @@ struct Scene {
     SunSteps sun;
 };
 
-/// 800 x 800 cells of 1 m in the middle of a city; 21 March 2026, from 9:00 in New York, every minute.
+/// 800 x 800 cells of 1 m in the centre of a city; 21 March 2026, from 9:00 in New York, every minute.
 Scene dayScene(const std::string& cityName, double hours) {
     Scene scene;
     scene.city = cityFrom(cityName);
-    scene.receivers = receiversOnGround(scene.city, middleOf(scene.city), {1}).value();
+    scene.receivers = placeReceiversOnGround(scene.city, findMiddle(scene.city), {1}).value();
     scene.sun =
-        sunSteps({.hours = hours, .zone = "America/New_York"}, {.place = scene.city.frame.origin()}).value();
+        computeSunSteps({.hours = hours, .zone = "America/New_York"}, {.place = scene.city.frame.origin()})
+            .value();
     return scene;
 }
 
 ShadowField run(const Scene& scene, std::string_view engine) {
     NoProgress progress;
-    auto field =
-        makeAccumulator(engine).value()->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
+    auto field = makeEngine(engine).value()->accumulate(scene.city, scene.receivers, scene.sun, progress, {});
     if (field) return std::move(*field);
     fmt::print(stderr, "{}: {}\n", engine, field.error().text());
     std::exit(EXIT_FAILURE);
 }
 
 struct CellError {
-    double areaPct = 0;   ///< difference of the shadow area over the receivers' area
-    double meanPct = 0;   ///< mean difference of gross minutes over the period
+    double areaPct = 0;   ///< difference of the shadow area / area of the receivers
+    double meanPct = 0;   ///< mean difference of gross minutes / period
     double worstMin = 0;  ///< largest difference of gross minutes
 };
 
@@ -57,12 +57,12 @@ CellError errorOf(const Scene& scene, const ShadowField& field, const ShadowFiel
         error.worstMin = std::max(error.worstMin, difference);
     }
     error.meanPct *= 100 / (double(scene.receivers.cells.size()) * field.sunlitMinutesPerDay);
-    const ShadowStatistics is = statisticsOf(field), should = statisticsOf(truth);
+    const ShadowStatistics is = computeStatistics(field), should = computeStatistics(truth);
     error.areaPct = 100 * (is.shadowAreaM2 - should.shadowAreaM2) / should.receiverAreaM2;
     return error;
 }
 
-/// The ray reference, and those engines that were asked for.
+/// The ray reference and the requested engines.
 std::vector<std::string_view> engineKeys(std::span<char*> asked) {
     std::vector<std::string_view> keys;
     for (const auto& [engine, make] : coreEngines())

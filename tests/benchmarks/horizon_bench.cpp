@@ -1,7 +1,8 @@
-// The horizon sweep on a year of 8 h days at one minute, over 800 x 800 m in the middle of the grid sample
-// with a million triangles. First cells are compared with the ray reference on a sample of receivers, then
-// the sweep is timed, by processor time shared by the cores; the ray reference's time for all receivers is
-// worked out from the sample's. Then kept horizons: retimed, and a tower moved.
+// The horizon sweep over a year of 8 h days at one minute, over 800 x 800 m in the centre of the grid sample
+// with a million triangles. First cells are compared with the ray reference on a sample of receivers. Then
+// the sweep is timed, as processor time divided by the number of cores; the ray reference's time for all
+// receivers is extrapolated from the sample. Last come cached horizons: with other times, and after moving a
+// tower.
 //
 //     horizon_bench [bin width in deg] [receivers in the sample] [rounds]
 #include <fmt/format.h>
@@ -15,9 +16,9 @@
 #include <random>
 #include <string>
 
-#include "core/accumulate/horizon_sweep.h"
-#include "core/accumulate/kept_horizons.h"
-#include "core/accumulate/ray_reference.h"
+#include "core/engines/horizon/cache/horizon_cache.h"
+#include "core/engines/horizon/horizon_sweep.h"
+#include "core/engines/ray/ray_reference.h"
 #include "core/samples/sample_city.h"
 
 using namespace noonmark;
@@ -36,14 +37,14 @@ T taken(Result<T> made) {
     std::exit(EXIT_FAILURE);
 }
 
-/// Processor time of all threads, shared by the cores: other programs don't count.
+/// Processor time of all threads divided by the number of cores, so that other programs do not count.
 double secondsOf(const auto& work) {
     const std::clock_t start = std::clock();
     work();
     return double(std::clock() - start) / CLOCKS_PER_SEC / tbb::info::default_concurrency();
 }
 
-Timed timed(const Accumulator& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
+Timed timed(const Engine& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
     NoProgress progress;
     ShadowField field;
     const double seconds =
@@ -51,10 +52,11 @@ Timed timed(const Accumulator& engine, const City& city, const Receivers& receiv
     return {std::move(field), seconds};
 }
 
-Receivers middleOf(const City& city) {
+Receivers findMiddle(const City& city) {
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F;
-    return taken(receiversOnGround(city, regionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
+    return taken(
+        placeReceiversOnGround(city, makeRegionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
 }
 
 SunSteps year(const City& city) {
@@ -64,10 +66,10 @@ SunSteps year(const City& city) {
     period.hours = 8;
     period.zone = "America/New_York";
     const LonLat place = city.frame.origin();
-    return taken(sunSteps(period, {place.lonDeg, place.latDeg}));
+    return taken(computeSunSteps(period, {place.lonDeg, place.latDeg}));
 }
 
-/// The same receivers, but for all that are not in the sample.
+/// The same receivers, reduced to a random sample.
 Receivers sampleOf(Receivers receivers, std::size_t count) {
     std::mt19937 random(7);
     std::shuffle(receivers.cells.begin(), receivers.cells.end(), random);
@@ -103,7 +105,7 @@ double medianOf(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// The city with a tower of 40 x 40 x 200 m whose corner is this far from the middle.
+/// The city with a tower of 40 x 40 x 200 m whose centre lies `eastM` east of `middle`.
 City withTower(City city, glm::vec2 middle, float eastM) {
     const glm::vec2 a = middle + glm::vec2(eastM - 20, -20), b = a + 40.0F;
     Building tower;
@@ -112,17 +114,18 @@ City withTower(City city, glm::vec2 middle, float eastM) {
     return city;
 }
 
-/// Kept horizons, gross shadow: the year again, one day of it, and a tower of 200 m that is moved by 10 m.
-void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, double binDeg, int rounds) {
+/// Cached horizons, gross shadow: the same year again, one day of it, and a tower of 200 m moved by 10 m.
+void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, double binDeg, int rounds) {
     NoProgress progress;
     const Box2 box = bounds(city);
     const glm::vec2 middle = (box.low + box.high) * 0.5F;
     const auto receiversOf = [&](const City& of) {
-        return taken(receiversOnGround(of, regionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
+        return taken(
+            placeReceiversOnGround(of, makeRegionFromLocalBox({middle - 400.0F, middle + 400.0F}), {}));
     };
     City now = withTower(city, middle, 0);
-    KeptHorizons kept =
-        taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}));
+    HorizonCache kept =
+        taken(HorizonCache::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}));
     const double full = secondsOf([&] { taken(kept.retime(sun, progress, {}, ShadowCounts::gross)); });
     SunSteps day = sun;
     day.days = {sun.days[100]};
@@ -149,7 +152,7 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
                medianOf(again) / full, medianOf(ofDay) / full, medianOf(edits) / full, 1e3 * medianOf(edits));
     const ShadowField edited = taken(kept.retime(sun, progress, {}));
     const ShadowField fresh =
-        taken(taken(KeptHorizons::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}))
+        taken(taken(HorizonCache::make(now, receiversOf(now), {.binDeg = binDeg > 0 ? binDeg : 0.5}))
                   .retime(sun, progress, {}));
     for (const std::uint32_t cell : bare.cells)
         if (edited.grossMin[cell] != fresh.grossMin[cell] && fresh.grossMin[cell] == fresh.grossMin[cell])
@@ -161,11 +164,11 @@ void benchKept(const City& city, const Receivers& bare, const SunSteps& sun, dou
 int main(int argc, char** argv) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const double binDeg =
-        argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;  // 0: by error target
+        argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;  // 0: chosen by the error target
     const std::size_t sampleSize = argc > 2 ? std::stoul(argv[2]) : 300;
     const int rounds = argc > 3 ? std::stoi(argv[3]) : 3;
-    const City city = taken(gridSample({.buildings = 43'000, .roundness = 7}));
-    const Receivers receivers = middleOf(city), sample = sampleOf(receivers, sampleSize);
+    const City city = taken(makeGridSample({.buildings = 43'000, .roundness = 7}));
+    const Receivers receivers = findMiddle(city), sample = sampleOf(receivers, sampleSize);
     const SunSteps sun = year(city);
     fmt::print("{} triangles, {} receivers of {} cells, {} steps, {} threads\n",
                meshOf(city).mesh.triangles.size(), receivers.cells.size(), receivers.grid.size(),
@@ -195,6 +198,6 @@ int main(int argc, char** argv) {
                raySeconds / sweepSeconds, gross.meanPct, gross.maxPct);
     fmt::print("continuous_error_mean_pct {:.4f}\ncontinuous_error_max_pct {:.4f}\n", continuous.meanPct,
                continuous.maxPct);
-    benchKept(city, receivers, sun, binDeg, rounds);
+    benchCaches(city, receivers, sun, binDeg, rounds);
     return gross.meanPct <= 0.05 && gross.maxPct <= 0.5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,5 @@
 // Inverse accrual maps against the ray reference over random intervals and places: area error by source
-// level, worst cells, time.
+// level, largest cell errors, time.
 //
 //     iam_bench [FILE or number of buildings] [intervals] [minutes] [nearest hit, m] [margin, m]
 #include <fmt/format.h>
@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "core/accumulate/graph_accumulator.h"
-#include "core/accumulate/inverse_accrual_map.h"
-#include "core/accumulate/ray_reference.h"
+#include "core/engines/graph/graph_engine.h"
+#include "core/engines/inverse/inverse_accrual_map.h"
+#include "core/engines/ray/ray_reference.h"
 #include "core/measures/statistics.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -24,8 +24,8 @@ struct Interval {
     SunSteps sun;
 };
 
-/// A square of 400 m somewhere in the city, on some day at some hour with the sun up: dawn and dusk as likely
-/// as noon.
+/// A square of 400 m at a random place in the city, on a random day and hour with the sun up; dawn and dusk
+/// are as likely as noon.
 Interval randomInterval(const City& city, double minutes, std::mt19937& random) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
@@ -35,14 +35,14 @@ Interval randomInterval(const City& city, double minutes, std::mt19937& random) 
                            between(box.low.y + 500, box.high.y - 500)};
     Interval interval;
     interval.receivers =
-        receiversOnGround(city, regionFromLocalBox({middle - 200.0F, middle + 200.0F}), {1}).value();
+        placeReceiversOnGround(city, makeRegionFromLocalBox({middle - 200.0F, middle + 200.0F}), {1}).value();
     while (interval.sun.steps.size() < 30) {
         Period period{.zone = "America/New_York"};
         period.start =
             CivilDate(std::chrono::sys_days(period.start) + std::chrono::days(int(between(0, 365))));
         period.from = std::chrono::minutes(int(between(4 * 60, 20 * 60)));
         period.hours = minutes / 60;
-        interval.sun = sunSteps(period, {.place = city.frame.origin()}).value();
+        interval.sun = computeSunSteps(period, {.place = city.frame.origin()}).value();
     }
     return interval;
 }
@@ -50,8 +50,8 @@ Interval randomInterval(const City& city, double minutes, std::mt19937& random) 
 ShadowField accrued(const City& city, const Interval& interval, const InverseAccrualSettings& settings,
                     double minutes) {
     NoProgress progress;
-    const GraphAccumulator engine(InverseAccrualMap::make(settings).value(),
-                                  {.intervalMinutes = minutes, .merge = false});
+    const GraphEngine engine(InverseAccrualMap::make(settings).value(),
+                             {.intervalMinutes = minutes, .merge = false});
     return engine.accumulate(city, interval.receivers, interval.sun, progress, {}).value();
 }
 
@@ -60,7 +60,7 @@ struct Errors {
     double cellPct = 0, signedPct = 0, worstMin = 0, seconds = 0;
 
     void add(const ShadowField& field, const ShadowField& truth, const Receivers& receivers) {
-        const ShadowStatistics is = statisticsOf(field), should = statisticsOf(truth);
+        const ShadowStatistics is = computeStatistics(field), should = computeStatistics(truth);
         const double area = 100 * (is.shadowAreaM2 - should.shadowAreaM2) / should.receiverAreaM2;
         areaPct.push_back(std::abs(area));
         signedPct += area;

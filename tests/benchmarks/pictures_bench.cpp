@@ -1,9 +1,10 @@
-// Pictures while long work runs: how many a second, and the longest pause between two, over the first seconds
-// of a study of a year and of the exploration of a view at every pixel; and what watching a day costs.
+// Intermediate pictures during long computations: their number per second and the longest pause between two,
+// in the first seconds of a study of a year and of the exploration of a view at every pixel; and the cost of
+// the pictures for a study of a day.
 //
 //     pictures_bench [FILE or number of buildings] [seconds for each] [engine]
 //
-// Where other programs run, the pauses are theirs.
+// Other running programs lengthen the pauses.
 #include <fmt/format.h>
 
 #include <ctime>
@@ -11,13 +12,13 @@
 #include <mutex>
 
 #include "app/input/all_engines.h"
-#include "app/window/open_city.h"
-#include "app/window/view_refinement.h"
-#include "core/accumulate/partial_field.h"
-#include "core/accumulate/partial_pace.h"
-#include "core/accumulate/surface_accrual.h"
-#include "core/accumulate/surface_rays.h"
-#include "core/stopwatch.h"
+#include "app/window/study/open_city.h"
+#include "app/window/view/view_refinement.h"
+#include "core/base/stopwatch.h"
+#include "core/engines/accrual/surface_accrual.h"
+#include "core/engines/api/partial_field.h"
+#include "core/engines/api/partial_pace.h"
+#include "core/engines/ray/surface_rays.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -25,7 +26,7 @@ using namespace noonmark::bench;
 
 namespace {
 
-/// Takes the pictures that a window would, and ends the work after a while.
+/// Receives the pictures as a window would, and stops the work after a while.
 class Onlooker final : public Progress, public PartialSink {
 public:
     explicit Onlooker(double seconds) : seconds_(seconds) {}
@@ -44,7 +45,7 @@ public:
         const std::scoped_lock lock(mutex_);
         pace_.taken(watch_.seconds());
     }
-    std::function<bool(const PartialField&)> shows;  ///< whether the window would; null: all
+    std::function<bool(const PartialField&)> shows;  ///< whether the window would show it; null: always
 
     void seen() {
         const std::scoped_lock lock(mutex_);
@@ -76,25 +77,26 @@ private:
     int pictures_ = 0;
 };
 
-/// A study of the middle, days of 6 h.
+/// A study of the central region with days of 6 h.
 struct Question {
     Receivers receivers;
     SunSteps sun;
 
     Question(const City& city, int days)
-        : receivers(receiversOnGround(city, middleOf(city), {1}).value()),
-          sun(sunSteps({.days = days, .zone = "America/New_York"}, {.place = city.frame.origin()}).value()) {}
+        : receivers(placeReceiversOnGround(city, findMiddle(city), {1}).value()),
+          sun(computeSunSteps({.days = days, .zone = "America/New_York"}, {.place = city.frame.origin()})
+                  .value()) {}
 };
 
-void picturesOf(const City& city, const Question& asked, const Accumulator& engine, std::string_view name,
+void picturesOf(const City& city, const Question& asked, const Engine& engine, std::string_view name,
                 double seconds) {
     Onlooker onlooker(seconds);
     (void)engine.accumulate(city, asked.receivers, asked.sun, onlooker, onlooker.token());
     onlooker.print(fmt::format("{}, a year", name));
 }
 
-// The same work with and without an onlooker, in turn.
-void watchingCost(const City& city, const Question& asked, const Accumulator& engine, std::string_view name) {
+// The same work with and without receiving pictures, alternately.
+void watchingCost(const City& city, const Question& asked, const Engine& engine, std::string_view name) {
     Seconds watched, alone;
     for (int round = 0; round < 3; ++round) {
         watched.keepBest(secondsOf([&] {
@@ -110,7 +112,7 @@ void watchingCost(const City& city, const Question& asked, const Accumulator& en
     std::fflush(stdout);
 }
 
-void explore(const std::shared_ptr<const OpenCity>& city, int days, const SurfaceEngine& engine,
+void explore(const std::shared_ptr<const OpenCity>& city, int days, const ViewEngine& engine,
              std::string_view name, double seconds) {
     ViewQuestion question{city,
                           {glm::dvec3(0), 900, 20, 40},
@@ -119,8 +121,8 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const Surfac
                           {.place = city->city().frame.origin()},
                           nullptr};
     Onlooker onlooker(seconds);
-    onlooker.shows = [](const PartialField&) { return false; };  // before anything is known of the view
-    auto answer = refined(question, nullptr, engine, onlooker, onlooker.token());
+    onlooker.shows = [](const PartialField&) { return false; };  // nothing is known of the view yet
+    auto answer = refineView(question, nullptr, engine, onlooker, onlooker.token());
     while (answer && !onlooker.tired()) {
         onlooker.seen();
         if (isFinest(*answer)) break;
@@ -130,7 +132,7 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const Surfac
         onlooker.shows = [&before](const PartialField& partial) {
             return withRunning(before, partial).has_value();
         };
-        answer = refined(question, &before, engine, onlooker, onlooker.token());
+        answer = refineView(question, &before, engine, onlooker, onlooker.token());
     }
     onlooker.print(fmt::format("exploring {}, {} days", name, days));
 }
@@ -143,7 +145,7 @@ int main(int argc, char** argv) {
     const std::string only = argc > 3 ? argv[3] : "";
     OpenCity opened;
     opened.loaded.read.city = cityFrom(name);
-    opened.arrays = std::make_shared<const CityArrays>(arraysOf(opened.city()));
+    opened.arrays = std::make_shared<const CityArrays>(makeArrays(opened.city()));
     opened.picker = ScenePicker(opened.city(), RayScene::over(opened.city()).value());
     const auto city = std::make_shared<const OpenCity>(std::move(opened));
     for (const int days : only.empty() || only == "explore" ? std::vector{1, 365} : std::vector<int>{}) {
@@ -151,9 +153,9 @@ int main(int argc, char** argv) {
         explore(city, days, {SurfaceAccrual::make({}, {}).value(), false}, "by maps", seconds);
     }
     const Question year(city->city(), 365), day(city->city(), 1);
-    for (const Engine& engine : allEngines()) {
+    for (const EngineEntry& engine : allEngines()) {
         if (!only.empty() && only != engine.info.key) continue;
-        const auto made = makeAccumulator(engine.info.key, {}, allEngines());
+        const auto made = makeEngine(engine.info.key, {}, allEngines());
         if (!made) {
             fmt::print("{:<28} {}\n", engine.info.key, made.error().text());
             continue;

@@ -1,11 +1,12 @@
-// A project of the grid sample with 43,000 buildings and a million triangles: opened up to the arrays of its
-// first picture (asked: under 1 s), and saved with one edit more (asked: under 0.2 s). First what comes back
-// is compared with what was saved. The best of some rounds; processor time is that of all threads.
+// A project of the grid sample with 43,000 buildings and a million triangles: opened, up to the arrays of its
+// first picture (target: under 1 s), and saved with one more edit (target: under 0.2 s). First the loaded
+// project is compared with the saved one. Reports the best of several rounds; processor time is that of all
+// threads.
 //
 //     project_bench [city file] [rounds]
 #include <cstdio>
 
-#include "render/city_arrays.h"
+#include "render/scene/city_arrays.h"
 #include "scenarios/project/project_file.h"
 #include "tests/benchmarks/bench_scene.h"
 
@@ -27,13 +28,13 @@ void must(const Result<void>& done) {
     std::exit(EXIT_FAILURE);
 }
 
-// A project with all that a study leaves in it.
+// A project with everything that a study adds to it.
 Project projectOf(City city) {
     Project project;
     const Box2 box = bounds(city);
-    project.regions.push_back(middleOf(city));
+    project.regions.push_back(findMiddle(city));
     project.regions.back().name = "Middle";
-    project.lots.push_back({"Lot", regionFromLocalBox({box.low, box.low + 40.0F}).polygons.front()});
+    project.lots.push_back({"Lot", makeRegionFromLocalBox({box.low, box.low + 40.0F}).polygons.front()});
     project.city = std::make_shared<const City>(std::move(city));
     project.scenarios.push_back({"A", "", {}});
     return project;
@@ -62,13 +63,14 @@ struct Rounds {
     std::size_t triangles = 0;
 };
 
-// Opens, makes the first picture's arrays, and saves one demolition more; each is checked after it is timed.
+// Opens the project, makes the arrays of the first picture, and saves one more demolition. Each step is
+// checked after it is timed.
 void round(const std::filesystem::path& file, const Project& truth, Rounds& best) {
     ProjectFile disk;
     best.open.keepBest(secondsOf([&] { disk = must(ProjectFile::open(file)); }));
     check(sameBuildings(*disk.project().city, *truth.city), "the city that was read");
     CityArrays arrays;
-    best.arrays.keepBest(secondsOf([&] { arrays = arraysOf(*disk.project().city); }));
+    best.arrays.keepBest(secondsOf([&] { arrays = makeArrays(*disk.project().city); }));
     best.triangles = arrays.triangles.size() / 3;
     check(best.triangles > 9 * truth.city->buildings.size(), "the arrays of the picture");
     Project project = disk.project();
@@ -82,7 +84,7 @@ void round(const std::filesystem::path& file, const Project& truth, Rounds& best
 
 int main(int argc, char** argv) {
     const int rounds = argc > 2 ? std::atoi(argv[2]) : 5;
-    const Project project = projectOf(argc > 1 ? cityFrom(argv[1]) : must(gridSample(largeGrid)));
+    const Project project = projectOf(argc > 1 ? cityFrom(argv[1]) : must(makeGridSample(largeGrid)));
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / "noonmark_project_bench.noonmark.gpkg";
     const Seconds create =

@@ -1,6 +1,6 @@
-// Projected shadows on one day of 6 h: 800 x 800 m in the middle of a city, by processor time. Where cells
-// differ from rays (with "check") each is told with what each engine says; with "edit" a tower is moved on
-// kept shadows.
+// Projected shadows on one day of 6 h: 800 x 800 m in the centre of a city, in processor time. With "check"
+// it lists each cell that differs from rays with the values of both engines; with "edit" it moves a tower
+// with cached shadows.
 //
 //     projected_bench [FILE or number of buildings] [rounds] [check|edit]
 #include <fmt/format.h>
@@ -11,11 +11,11 @@
 #include <map>
 #include <vector>
 
-#include "core/accumulate/projected/bit_raster.h"
-#include "core/accumulate/projected_shadows.h"
-#include "core/accumulate/ray_reference.h"
-#include "core/accumulate/ray_scene.h"
-#include "core/bench/day_edits.h"
+#include "core/bench/horizon/day_edits.h"
+#include "core/engines/projected/filling/bit_raster.h"
+#include "core/engines/projected/projected_shadows.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/ray/ray_scene.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -23,13 +23,12 @@ using namespace noonmark::bench;
 
 namespace {
 
-ShadowField fieldOf(const Accumulator& engine, const City& city, const Receivers& receivers,
-                    const SunSteps& sun) {
+ShadowField fieldOf(const Engine& engine, const City& city, const Receivers& receivers, const SunSteps& sun) {
     NoProgress progress;
     return engine.accumulate(city, receivers, sun, progress, {}).value();
 }
 
-// The same for the same bits of all cells: to hold one version of the engine against another.
+// A checksum over the bits of all cells, to compare versions of the engine.
 std::uint64_t checksum(const ShadowField& field) {
     std::uint64_t sum = 0;
     for (const auto* minutes : {&field.grossMin, &field.continuousMin})
@@ -44,7 +43,7 @@ double median(std::vector<double> values) {
 }
 
 std::uint32_t compare(const Receivers& receivers, const ShadowField& field, const ShadowField& truth) {
-    std::map<int, int> counts;  // cells by minutes that differ
+    std::map<int, int> counts;  // number of cells by difference in minutes
     std::uint32_t worst = 0;
     const auto off = [&](std::uint32_t cell) {
         return int(std::abs(field.grossMin[cell] - truth.grossMin[cell]));
@@ -60,12 +59,12 @@ std::uint32_t compare(const Receivers& receivers, const ShadowField& field, cons
     return worst;
 }
 
-// What both say at one cell, step by step where they differ, and what stands around it.
+// Prints the values of both engines at one cell, the steps at which they differ, and the surroundings.
 void explain(const City& city, const Receivers& receivers, const SunSteps& sun, std::uint32_t cell) {
-    const auto rasters = projectedRasters(city, receivers, sun).value();
+    const auto rasters = computeShadowRasters(city, receivers, sun).value();
     const BitLayout layout(receivers.grid);
     const auto scene = RayScene::over(city).value();
-    const glm::vec3 origin = rayOrigin(receivers.position(cell));
+    const glm::vec3 origin = placeRayOrigin(receivers.position(cell));
     fmt::print("ray origin {:.6f} {:.6f} {:.6f}\n", origin.x, origin.y, origin.z);
     const int column = int(cell) % layout.columns, row = int(cell) / layout.columns;
     for (std::size_t step = 0; step < sun.steps.size(); ++step) {
@@ -92,7 +91,7 @@ void explain(const City& city, const Receivers& receivers, const SunSteps& sun, 
 
 void moveTower(const City& city, int rounds) {
     NoProgress progress;
-    const Finding finding = dayEdits({.city = city}, {.runs = rounds}, {progress, {}}).value();
+    const Finding finding = benchDayEdits({.city = city}, {.runs = rounds}, {progress, {}}).value();
     fmt::print("{}\n", finding.text);
     for (const auto& row : finding.comparisons[0].rows)
         fmt::print("  {}: {} ms, {} to {}\n", row[0], row[1], row[2], row[3]);
@@ -104,10 +103,11 @@ int main(int argc, char** argv) {
     const std::string name = argc > 1 ? argv[1] : "43000";
     const City city = std::filesystem::exists(name)
                           ? cityFrom(name)
-                          : taken(gridSample({.buildings = std::stoi(name), .roundness = 7}),
+                          : taken(makeGridSample({.buildings = std::stoi(name), .roundness = 7}),
                                   [](City&& made) { return std::move(made); });
-    const Receivers receivers = receiversOnGround(city, middleOf(city), {1}).value();
-    const SunSteps sun = sunSteps({.zone = "America/New_York"}, {.place = city.frame.origin()}).value();
+    const Receivers receivers = placeReceiversOnGround(city, findMiddle(city), {1}).value();
+    const SunSteps sun =
+        computeSunSteps({.zone = "America/New_York"}, {.place = city.frame.origin()}).value();
     std::map<std::string, std::vector<double>> stages;
     std::vector<double> processor;
     ShadowField field;

@@ -1,6 +1,6 @@
-// The ray reference against a bare Embree loop: same triangles, same flags, same packets, in turn in one run.
-// First the answers are compared, then the speeds; the engine must reach 80 % of the bare loop's rays a
-// second.
+// The ray reference against a bare Embree loop with the same triangles, flags and packets, in alternating
+// runs. First the results are compared, then the speeds; the engine must reach 80 % of the bare loop's rays
+// per second.
 //
 //     ray_reference_bench [FILE or number of buildings] [rounds]
 #include <embree3/rtcore.h>
@@ -16,11 +16,11 @@
 #include <limits>
 #include <numbers>
 
-#include "core/accumulate/flush_denormals.h"
-#include "core/accumulate/ray_reference.h"
-#include "core/accumulate/ray_scene.h"
-#include "core/accumulate/reach.h"
-#include "core/accumulate/sun_packets.h"
+#include "core/engines/common/flush_denormals.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/common/sun_packets.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/ray/ray_scene.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
@@ -42,13 +42,13 @@ SunSteps sixHours() {
     return sun;
 }
 
-/// What anyone would write first: the same triangles, flags and packets, and nothing else.
+/// The most direct implementation: the same triangles, flags and packets, and nothing else.
 class BareLoop {
 public:
     BareLoop(const City& city, const Receivers& receivers, const SunSteps& sun)
-        : receivers_(receivers), packets_(sunPackets(sun)) {
+        : receivers_(receivers), packets_(packSteps(sun)) {
         City used;
-        for (const std::uint32_t i : buildingsInReach(city, receivers, sun))
+        for (const std::uint32_t i : findBuildingsInReach(city, receivers, sun))
             used.buildings.push_back(city.buildings[i]);
         const TriangleMesh mesh = meshOf(used).mesh;
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -71,7 +71,7 @@ public:
         rtcReleaseDevice(device_);
     }
 
-    /// Rays in shadow.
+    /// Number of rays in shadow.
     std::uint64_t trace() const {
         std::atomic<std::uint64_t> blocked{0};
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, receivers_.cells.size(), 64),
@@ -79,7 +79,7 @@ public:
                               const FlushDenormals flush;
                               std::uint64_t mine = 0;
                               for (std::size_t i = range.begin(); i < range.end(); ++i)
-                                  mine += blockedAt(rayOrigin(receivers_.position(receivers_.cells[i])));
+                                  mine += blockedAt(placeRayOrigin(receivers_.position(receivers_.cells[i])));
                               blocked += mine;
                           });
         return blocked;
@@ -122,14 +122,14 @@ std::uint64_t blockedIn(const ShadowField& field) {
     return std::uint64_t(std::llround(minutes));
 }
 
-/// Best of each so far; the engine's wall time is that of its stage "trace", its processor time has the
-/// building of the tree in it.
+/// The best times so far. The engine's wall time is that of its stage "trace"; its processor time includes
+/// building the tree.
 struct Best {
     Seconds bare;
     Seconds engine;
 };
 
-/// One round of both; false when they disagree on the number of rays in shadow.
+/// Runs both once; false if they disagree on the number of rays in shadow.
 bool race(const BareLoop& bare, const City& city, const Receivers& receivers, const SunSteps& sun,
           Best& best) {
     std::uint64_t expected = 0;
@@ -155,7 +155,7 @@ bool race(const BareLoop& bare, const City& city, const Receivers& receivers, co
 int main(int argc, char** argv) {
     const City city = cityFrom(argc > 1 ? argv[1] : "43000");
     const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
-    const Receivers receivers = receiversOnGround(city, middleOf(city), {2}).value();
+    const Receivers receivers = placeReceiversOnGround(city, findMiddle(city), {2}).value();
     const SunSteps sun = sixHours();
     const BareLoop bare(city, receivers, sun);
     Best best;

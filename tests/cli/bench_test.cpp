@@ -11,7 +11,7 @@
 #include "app/bench/axis_scale.h"
 #include "app/bench/bench_files.h"
 #include "app/cli/offscreen_qt.h"
-#include "core/bench/paper_bench.h"
+#include "core/bench/paper/paper_bench.h"
 #include "tests/cli/spoken.h"
 #include "tests/core/bench/tiny_site.h"
 #include "tests/core/io/temporary_folder.h"
@@ -24,10 +24,10 @@ std::string contentOf(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(BenchFiles, holdTablesChartsAndTheSummary) {
+TEST(BenchFiles, HoldTablesChartsAndTheSummary) {
     NoProgress silent;
-    const auto report =
-        bench::paperBench(bench::tests::tinySite(), bench::tests::leastExtent(), coreEngines(), silent, {});
+    const auto report = bench::runPaperBench(bench::tests::tinySite(), bench::tests::leastExtent(),
+                                             coreEngines(), silent, {});
     ASSERT_TRUE(report) << report.error().text();
     const noonmark::tests::TemporaryFolder folder;
     const OffscreenQt qt;
@@ -45,7 +45,7 @@ TEST(BenchFiles, holdTablesChartsAndTheSummary) {
                     .starts_with("engine,setting,days,time_s,runs,estimated\nray,,1,"));
 }
 
-TEST(BenchCommand, refusesWhatItCannotUse) {
+TEST(BenchCommand, RefusesWhatItCannotUse) {
     const noonmark::tests::TemporaryFolder folder;
     const std::string out = folder.path("out").string();
     EXPECT_EQ(noonmarkCli({"bench"}).code, exitUsage);
@@ -62,7 +62,7 @@ TEST(BenchCommand, refusesWhatItCannotUse) {
     EXPECT_THAT(refused.err, testing::HasSubstr("level_error.csv: There is a file of this name already"));
 }
 
-TEST(AxisScale, linearAxesEndOnRoundNumbers) {
+TEST(AxisScale, LinearAxesEndOnRoundNumbers) {
     const AxisScale axis({.label = "x", .fromZero = true}, {3, 47});
     EXPECT_EQ(axis.low(), 0);
     EXPECT_EQ(axis.high(), 50);
@@ -70,7 +70,7 @@ TEST(AxisScale, linearAxesEndOnRoundNumbers) {
     EXPECT_EQ(axis.ticks().back().text, "50");
 }
 
-TEST(AxisScale, logarithmicAxesHoldAllValuesAndMarkRoundOnes) {
+TEST(AxisScale, LogarithmicAxesHoldAllValuesAndMarkRoundOnes) {
     const AxisScale axis({.label = "s", .logarithmic = true}, {0.002, 0, 7000});
     EXPECT_FALSE(axis.shows(0));
     EXPECT_LT(axis.low(), axis.placeOf(0.002));
@@ -79,7 +79,7 @@ TEST(AxisScale, logarithmicAxesHoldAllValuesAndMarkRoundOnes) {
     for (const AxisTick& tick : axis.ticks()) EXPECT_NEAR(tick.place, std::round(tick.place), 1e-9);
 }
 
-TEST(AxisScale, aSingleValueOrNoneStillMakesAnAxis) {
+TEST(AxisScale, ASingleValueOrNoneStillMakesAnAxis) {
     EXPECT_GE(AxisScale({.label = "s", .logarithmic = true}, {300}).ticks().size(), 1U);
     EXPECT_GE(AxisScale({.label = "s"}, {}).ticks().size(), 2U);
 }

@@ -20,7 +20,7 @@
 namespace noonmark::cli::tests {
 namespace {
 
-// Hours of work, interrupted. In a process of its own, where no thread of another test can take the signal.
+// Interrupts hours of work. Runs in its own process, where no thread of another test can receive the signal.
 [[noreturn]] void interruptedStudy(const std::string& out) {
     sigset_t signals;
     sigemptyset(&signals);
@@ -37,7 +37,7 @@ namespace {
     std::_Exit(spoken.code);
 }
 
-TEST(CancelDeathTest, ctrlCEndsAStudyWithCode130) {
+TEST(CancelDeathTest, CtrlCEndsAStudyWithCode130) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const noonmark::tests::TemporaryFolder folder;
     EXPECT_EXIT(interruptedStudy(folder.path("out").string()), testing::ExitedWithCode(exitCancelled),
@@ -63,7 +63,7 @@ std::ptrdiff_t linesIn(const std::filesystem::path& file) {
     return std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
 }
 
-// No time to say goodbye.
+// SIGKILL leaves no time to clean up.
 [[noreturn]] void killedCityStudy(const std::filesystem::path& out, std::ptrdiff_t tiles) {
     const std::jthread killer([&] {
         while (linesIn(out / "shadow.tif.tiles" / "journal.jsonl") <= tiles)
@@ -74,9 +74,9 @@ std::ptrdiff_t linesIn(const std::filesystem::path& file) {
     std::_Exit(0);
 }
 
-TEST(KillDeathTest, aKilledCityStudyGoesOnAndSaysTheSame) {
+TEST(KillDeathTest, AKilledCityStudyGoesOnAndSaysTheSame) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    // The process that is to be killed runs this test anew, from its beginning: it takes over the folder.
+    // The process that will be killed runs this test again from the start and uses the folder of its parent.
     constexpr const char* handedOver = "NOONMARK_TEST_KILLED_STUDY";
     std::optional<noonmark::tests::TemporaryFolder> folder;
     if (std::getenv(handedOver) == nullptr) ::setenv(handedOver, folder.emplace().path("out").c_str(), 1);

@@ -1,6 +1,6 @@
 #include "tests/cli/project_command.h"
 
-// No command writes over what it reads, over a project, or over a file of another kind.
+// No command overwrites its input, a project, or a file of another kind.
 namespace noonmark::cli::tests {
 namespace {
 
@@ -28,8 +28,9 @@ Words plus(Words words, const Words& more) {
 
 class OutputGuard : public ProjectCommand {
 protected:
-    /// Why a command is refused, which must leave `victim` and the folder as they were.
-    std::string kept(const fs::path& victim, const Words& words) {
+    /// Runs a command that must be refused and must leave `victim` and the folder unchanged. Returns the
+    /// error.
+    std::string saved(const fs::path& victim, const Words& words) {
         const std::string before = bytesOf(victim);
         const auto names = folder_.names();
         const Spoken spoken = noonmarkCli(words);
@@ -39,10 +40,10 @@ protected:
         return spoken.err;
     }
 
-    /// The same with --overwrite, which must not help.
+    /// The same, also with --overwrite, which must make no difference.
     std::string keptAlways(const fs::path& victim, const Words& words) {
-        std::string why = kept(victim, plus(words, {"--overwrite"}));
-        EXPECT_EQ(kept(victim, words), why);
+        std::string why = saved(victim, plus(words, {"--overwrite"}));
+        EXPECT_EQ(saved(victim, words), why);
         return why;
     }
 
@@ -74,7 +75,7 @@ TEST_F(OutputGuard, AProjectKeepsItsScenarios) {
     }
     EXPECT_THAT(keptAlways(copy, {"project", "export", file_, "--out", copy.string()}),
                 HasSubstr("is a Noonmark project"));
-    EXPECT_THAT(kept(file_, {"project", "new", file_, city_.string()}), HasSubstr("--overwrite"));
+    EXPECT_THAT(saved(file_, {"project", "new", file_, city_.string()}), HasSubstr("--overwrite"));
     EXPECT_EQ(opened().scenarios.size(), 1U);
     EXPECT_EQ(noonmarkCli({"project", "new", file_, city_.string(), "--overwrite"}).code, exitOk);
     EXPECT_TRUE(opened().scenarios.empty());
@@ -114,16 +115,16 @@ TEST_F(OutputGuard, OnlyTheSameKindIsReplacedAndOnlyWhenAsked) {
                 HasSubstr("A folder has this name"));
     const Words import{"import", city_.string(), "--out", city.string()};
     ASSERT_EQ(noonmarkCli(import).code, exitOk);
-    EXPECT_THAT(kept(city, import), HasSubstr("Add --overwrite to replace it, or name another file"));
+    EXPECT_THAT(saved(city, import), HasSubstr("Add --overwrite to replace it, or name another file"));
     EXPECT_EQ(noonmarkCli(plus(import, {"--overwrite"})).code, exitOk);
 }
 
 TEST_F(OutputGuard, AStudyIsNotReplacedUnasked) {
     ASSERT_EQ(noonmarkCli(studyOf(box_)).code, exitOk);
     const Words again = studyOf(box_);
-    EXPECT_THAT(kept(out_ / "study.json", again), HasSubstr("shadow.tif and 3 more of the files to write"));
-    // Before the city is read: this one is not there.
-    EXPECT_THAT(kept(out_ / "study.json", atNine({"study", "/no/such.geojson", "--region", box_}, out_)),
+    EXPECT_THAT(saved(out_ / "study.json", again), HasSubstr("shadow.tif and 3 more of the files to write"));
+    // The check precedes reading the city, which does not exist here.
+    EXPECT_THAT(saved(out_ / "study.json", atNine({"study", "/no/such.geojson", "--region", box_}, out_)),
                 HasSubstr("--overwrite"));
     EXPECT_EQ(noonmarkCli(plus(again, {"--overwrite"})).code, exitOk);
     EXPECT_EQ(noonmarkCli(plus(again, {"--overwrite", "--cells-csv"})).code, exitOk);
@@ -139,10 +140,10 @@ TEST_F(OutputGuard, ARegionInTheFolderIsAnInput) {
     ASSERT_EQ(noonmarkCli(studyOf(folder_.file("park.geojson", place).string())).code, exitOk);
     const fs::path region = out_ / "region.geojson";
     ASSERT_TRUE(fs::exists(region));
-    EXPECT_THAT(kept(region, plus(studyOf(region.string()), {"--overwrite"})), HasSubstr("is an input"));
+    EXPECT_THAT(saved(region, plus(studyOf(region.string()), {"--overwrite"})), HasSubstr("is an input"));
     fs::remove(out_ / "shadow.tif");
     for (const char* name : {"shadow.png", "report.pdf", "study.json"}) fs::remove(out_ / name);
-    EXPECT_THAT(kept(region, studyOf(folder_.path("park.geojson").string())),
+    EXPECT_THAT(saved(region, studyOf(folder_.path("park.geojson").string())),
                 HasSubstr("region.geojson: There is a file of this name already"));
     EXPECT_EQ(noonmarkCli(studyOf(box_)).code, exitOk) << "a box needs no file";
 }
@@ -150,7 +151,7 @@ TEST_F(OutputGuard, ARegionInTheFolderIsAnInput) {
 TEST_F(OutputGuard, AFinishedCityStudyIsNotReplacedUnasked) {
     const Words words = atNine({"city-study", city_.string(), "--region", box_}, out_);
     ASSERT_EQ(noonmarkCli(words).code, exitOk);
-    EXPECT_THAT(kept(out_ / "shadow.tif", words), HasSubstr("shadow.tif and 1 more"));
+    EXPECT_THAT(saved(out_ / "shadow.tif", words), HasSubstr("shadow.tif and 1 more"));
     EXPECT_EQ(noonmarkCli(plus(words, {"--overwrite"})).code, exitOk);
 }
 
@@ -165,7 +166,7 @@ TEST_F(OutputGuard, AnImpactAndAScoreAreNotReplacedUnasked) {
     for (const std::string command : {"impact", "score"}) {
         ASSERT_EQ(noonmarkCli(asked(command.c_str())).code, exitOk) << command;
         const fs::path json = out_ / (command + ".json");
-        EXPECT_THAT(kept(json, asked(command.c_str())), HasSubstr(command + ".tif and 4 more"));
+        EXPECT_THAT(saved(json, asked(command.c_str())), HasSubstr(command + ".tif and 4 more"));
         EXPECT_EQ(noonmarkCli(plus(asked(command.c_str()), {"--overwrite"})).code, exitOk) << command;
         std::ofstream(json) << house;
         EXPECT_THAT(keptAlways(json, asked(command.c_str())), HasSubstr("it is not JSON with figures"));

@@ -11,7 +11,7 @@
 
 namespace noonmark::cli::tests {
 
-/// A project of the sample in a folder of its own.
+/// A fixture with a project of the sample in its own folder.
 class ProjectCommand : public testing::Test {
 protected:
     void SetUp() override {
@@ -20,7 +20,7 @@ protected:
         EXPECT_THAT(made.out, testing::HasSubstr("1 regions, 7 lots"));
     }
 
-    /// `command` may be several words: "lot add".
+    /// `command` may have several words: "lot add".
     Spoken project(const std::string& command, const std::vector<std::string>& more) {
         std::vector<std::string> arguments{"project"};
         std::istringstream words(command);
@@ -30,14 +30,14 @@ protected:
         return noonmarkCli(arguments);
     }
 
-    /// What it did, which must be right.
+    /// Runs a command that must succeed. Returns its output.
     std::string done(const std::string& command, const std::vector<std::string>& more) {
         const Spoken spoken = project(command, more);
         EXPECT_EQ(spoken.code, 0) << command << ": " << spoken.err;
         return spoken.out;
     }
 
-    /// Why it was refused, which must leave the file as it was.
+    /// Runs a command that must be refused and must leave the file unchanged. Returns the error.
     std::string refused(const std::string& command, const std::vector<std::string>& more) {
         const auto before = ProjectFile::open(file_).value().saves();
         const Spoken spoken = project(command, more);
@@ -54,7 +54,7 @@ protected:
         return noonmarkCli(arguments);
     }
 
-    /// An hour in December.
+    /// Measures one hour in December.
     Spoken atNoon(const std::string& command, std::vector<std::string> more) {
         for (const char* word : {"--start", "2026-12-21", "--at", "12:00", "--hours", "1", "--step", "10",
                                  "--zone", "America/New_York"})

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/placed_building.h"
 #include "tests/cli/project_command.h"
@@ -19,7 +19,7 @@ protected:
         done("add-scenario", {"A"});
     }
 
-    /// As the scenario leaves it in the file.
+    /// A building after the scenario's edits, read from the file.
     [[nodiscard]] Building building(const std::string& name, const std::string& scenario = "A") const {
         const City city = cityOf(opened(), scenario).value().city;
         return *city.buildings[findBuilding(city, name).value()];
@@ -28,7 +28,7 @@ protected:
     [[nodiscard]] std::vector<std::string> kinds() const {
         std::vector<std::string> kinds;
         const Project project = opened();
-        for (const Edit& edit : project.scenarios[0].edits) kinds.emplace_back(kindOf(edit));
+        for (const Edit& edit : project.scenarios[0].edits) kinds.emplace_back(getKind(edit));
         return kinds;
     }
 
@@ -36,13 +36,13 @@ protected:
 };
 
 TEST_F(ProjectEdits, EveryKindGoesIntoTheFileAndBack) {
-    const glm::dvec2 before = middleOf(building("One57"));
+    const glm::dvec2 before = findMiddle(building("One57"));
     EXPECT_THAT(done("move", {"One57", "--scenario", "A", "--east", "12", "--north", "-3.5"}),
                 HasSubstr("A: Move One57 by 12.0 m east, -3.5 m north"));
-    EXPECT_NEAR(middleOf(building("One57")).x, before.x + 12, 1e-3);
-    EXPECT_NEAR(middleOf(building("One57")).y, before.y - 3.5, 1e-3);
+    EXPECT_NEAR(findMiddle(building("One57")).x, before.x + 12, 1e-3);
+    EXPECT_NEAR(findMiddle(building("One57")).y, before.y - 3.5, 1e-3);
     EXPECT_THAT(done("rotate", {"One57", "--scenario", "A", "--clockwise", "90"}), HasSubstr("Turn One57"));
-    EXPECT_NEAR(middleOf(building("One57")).x, before.x + 12, 1e-2);
+    EXPECT_NEAR(findMiddle(building("One57")).x, before.x + 12, 1e-2);
     EXPECT_THAT(done("height", {"One57", "432 Park Avenue", "--scenario", "A", "--height", "150"}),
                 AllOf(HasSubstr("Make One57 150.0 m high"), HasSubstr("432 Park Avenue")));
     EXPECT_NEAR(topM(building("432 Park Avenue")), 150, 1e-3);
@@ -62,10 +62,10 @@ TEST_F(ProjectEdits, AMeshStandsWhereItIsPut) {
     done("import", {mesh_, "--scenario", "A", "--id", "middle", "--at", "-73.975,40.77", "--scale", "2",
                     "--clockwise", "90", "--east", "5"});
     const glm::dvec2 place = opened().city->frame.localFromLonLat({-73.975, 40.77});
-    EXPECT_NEAR(middleOf(building("middle")).x, place.x + 5, 0.01);
-    EXPECT_NEAR(middleOf(building("middle")).y, place.y, 0.01);
+    EXPECT_NEAR(findMiddle(building("middle")).x, place.x + 5, 0.01);
+    EXPECT_NEAR(findMiddle(building("middle")).y, place.y, 0.01);
     const Box2 box = bounds(building("middle"));
-    EXPECT_NEAR(box.high.x - box.low.x, 60, 0.01);  // 30 m from south to north, doubled and turned
+    EXPECT_NEAR(box.high.x - box.low.x, 60, 0.01);  // 30 m from south to north, scaled by 2 and turned
     EXPECT_NEAR(topM(building("middle")), 200, 0.01);
     done("import", {mesh_, "--scenario", "A", "--id", "origin", "--origin-at", "-73.975,40.77"});
     EXPECT_NEAR(bounds(building("origin")).low.x, place.x, 0.01);
@@ -91,15 +91,15 @@ TEST_F(ProjectEdits, AMeshTakesTheReplacedBuildingsPlaceAndName) {
     const Building made = building("One57");
     EXPECT_EQ(made.sourceId, old.sourceId);
     EXPECT_EQ(made.name, old.name);
-    EXPECT_NEAR(middleOf(made).x, middleOf(old).x, 0.01);
-    EXPECT_NEAR(middleOf(made).y, middleOf(old).y, 0.01);
+    EXPECT_NEAR(findMiddle(made).x, findMiddle(old).x, 0.01);
+    EXPECT_NEAR(findMiddle(made).y, findMiddle(old).y, 0.01);
     EXPECT_TRUE(made.parts[0].mesh);
 }
 
 TEST_F(ProjectEdits, ADryRunSavesNothing) {
     const auto saves = ProjectFile::open(file_).value().saves();
     EXPECT_THAT(done("demolish", {"One57", "--scenario", "A", "--dry-run"}),
-                AllOf(HasSubstr("Demolish One57"), HasSubstr("Nothing was saved")));
+                AllOf(HasSubstr("Demolish One57"), HasSubstr("nothing was saved")));
     EXPECT_THAT(refused("demolish", {"One58", "--scenario", "A", "--dry-run"}), HasSubstr("'One57'"));
     EXPECT_EQ(ProjectFile::open(file_).value().saves(), saves);
 }
@@ -160,11 +160,11 @@ TEST_F(ProjectEdits, MistakesSayWhatWhereAndWhatToDo) {
     EXPECT_THAT(refused("rename-scenario", {"A", "Existing"}), HasSubstr("Existing"));
     EXPECT_THAT(refused("rename-scenario", {"C", "D"}), HasSubstr("The scenarios are: Existing, A"));
     EXPECT_THAT(refused("duplicate-scenario", {"A", "A"}), HasSubstr("Two scenarios"));
-    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("name of its own"));
+    EXPECT_THAT(refused("duplicate-scenario", {"A", ""}), HasSubstr("another name"));
     EXPECT_TRUE(kinds().empty());
 }
 
-// Each setting by hand: a lot of 40 x 30 m, storeys of 4 m.
+// Checks each setting by hand calculation: a lot of 40 x 30 m, storeys of 4 m.
 TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
     const Frame frame = opened().city->frame;
     std::string wkt = "POLYGON ((";
@@ -196,7 +196,7 @@ TEST_F(ProjectEdits, ATowerHasEverySettingOfAMassing) {
     EXPECT_THAT(
         built("g", {"--storeys", "10", "--plate-area", "300", "--podium", "2", "--podium-area", "900"}),
         AllOf(HasSubstr("gross floor area 4,200 m2"), HasSubstr("coverage 75 %")));
-    // Above 20 m 5 m from every wall: 30 x 20 m; above 32 m another 5 m: 20 x 10 m.
+    // Above 20 m inset by 5 m: 30 x 20 m; above 32 m by another 5 m: 20 x 10 m.
     EXPECT_THAT(built("h", {"--storeys", "10", "--setback", "20:5", "--setback", "32:5"}),
                 HasSubstr("gross floor area 8,200 m2"));
     EXPECT_THAT(built("i", {"--storeys", "10", "--plate-share", "25", "--turn", "90"}),

@@ -11,7 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// Squares of some 84 x 111 m side by side, with a field of their names.
+// Squares of about 84 x 111 m side by side, with a field for their names.
 std::string parcelsFile() {
     std::string features;
     for (int i = 0; i < 3; ++i)
@@ -44,7 +44,7 @@ TEST_F(ProjectPlaces, ALotIsABoxAPolygonAFileOrABuildingsOutline) {
     const Project project = opened();
     EXPECT_NEAR(area(project.lots[7].outline), 2 * area(project.lots[8].outline), 1);
     EXPECT_TRUE(contains(project.lots.back().outline,
-                         middleOf(*project.city->buildings[findBuilding(*project.city, "One57").value()])));
+                         findMiddle(*project.city->buildings[findBuilding(*project.city, "One57").value()])));
     done("lot remove", {"file", "file (2)", "own"});
     EXPECT_THAT(lots(), testing::ElementsAre("box", "wkt", "file (3)"));
     EXPECT_EQ(project.lots.size() - 3, opened().lots.size());
@@ -69,7 +69,7 @@ TEST_F(ProjectPlaces, MistakesOfLotsSayWhatToDo) {
                 AllOf(HasSubstr("'9-9'"), HasSubstr("10-1, 10-2")));
     EXPECT_THAT(refused("lot import", {parcels_, "--layer", "roads"}), HasSubstr("Its layers are: parcels"));
     EXPECT_THAT(refused("lot import", {parcels_, "--within", "-73.9,40.76,-73.8,40.77"}),
-                HasSubstr("No parcel of the file lies there"));
+                HasSubstr("No parcel of the file lies in the region"));
     EXPECT_THAT(refused("lot import", {folder_.path("gone.gpkg").string()}), HasSubstr("gone.gpkg"));
     EXPECT_THAT(refused("lot add", {"One57", "-73.98,40.765,-73.979,40.766"}), HasSubstr("lot remove"));
     EXPECT_THAT(refused("lot add", {"x"}), HasSubstr("place"));

@@ -6,7 +6,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string textOf(const std::filesystem::path& file) {
+std::string formatText(const std::filesystem::path& file) {
     std::ifstream stream(file);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -24,8 +24,8 @@ TEST_F(ProjectCommand, AWholeStudy) {
     EXPECT_EQ(json["impact"][0]["gross"]["lost_m2"], 0);
     ASSERT_EQ(json["by_building"].size(), 2U);
     EXPECT_EQ(json["by_building"][0]["id"], "One57");
-    EXPECT_EQ(textOf(folder_.path("out/impact.json")) + "\n", impact.out);
-    EXPECT_THAT(textOf(folder_.path("out/impact.csv")),
+    EXPECT_EQ(formatText(folder_.path("out/impact.json")) + "\n", impact.out);
+    EXPECT_THAT(formatText(folder_.path("out/impact.csv")),
                 AllOf(HasSubstr("id,name,threshold_min"), HasSubstr("\r\nOne57,One57,20,")));
     for (const char* file : {"out/impact.tif", "out/impact.png", "out/impact.pdf"})
         EXPECT_GT(std::filesystem::file_size(folder_.path(file)), 1000U) << file;
@@ -43,7 +43,7 @@ TEST_F(ProjectCommand, TowersAreBuiltAndReshaped) {
     EXPECT_THAT(built.out, HasSubstr("New tower: 40 storeys, 160.0 m"));
     ASSERT_EQ(project("add-scenario", {"B", "--base", "A"}).code, 0);
     const Spoken wider = project("variant", {"One57", "520 Park Avenue", "--scenario", "B"});
-    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue is gone
+    EXPECT_EQ(wider.code, 2);  // 520 Park Avenue was demolished
     EXPECT_THAT(wider.err, HasSubstr("There is no such building"));
     const Spoken variant = project("variant", {"One57", "--scenario", "B"});
     ASSERT_EQ(variant.code, 0) << variant.err;
@@ -63,9 +63,10 @@ TEST_F(ProjectCommand, InfoReadsAProjectAsAProject) {
     EXPECT_EQ(info.json()["format"], "Noonmark project");
     EXPECT_EQ(info.json()["buildings"], opened().city->buildings.size());
     EXPECT_THAT(noonmarkCli({"info", file_}).out, HasSubstr("noonmark-cli project info"));
-    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err, HasSubstr("is read already"));
+    EXPECT_THAT(noonmarkCli({"info", file_, "--height-field", "height"}).err,
+                HasSubstr("has already been read"));
     EXPECT_THAT(noonmarkCli({"info", file_, folder_.path("dem.tif").string()}).err,
-                HasSubstr("stands alone"));
+                HasSubstr("cannot be combined"));
 }
 
 TEST_F(ProjectCommand, TablesNameTheProject) {
@@ -75,7 +76,7 @@ TEST_F(ProjectCommand, TablesNameTheProject) {
                                             "--by", "month", "--contributions", "--engine", "horizon"});
     ASSERT_EQ(study.code, 0) << study.err;
     for (const char* name : {"out/by_month.csv", "out/contributions.csv"})
-        EXPECT_THAT(textOf(folder_.path(name)), HasSubstr(",park.noonmark.gpkg,A,,")) << name;
+        EXPECT_THAT(formatText(folder_.path(name)), HasSubstr(",park.noonmark.gpkg,A,,")) << name;
 }
 
 TEST_F(ProjectCommand, IsKnownByWhatItHolds) {
@@ -93,7 +94,7 @@ TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
                                             "--hours", "1", "--step", "10", "--zone", "America/New_York"});
     ASSERT_EQ(study.code, 0) << study.err;
     for (const char* name : {"out/shadow.tif", "out/shadow.png"}) {
-        const std::string bytes = textOf(folder_.path(name));
+        const std::string bytes = formatText(folder_.path(name));
         EXPECT_THAT(bytes, HasSubstr("park.noonmark.gpkg")) << name;
         EXPECT_THAT(bytes, HasSubstr("NOONMARK_SCENARIO_CITY_SHA256")) << name;
         EXPECT_THAT(bytes, HasSubstr("520 Park Avenue")) << name;
@@ -103,15 +104,15 @@ TEST_F(ProjectCommand, MapAndPictureNameTheProject) {
 TEST_F(ProjectCommand, ScoresAYear) {
     const Spoken score = atNoon("score", {"--days", "365", "--weights", "default", "--json"});
     ASSERT_EQ(score.code, 0) << score.err;
-    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: two of it
+    EXPECT_EQ(score.json()["months"].size(), 13U);  // 21 December to 20 December: December appears twice
     EXPECT_LT(score.json()["score_m2"].get<double>(), 0);
-    EXPECT_THAT(textOf(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
+    EXPECT_THAT(formatText(folder_.path("out/score.csv")), HasSubstr("2026-12,"));
 }
 
 TEST_F(ProjectCommand, MistakesAreSaidAndNothingIsSaved) {
     EXPECT_EQ(noonmarkCli({"project", "new", file_, "sample:central-park-south"}).code, 2);
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "Existing"}).err,
-                HasSubstr("The existing city is not changed"));
+                HasSubstr("The existing city cannot be changed"));
     EXPECT_THAT(project("demolish", {"One57", "--scenario", "B"}).err,
                 HasSubstr("The project has no scenario yet"));
     ASSERT_EQ(project("add-scenario", {"A"}).code, 0);

@@ -11,15 +11,15 @@
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/box_obj.h"
 
-// Runs the command that an answer prints, in an empty folder that holds copies of its inputs and nothing
-// else, and compares the figures of both to the last digit.
+// Runs the command that a result prints in an empty folder with copies of its inputs only, and compares all
+// figures of both results exactly.
 namespace noonmark::cli::tests {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Heights in feet under a name of their own, one by levels, one without any.
+// Heights in feet in a field with an unusual name; one building has levels only, one has no height.
 constexpr const char* houses = R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"id":"north house","roof top":120,"building:levels":3},"geometry":{"type":"Polygon","coordinates":
  [[[-73.98410,40.75300],[-73.98382,40.75300],[-73.98382,40.75321],[-73.98410,40.75321],[-73.98410,40.75300]]]}},
@@ -28,7 +28,7 @@ constexpr const char* houses = R"({"type":"FeatureCollection","features":[
 {"type":"Feature","properties":{"id":"c"},"geometry":{"type":"Polygon","coordinates":
  [[[-73.98405,40.75265],[-73.98370,40.75260],[-73.98370,40.75276],[-73.98405,40.75276],[-73.98405,40.75265]]]}}]})";
 
-// A slanting triangle with a side of more than 500 m, which readRegion bends.
+// An oblique triangle with a side longer than 500 m, which readRegion() subdivides.
 constexpr const char* triangle =
     R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":
  [[[-73.98500,40.75240],[-73.97850,40.75262],[-73.98360,40.75353],[-73.98500,40.75240]]]}})";
@@ -42,7 +42,7 @@ Words joined(Words words, const Words& more) {
     return words;
 }
 
-// The words of a command line as a POSIX shell sees them.
+// Splits a command line into words as a POSIX shell does.
 Words asShellReads(const std::string& command) {
     const std::string script = "printf '%s\\0' " + command;
     const std::unique_ptr<FILE, int (*)(FILE*)> shell(::popen(script.c_str(), "r"), &::pclose);
@@ -62,8 +62,8 @@ nlohmann::json jsonIn(const fs::path& file) {
     return nlohmann::json::parse(stream);
 }
 
-// Everything that is stated, but for how long it took, where the inputs lay, and whether the engine was
-// chosen by its name or picked.
+// All figures of a JSON file, without run times, the paths of the inputs, and whether the engine was named or
+// chosen automatically.
 nlohmann::json figuresIn(const fs::path& file) {
     nlohmann::json json = jsonIn(file);
     for (const char* key : {"seconds", "accumulate_seconds", "mega_rays_per_s", "inputs", "engine",
@@ -82,7 +82,7 @@ protected:
                                          "America/New_York", "--cell", "2"});
     }
 
-    /// Runs a command with its inputs, then what it printed; expects the same figures. Returns the JSON.
+    /// Runs a command, then the command that it printed, and expects the same figures. Returns the JSON.
     nlohmann::json repeated(Words words, const std::string& json, const std::vector<fs::path>& inputs) {
         const fs::path out = folder_.path("out");
         const Spoken first = noonmarkCli(joined(std::move(words), {"--overwrite", "--out", out.string()}));
@@ -110,7 +110,7 @@ protected:
     fs::path city() { return folder_.file("5th Ave's \"houses\" $1.geojson", houses); }
     fs::path region() { return folder_.file("place.geojson", triangle); }
 
-    /// A project of them: a scenario that changes two buildings, one that starts from it, a region.
+    /// A project of the inputs: a scenario that changes two buildings, a scenario based on it, and a region.
     fs::path project() {
         const fs::path file = folder_.path("O'Brien plan.noonmark.gpkg");
         const auto done = [&](const Words& words) {
@@ -226,7 +226,7 @@ TEST_F(Repeat, AStudyOfAScenario) {
     EXPECT_THAT(json["scenario_edits"][1].get<std::string>(), HasSubstr("Demolish c"));
     EXPECT_EQ(json["project"]["file"], "O'Brien plan.noonmark.gpkg");
     EXPECT_TRUE(json["project"]["saved_as_measured"].get<bool>());
-    EXPECT_EQ(json["project"]["file_sha256"], inputFile(file).value().sha256);
+    EXPECT_EQ(json["project"]["file_sha256"], describeInputFile(file).value().sha256);
     EXPECT_EQ(json["read_settings"]["height_field"], "roof top");
     EXPECT_FALSE(json["warnings"].empty()) << "what was noted at `project new` belongs to the city";
     const auto existing =
@@ -325,8 +325,8 @@ TEST_F(Repeat, WhatDoesNotGoTogetherIsRefused) {
     };
     EXPECT_THAT(refused({"study", city().string(), "--scenario", "A"}), HasSubstr("Only a project"));
     EXPECT_THAT(refused({"study", file.string(), "--scenario", "A"}), HasSubstr("no such scenario"));
-    EXPECT_THAT(refused({"study", file.string(), city().string()}), HasSubstr("stands alone"));
-    EXPECT_THAT(refused({"study", file.string(), "--height-unit", "ft"}), HasSubstr("options of reading"));
+    EXPECT_THAT(refused({"study", file.string(), city().string()}), HasSubstr("cannot be combined"));
+    EXPECT_THAT(refused({"study", file.string(), "--height-unit", "ft"}), HasSubstr("reading options"));
 }
 
 }  // namespace

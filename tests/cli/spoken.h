@@ -10,7 +10,7 @@
 
 namespace noonmark::cli::tests {
 
-/// What the program answered to a command line.
+/// The exit code and output of a command line.
 struct Spoken {
     int code = 0;
     std::string out;
@@ -19,7 +19,7 @@ struct Spoken {
     [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
-/// Runs the program in this process, as if nobody watched.
+/// Runs the program in this process, without a terminal.
 inline Spoken noonmarkCli(const std::vector<std::string>& arguments) {
     std::vector<const char*> argv{"noonmark-cli"};
     for (const std::string& argument : arguments) argv.push_back(argument.c_str());

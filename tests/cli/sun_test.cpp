@@ -29,9 +29,9 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
     return arguments;
 }
 
-// The example of the SPA report (NREL/TP-560-34302, table A5.1). Its day is UT's: the sunset that it prints,
-// 17:20:19, is the evening before; the one that follows this transit comes 87 s earlier.
-TEST(Sun, exampleOfTheSpaReport) {
+// The example of the SPA report (NREL/TP-560-34302, table A5.1). Its day is that of UT: the sunset that it
+// prints, 17:20:19, belongs to the evening before; the sunset after this transit is 87 s earlier.
+TEST(Sun, ExampleOfTheSpaReport) {
     const Spoken spoken = noonmarkCli(with(golden, {"--json"}));
     ASSERT_EQ(spoken.code, exitOk) << spoken.err;
     const auto json = spoken.json();
@@ -44,14 +44,14 @@ TEST(Sun, exampleOfTheSpaReport) {
     EXPECT_THAT(json["sunset"].get<std::string>(), MatchesRegex("2003-10-17T17:18:5[123]-07:00"));
 }
 
-TEST(Sun, aZoneChangesHowTimesAreWrittenOnly) {
+TEST(Sun, AZoneChangesHowTimesAreWrittenOnly) {
     const auto there = noonmarkCli(with(golden, {"--json", "--zone", "Europe/Berlin"})).json();
     const auto here = noonmarkCli(with(golden, {"--json"})).json();
     EXPECT_EQ(there["azimuth_deg"], here["azimuth_deg"]);
     EXPECT_EQ(there["at"], "2003-10-17T21:30:30+02:00");
 }
 
-TEST(Sun, polarDaysHaveNoSunrise) {
+TEST(Sun, PolarDaysHaveNoSunrise) {
     const auto json =
         noonmarkCli({"sun", "--lat", "78.2", "--lon", "15.6", "--at", "2026-06-21T12:00:00Z", "--json"})
             .json();
@@ -62,14 +62,14 @@ TEST(Sun, polarDaysHaveNoSunrise) {
     EXPECT_THAT(json["transit"].get<std::string>(), HasSubstr("+00:00"));
 }
 
-TEST(Sun, theCentreRisesLaterThanTheUpperLimb) {
+TEST(Sun, TheCentreRisesLaterThanTheUpperLimb) {
     const auto limb = noonmarkCli(with(golden, {"--json"})).json();
     const auto centre = noonmarkCli(with(golden, {"--json", "--centre"})).json();
     EXPECT_LT(limb["sunrise"], centre["sunrise"]);
     EXPECT_GT(limb["sunset"], centre["sunset"]);
 }
 
-TEST(Sun, tableForPeople) {
+TEST(Sun, TableForPeople) {
     const Spoken spoken = noonmarkCli(golden);
     EXPECT_EQ(spoken.code, exitOk);
     EXPECT_THAT(spoken.out, HasSubstr("194.340"));
@@ -77,7 +77,7 @@ TEST(Sun, tableForPeople) {
     EXPECT_EQ(spoken.err, "");
 }
 
-TEST(Sun, wrongInput) {
+TEST(Sun, WrongInput) {
     EXPECT_EQ(noonmarkCli({"sun", "--lat", "95", "--lon", "0", "--at", "2026-06-21T12:00:00Z"}).code,
               exitUsage);
     const Spoken noOffset = noonmarkCli({"sun", "--lat", "40", "--lon", "0", "--at", "2026-06-21T12:00:00"});

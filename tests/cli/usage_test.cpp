@@ -33,7 +33,7 @@ std::vector<std::string> study(std::vector<std::string> more) {
     return arguments;
 }
 
-TEST(Usage, helpAndVersionAreAnswers) {
+TEST(Usage, HelpAndVersionAreAnswers) {
     EXPECT_EQ(noonmarkCli({"--help"}).code, exitOk);
     EXPECT_THAT(noonmarkCli({"--help"}).out, HasSubstr("study"));
     EXPECT_THAT(noonmarkCli({"--version"}).out, HasSubstr("Noonmark 0."));
@@ -45,12 +45,12 @@ TEST(Usage, helpAndVersionAreAnswers) {
     }
 }
 
-TEST(Usage, anEmptyValueDoesNotTakeTheNextWord) {
+TEST(Usage, AnEmptyValueDoesNotTakeTheNextWord) {
     expectUsageError(study({"--name=", "--json"}), "--name= has no value");
 }
 
-// As where the disk that standard output goes to is full.
-TEST(Usage, outputThatCannotBeWrittenIsNoSuccess) {
+// Simulates a full disk behind standard output.
+TEST(Usage, OutputThatCannotBeWrittenIsNoSuccess) {
     struct Full : std::streambuf {
         int_type overflow(int_type) override { return traits_type::eof(); }
     } full;
@@ -61,20 +61,20 @@ TEST(Usage, outputThatCannotBeWrittenIsNoSuccess) {
     EXPECT_THAT(err.str(), HasSubstr("could not be written"));
 }
 
-TEST(Usage, enginesNameTheirOptions) {
+TEST(Usage, EnginesNameTheirOptions) {
     const Spoken engines = noonmarkCli({"engines"});
     EXPECT_EQ(engines.code, exitOk);
     EXPECT_THAT(engines.out, HasSubstr("ray"));
     EXPECT_THAT(engines.out, HasSubstr("--option levels=3  1 to 8"));
 }
 
-TEST(Usage, devicesAreThoseToChooseFrom) {
+TEST(Usage, DevicesAreThoseToChooseFrom) {
     const Spoken devices = noonmarkCli({"devices"});
     EXPECT_EQ(devices.code, exitOk);
     EXPECT_THAT(devices.out, HasSubstr("--option device="));
 }
 
-TEST(Usage, wrongCommandLines) {
+TEST(Usage, WrongCommandLines) {
     expectUsageError({}, "subcommand");
     expectUsageError({"paint"}, "paint");
     expectUsageError({"info"}, "files");
@@ -94,7 +94,7 @@ TEST(Usage, wrongCommandLines) {
     expectUsageError({"sample", "central-park-south", "--out", "a.gpkg", "--seed", "5"}, "--seed");
 }
 
-TEST(Usage, wrongStudies) {
+TEST(Usage, WrongStudies) {
     expectUsageError({"study", "sample:grid"}, "--region");
     expectUsageError({"study", "sample:grid", "--region", "city", "--out", "o"}, "--start");
     expectUsageError(study({}), "--zone");
@@ -112,12 +112,13 @@ TEST(Usage, wrongStudies) {
     expectUsageError(study({"--window", "sunrise..sunset", "--hours", "6"}), "--window");
 }
 
-TEST(Usage, filesThatCannotBeRead) {
+TEST(Usage, FilesThatCannotBeRead) {
     const TemporaryFolder folder;
     expectUsageError({"info", folder.path("missing.gpkg").string()}, "missing.gpkg");
     expectUsageError({"info", folder.file("words.geojson", "hello").string()}, "words.geojson");
     expectUsageError({"info", "sample:atlantis"}, "atlantis");
-    expectUsageError({"info", "sample:grid", folder.file("empty.geojson", "").string()}, "alone");
+    expectUsageError({"info", "sample:grid", folder.file("empty.geojson", "").string()},
+                     "cannot be combined");
     expectUsageError({"study", "sample:grid", "--start", "2026-03-21", "--zone", "UTC", "--region",
                       folder.path("none.geojson").string(), "--out", folder.path("out").string()},
                      "none.geojson");

@@ -1,4 +1,4 @@
-#include "core/json_number.h"
+#include "core/base/json_number.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ Integer numberIn(const char* text) {
     return wholeNumberFrom<Integer>(nlohmann::json::parse(text));
 }
 
-TEST(JsonNumber, takesWholeNumbersThatTheTypeHolds) {
+TEST(JsonNumber, TakesWholeNumbersThatTheTypeHolds) {
     EXPECT_EQ(numberIn<int>("-7"), -7);
     EXPECT_EQ(numberIn<int>("7.0"), 7);
     EXPECT_EQ(numberIn<unsigned>("4294967295"), 4294967295U);
@@ -20,7 +20,7 @@ TEST(JsonNumber, takesWholeNumbersThatTheTypeHolds) {
     EXPECT_EQ(numberIn<std::uint64_t>("9007199254740992.0"), 9007199254740992U);
 }
 
-TEST(JsonNumber, refusesAllOthers) {
+TEST(JsonNumber, RefusesAllOthers) {
     for (const char* text : {"-1", "4294967296", "1e300", "-1e300", "0.5", "1.8446744073709552e19"})
         EXPECT_THROW(numberIn<unsigned>(text), std::out_of_range) << text;
     EXPECT_THROW(numberIn<int>("2147483648"), std::out_of_range);
@@ -29,7 +29,7 @@ TEST(JsonNumber, refusesAllOthers) {
     EXPECT_THROW(numberIn<int>("null"), nlohmann::json::exception);
 }
 
-TEST(JsonNumber, aMemberMayBeMissing) {
+TEST(JsonNumber, AMemberMayBeMissing) {
     const auto json = nlohmann::json::parse(R"({"count":3})");
     EXPECT_EQ(wholeNumberIn(json, "count", 0), 3);
     EXPECT_EQ(wholeNumberIn(json, "other", 5), 5);

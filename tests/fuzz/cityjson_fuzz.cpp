@@ -5,6 +5,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
     noonmark::NoProgress progress;
-    use(noonmark::readCityJson(fuzzFile("city.json", textOf(data, size)), {}, progress, {}));
+    use(noonmark::readCityJson(fuzzFile("city.json", formatText(data, size)), {}, progress, {}));
     return 0;
 }

@@ -1,4 +1,4 @@
-// An edit of a scenario. The first byte chooses its kind.
+// An edit of a scenario. The first byte selects its kind.
 #include <span>
 
 #include "scenarios/edits/apply_edits.h"
@@ -14,11 +14,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)fuzzFolder();
     if (size == 0) return 0;
     const std::string kind = kinds[data[0] % std::size(kinds)];
-    const auto edit = noonmark::editOf(kind, std::string(textOf(data, size).substr(1)));
+    const auto edit = noonmark::parseEdit(kind, std::string(formatText(data, size).substr(1)));
     if (!edit) return requireSound(edit.error()), 0;
-    const std::string text = jsonOf(*edit);
-    const auto again = noonmark::editOf(kind, text);
-    require(again && jsonOf(*again) == text, "an edit comes back");
+    const std::string text = toJson(*edit);
+    const auto again = noonmark::parseEdit(kind, text);
+    require(again && toJson(*again) == text, "an edit comes back");
     const noonmark::City city = threeHouses();
     if (const auto edited = noonmark::applied(city, std::span(&*edit, 1)); edited) requireSound(edited->city);
     return 0;

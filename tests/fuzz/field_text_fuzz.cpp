@@ -1,22 +1,22 @@
-// Heights, storeys and lists of tags as fields of a map give them.
+// Heights, storeys and lists of tags, as found in fields of a map.
 #include <cmath>
 
-#include "core/io/fold_text.h"
-#include "core/io/height_text.h"
-#include "core/io/other_tags.h"
+#include "core/io/files/fold_text.h"
+#include "core/io/heights/height_text.h"
+#include "core/io/osm/other_tags.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
     const std::string_view text = noonmark::tests::textOf(data, size);
-    if (const auto metres = noonmark::metresFromText(text))
+    if (const auto metres = noonmark::parseMetres(text))
         require(std::isfinite(*metres), "a height is finite");
-    if (const auto levels = noonmark::levelsFromText(text))
+    if (const auto levels = noonmark::parseLevels(text))
         require(std::isfinite(*levels) && *levels >= 0, "storeys are counted from 0");
     const std::string pointed = noonmark::withDecimalPoint(text);
     require(noonmark::withDecimalPoint(pointed) == pointed, "a decimal point stays one");
-    (void)noonmark::foldedText(text);
-    (void)noonmark::tagsFromText(text);
+    (void)noonmark::foldText(text);
+    (void)noonmark::parseTags(text);
     return 0;
 }

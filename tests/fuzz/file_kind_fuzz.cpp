@@ -1,11 +1,11 @@
-// What kind of file it is, by its head and, of JSON, its first telling key.
-#include "core/io/file_kind.h"
+// Detection of the file kind from the first bytes and, for JSON, the first distinctive key.
+#include "core/io/files/file_kind.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto kind = noonmark::fileKind(fuzzFile("file", textOf(data, size)));
+    const auto kind = noonmark::detectFileKind(fuzzFile("file", formatText(data, size)));
     if (!kind) requireSound(kind.error());
     return 0;
 }

@@ -5,7 +5,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
     noonmark::NoProgress progress;
-    const auto file = fuzzFile("footprints.fgb", textOf(data, size));
+    const auto file = fuzzFile("footprints.fgb", formatText(data, size));
     use(noonmark::readFootprints(file, {}, progress, {}));
     return 0;
 }

@@ -9,15 +9,15 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "tests/fuzz/require.h"
 
 namespace noonmark::tests {
 
 namespace {
 
-// SQLite, which GDAL and PROJ use too, without locks, and with its pages in one piece of memory: what it
-// would take from the sanitizer's heap costs more than all else.
+// Configures SQLite, which GDAL and PROJ use too, without locks and with its pages in one piece of memory:
+// allocations on the sanitizer's heap would dominate the run time.
 void quickenSqlite() {
     constexpr int pageBytes = 4096 + 256, pages = 4096;
     static std::vector<char> memory(std::size_t(pageBytes) * pages);
@@ -26,7 +26,7 @@ void quickenSqlite() {
     sqlite3_config(SQLITE_CONFIG_PAGECACHE, memory.data(), pageBytes, pages);
 }
 
-// What GDAL prepares once in a process it does not free: no leak of the input that comes first.
+// GDAL never frees what it initialises once per process; that must not count as a leak of the first input.
 void prepareGdal() {
     const __lsan::ScopedDisabler once;
     const GdalCalls calls;

@@ -9,15 +9,15 @@
 namespace noonmark::tests {
 
 /// The input as text.
-inline std::string_view textOf(const std::uint8_t* data, std::size_t size) {
+inline std::string_view formatText(const std::uint8_t* data, std::size_t size) {
     return {reinterpret_cast<const char*>(data), size};
 }
 
-/// This process's own folder below TMPDIR, which packaging/fuzz puts into memory. Made at the first call,
-/// which also takes TBB down to one thread: what a finding does must not depend on chance.
+/// This process's own folder below TMPDIR, which packaging/fuzz places in memory. The first call creates it
+/// and limits TBB to one thread, so that findings are reproducible.
 const std::filesystem::path& fuzzFolder();
 
-/// Writes a file into fuzzFolder(), in place of the last one of that name.
+/// Writes a file into fuzzFolder(), replacing the last one of that name.
 std::filesystem::path fuzzFile(const std::string& name, std::string_view bytes);
 
 }  // namespace noonmark::tests

@@ -1,4 +1,4 @@
-// Footprints as GeoPackage: cells of its tables differ, those of the standard's own tables too.
+// Footprints as GeoPackage with changed cells in its tables, including those of the standard.
 #include "core/io/write_city.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"

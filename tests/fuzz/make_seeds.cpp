@@ -1,4 +1,4 @@
-// Writes the seeds that are no text into the folder that is named. Run by packaging/fuzz.
+// Writes the seeds that are not text into the given folder. Run by packaging/fuzz.
 #include <cstdlib>
 #include <fstream>
 

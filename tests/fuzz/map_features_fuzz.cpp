@@ -1,13 +1,13 @@
-// What becomes of the features of a map once GDAL has read them: their tags, their outlines, and buildings
-// of outlines and parts. Much faster than the formats of OpenStreetMap. A line is a feature: its corners in
-// metres, of several rings with ";" between, then its tags, all with "|" between:
+// Processing of a map's features after GDAL has read them: their tags, their outlines, and buildings from
+// outlines and parts. Much faster than the formats of OpenStreetMap. Each line is a feature with fields
+// separated by "|": first its corners in metres, rings separated by ";", then its tags:
 //   0 0 40 0 40 20 0 20;9 9 9 12 12 9|building=yes|height=12 m
 #include <cstdlib>
 #include <sstream>
 
-#include "core/io/field_roles.h"
-#include "core/io/osm_semantics.h"
-#include "core/io/place_features.h"
+#include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/place_features.h"
+#include "core/io/osm/osm_semantics.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 
@@ -33,7 +33,7 @@ void addTag(const std::string& tag, FeatureValues& values) {
     const auto equals = std::min(tag.find('='), tag.size());
     const std::string key = tag.substr(0, equals);
     const std::string text = tag.substr(std::min(equals + 1, tag.size()));
-    if (const auto meaning = meaningOfTag(key); meaning && !text.empty())
+    if (const auto meaning = findTagMeaning(key); meaning && !text.empty())
         values.push_back({meaning->role, key, text, {}, meaning->unit.value_or(LengthUnit::metres)});
 }
 
@@ -44,7 +44,8 @@ std::optional<UnplacedFeature> featureOf(const std::string& line, Warnings& warn
     LonLatPolygon polygon = polygonOf(piece);
     FeatureValues values;
     while (std::getline(pieces, piece, '|')) addTag(piece, values);
-    auto facts = factsOf(values, {.heights = {}, .tagged = true, .sayNoBuilding = true}, "feature", warnings);
+    auto facts =
+        collectFacts(values, {.heights = {}, .tagged = true, .sayNoBuilding = true}, "feature", warnings);
     if (!facts || polygon.empty()) return std::nullopt;
     return UnplacedFeature{*std::move(facts), {std::move(polygon)}};
 }
@@ -65,7 +66,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     (void)fuzzFolder();
     std::vector<noonmark::UnplacedFeature> features;
     noonmark::Warnings warnings;
-    std::istringstream lines{std::string(textOf(data, size))};
+    std::istringstream lines{std::string(formatText(data, size))};
     for (std::string line; std::getline(lines, line) && features.size() < 20;)
         if (auto feature = featureOf(line, warnings)) features.push_back(*std::move(feature));
     if (!features.empty()) assemble(std::move(features));

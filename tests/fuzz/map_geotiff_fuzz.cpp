@@ -1,4 +1,4 @@
-// A map that a study saved: a tile of a journal.
+// A map saved by a study: a tile of a journal.
 #include "core/io/write_raster.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
@@ -7,7 +7,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
     const noonmark::Grid grid{0, 0, 2, 12, 9};
-    const auto bands = noonmark::readGeoTiff(fuzzFile("map.tif", textOf(data, size)), grid);
+    const auto bands = noonmark::readGeoTiff(fuzzFile("map.tif", formatText(data, size)), grid);
     if (!bands) return requireSound(bands.error()), 0;
     for (const auto& band : *bands) require(band.size() == grid.size(), "a band has the grid's size");
     return 0;

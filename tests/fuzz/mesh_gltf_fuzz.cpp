@@ -1,5 +1,5 @@
-// glTF, as JSON or as glb, in this process: what it finds in the mesh library is shut up in a process of its
-// own in the product.
+// glTF, as JSON or glb, read in this process. In the product the mesh library runs in a process of its own,
+// which contains its faults.
 #include "core/mesh_reader/mesh_file_check.h"
 #include "core/mesh_reader/read_scene.h"
 #include "tests/fuzz/fuzz_file.h"
@@ -7,8 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto file =
-        fuzzFile(textOf(data, size).starts_with("glTF") ? "mesh.glb" : "mesh.gltf", textOf(data, size));
+    const auto file = fuzzFile(formatText(data, size).starts_with("glTF") ? "mesh.glb" : "mesh.gltf",
+                               formatText(data, size));
     if (!noonmark::checkMeshFile(file)) return 0;
     noonmark::MeshScene scene;
     if (noonmark::readScene(file, [&](const noonmark::MeshObject& object) { scene.push_back(object); }))

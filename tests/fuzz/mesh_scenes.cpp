@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "core/io/mesh_buildings.h"
+#include "core/io/meshes/mesh_buildings.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"
 
@@ -10,7 +10,7 @@ namespace noonmark::tests {
 
 namespace {
 
-// Bytes, since numbers of broken files may be NaN, which equals nothing.
+// Compares bytes, because numbers of corrupt files may be NaN, which is not equal to itself.
 std::string bytesOf(const MeshScene& scene) {
     std::string bytes;
     appendSceneHead(bytes);
@@ -31,13 +31,13 @@ ReadSettings meshSettings() {
 void useScene(const MeshScene& scene) {
     const std::string bytes = bytesOf(scene);
     bool complete = false;
-    const auto again = sceneFromBytes(bytes, complete);
+    const auto again = parseScene(bytes, complete);
     require(again && complete && bytesOf(*again) == bytes, "a scene comes back as it was handed over");
     NoProgress progress;
     try {
-        use(pieceOfScene(*again, "mesh.obj", meshSettings(), progress, {}));
+        use(describeScenePiece(*again, "mesh.obj", meshSettings(), progress, {}));
     } catch (const std::exception&) {
-        // readMesh() makes an Error of it.
+        // readMesh() turns this into an Error.
     }
 }
 

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "core/io/mesh_scene.h"
+#include "core/io/meshes/mesh_scene.h"
 #include "core/io/read_city.h"
 
 namespace noonmark::tests {
 
-/// Settings with which a mesh has a place.
+/// Settings that give a mesh a position.
 ReadSettings meshSettings();
 
-/// A scene is handed over as the reader's process does it, and its buildings are found.
+/// Passes a scene on as the reader's process does, and finds its buildings.
 void useScene(const MeshScene& scene);
 
 }  // namespace noonmark::tests

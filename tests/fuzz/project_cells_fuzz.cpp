@@ -1,4 +1,4 @@
-// A project file whose cells differ.
+// A project file with changed cells.
 #include "scenarios/project/project_file.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/project_use.h"

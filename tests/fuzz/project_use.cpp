@@ -1,7 +1,7 @@
 #include "tests/fuzz/project_use.h"
 
-#include "scenarios/project/kept_answer.h"
 #include "scenarios/project/project_file.h"
+#include "scenarios/project/results/saved_answer.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"
 
@@ -11,9 +11,9 @@ namespace {
 
 void useResults(const Project& project) {
     for (const auto& result : project.results) {
-        for (const KeptLayer& layer : result->layers)
+        for (const SavedLayer& layer : result->layers)
             require(layer.values.size() == result->grid.size(), "a layer has the grid's size");
-        if (const auto answer = answerOf(*result); !answer) requireSound(answer.error());
+        if (const auto answer = readSavedAnswer(*result); !answer) requireSound(answer.error());
     }
 }
 

@@ -1,8 +1,7 @@
-// How a project's city was read: the settings, the fields that heights were read from, and the terrain's
-// source.
-#include "core/io/read_settings_text.h"
-#include "core/study/height_facts_json.h"
-#include "core/study/terrain_text.h"
+// How a project's city was read: the settings, the height fields, and the terrain's source.
+#include "core/io/heights/read_settings_text.h"
+#include "core/study/text/height_facts_json.h"
+#include "core/study/text/terrain_text.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 
@@ -13,25 +12,25 @@ using noonmark::tests::require;
 void readSettings(const std::string& text) {
     const auto settings = noonmark::readSettingsFrom(text);
     if (!settings) return;
-    const std::string written = textOf(*settings);
+    const std::string written = formatText(*settings);
     const auto again = noonmark::readSettingsFrom(written);
-    require(again && textOf(*again) == written, "settings come back");
+    require(again && formatText(*again) == written, "settings come back");
 }
 
 void readFacts(const std::string& text) {
-    const auto facts = noonmark::heightFactsFrom(text);
+    const auto facts = noonmark::parseHeightFacts(text);
     if (!facts) return;
-    for (const auto& field : facts->fields) require(!wordsOf(field).empty(), "a field has words");
-    for (const auto& field : facts->unknown) require(!wordsOf(field).empty(), "a field has words");
+    for (const auto& field : facts->fields) require(!describe(field).empty(), "a field has words");
+    for (const auto& field : facts->unknown) require(!describe(field).empty(), "a field has words");
     const auto json = heightFactsJson(*facts);
-    const auto again = noonmark::heightFactsFrom(json.dump());
+    const auto again = noonmark::parseHeightFacts(json.dump());
     require(again && heightFactsJson(*again) == json, "height facts come back");
 }
 
 void readSource(const std::string& text) {
     noonmark::Terrain terrain{noonmark::PostGrid(0, 0, 1, 2, 2), std::vector<float>(4)};
     if (!noonmark::takeSource(text, terrain)) return;
-    (void)noonmark::textOf(terrain);
+    (void)noonmark::formatText(terrain);
     require(noonmark::takeSource(noonmark::sourceText(terrain), terrain), "a source comes back");
 }
 

@@ -6,7 +6,7 @@
 
 namespace noonmark::tests {
 
-/// Where the seeds go: a folder a target.
+/// The folder of the seeds, with a folder per fuzz target.
 struct SeedFolder {
     std::filesystem::path path;
 
@@ -16,13 +16,14 @@ struct SeedFolder {
 
 void makeGdalSeeds(const SeedFolder& seeds);  ///< seeds_gdal.cpp: files of formats that GDAL writes
 void makeOsmSeeds(const SeedFolder& seeds);   ///< seeds_osm.cpp: OpenStreetMap PBF
-void makeMeshSeeds(const SeedFolder& seeds);  ///< seeds_mesh.cpp: meshes, and scenes as they are handed over
-void makeProjectSeeds(const SeedFolder& seeds);  ///< seeds_project.cpp: project files and what they hold
+void makeMeshSeeds(
+    const SeedFolder& seeds);  ///< seeds_mesh.cpp: meshes, and scenes as the reader's process passes them on
+void makeProjectSeeds(const SeedFolder& seeds);  ///< seeds_project.cpp: project files and their parts
 
-/// Makes an SQLite file as small as it can be. In seeds_project.cpp.
+/// Makes an SQLite file as small as possible. Defined in seeds_project.cpp.
 void shrink(const std::filesystem::path& database);
 
-/// A number in this machine's byte order, appended.
+/// Appends a number in this machine's byte order.
 template <class T>
 void put(std::string& bytes, T value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "core/io/write_city.h"
 #include "core/io/write_raster.h"
 #include "tests/fuzz/require.h"
@@ -48,7 +48,7 @@ void addFeature(OGRLayer& layer, const char* wkt, double heightM, int levels) {
     require(layer.CreateFeature(&feature) == OGRERR_NONE, "a feature is written");
 }
 
-// Two buildings, one with a court.
+// Two buildings, one with a courtyard.
 void writeBuildings(const fs::path& file, const char* driver) {
     GDALDatasetUniquePtr dataset(driverNamed(driver).Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     require(dataset != nullptr, driver);
@@ -67,7 +67,7 @@ void writeBuildings(const fs::path& file, const char* driver) {
                30, 9);
 }
 
-// As fuzz_shapefile takes it.
+// In the format that fuzz_shapefile reads.
 void writeShapefile(const SeedFolder& seeds) {
     const fs::path shp = seeds.file("shapefile.parts", "buildings.shp");
     writeBuildings(shp, "ESRI Shapefile");

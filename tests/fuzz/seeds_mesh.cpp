@@ -3,7 +3,7 @@
 #include <array>
 #include <initializer_list>
 
-#include "core/io/mesh_scene.h"
+#include "core/io/meshes/mesh_scene.h"
 #include "tests/fuzz/seeds.h"
 #include "tests/shared/box_obj.h"
 
@@ -11,7 +11,7 @@ namespace noonmark::tests {
 
 namespace {
 
-// Of a box of 10 x 8 x 6.
+// A box of 10 x 8 x 6.
 constexpr std::array<glm::vec3, 8> corners{
     {{0, 0, 0}, {10, 0, 0}, {10, 8, 0}, {0, 8, 0}, {0, 0, 6}, {10, 0, 6}, {10, 8, 6}, {0, 8, 6}}};
 constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
@@ -27,7 +27,7 @@ MeshObject box(const std::string& name, const std::string& parent) {
     return {name, {piece}, parent};
 }
 
-std::string sceneOf(std::initializer_list<MeshObject> objects) {
+std::string makeMapScene(std::initializer_list<MeshObject> objects) {
     std::string bytes;
     appendSceneHead(bytes);
     for (const MeshObject& object : objects) appendObject(bytes, object);
@@ -48,7 +48,7 @@ std::string binaryPly() {
     return bytes;
 }
 
-// Its buffer: the corners as float32, then two triangles a face as uint16.
+// The buffer: corners as float32, then two triangles per face as uint16.
 std::string gltfBuffer() {
     std::string bytes;
     for (const glm::vec3 corner : corners)
@@ -84,9 +84,9 @@ std::string glb() {
 }  // namespace
 
 void makeMeshSeeds(const SeedFolder& seeds) {
-    seeds.write("mesh_scene", "box", sceneOf({box("house", "")}));
+    seeds.write("mesh_scene", "box", makeMapScene({box("house", "")}));
     seeds.write("mesh_scene", "surfaces",
-                sceneOf({box("WallSurface", "a"), box("RoofSurface", "a"), box("", "")}));
+                makeMapScene({box("WallSurface", "a"), box("RoofSurface", "a"), box("", "")}));
     std::string error;
     appendSceneHead(error);
     appendError(error, {"what", "where", "advice"});

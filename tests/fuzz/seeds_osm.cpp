@@ -24,7 +24,7 @@ std::string bytes(unsigned field, const std::string& content) {
     return varint(field << 3U | 2U) + varint(content.size()) + content;
 }
 
-// Numbers as differences from the one before.
+// Delta-encoded numbers.
 std::string deltas(unsigned field, const std::vector<std::int64_t>& values) {
     std::string packed;
     std::int64_t last = 0;
@@ -49,7 +49,7 @@ std::string blob(const char* type, const std::string& content) {
     return all + head + body;
 }
 
-// Strings that tags name by their number; 0 is none.
+// The table of strings to which tags refer by index; 0 is unused.
 std::string strings() {
     std::string table;
     for (const char* text : {"", "building", "yes", "height", "12 m", "building:levels", "4", "type",

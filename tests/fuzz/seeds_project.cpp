@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "core/io/read_settings_text.h"
-#include "core/study/height_facts_json.h"
-#include "core/study/terrain_text.h"
-#include "core/study/tile_result.h"
+#include "core/io/heights/read_settings_text.h"
+#include "core/study/text/height_facts_json.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/tiles/tile_result.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/geometry_blob.h"
 #include "scenarios/project/project_file.h"
+#include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/weights/weights_text.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/seeds.h"
@@ -23,14 +23,14 @@ void writeProject(const SeedFolder& seeds, const Project& project) {
     shrink(file);
 }
 
-// As fuzz_edit_json takes it: a digit for the kind first.
+// In the format of fuzz_edit_json: first a digit for the kind.
 void writeEdits(const SeedFolder& seeds, const Project& project) {
     constexpr std::string_view kinds[] = {"demolish", "replace", "add", "height", "move", "rotate", "import"};
     for (const Scenario& scenario : project.scenarios)
         for (const Edit& edit : scenario.edits)
             for (std::size_t kind = 0; kind < std::size(kinds); ++kind)
-                if (kindOf(edit) == kinds[kind])
-                    seeds.write("edit_json", std::string(kinds[kind]), std::to_string(kind) + jsonOf(edit));
+                if (getKind(edit) == kinds[kind])
+                    seeds.write("edit_json", std::string(kinds[kind]), std::to_string(kind) + toJson(edit));
 }
 
 void writeGeometries(const SeedFolder& seeds, const Project& project) {
@@ -40,7 +40,7 @@ void writeGeometries(const SeedFolder& seeds, const Project& project) {
     seeds.write("geometry_blob", "tangled", polygonBlob({{{0, 0}, {10.1F, 10}, {10, 0}, {0, 9.3F}}, {}}));
 }
 
-// One edit of each kind for each column: which of some hundred it is, the first bytes say.
+// One edit of each kind for each column; the first bytes select one of about a hundred columns.
 void writeCellEdits(const SeedFolder& seeds, const std::string& target, int columns) {
     constexpr std::string_view contents[] = {"",
                                              std::string_view("\1\0\0\0\0\0\0\0", 8),
@@ -61,16 +61,16 @@ void writeCellEdits(const SeedFolder& seeds, const std::string& target, int colu
 }
 
 void writeTexts(const SeedFolder& seeds, const Project& project) {
-    seeds.write("weights_csv", "months", weightsCsv(monthlyWeights()));
+    seeds.write("weights_csv", "months", weightsCsv(makeMonthlyWeights()));
     seeds.write("weights_csv", "school", weightsCsv(project.weights.back()));
-    seeds.write("weights_json", "months", weightsJson(monthlyWeights()));
+    seeds.write("weights_json", "months", weightsJson(makeMonthlyWeights()));
     seeds.write("weights_json", "school", weightsJson(project.weights.back()));
-    seeds.write("reading_text", "settings", textOf(*project.reading->settings));
+    seeds.write("reading_text", "settings", formatText(*project.reading->settings));
     seeds.write("reading_text", "terrain", sourceText(*project.city->terrain));
     seeds.write("reading_text", "heights", heightFactsJson(project.reading->heights).dump());
     TileResult tile{.number = 1, .engineKey = "ray", .engine = "rays"};
     tile.compared = {{{1, 2}, 3, 4, 5, 6}};
-    seeds.write("tile_journal", "tiles", jsonOf(tile).dump() + "\n" + jsonOf(TileResult{}).dump());
+    seeds.write("tile_journal", "tiles", toJson(tile).dump() + "\n" + toJson(TileResult{}).dump());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Footprints as Shapefile. The input: the lengths of its .shp, .shx and .dbf, two bytes each, then their
-// bytes; what is left is the .prj. Without one the coordinates are stated to be degrees: to find out what a
-// .prj means takes ten times as long as all the rest.
+// Footprints as Shapefile. The input holds the lengths of its .shp, .shx and .dbf, two bytes each, then their
+// bytes; the rest is the .prj. Without a .prj the coordinates are stated to be degrees: interpreting a .prj
+// takes ten times as long as everything else.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     constexpr std::array names{"footprints.shp", "footprints.shx", "footprints.dbf"};
     if (size < 2 * names.size()) return 0;
-    std::string_view rest = textOf(data, size).substr(2 * names.size());
+    std::string_view rest = formatText(data, size).substr(2 * names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::size_t length = std::min<std::size_t>(data[2 * i] + 256U * data[2 * i + 1], rest.size());
         fuzzFile(names[i], rest.substr(0, length));

@@ -7,9 +7,9 @@ namespace noonmark::tests {
 /// The sample project with a small result, since each input reads all of it.
 inline Project smallProject() {
     Project project = sampleProject();
-    KeptResult result = *keptResult("first", 12, 9);
+    SavedResult result = *makeSavedResult("first", 12, 9);
     result.layers.resize(1);
-    project.results = {std::make_shared<const KeptResult>(std::move(result))};
+    project.results = {std::make_shared<const SavedResult>(std::move(result))};
     return project;
 }
 

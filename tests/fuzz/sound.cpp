@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/io/stand_on_terrain.h"
-#include "core/io/terrain_from_bases.h"
+#include "core/io/terrain/stand_on_terrain.h"
+#include "core/io/terrain/terrain_from_bases.h"
 #include "tests/fuzz/require.h"
 
 namespace noonmark::tests {
@@ -81,15 +81,15 @@ void requireSound(const Error& error) {
     require(!isCancelled(error), "only a stop cancels");
 }
 
-// As readCity() does it.
+// As in readCity().
 static void standOnBases(const FilePiece& piece) {
     const std::vector<BasedBuilding> based = basedBuildings(piece);
-    (void)textOf(reliefOf(based));
-    const auto terrain = terrainFromBases(based);
+    (void)formatText(measureRelief(based));
+    const auto terrain = interpolateBases(based);
     if (!terrain) return;
     requireSound(*terrain);
     for (std::size_t i = 0; i < piece.groundM.size(); ++i)
-        requireSound(standing(*piece.buildings[i], piece.groundM[i], &*terrain));
+        requireSound(standOnTerrain(*piece.buildings[i], piece.groundM[i], &*terrain));
 }
 
 void use(const Result<FilePiece>& piece) {

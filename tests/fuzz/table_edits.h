@@ -10,20 +10,20 @@
 
 namespace noonmark::tests {
 
-/// A good SQLite file whose cells the input changes: bytes changed by chance would never get past SQLite's
-/// own checks. Backend: table_edits_sqlite.cpp.
+/// A valid SQLite file whose cells the input changes: random changes of bytes would never pass SQLite's own
+/// checks. Backend: table_edits_sqlite.cpp.
 class TableEdits {
 public:
-    /// Takes the file into memory.
+    /// Reads the file into memory.
     explicit TableEdits(const std::filesystem::path& file);
 
-    /// Writes the file anew under `name` in fuzzFolder(), changed by the input: a list of edits of a byte
-    /// each for
-    ///   the cell's column (two bytes: which of all columns of all tables), its row and the kind of edit,
-    ///   the number of bytes that follow, and those bytes.
-    /// Kinds: null, integer, real, text, blob; bytes put into the old value in place of some of its own (the
-    /// value keeps its type); the row is removed; the row is there twice. Edits that SQLite refuses, as its
-    /// constraints do, are left out.
+    /// Writes the file under `name` in fuzzFolder() with the changes given by the input, a list of edits.
+    /// Each edit has one byte each for
+    ///   the cell's column (two bytes: an index over all columns of all tables), its row and the kind of
+    ///   edit, the number of bytes that follow, and those bytes.
+    /// Kinds: null, integer, real, text, blob; bytes inserted into the old value in place of some of its own
+    /// (the value keeps its type); the row is removed; the row is duplicated. Edits that SQLite refuses, for
+    /// example because of its constraints, are skipped.
     [[nodiscard]] std::filesystem::path edited(const std::string& name,
                                                std::span<const std::uint8_t> input) const;
 

@@ -51,13 +51,13 @@ std::string_view textIn(const Query& query, int column) {
 enum class Kind { null, integer, real, text, blob, splice, removeRow, copyRow };
 
 struct Edit {
-    std::size_t column = 0;  // of all, modulo their number
+    std::size_t column = 0;  // index over all columns, modulo their number
     int row = 0;             // modulo their number
     Kind kind = Kind::null;
     Bytes bytes;
 };
 
-/// Takes edits off the input until it ends.
+/// Reads edits from the input until it ends.
 class EditList {
 public:
     explicit EditList(Bytes input) : rest_(input) {}
@@ -83,7 +83,7 @@ T numberIn(Bytes bytes) {
     return number;
 }
 
-// The first three bytes: where (two), and how many of the old ones go.
+// The first three bytes: position (two), and number of old bytes to replace.
 std::string spliced(std::string_view old, Bytes bytes) {
     std::string value(old);
     if (bytes.size() < 3) return value;
@@ -99,7 +99,7 @@ void bindBytes(sqlite3_stmt* to, bool asText, std::string_view value) {
         sqlite3_bind_blob64(to, 1, value.data(), value.size(), SQLITE_TRANSIENT);
 }
 
-// `old`: a row of the value and its type.
+// `old`: a row with the value and its type.
 void bindValue(sqlite3_stmt* to, const Edit& edit, const Query& old) {
     const std::string_view bytes(reinterpret_cast<const char*>(edit.bytes.data()), edit.bytes.size());
     switch (edit.kind) {

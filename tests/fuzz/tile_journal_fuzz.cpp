@@ -1,5 +1,5 @@
-// The journal of a study in tiles: its lines after the first, which names the study.
-#include "core/study/tile_journal.h"
+// The journal of a study in tiles: the lines after the first one, which names the study.
+#include "core/study/tiles/tile_journal.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/require.h"
 #include "tests/fuzz/sound.h"
@@ -13,9 +13,9 @@ noonmark::Result<noonmark::TileJournal> openedJournal() {
 }
 
 void requireSame(const noonmark::TileResult& result) {
-    const nlohmann::json json = jsonOf(result);
+    const nlohmann::json json = toJson(result);
     const auto again = noonmark::tileResultFrom(json);
-    noonmark::tests::require(again && jsonOf(*again) == json, "a tile's result comes back");
+    noonmark::tests::require(again && toJson(*again) == json, "a tile's result comes back");
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace noonmark::tests;
     const std::string head = R"({"noonmark_tiles":1,"side":10,"study":"hash","tiles":12})"
                              "\n";
-    fuzzFile("journal.jsonl", head + std::string(textOf(data, size)) + "\n");
+    fuzzFile("journal.jsonl", head + std::string(formatText(data, size)) + "\n");
     const auto journal = openedJournal();
     if (!journal) return requireSound(journal.error()), 0;
     for (const auto& [number, result] : journal->finished()) {

@@ -1,4 +1,4 @@
-// Days, times, instants, solar windows and time-zone rules as people and files write them.
+// Days, times, instants, solar windows and time-zone rules, as written by users and in files.
 #include "core/sun/civil_time.h"
 #include "core/sun/period.h"
 #include "core/sun/posix_rule.h"
@@ -11,11 +11,11 @@ using noonmark::tests::require;
 
 void readTimes(std::string_view text) {
     if (const auto date = noonmark::parseDate(text))
-        require(date->ok() && noonmark::parseDate(noonmark::textOf(*date)) == *date, "a date comes back");
+        require(date->ok() && noonmark::parseDate(noonmark::formatText(*date)) == *date, "a date comes back");
     if (const auto time = noonmark::parseTimeOfDay(text))
-        require(noonmark::parseTimeOfDay(noonmark::textOf(*time)) == *time, "a time of day comes back");
+        require(noonmark::parseTimeOfDay(noonmark::formatText(*time)) == *time, "a time of day comes back");
     if (const auto window = noonmark::parseSolarWindow(text))
-        require(noonmark::parseSolarWindow(textOf(*window)) == *window, "a solar window comes back");
+        require(noonmark::parseSolarWindow(formatText(*window)) == *window, "a solar window comes back");
     (void)noonmark::parseInstant(text, noonmark::Zone::utc());
 }
 

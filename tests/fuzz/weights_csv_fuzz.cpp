@@ -6,9 +6,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
-    const auto weights = noonmark::weightsFromCsv(textOf(data, size), "table");
+    const auto weights = noonmark::parseWeightsCsv(formatText(data, size), "table");
     if (!weights) return requireSound(weights.error()), 0;
-    const auto again = noonmark::weightsFromCsv(noonmark::weightsCsv(*weights), "table");
+    const auto again = noonmark::parseWeightsCsv(noonmark::weightsCsv(*weights), "table");
     require(again.has_value(), "a table that is written is read");
     return 0;
 }

@@ -1,11 +1,11 @@
-// Footprints as KML or GML: the content decides.
+// Footprints as KML or GML, detected by content.
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/fuzz/sound.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace noonmark::tests;
     noonmark::NoProgress progress;
-    const auto file = fuzzFile("footprints.xml", textOf(data, size));
+    const auto file = fuzzFile("footprints.xml", formatText(data, size));
     use(noonmark::readFootprints(file, {}, progress, {}));
     return 0;
 }

@@ -6,19 +6,19 @@
 #include <stop_token>
 #include <thread>
 
-#include "core/accumulate/graph_accumulator.h"
-#include "core/accumulate/shadow_accrual_map.h"
+#include "core/engines/accrual/shadow_accrual_map.h"
+#include "core/engines/graph/graph_engine.h"
 #include "render/gl/depth_maps.h"
 #include "render/gl/gl_engines.h"
 #include "render/gl/gl_shadow_maps.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
 
 using namespace tests;
 
-/// Every test needs OpenGL 4.3, and says so where there is none.
+/// Fixture for tests that need OpenGL 4.3; they are skipped with a message where it is missing.
 class OpenGl : public testing::Test {
 protected:
     void SetUp() override {
@@ -55,7 +55,7 @@ double differentPercent(const std::vector<ShadowMask>& a, const std::vector<Shad
 using ShadowMapsGl = OpenGl;
 
 // Paper, section 4, theorem 1.
-TEST_F(ShadowMapsGl, oneDrawEqualsSixtyPassesBitForBit) {
+TEST_F(ShadowMapsGl, OneDrawEqualsSixtyPassesBitForBit) {
     const City city = cityOf(randomBoxes(21, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     for (const CasterSide side : {CasterSide::towardsSun, CasterSide::awayFromSun})
@@ -67,21 +67,21 @@ TEST_F(ShadowMapsGl, oneDrawEqualsSixtyPassesBitForBit) {
         }
 }
 
-/// A scene on the device, and the depths of all its steps.
+/// A scene on the device with the depths of all its steps.
 struct DeviceScene {
     City city = cityOf(randomBoxes(22, 8));
-    MapFrame frame = groundFrame({-10, -10, 1, 180, 180}, 256, false);
+    MapFrame frame = makeGroundFrame({-10, -10, 1, 180, 180}, 256, false);
     CasterFaces faces = [this] {
         std::vector<std::uint32_t> all(city.buildings.size());
         std::iota(all.begin(), all.end(), 0U);
-        return casterFaces(city, all);
+        return makeCasterFaces(city, all);
     }();
     IntervalCasters casters =
-        castersOf(faces, frame.placed(faces.points), frame, interval, CasterSide::awayFromSun, {});
+        placeCasters(faces, frame.placed(faces.points), frame, interval, CasterSide::awayFromSun, {});
 
     [[nodiscard]] std::vector<std::vector<float>> depths(const GlLimits& limits, int layers) const {
         const auto maps = DepthMaps::make(limits, frame.columns, frame.rows, layers).value();
-        maps->take(frame, placedSurface({{{0, 0, 0}}, {{0, 0, 1}}, {}}, frame), {});
+        maps->take(frame, placeSurface({{{0, 0, 0}}, {{0, 0, 1}}, {}}, frame), {});
         maps->take(casters, interval);
         std::vector<std::vector<float>> all;
         for (int step = 0; step < interval.steps; step += layers) {
@@ -92,7 +92,7 @@ struct DeviceScene {
     }
 };
 
-TEST_F(ShadowMapsGl, depthsOfOneDrawAreThoseOfSixtyPasses) {
+TEST_F(ShadowMapsGl, DepthsOfOneDrawAreThoseOfSixtyPasses) {
     const GlContext::Current current(*context_);
     const DeviceScene scene;
     const auto separate = scene.depths(context_->limits(), 1);
@@ -101,7 +101,7 @@ TEST_F(ShadowMapsGl, depthsOfOneDrawAreThoseOfSixtyPasses) {
     EXPECT_NE(separate.front(), separate.back());
 }
 
-TEST_F(ShadowMapsGl, aGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer) {
+TEST_F(ShadowMapsGl, AGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer) {
     const GlContext::Current current(*context_);
     const DeviceScene scene;
     GlLimits old = context_->limits();
@@ -109,8 +109,8 @@ TEST_F(ShadowMapsGl, aGeometryShaderGivesTheSameWhereVertexShadersChooseNoLayer)
     EXPECT_EQ(scene.depths(context_->limits(), 60), scene.depths(old, 60));
 }
 
-// The two rasterisers round corners differently: 1/256 of a texel against double precision.
-TEST_F(ShadowMapsGl, agreesWithTheProcessorsRasteriser) {
+// The two rasterisers round vertices differently: to 1/256 of a texel, or in double precision.
+TEST_F(ShadowMapsGl, AgreesWithTheProcessorsRasteriser) {
     const City city = cityOf(randomBoxes(23, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     for (const bool texelsOnCells : {true, false}) {
@@ -121,7 +121,7 @@ TEST_F(ShadowMapsGl, agreesWithTheProcessorsRasteriser) {
     }
 }
 
-TEST_F(ShadowMapsGl, agreesWithTheRays) {
+TEST_F(ShadowMapsGl, AgreesWithTheRays) {
     const City city = cityOf(randomBoxes(24, 10));
     const Receivers receivers = receiversOver(city, -10, -10, 210, 210);
     SunSteps sun;
@@ -130,7 +130,7 @@ TEST_F(ShadowMapsGl, agreesWithTheRays) {
     const ShadowField truth = traced(city, receivers, sun);
     for (const GlPasses passes : {GlPasses::oneAStep, GlPasses::oneAnInterval}) {
         NoProgress progress;
-        const auto field = GraphAccumulator(onDevice(passes, {}), {.merge = false})
+        const auto field = GraphEngine(onDevice(passes, {}), {.merge = false})
                                .accumulate(city, receivers, sun, progress, {})
                                .value();
         double sum = 0;
@@ -140,7 +140,7 @@ TEST_F(ShadowMapsGl, agreesWithTheRays) {
     }
 }
 
-TEST_F(ShadowMapsGl, refusesMapsLargerThanTheDeviceAllowsWithTheRange) {
+TEST_F(ShadowMapsGl, RefusesMapsLargerThanTheDeviceAllowsWithTheRange) {
     const int most = std::min(context_->limits().mapSize, AccrualSettings::maxMapSize);
     const auto refused = GlShadowMaps::make(GlPasses::oneAStep, {.mapSize = most + 1});
     ASSERT_FALSE(refused);
@@ -154,7 +154,7 @@ TEST_F(ShadowMapsGl, refusesMapsLargerThanTheDeviceAllowsWithTheRange) {
     EXPECT_FALSE(scene->shade({interval.first, interval.last, 65}, masks, {}));
 }
 
-TEST_F(ShadowMapsGl, scenesWorkOnAnyThreadAndSideBySide) {
+TEST_F(ShadowMapsGl, ScenesWorkOnAnyThreadAndSideBySide) {
     const City city = cityOf(randomBoxes(25, 6));
     const Receivers receivers = receiversOver(city, -10, -10, 130, 130);
     const auto expected = masksOf(*onDevice(GlPasses::oneAnInterval, {}), city, receivers);
@@ -167,7 +167,7 @@ TEST_F(ShadowMapsGl, scenesWorkOnAnyThreadAndSideBySide) {
     EXPECT_EQ(second, expected);
 }
 
-TEST_F(ShadowMapsGl, stops) {
+TEST_F(ShadowMapsGl, Stops) {
     const City city = cityOf(randomBoxes(26, 4));
     const Receivers receivers = receiversOver(city, -10, -10, 90, 90);
     std::stop_source stop;
@@ -179,10 +179,10 @@ TEST_F(ShadowMapsGl, stops) {
     }
 }
 
-TEST_F(ShadowMapsGl, enginesAreChosenByTheirKeys) {
+TEST_F(ShadowMapsGl, EnginesAreChosenByTheirKeys) {
     for (const char* key : {"shadow-map-gl", "sam-gl"})
-        EXPECT_TRUE(makeAccumulator(key, {{"map", 256}}, glEngines())) << key;
-    EXPECT_FALSE(makeAccumulator("sam-gl", {{"map", 1e6}}, glEngines()));
+        EXPECT_TRUE(makeEngine(key, {{"map", 256}}, glEngines())) << key;
+    EXPECT_FALSE(makeEngine("sam-gl", {{"map", 1e6}}, glEngines()));
 }
 
 }  // namespace

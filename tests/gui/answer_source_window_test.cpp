@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/window/main_window.h"
+#include "app/window/frame/main_window.h"
 #include "app/window/project/answer_origin.h"
-#include "app/window/warnings_dock.h"
+#include "app/window/study/warnings_dock.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 
@@ -17,7 +17,7 @@ namespace {
 using test::waitFor;
 using testing::HasSubstr;
 
-/// The window with a saved project whose city was noted something about, a scenario, and a quick question.
+/// The window with a saved project whose city has a reading warning, a scenario, and a quick study.
 struct AnswerSourceWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};

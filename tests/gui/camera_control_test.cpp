@@ -1,4 +1,4 @@
-#include "render/camera_control.h"
+#include "render/view/camera_control.h"
 
 #include <gtest/gtest.h>
 
@@ -32,10 +32,10 @@ TEST(CameraControl, AxesAreUnitAndSquareEvenStraightDown) {
     for (int i = 0; i < 100; ++i) {
         CameraPose pose = poseFrom(random);
         if (i % 5 == 0) pose.pitchDeg = 90;
-        EXPECT_NEAR(glm::length(forwardOf(pose)), 1, 1e-12);
-        EXPECT_NEAR(glm::length(upOf(pose)), 1, 1e-12);
-        EXPECT_NEAR(glm::dot(forwardOf(pose), upOf(pose)), 0, 1e-12);
-        EXPECT_LT(glm::length(glm::cross(forwardOf(pose), upOf(pose)) - rightOf(pose)), 1e-12);
+        EXPECT_NEAR(glm::length(computeForward(pose)), 1, 1e-12);
+        EXPECT_NEAR(glm::length(computeUp(pose)), 1, 1e-12);
+        EXPECT_NEAR(glm::dot(computeForward(pose), computeUp(pose)), 0, 1e-12);
+        EXPECT_LT(glm::length(glm::cross(computeForward(pose), computeUp(pose)) - computeRight(pose)), 1e-12);
     }
 }
 
@@ -57,7 +57,7 @@ TEST(CameraControl, PixelOfUndoesRayThrough) {
     for (int i = 0; i < 200; ++i) {
         const CameraPose pose = poseFrom(random);
         const glm::dvec2 pixel{x(random), y(random)};
-        const ViewRay ray = rayThrough(pose, lens, pixel);
+        const ViewRay ray = makeRayThrough(pose, lens, pixel);
         const auto back = pixelOf(pose, lens, ray.origin + 321.0 * ray.direction);
         ASSERT_TRUE(back);
         EXPECT_LT(glm::length(*back - pixel), 1e-6);
@@ -73,9 +73,9 @@ TEST(CameraControl, ZoomKeepsThePointUnderTheCursor) {
     for (int i = 0; i < 200; ++i) {
         const CameraPose pose = poseFrom(random);
         const glm::dvec2 pixel{300, 700};
-        const auto point = planeHit(rayThrough(pose, lens, pixel), 0);
+        const auto point = findPlaneHit(makeRayThrough(pose, lens, pixel), 0);
         if (!point) continue;
-        const auto after = pixelOf(zoomed(pose, *point, 0.8), lens, *point);
+        const auto after = pixelOf(zoom(pose, *point, 0.8), lens, *point);
         ASSERT_TRUE(after);
         EXPECT_LT(glm::length(*after - pixel), 1e-4);
     }
@@ -85,31 +85,31 @@ TEST(CameraControl, PanKeepsTheGroundUnderTheCursor) {
     const CameraPose pose{{10, 20, 0}, 1500, 30, 50};
     const glm::dvec2 from{500, 500};
     const glm::dvec2 to{640, 430};
-    const auto ground = planeHit(rayThrough(pose, lens, from), 0);
-    const auto after = pixelOf(panned(pose, from, to, lens), lens, *ground);
+    const auto ground = findPlaneHit(makeRayThrough(pose, lens, from), 0);
+    const auto after = pixelOf(pan(pose, from, to, lens), lens, *ground);
     ASSERT_TRUE(after);
     EXPECT_LT(glm::length(*after - to), 1e-6);
 }
 
 TEST(CameraControl, PanAtTheHorizonStaysWithinReach) {
     const CameraPose pose{{0, 0, 0}, 1000, 0, 3};
-    const CameraPose there = panned(pose, {600, 382}, {600, 700}, lens);
+    const CameraPose there = pan(pose, {600, 382}, {600, 700}, lens);
     EXPECT_LE(glm::length(there.target - pose.target), pose.distanceM * 1.001);
 }
 
 TEST(CameraControl, NeverBelowTheGroundWhateverTheUserDoes) {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> drag(-300, 300);
-    const CameraLimits limits = limitsFor(city);
+    const CameraLimits limits = computeLimits(city);
     for (const GroundHeight& ground : {GroundHeight(flat), GroundHeight(hill)}) {
         CameraPose pose = wholeCity(city, lens);
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec2 move{drag(random), drag(random)};
-            if (i % 3 == 0) pose = orbited(pose, move, lens);
-            if (i % 3 == 1) pose = panned(pose, {600, 500}, glm::dvec2(600, 500) + move, lens);
-            if (i % 3 == 2) pose = zoomed(pose, pose.target, std::exp(move.x / 300));
-            pose = keptAboveGround(pose, limits, ground);
-            const glm::dvec3 eye = eyeOf(pose);
+            if (i % 3 == 0) pose = orbit(pose, move, lens);
+            if (i % 3 == 1) pose = pan(pose, {600, 500}, glm::dvec2(600, 500) + move, lens);
+            if (i % 3 == 2) pose = zoom(pose, pose.target, std::exp(move.x / 300));
+            pose = keepAboveGround(pose, limits, ground);
+            const glm::dvec3 eye = computeEye(pose);
             ASSERT_GE(eye.z, ground({eye.x, eye.y}) + CameraLimits::clearanceM - 1e-9) << "step " << i;
             ASSERT_GE(pose.distanceM, limits.nearestM);
             ASSERT_LE(pose.distanceM, limits.furthestM);
@@ -136,25 +136,26 @@ TEST(CameraControl, ClipRangeHoldsTheCity) {
     std::mt19937 random(5);
     for (int i = 0; i < 200; ++i) {
         const CameraPose pose = poseFrom(random);
-        const ClipRange clip = clipRangeOf(pose, city);
+        const ClipRange clip = computeClipRange(pose, city);
         EXPECT_GT(clip.nearM, 0);
         EXPECT_LT(clip.nearM, pose.distanceM);
         for (const float x : {city.box.low.x, city.box.high.x})
-            EXPECT_LT(glm::dot(glm::dvec3(x, city.box.high.y, 0) - eyeOf(pose), forwardOf(pose)), clip.farM);
+            EXPECT_LT(glm::dot(glm::dvec3(x, city.box.high.y, 0) - computeEye(pose), computeForward(pose)),
+                      clip.farM);
     }
 }
 
 TEST(ViewRay, MeetsAHillWhereItStands) {
     const ViewRay ray{{-2000, 0, 300}, glm::normalize(glm::dvec3{1, 0, -0.1})};
-    const auto hit = groundHit(ray, hill, 0, 250);
+    const auto hit = findGroundHit(ray, hill, 0, 250);
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->z, hill({hit->x, hit->y}), 0.01);
     EXPECT_LT(hit->x, 0) << "the far side of the hill is hidden";
 }
 
 TEST(ViewRay, AboveTheHorizonThereIsNoGround) {
-    EXPECT_FALSE(groundHit({{0, 0, 10}, {0, 1, 0}}, flat, 0, 0));
-    EXPECT_FALSE(groundHit({{0, 0, 10}, glm::normalize(glm::dvec3{0, 1, 0.2})}, flat, 0, 0));
+    EXPECT_FALSE(findGroundHit({{0, 0, 10}, {0, 1, 0}}, flat, 0, 0));
+    EXPECT_FALSE(findGroundHit({{0, 0, 10}, glm::normalize(glm::dvec3{0, 1, 0.2})}, flat, 0, 0));
 }
 
 }  // namespace

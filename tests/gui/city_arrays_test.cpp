@@ -1,11 +1,11 @@
-#include "render/city_arrays.h"
+#include "render/scene/city_arrays.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "render/feature_edges.h"
-#include "render/ground_picture.h"
+#include "render/scene/feature_edges.h"
+#include "render/scene/ground_picture.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark {
@@ -15,28 +15,28 @@ TEST(FeatureEdges, ABoxHasTwelve) {
     Part box;
     box.footprint = test::square({0, 0}, 10);
     box.topM = 20;
-    EXPECT_EQ(featureEdges(meshOf(box)).size(), 2U * 12);
+    EXPECT_EQ(findFeatureEdges(meshOf(box)).size(), 2U * 12);
 }
 
 TEST(FeatureEdges, APlaneShowsItsBorderOnly) {
     const TriangleMesh plane{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-    EXPECT_EQ(featureEdges(plane).size(), 2U * 4);
+    EXPECT_EQ(findFeatureEdges(plane).size(), 2U * 4);
 }
 
 TEST(CityArrays, EdgesAreLeftOutAboveTheLimit) {
-    EXPECT_FALSE(arraysOf(test::smallCity()).edges.empty());
-    EXPECT_TRUE(arraysOf(test::smallCity(), 3).edges.empty());
+    EXPECT_FALSE(makeArrays(test::smallCity()).edges.empty());
+    EXPECT_TRUE(makeArrays(test::smallCity(), 3).edges.empty());
 }
 
 TEST(CityArrays, GroundReachesFarBeyondTheCity) {
-    const CityArrays arrays = arraysOf(test::smallCity());
+    const CityArrays arrays = makeArrays(test::smallCity());
     const auto [low, high] = std::ranges::minmax(arrays.groundPoints, {}, [](glm::vec3 p) { return p.x; });
     EXPECT_LT(low.x, arrays.bounds.box.low.x - 1000);
     EXPECT_GT(high.x, arrays.bounds.box.high.x + 1000);
 }
 
 TEST(CityArrays, KnowWhereEachBuildingLies) {
-    const CityArrays arrays = arraysOf(test::smallCity());
+    const CityArrays arrays = makeArrays(test::smallCity());
     ASSERT_EQ(arrays.triangleStart.size(), 4U);
     EXPECT_EQ(arrays.triangleStart.back(), arrays.triangles.size());
     EXPECT_EQ(arrays.edgeStart.back(), arrays.edges.size());
@@ -51,18 +51,18 @@ TEST(CityArrays, KnowWhereEachBuildingLies) {
 
 TEST(CityArrays, ACityThatSharesItsBuildingsDiffersByTheOthers) {
     City city = test::smallCity();
-    const CityArrays arrays = arraysOf(city);
-    EXPECT_TRUE(differenceOf(arrays, city).gone.empty());
+    const CityArrays arrays = makeArrays(city);
+    EXPECT_TRUE(computeDifference(arrays, city).gone.empty());
     city.buildings[1] = std::make_shared<const Building>(*city.buildings[1]);
     city.buildings.erase(city.buildings.begin());
-    const ArrayDifference difference = differenceOf(arrays, city);
+    const ArrayDifference difference = computeDifference(arrays, city);
     EXPECT_EQ(difference.gone, (std::vector<std::uint32_t>{0, 1}));
     ASSERT_EQ(difference.added.buildings.size(), 1U);
     EXPECT_EQ(difference.added.buildings.front(), city.buildings.front());
 }
 
 TEST(CityArrays, AnEmptyCityStillHasAView) {
-    const ViewBounds view = viewBoundsOf(City{});
+    const ViewBounds view = computeViewBounds(City{});
     EXPECT_FALSE(view.box.empty());
     EXPECT_GT(view.radiusM(), 100);
 }
@@ -74,7 +74,7 @@ TEST(CityArrays, TerrainIsTheGround) {
     terrain.elevationM.assign(100, 7);
     terrain.elevationM[55] = 42;
     city.terrain = std::make_shared<const Terrain>(terrain);
-    const CityArrays arrays = arraysOf(city);
+    const CityArrays arrays = makeArrays(city);
     EXPECT_FLOAT_EQ(arrays.bounds.groundM, 7);
     EXPECT_FLOAT_EQ(arrays.bounds.topM, 42);
     EXPECT_EQ(arrays.groundTriangles.size(), 3U * (2 * 9 * 9 + 2));
@@ -82,7 +82,7 @@ TEST(CityArrays, TerrainIsTheGround) {
 
 TEST(GroundPicture, WhatFitsIsLeftAlone) {
     const GroundPicture picture{{0, 0, 1, 3, 2}, std::vector<GroundPicture::Pixel>(6, {1, 2, 3, 4})};
-    EXPECT_EQ(fitted(picture, 3).pixels, picture.pixels);
+    EXPECT_EQ(fitPicture(picture, 3).pixels, picture.pixels);
 }
 
 TEST(GroundPicture, TooManyPixelsAreAveragedInPlace) {
@@ -90,7 +90,7 @@ TEST(GroundPicture, TooManyPixelsAreAveragedInPlace) {
     const GroundPicture picture{
         {100, 200, 2, 3, 2},
         {{0, 0, 0, 0}, {8, 8, 8, 8}, {40, 0, 0, 0}, {4, 4, 4, 4}, {4, 4, 4, 4}, {80, 0, 0, 0}}};
-    const GroundPicture small = fitted(picture, 2);
+    const GroundPicture small = fitPicture(picture, 2);
     EXPECT_EQ(small.grid, (Grid{100, 200, 4, 2, 1}));
     EXPECT_EQ(small.pixels, (std::vector<Pixel>{{4, 4, 4, 4}, {60, 0, 0, 0}}));
 }

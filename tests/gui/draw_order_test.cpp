@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 using test::waitFor;
 
-/// Cities one after the other in one view, looked at as pixels.
+/// Several cities opened in turn in one view, checked by pixel.
 struct DrawOrder : ::testing::Test {
     ViewPanel panel;
 
@@ -49,7 +49,7 @@ struct DrawOrder : ::testing::Test {
         return greys;
     }
 
-    // Frames come a little after what they show.
+    // Frames lag behind the scene, so this waits.
     bool edgeIsSeen(glm::dvec3 point) {
         return waitFor(
             [&] {
@@ -60,7 +60,8 @@ struct DrawOrder : ::testing::Test {
     }
 };
 
-// The roof's front edge has a face above and below it: what is drawn before the faces is not seen there.
+// The roof's front edge borders a face above and a face below: an edge drawn before the faces would be hidden
+// there.
 TEST_F(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
     for (int city = 1; city <= 8; ++city) {
         show();
@@ -68,7 +69,7 @@ TEST_F(DrawOrder, EdgesAreSeenInFrontOfTheirFacesInEveryCityThatIsOpened) {
     }
 }
 
-// The region's outline is seen through buildings.
+// The region's outline must be visible through buildings.
 TEST_F(DrawOrder, LinesAreSeenThroughBuildingsInEveryCityThatIsOpened) {
     const auto isRed = [this] {
         const QImage image = captured();

@@ -25,14 +25,15 @@ namespace {
 
 using test::waitFor;
 
-/// The tools over a view of the small city; edits come back as another city, as a project would send them.
+/// The edit tools in a view of the small city. Edits come back as a changed city, as a project would send
+/// them.
 struct EditToolsTest : ::testing::Test {
     ViewPanel view;
     EditTools tools{view};
     std::shared_ptr<const OpenCity> city = test::smallOpenCity();
     std::vector<std::vector<Edit>> made;
     std::vector<NamedLot> lots;
-    bool cityComesBack = true;  // false: the project is still at work
+    bool cityComesBack = true;  // false: the project has not answered yet
 
     void SetUp() override {
         view.resize(900, 700);
@@ -86,10 +87,10 @@ struct EditToolsTest : ::testing::Test {
         tools.building().setMoving(true);
         ASSERT_TRUE(tools.building().moveTool().grab(pixelAt({75, 35, 25})));
         tools.building().moveTool().dragTo(pixelAt({95, 25, 25}));
-        ASSERT_TRUE(waitFor([this] { return tools.desk().preview.shown(); }));
+        ASSERT_TRUE(waitFor([this] { return tools.context().preview.shown(); }));
     }
     [[nodiscard]] double massOf(std::size_t building) const {
-        return factsOf(*city->city().buildings[building], city->city()).grossFloorM2;
+        return collectFacts(*city->city().buildings[building], city->city()).grossFloorM2;
     }
     void drawLot(std::initializer_list<glm::dvec2> corners) {
         tools.drawLot();
@@ -104,7 +105,7 @@ TEST_F(EditToolsTest, DemolishTakesTheSelectedBuildingAway) {
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(lastEdit<Demolish>().building, "South House");
     EXPECT_EQ(city->city().buildings.size(), 2U);
-    EXPECT_FALSE(tools.building().selected()) << "it is gone";
+    EXPECT_FALSE(tools.building().selected()) << "it has been removed";
     tools.building().demolish();
     EXPECT_EQ(made.size(), 1U) << "nothing is selected";
 }
@@ -121,13 +122,13 @@ TEST_F(EditToolsTest, HeightIsPreviewedAndThenOneEdit) {
     tools.building().select(2);
     number("buildingHeight").setValue(120);
     EXPECT_TRUE(made.empty()) << "still being typed";
-    ASSERT_EQ(tools.desk().preview.changes().added.size(), 1U);
-    EXPECT_FLOAT_EQ(topM(*tools.desk().preview.changes().added.front()), 120);
+    ASSERT_EQ(tools.context().preview.changes().added.size(), 1U);
+    EXPECT_FLOAT_EQ(topM(*tools.context().preview.changes().added.front()), 120);
     enter(number("buildingHeight"));
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(lastEdit<ChangeHeight>(), (ChangeHeight{"Tower", 120}));
     EXPECT_EQ(tools.building().id(), "Tower") << "still selected";
-    EXPECT_FALSE(tools.desk().preview.shown());
+    EXPECT_FALSE(tools.context().preview.shown());
     enter(number("buildingHeight"));
     EXPECT_EQ(made.size(), 1U) << "nothing new";
 }
@@ -160,7 +161,7 @@ TEST_F(EditToolsTest, ADragOnAHouseMovesIt) {
 TEST_F(EditToolsTest, EscLetsGoOfWhatIsDragged) {
     dragTheLowHouse();
     Q_EMIT view.navigator().keyPressed(Qt::Key_Escape);
-    EXPECT_FALSE(tools.desk().preview.shown()) << "it stands where it stood";
+    EXPECT_FALSE(tools.context().preview.shown()) << "it has not moved";
     EXPECT_EQ(tools.building().id(), "Low House") << "still selected";
     EXPECT_EQ(number("moveEast").value(), 0);
     tools.building().moveTool().drop();
@@ -200,11 +201,11 @@ TEST_F(EditToolsTest, ALotIsDrawnAndATowerBuiltOnIt) {
     tools.tower().setHeight(70);
     EXPECT_EQ(field<QSpinBox>(tools.massingDock(), "storeys").value(), 20);
     tools.tower().build();
-    ASSERT_EQ(made.size(), 1U) << "one step of undo";
+    ASSERT_EQ(made.size(), 1U) << "one undo step";
     EXPECT_EQ(made.front().size(), 2U);
     EXPECT_EQ(lastEdit<AddBuilding>().building->sourceId, "Tower 1");
     EXPECT_FLOAT_EQ(topM(*city->city().buildings.back()), 70);
-    EXPECT_EQ(tools.building().id(), "Tower 1") << "what was built is selected";
+    EXPECT_EQ(tools.building().id(), "Tower 1") << "the new building is selected";
 }
 
 TEST_F(EditToolsTest, TheEnterThatFinishesTheLotDoesNotBuildYet) {
@@ -246,7 +247,7 @@ TEST_F(EditToolsTest, ADesignIsNotThatOfAnotherTowerOfThisName) {
     const City without = city->city();
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
     tools.tower().build();
-    City other = without;  // another scenario, with a tower of its own elsewhere
+    City other = without;  // another scenario, with its own tower elsewhere
     Building tower = *without.buildings[1];
     tower.sourceId = "Tower 1";
     other.buildings[1] = std::make_shared<const Building>(tower);
@@ -255,7 +256,7 @@ TEST_F(EditToolsTest, ADesignIsNotThatOfAnotherTowerOfThisName) {
     tools.replace();
     const TowerDraft draft = static_cast<MassingPanel*>(tools.massingDock())->draft();
     EXPECT_EQ(draft.replaces, "Tower 1");
-    EXPECT_NE(draft.lot.name, "Lot 1") << "it does not stand there";
+    EXPECT_NE(draft.lot.name, "Lot 1") << "it is not in this city";
 }
 
 TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
@@ -268,7 +269,7 @@ TEST_F(EditToolsTest, AMeshAndATowerAreNotAtWorkTogether) {
     tools.mesh().begin(file);
     ASSERT_TRUE(waitFor([this] { return tools.mesh().active(); }, 10000));
     EXPECT_FALSE(tools.tower().active());
-    EXPECT_FALSE(tools.desk().preview.shown());
+    EXPECT_FALSE(tools.context().preview.shown());
     tools.tower().begin(lots.front(), {});
     EXPECT_TRUE(tools.tower().active());
     EXPECT_FALSE(tools.mesh().active());
@@ -288,7 +289,7 @@ TEST_F(EditToolsTest, AMeshStandsUprightWithTheAxisAndUnitThatAreSaid) {
         Q_EMIT combo.activated(item);
     };
     const auto shownHeight = [this] {
-        const auto& built = tools.desk().preview.changes().added;
+        const auto& built = tools.context().preview.changes().added;
         return built.empty() ? 0 : double(topM(*built.back()));
     };
     EXPECT_NEAR(shownHeight(), 10, 1e-3) << "Y is up";
@@ -314,19 +315,19 @@ TEST_F(EditToolsTest, AMassingThatCannotBeSaysItsLimitAndIsNotBuilt) {
     tools.tower().resume(draft);
     EXPECT_TRUE(panel.message().isEmpty());
     tools.cancel();
-    EXPECT_FALSE(tools.desk().preview.shown());
+    EXPECT_FALSE(tools.context().preview.shown());
     EXPECT_TRUE(made.empty());
 }
 
 TEST_F(EditToolsTest, TheArrowStatesTheHeight) {
     drawLot({{-25, -65}, {25, -65}, {25, -15}, {-25, -15}});
-    ExtrudeHandle& handle = tools.desk().handle;
+    ExtrudeHandle& handle = tools.context().handle;
     const ViewLens lens = view.view().lens();
     const auto grip = view.view().overlay().handlePixel(view.view().pose(), lens);
     ASSERT_TRUE(grip);
     EXPECT_FALSE(handle.grab({grip->x + 200, grip->y}));
     ASSERT_TRUE(handle.grab({grip->x, grip->y}));
-    // The tower's middle at 35 m is taken to 84 m: 24 storeys.
+    // The handle is dragged from 35 m to 84 m: 24 storeys.
     const auto low = pixelOf(view.view().pose(), lens, {0, -40, 35});
     const auto high = pixelOf(view.view().pose(), lens, {0, -40, 84.9});
     handle.dragTo({grip->x + high->x - low->x, grip->y + high->y - low->y});

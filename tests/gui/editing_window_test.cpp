@@ -4,8 +4,8 @@
 #include <QTemporaryDir>
 #include <algorithm>
 
-#include "app/window/main_window.h"
-#include "app/window/view_panel.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -13,7 +13,7 @@ namespace {
 
 using test::waitFor;
 
-/// Tools and project together, on the sample.
+/// Edit tools and project together, on the sample.
 struct EditingWindowTest : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};

@@ -1,4 +1,4 @@
-#include "app/window/exploration.h"
+#include "app/window/view/exploration.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/window/explored_picture.h"
-#include "core/accumulate/surface_accrual.h"
-#include "core/accumulate/surface_rays.h"
+#include "app/window/view/explored_picture.h"
+#include "core/engines/accrual/surface_accrual.h"
+#include "core/engines/ray/surface_rays.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -32,22 +32,22 @@ Period morning(int days = 1) {
     return period;
 }
 
-/// A view of the small city.
+/// Refinement of a view of the small city.
 struct Refinement : ::testing::Test {
     ViewQuestion question{test::smallOpenCity(), slanting, lens, morning(), newYork(), nullptr,
                           leastTurnTests};
-    SurfaceEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
+    ViewEngine engine{std::make_shared<SurfaceRays>(question.city->picker.scene())};
     NoProgress progress;
 
-    // All answers, from the first to the finest.
+    // All answers, from the coarsest to the finest.
     std::vector<ViewAnswer> answers() {
-        std::vector<ViewAnswer> all{refined(question, nullptr, engine, progress, {}).value()};
+        std::vector<ViewAnswer> all{refineView(question, nullptr, engine, progress, {}).value()};
         while (!isFinest(all.back()))
-            all.push_back(refined(question, &all.back(), engine, progress, {}).value());
+            all.push_back(refineView(question, &all.back(), engine, progress, {}).value());
         return all;
     }
 
-    SurfaceShadow truthOf(const ViewAnswer& answer) {
+    SurfaceShadow computeTruth(const ViewAnswer& answer) {
         return engine.accumulator
             ->accumulate(question.city->city(), answer.view.surface->points, *answer.sun, progress, {})
             .value();
@@ -69,16 +69,16 @@ TEST_F(Refinement, BeginsCoarserWhereAViewHasVeryManyPixels) {
     question.lens = {40, 4096, 3072};
     question.period.hours = 10;
     question.period.stepMinutes = 1;
-    const ViewAnswer first = refined(question, nullptr, engine, progress, {}).value();
+    const ViewAnswer first = refineView(question, nullptr, engine, progress, {}).value();
     EXPECT_EQ(first.view.spacingPx, 16);
     EXPECT_EQ(first.view.daysDone, 1) << "and has no holes";
     question.sun = first.sun;
     question.turnTests = 1e9;
-    EXPECT_EQ(refined(question, nullptr, engine, progress, {}).value().view.spacingPx, 8)
+    EXPECT_EQ(refineView(question, nullptr, engine, progress, {}).value().view.spacingPx, 8)
         << "where the machine is quick";
 }
 
-// No turn is longer than the last one lets expect, and none of two turns of the same work is longer.
+// The size of a turn follows the speed of the last one, and no turn exceeds the tests allowed.
 TEST_F(Refinement, TurnsAreAsLongAsFivePicturesASecondAllow) {
     ViewAnswer answer;
     answer.turn.tests = 7e6;
@@ -100,14 +100,14 @@ TEST_F(Refinement, TurnsAreAsLongAsFivePicturesASecondAllow) {
 
 TEST_F(Refinement, EveryLevelHoldsTheTruthOfItsSamples) {
     for (const ViewAnswer& answer : answers()) {
-        const SurfaceShadow truth = truthOf(answer);
+        const SurfaceShadow truth = computeTruth(answer);
         EXPECT_EQ(answer.view.shadow.grossMin, truth.grossMin);
         EXPECT_EQ(answer.view.shadow.continuousMin, truth.continuousMin);
         EXPECT_EQ(answer.view.shadow.sunlitMinutesPerDay, 180);
     }
 }
 
-// A day at full resolution that takes long is filled in, over what the coarser level knew.
+// A slow day at full resolution is filled in part by part, over the values of the coarser level.
 TEST_F(Refinement, PointsThatWaitShowWhatIsKnownAroundThem) {
     question.period.stepMinutes = 0.05;
     question.lens = {40, 300, 225};
@@ -136,7 +136,7 @@ TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
     question.period = morning(20);
     const auto all = answers();
     ASSERT_EQ(all.size(), 7U) << "a view of each finer level, then its shadow";
-    EXPECT_EQ(all[5].view.daysDone, 0) << "seen at every pixel, with what the coarser one knew";
+    EXPECT_EQ(all[5].view.daysDone, 0) << "visible surface at every pixel, with the coarser level's values";
     EXPECT_EQ(all[6].turn.days, 20);
     const SurfaceShadow rays =
         SurfaceRays()
@@ -148,7 +148,7 @@ TEST_F(Refinement, ByAccrualMapsTakesAllDaysOfTheFinestLevelAtOnce) {
     EXPECT_LT(error / double(rays.grossMin.size()), 180 * 0.02);
 }
 
-// What is running is shown when it tells more of the period than what is there.
+// A partial result is shown once it covers more of the period than the present answer.
 TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     engine = {SurfaceAccrual::make({}, {}).value(), false};
     question.period = morning(20);
@@ -161,18 +161,18 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
     running.field.sunlitMinutesPerDay = 60;
     running.part = "4 of 12 sun intervals";
     running.share = 0.06;
-    EXPECT_FALSE(withRunning(begun, running)) << "5 days of 20 at a quarter of the samples tell more";
+    EXPECT_FALSE(withRunning(begun, running)) << "5 days of 20 at a quarter of the samples cover more";
     running.share = 0.07;
     const auto shown = withRunning(begun, running);
     ASSERT_TRUE(shown);
     EXPECT_EQ(shown->view.shadow.grossMin, running.field.grossMin);
     EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 60);
     EXPECT_TRUE(surfacePicture(shown->view, ShadowMeasure::gross, 180).soFar);
-    EXPECT_TRUE(detailWords(shown->view, 350).startsWith(QStringLiteral("4 of 12 sun intervals")));
+    EXPECT_TRUE(describeDetail(shown->view, 350).startsWith(QStringLiteral("4 of 12 sun intervals")));
     EXPECT_FALSE(withRunning(all[3], running)) << "of another level";
 }
 
-/// Takes every running result.
+/// Accepts every partial result.
 class Onlooker final : public Progress, public PartialSink {
 public:
     void report(double, std::string_view) override {}
@@ -190,14 +190,14 @@ double offBy(const ExploredView& view, const ExploredView& truth) {
     return off;
 }
 
-// A day is known already in coarser detail: what is running sharpens it, hour by hour, at every level.
+// A day is already known at a coarser level: partial results refine it step by step, at every level.
 TEST_F(Refinement, ByAccrualMapsEachLevelOfADaySharpensStepByStep) {
     engine = {SurfaceAccrual::make({}, {}).value(), false};
     const auto all = answers();
     ASSERT_EQ(all.size(), 7U);
     for (const std::size_t begun : {1U, 3U, 5U}) {
         Onlooker onlooker;
-        const ViewAnswer done = refined(question, &all[begun], engine, onlooker, {}).value();
+        const ViewAnswer done = refineView(question, &all[begun], engine, onlooker, {}).value();
         EXPECT_EQ(done.view.shadow.grossMin, all[begun + 1].view.shadow.grossMin);
         ASSERT_GT(onlooker.seen.size(), 3U);
         double before = offBy(all[begun].view, done.view);
@@ -208,7 +208,7 @@ TEST_F(Refinement, ByAccrualMapsEachLevelOfADaySharpensStepByStep) {
             EXPECT_EQ(shown->view.shadow.sunlitMinutesPerDay, 180) << "of all of the day";
             EXPECT_LE(offBy(shown->view, done.view), before * 1.01) << running.part;
             EXPECT_TRUE(isSoFar(shown->view));
-            EXPECT_TRUE(detailWords(shown->view, 350).startsWith(QString::fromStdString(running.part)));
+            EXPECT_TRUE(describeDetail(shown->view, 350).startsWith(QString::fromStdString(running.part)));
             before = offBy(shown->view, done.view);
         }
         EXPECT_EQ(before, 0) << "the last one is the answer";
@@ -227,11 +227,11 @@ TEST_F(Refinement, SeesRoofsAndFacadesAndTheShadowOnThem) {
     EXPECT_GT(roofs, 100);
     EXPECT_GT(facades, 300);
     const auto roof = finest.view.pointAt({0, -40, 60});
-    ASSERT_TRUE(roof) << "the roof of South House is in sight";
-    EXPECT_EQ(finest.view.shadow.grossMin[*roof], 0) << "and in the sun, higher than what is around";
+    ASSERT_TRUE(roof) << "the roof of South House is visible";
+    EXPECT_EQ(finest.view.shadow.grossMin[*roof], 0) << "and sunlit, being higher than its surroundings";
 }
 
-// The cameras of the paper's figure: 800, 300 and 100 m above the ground.
+// The cameras of the paper's figure: 800, 300 and 100 m above ground.
 TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
     double coarser = 1e9;
     for (const double height : {800.0, 300.0, 100.0}) {
@@ -248,24 +248,25 @@ TEST_F(Refinement, NearerCamerasSeeFinerDetail) {
     }
 }
 
-// Many days are taken up a few at a time; each answer is the truth of its days, and says how many they are.
+// Many days are computed a few at a time; each answer is correct for its days, and states how many they are.
 TEST_F(Refinement, LongPeriodsGrowDayByDayIntoTheWhole) {
     question.period = morning(300);
     question.period.stepMinutes = 2;
     question.lens = {40, 400, 300};
-    ViewAnswer answer = refined(question, nullptr, engine, progress, {}).value();
+    ViewAnswer answer = refineView(question, nullptr, engine, progress, {}).value();
     ASSERT_EQ(answer.view.days, 300);
     const int coarseDays = answer.view.daysDone;
     EXPECT_GT(coarseDays, 1);
     EXPECT_LT(coarseDays, 300);
     question.sun = answer.sun;
     EXPECT_TRUE(surfacePicture(answer.view, ShadowMeasure::gross, 180).soFar);
-    EXPECT_TRUE(detailWords(answer.view, 350).contains(QStringLiteral("of 300 days")));
-    const SurfaceShadow truth = truthOf(answer);
+    EXPECT_TRUE(describeDetail(answer.view, 350).contains(QStringLiteral("of 300 days")));
+    const SurfaceShadow truth = computeTruth(answer);
     double error = 0;
     for (std::size_t i = 0; i < truth.grossMin.size(); ++i)
         error += std::abs(double(truth.grossMin[i] - answer.view.shadow.grossMin[i]));
-    EXPECT_LT(error / double(truth.grossMin.size()), 2) << "scattered days stand for the whole, minutes";
+    EXPECT_LT(error / double(truth.grossMin.size()), 2)
+        << "error of scattered days against the whole period, minutes";
 }
 
 TEST_F(Refinement, PointsAndDaysTakenInTurnsAddUp) {
@@ -298,12 +299,12 @@ TEST_F(Refinement, PointsAndDaysTakenInTurnsAddUp) {
 TEST_F(Refinement, ASunThatNeverRisesIsSaid) {
     question.period.from = std::chrono::hours(0);
     question.period.hours = 2;
-    const auto answer = refined(question, nullptr, engine, progress, {});
+    const auto answer = refineView(question, nullptr, engine, progress, {});
     ASSERT_FALSE(answer);
     EXPECT_NE(answer.error().what.find("below the horizon"), std::string::npos);
 }
 
-/// The same beside the window's thread.
+/// The same in jobs of the window.
 struct ExplorationTest : ::testing::Test {
     Exploration exploration;
     std::vector<std::shared_ptr<const ViewAnswer>> seen;
@@ -336,12 +337,12 @@ TEST_F(ExplorationTest, ANewerViewOvertakesAnOlderOne) {
         QCoreApplication::processEvents(QEventLoop::AllEvents, 2);
     }
     ASSERT_TRUE(waitFor([this] { return finest() && !exploration.working(); }));
-    EXPECT_EQ(exploration.answer()->view.camera.eye, eyeOf(pose));
+    EXPECT_EQ(exploration.answer()->view.camera.eye, computeEye(pose));
     const auto last = std::ranges::find_if(
-        seen, [&](const auto& answer) { return answer->view.camera.eye == eyeOf(pose); });
+        seen, [&](const auto& answer) { return answer->view.camera.eye == computeEye(pose); });
     EXPECT_TRUE(std::all_of(last, seen.end(), [&](const auto& answer) {
-        return answer->view.camera.eye == eyeOf(pose);
-    })) << "no older view comes after the newest";
+        return answer->view.camera.eye == computeEye(pose);
+    })) << "no older view is shown after the newest";
 }
 
 TEST_F(ExplorationTest, AnotherPeriodBeginsAnew) {
@@ -373,9 +374,9 @@ TEST_F(ExplorationTest, RestsWhenInactiveAndGoesOnWhereItWas) {
 TEST(ExploredView, KnowsNothingBehindACornerOrBesideThePicture) {
     const auto city = test::smallOpenCity();
     ExploredView view;
-    view.camera = cameraOf({{0, -40, 0}, 300, 0, 30}, lens, 1);
+    view.camera = makeExploredCamera({{0, -40, 0}, 300, 0, 30}, lens, 1);
     view.surface = std::make_shared<const VisibleSurface>(
-        visibleSurface(city->picker.scene().value(), true, view.camera).value());
+        findVisibleSurface(city->picker.scene().value(), true, view.camera).value());
     EXPECT_TRUE(view.pointAt({0, -60, 30})) << "the southern front";
     EXPECT_FALSE(view.pointAt({0, -20, 30})) << "the northern front is behind it";
     EXPECT_FALSE(view.pointAt({0, -600, 0})) << "behind the eye";

@@ -18,7 +18,7 @@ TEST(Extrusion, APointOfTheVerticalIsFoundThroughItsPixel) {
         const double wanted = height(random);
         const auto pixel = pixelOf(pose, lens, foot + glm::dvec3(0, 0, wanted));
         ASSERT_TRUE(pixel);
-        const auto found = heightOnVertical(rayThrough(pose, lens, *pixel), foot);
+        const auto found = heightOnVertical(makeRayThrough(pose, lens, *pixel), foot);
         ASSERT_TRUE(found);
         EXPECT_NEAR(*found, wanted, 1e-6);
     }

@@ -2,12 +2,12 @@
 
 #include <limits>
 
-#include "app/report/palette.h"
-#include "app/report/score_legend.h"
-#include "app/window/field_picture.h"
-#include "app/window/hover_text.h"
+#include "app/report/maps/palette.h"
+#include "app/report/maps/score_legend.h"
 #include "app/window/project/score_picture.h"
-#include "app/window/warnings_dock.h"
+#include "app/window/study/warnings_dock.h"
+#include "app/window/view/field_picture.h"
+#include "app/window/view/hover_text.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark {
@@ -59,21 +59,21 @@ TEST(ScoreShown, WantedShadeHasTheColourOfLessShadow) {
     Score score;
     score.grid = {0, 0, 10, 3, 1};
     score.score = {1, -1, std::numeric_limits<float>::quiet_NaN()};
-    const Legend legend = legendOf(score);
+    const Legend legend = makeLegend(score);
     EXPECT_EQ(legend.scale.top, 1);
     EXPECT_TRUE(legend.wanted);
     const GroundPicture picture = scorePicture(score, legend.scale.top);
     EXPECT_EQ(picture.pixels[0], pixelOf(impactColour(-1)));
     EXPECT_EQ(picture.pixels[1], pixelOf(impactColour(1)));
     EXPECT_EQ(picture.pixels[2].a, 0);
-    EXPECT_EQ(scoreText(score, {5, 5}), QStringLiteral("score +1.000 m² a m²"));
-    EXPECT_EQ(scoreText(score, {25, 5}), QStringLiteral("not measured here"));
-    EXPECT_EQ(scoreText(score, {95, 5}), QString());
+    EXPECT_EQ(formatScore(score, {5, 5}), QStringLiteral("score +1.000 m² a m²"));
+    EXPECT_EQ(formatScore(score, {25, 5}), QStringLiteral("not measured"));
+    EXPECT_EQ(formatScore(score, {95, 5}), QString());
 }
 
 TEST_F(FieldShown, HoverSaysMinutesAndPlace) {
     const auto textAt = [this](double x) {
-        return hoverText({{x, 5, 0}, std::nullopt}, test::smallCity(), minutesText(field, {x, 5}))
+        return hoverText({{x, 5, 0}, std::nullopt}, test::smallCity(), formatMinutes(field, {x, 5}))
             .toStdString();
     };
     EXPECT_NE(textAt(15).find("x 15.0 m, y 5.0 m"), std::string::npos) << textAt(15);

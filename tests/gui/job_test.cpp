@@ -4,7 +4,7 @@
 #include <atomic>
 #include <optional>
 
-#include "app/window/job_slot.h"
+#include "app/window/study/job_slot.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -51,7 +51,7 @@ TEST(Job, DestroyedWhileRunningStopsAndDeliversNothing) {
     auto job = runJob<int>(endless(running), IntDone([&](const Result<int>&) { delivered = true; }));
     ASSERT_TRUE(waitFor([&] { return running.load(); }));
     job.reset();
-    EXPECT_FALSE(running) << "the destructor waits for the end of the work";
+    EXPECT_FALSE(running) << "the destructor waits for the work to end";
     QCoreApplication::processEvents();
     EXPECT_FALSE(delivered);
 }
@@ -98,9 +98,9 @@ TEST(Job, HandsOverRunningResultsNewestFirst) {
                      [&](const auto& partial) { shares.push_back(partial->share); });
     ASSERT_TRUE(waitFor([&] { return done; }));
     ASSERT_FALSE(shares.empty());
-    EXPECT_EQ(shares.back(), 0.75) << "the newest came, whatever was passed over";
+    EXPECT_EQ(shares.back(), 0.75) << "the newest arrived, even if others were skipped";
     EXPECT_TRUE(std::ranges::is_sorted(shares));
-    EXPECT_FALSE(wantedAtOnce) << "one is enough until it was shown";
+    EXPECT_FALSE(wantedAtOnce) << "only one is passed until it has been shown";
 }
 
 TEST(JobSlot, ASecondJobReplacesTheFirst) {
@@ -131,14 +131,15 @@ TEST(JobSlot, AJobThatWillNotStopYetHoldsNobodyUp) {
     ASSERT_TRUE(waitFor([&] { return running.load(); }));
     slot.start<int>(
         QStringLiteral("second"), [](Progress&, const std::stop_token&) -> Result<int> { return 2; }, note);
-    ASSERT_TRUE(waitFor([&] { return !slot.busy(); })) << "the second is done while the first still works";
+    ASSERT_TRUE(waitFor([&] { return !slot.busy(); }))
+        << "the second finishes while the first is still running";
     released = true;
     released.notify_all();
     ASSERT_TRUE(waitFor([&] {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         return slot.findChildren<Job*>().empty();
     }));
-    EXPECT_EQ(got, std::vector<int>{2}) << "what was overtaken delivers nothing";
+    EXPECT_EQ(got, std::vector<int>{2}) << "the replaced job delivers nothing";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/window/legend_strip.h"
+#include "app/window/widgets/legend_strip.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,8 @@ namespace noonmark {
 namespace {
 
 const QString note = QStringLiteral(
-    "With the proposal: all 175,200 steps, to a quarter of a degree; longest runs follow. Of the shape 0.6 s "
+    "With the proposal: all 175,200 steps, within 0.25° of azimuth; continuous shadow follows. Shape of 0.6 "
+    "s "
     "ago");
 
 TEST(LegendStrip, NoteAndLegendHaveRoomOfTheirOwnAtEveryWidth) {

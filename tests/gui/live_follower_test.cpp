@@ -13,14 +13,15 @@ namespace {
 
 using namespace test;
 
-/// Somebody else who asks the horizons, until it is let go.
+/// Another user of the shared horizons, which blocks them until released.
 class Asking final : public Progress {
 public:
-    explicit Asking(SharedHorizons& horizons)
+    explicit Asking(SharedHorizonCache& horizons)
         : thread_([this, &horizons] {
               const City city = smallCity();
               const auto receivers =
-                  receiversOnGround(city, regionFromLocalBox({{-50, -50}, {50, 50}}), {.cellM = 5}).value();
+                  placeReceiversOnGround(city, makeRegionFromLocalBox({{-50, -50}, {50, 50}}), {.cellM = 5})
+                      .value();
               (void)horizons.field(city, receivers, sunOf(spring(1, 30)), ShadowCounts::gross, *this, {});
           }) {
         begun_.wait();
@@ -38,7 +39,7 @@ private:
 };
 
 struct LiveFollowerTest : ::testing::Test {
-    std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>();
+    std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>();
     LiveFollower follower{horizons};
     City city = smallCityOnASlope();
     Period period = spring(20, 10);
@@ -68,7 +69,7 @@ TEST_F(LiveFollowerTest, EndsAtTheNewestShapeWithItsRuns) {
     other.letGo();
     ASSERT_TRUE(rests());
     ASSERT_TRUE(errors.empty());
-    ASSERT_EQ(answers.size(), 3U) << "the first shape, the newest, and its runs";
+    ASSERT_EQ(answers.size(), 3U) << "the first shape, the newest, and its continuous shadow";
     EXPECT_FALSE(answers[1]->runs);
     const City edited = with(city, tower(11, 15));
     const ShadowField fresh = freshHorizons(edited, answers[2]->receivers, period);
@@ -88,7 +89,7 @@ TEST_F(LiveFollowerTest, AnAnswerOfAnOlderShapeHasAnAge) {
     follower.follow(tower(3, 15));
     ASSERT_TRUE(waitFor([&] { return aged > 0; }));
     EXPECT_GT(follower.ageSeconds(), 0);
-    EXPECT_TRUE(answers.back()->runs) << "what is shown is the answer before";
+    EXPECT_TRUE(answers.back()->runs) << "the previous answer is shown";
     other.letGo();
     ASSERT_TRUE(waitFor([&] { return !answers.back()->runs; }));
     EXPECT_EQ(follower.ageSeconds(), 0);
@@ -102,7 +103,7 @@ TEST_F(LiveFollowerTest, CancelledItEndsAndTheNextPlaceBeginsAnew) {
     ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
     EXPECT_TRUE(isCancelled(errors.front()));
     follower.follow(tower(3, 15));
-    EXPECT_FALSE(follower.working().busy()) << "nothing follows any more";
+    EXPECT_FALSE(follower.working().busy()) << "the follower is inactive";
     other.letGo();
     errors.clear();
     begin();

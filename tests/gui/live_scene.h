@@ -4,11 +4,11 @@
 #include <cstring>
 
 #include "app/window/massing/live_shadow.h"
-#include "core/accumulate/kept_horizons.h"
+#include "core/engines/horizon/cache/horizon_cache.h"
 #include "core/receivers/roof_receivers.h"
 #include "tests/gui/small_city.h"
 
-/// The small city on level ground or on a slope, and what is shaped there.
+/// The small city on level ground or on a slope, and a tower to edit in it.
 namespace noonmark::test {
 
 inline Period spring(int days, double stepMinutes) {
@@ -24,7 +24,7 @@ inline Period spring(int days, double stepMinutes) {
 
 inline SunQuestion sunOf(const Period& period) { return {period, {{-73.98, 40.76}, 0}}; }
 
-/// Rises to the north-east, with a bump.
+/// Terrain that rises to the north-east, with a bump.
 inline std::shared_ptr<const Terrain> slope() {
     Terrain terrain{{-600, -600, 20, 60, 60}, {}};
     for (int row = 0; row < 60; ++row)
@@ -49,7 +49,7 @@ inline City smallCityOnASlope() {
     return city;
 }
 
-/// 30 x 30 x 120 m, `eastM` further east than at first.
+/// A tower of 30 x 30 x 120 m, `eastM` further east than its first place.
 inline LiveReceivers::Shape tower(float eastM = 0, float bottomM = 0) {
     Building building{.sourceId = "Tower 1"};
     building.parts.push_back(
@@ -64,12 +64,12 @@ inline City with(City city, const LiveReceivers::Shape& shape) {
     return city;
 }
 
-/// By horizons that were never kept before.
+/// The shadow from newly computed horizons, without a cache.
 inline ShadowField freshHorizons(const City& city, const Receivers& receivers, const Period& period) {
     NoProgress progress;
-    auto kept = KeptHorizons::make(city, receivers, {SharedHorizons::binDeg}).value();
+    auto saved = HorizonCache::make(city, receivers, {SharedHorizonCache::binDeg}).value();
     const SunQuestion question = sunOf(period);
-    return kept.retime(sunSteps(question.period, question.observer).value(), progress, {}).value();
+    return saved.retime(computeSunSteps(question.period, question.observer).value(), progress, {}).value();
 }
 
 inline bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {

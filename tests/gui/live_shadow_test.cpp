@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/accumulate/projected_shadows.h"
-#include "core/accumulate/ray_reference.h"
+#include "core/engines/projected/projected_shadows.h"
+#include "core/engines/ray/ray_reference.h"
 #include "tests/gui/live_scene.h"
 
 namespace noonmark {
@@ -13,7 +13,7 @@ using namespace test;
 
 struct LiveShadowTest : ::testing::Test {
     NoProgress progress;
-    std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>();
+    std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>();
 
     std::shared_ptr<LiveShadow> at(const City& city, const LiveQuestion& question) {
         return LiveShadow::at(placeIn(city), question, horizons, progress, {}).value();
@@ -22,7 +22,7 @@ struct LiveShadowTest : ::testing::Test {
                       ShadowCounts counts = ShadowCounts::grossAndRuns) {
         return live.with(shape, counts, progress, {}).value();
     }
-    // Bit for bit what a study of the city with the shape would count on these cells.
+    // Equal, bit for bit, to a study of the city with the shape on these cells.
     void expectFresh(const LiveAnswer& answer, const City& city, const Period& period) {
         const ShadowField fresh = freshHorizons(city, answer.receivers, period);
         EXPECT_TRUE(sameBits(answer.field.grossMin, fresh.grossMin));
@@ -51,14 +51,14 @@ TEST(LiveRule, PolygonsWhereTheyAreExactAndHorizonsElsewhere) {
 }
 
 TEST(LiveRule, WordsSayHowExactItIs) {
-    EXPECT_EQ(liveWords(LiveEngine::shadows, 360, 360, true), "With the proposal: exact at all 360 steps");
-    EXPECT_EQ(liveWords(LiveEngine::moments, 120, 175200, false),
+    EXPECT_EQ(describeLive(LiveEngine::shadows, 360, 360, true), "With the proposal: exact at all 360 steps");
+    EXPECT_EQ(describeLive(LiveEngine::moments, 120, 175200, false),
               "With the proposal: exact at 120 of 175,200 steps");
-    const QString gross = liveWords(LiveEngine::horizons, 175200, 175200, false);
+    const QString gross = describeLive(LiveEngine::horizons, 175200, 175200, false);
     EXPECT_TRUE(gross.contains("all 175,200 steps")) << gross.toStdString();
-    EXPECT_TRUE(gross.contains("quarter of a degree")) << gross.toStdString();
-    EXPECT_TRUE(gross.contains("runs follow")) << gross.toStdString();
-    EXPECT_FALSE(liveWords(LiveEngine::horizons, 1, 1, true).contains("runs"));
+    EXPECT_TRUE(gross.contains("0.25°")) << gross.toStdString();
+    EXPECT_TRUE(gross.contains("continuous shadow follows")) << gross.toStdString();
+    EXPECT_FALSE(describeLive(LiveEngine::horizons, 1, 1, true).contains("follows"));
 }
 
 TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
@@ -66,12 +66,12 @@ TEST_F(LiveShadowTest, IsThatOfAStudyOfTheCityWithTheTower) {
     const auto live = at(smallCity(), asked(period));
     EXPECT_EQ(live->engine(), LiveEngine::shadows);
     const LiveAnswer shown = answer(*live, tower(), ShadowCounts::gross);
-    EXPECT_TRUE(shown.runs) << "polygons know them at once";
+    EXPECT_TRUE(shown.runs) << "polygons include continuous shadow at once";
     EXPECT_EQ(shown.counted, shown.steps);
     const SunQuestion sun = sunOf(period);
     const auto study = ProjectedShadows()
                            .accumulate(with(smallCity(), tower()), shown.receivers,
-                                       sunSteps(sun.period, sun.observer).value(), progress, {})
+                                       computeSunSteps(sun.period, sun.observer).value(), progress, {})
                            .value();
     EXPECT_TRUE(sameBits(shown.field.grossMin, study.grossMin));
     EXPECT_TRUE(sameBits(shown.field.continuousMin, study.continuousMin));
@@ -107,7 +107,7 @@ TEST_F(LiveShadowTest, OnTerrainItIsThatOfFreshHorizonsAndNearTheRays) {
     const SunQuestion sun = sunOf(period);
     const auto truth = RayReference()
                            .accumulate(with(city, tower(0, 15)), shown.receivers,
-                                       sunSteps(sun.period, sun.observer).value(), progress, {})
+                                       computeSunSteps(sun.period, sun.observer).value(), progress, {})
                            .value();
     double off = 0, shaded = 0;
     for (const std::uint32_t cell : shown.receivers.cells) {
@@ -138,13 +138,13 @@ TEST_F(LiveShadowTest, OnRoofsTheyFollowToo) {
     const City city = smallCity();
     const Period period = spring(1, 5);
     LiveQuestion question = asked(period, ReceiverPlaces::both);
-    question.region = regionFromLocalBox({{-120, -120}, {120, 120}});
+    question.region = makeRegionFromLocalBox({{-120, -120}, {120, 120}});
     question.onRegion = true;
     const auto live = at(city, question);
     for (const float east : {0.0F, 45.0F, -10.0F}) {
         const City edited = with(city, tower(east));
         const LiveAnswer shown = answer(*live, tower(east));
-        const Receivers fresh = receiversIn(edited, question.region, question.receivers).value();
+        const Receivers fresh = placeReceivers(edited, question.region, question.receivers).value();
         ASSERT_EQ(shown.receivers.grid, fresh.grid) << "the study's cells";
         EXPECT_EQ(shown.receivers.kind, fresh.kind);
         EXPECT_EQ(shown.receivers.groundM, fresh.groundM);
@@ -170,14 +170,14 @@ TEST_F(LiveShadowTest, OfRoofsAloneTheGroundIsLeftOut) {
             ASSERT_TRUE(std::isnan(roofs.field.grossMin[cell]));
         }
     }
-    EXPECT_EQ(horizons->sets(), 1) << "the ground is kept, unseen";
+    EXPECT_EQ(horizons->sets(), 1) << "the ground is cached, but not shown";
 }
 
 TEST_F(LiveShadowTest, IsOnTheRegionWhereTheShadowReachesItAndItIsNotTooLarge) {
     LiveQuestion question = asked(spring(1, 10));
     question.onRegion = true;
     const auto cells = [&](Box2 box) {
-        question.region = regionFromLocalBox(box);
+        question.region = makeRegionFromLocalBox(box);
         return at(smallCity(), question)->receivers().grid;
     };
     EXPECT_EQ(cells({{-150, -100}, {150, 100}}).columns, 300);
@@ -192,7 +192,8 @@ TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
     City city = smallCity();
     Building rack{.sourceId = "rack"};
     for (int i = 0; i <= 50'000; ++i)
-        rack.parts.push_back({.footprint = square({-90, -90}, 1), .bottomM = 5, .topM = 6, .hangs = true});
+        rack.parts.push_back(
+            {.footprint = square({-90, -90}, 1), .bottomM = 5, .topM = 6, .isOverhanging = true});
     city.buildings.push_back(std::make_shared<const Building>(rack));
     const Period period = spring(4, 0.8);
     const auto some = at(city, asked(period));
@@ -212,7 +213,7 @@ TEST_F(LiveShadowTest, WhereTooMuchHangsForHorizonsMomentsAreShown) {
     city.terrain = slope();
     city.buildings.push_back(std::make_shared<const Building>(rack));
     EXPECT_FALSE(LiveShadow::at(placeIn(city), asked(period), horizons, progress, {}))
-        << "on a slope nothing else can do it";
+        << "no other method works on a slope";
 }
 
 TEST_F(LiveShadowTest, NightIsRefused) {

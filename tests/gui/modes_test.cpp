@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QSettings>
 #include <QSignalSpy>
@@ -8,10 +9,10 @@
 #include <QToolBar>
 #include <random>
 
-#include "app/report/palette.h"
-#include "app/window/accuracy_form.h"
-#include "app/window/main_window.h"
-#include "app/window/view_panel.h"
+#include "app/report/maps/palette.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/view/view_panel.h"
+#include "app/window/widgets/accuracy_form.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -39,12 +40,12 @@ TEST(ModeSwitch, TheRayReferenceIsAModeAndAnEngine) {
     mode.setMode(ViewMode::exploration);
     settings.engine = "iam";
     document.change(settings, QStringLiteral("engine"));
-    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "exploring goes on whatever the study's engine is";
+    EXPECT_EQ(mode.mode(), ViewMode::exploration) << "exploration does not depend on the study's engine";
     mode.showStudies();
     EXPECT_EQ(mode.mode(), ViewMode::analysis);
     mode.setMode(ViewMode::rayReference);
     mode.setMode(ViewMode::analysis);
-    EXPECT_EQ(document.settings().engine, "iam") << "the one that was there before";
+    EXPECT_EQ(document.settings().engine, "iam") << "the previous engine";
 }
 
 TEST(ModeSwitch, ModesHaveShortcutsAndSayWhatTheyAre) {
@@ -63,31 +64,39 @@ TEST(AccuracyForm, HasAFieldForEveryOptionOfTheEngine) {
         StudySettings settings;
         settings.engine = engine.key;
         form.show(settings);
-        EXPECT_EQ(form.findChildren<QDoubleSpinBox*>().size(), qsizetype(1 + engine.options.size()));
+        EXPECT_EQ(form.findChildren<QDoubleSpinBox*>().size() + form.findChildren<QCheckBox*>().size(),
+                  qsizetype(1 + engine.options.size()));
         for (const EngineOption& option : engine.options) {
-            const auto* field = form.findChild<QDoubleSpinBox*>(
-                QStringLiteral("option_") + QString::fromStdString(std::string(option.key)));
+            const auto name = QStringLiteral("option_") + QString::fromStdString(std::string(option.key));
+            if (option.kind == OptionKind::yesNo) {
+                const auto* check = form.findChild<QCheckBox*>(name);
+                ASSERT_NE(check, nullptr) << option.key;
+                EXPECT_EQ(check->isChecked(), option.usual != 0) << option.key;
+                continue;
+            }
+            const auto* field = form.findChild<QDoubleSpinBox*>(name);
             ASSERT_NE(field, nullptr) << option.key;
             EXPECT_NEAR(field->minimum(), option.lowest, 1e-9);
             EXPECT_NEAR(field->maximum(), option.highest, 1e-9);
             EXPECT_NEAR(field->value(), option.usual, 1e-9) << option.key;
             EXPECT_FALSE(field->toolTip().isEmpty());
         }
-        EXPECT_EQ(form.applied(settings), settings) << engine.key << ": what is as usual is not written down";
+        EXPECT_EQ(form.applied(settings), settings) << engine.key << ": default values are not stored";
     }
 }
 
-TEST(AccuracyForm, ASwitchSaysYesOrNo) {
+TEST(AccuracyForm, ASwitchIsACheckBox) {
     AccuracyForm form;
     StudySettings settings;
     settings.engine = "horizon";
     form.show(settings);
-    auto* runs = form.findChild<QDoubleSpinBox*>(QStringLiteral("option_runs"));
-    EXPECT_EQ(runs->text(), QStringLiteral("yes"));
-    EXPECT_TRUE(runs->toolTip().contains(QStringLiteral("no: gross shadow only")))
-        << qPrintable(runs->toolTip());
-    runs->stepDown();
-    EXPECT_EQ(runs->text(), QStringLiteral("no"));
+    auto* runs = form.findChild<QCheckBox*>(QStringLiteral("option_runs"));
+    ASSERT_NE(runs, nullptr);
+    EXPECT_TRUE(runs->isChecked());
+    EXPECT_TRUE(runs->toolTip().contains(QStringLiteral("gross shadow only"))) << qPrintable(runs->toolTip());
+    QSignalSpy edits(&form, &AccuracyForm::edited);
+    runs->click();
+    EXPECT_EQ(edits.size(), 1);
     EXPECT_EQ(form.applied(settings).engineSettings, (EngineSettings{{"runs", 0}}));
 }
 
@@ -168,7 +177,7 @@ struct Share {
     int right = 0;
 };
 
-// How many of the explored samples have the colour of their minutes on the screen: of ground, roofs, facades.
+// For ground, roofs and facades: how many of the explored samples have the colour of their minutes on screen.
 std::array<Share, 3> rightColours(const ExploredView& view, const QImage& image, double top) {
     std::array<Share, 3> shares;
     std::mt19937 random(5);
@@ -194,7 +203,7 @@ TEST_F(ModesTest, ExplorationColoursGroundRoofsAndFacades) {
         const auto answer = window.exploration().answer();
         const double top = window.panel().legend().legend()->scale.top;
         shares = rightColours(answer->view, captured(), top);
-        // Lines of edges, which are drawn over all faces, and of the region cross some samples.
+        // Building edges, drawn over all faces, and the region's outline cover some samples.
         return std::ranges::all_of(shares,
                                    [](const Share& s) { return s.seen > 200 && s.right > 0.7 * s.seen; });
     });
@@ -244,7 +253,7 @@ TEST_F(ModesTest, SwitchingShowsWhatBelongsToTheMode) {
     ASSERT_TRUE(window.panel().legend().legend());
     EXPECT_TRUE(note().isEmpty());
     window.mode().setMode(ViewMode::exploration);
-    EXPECT_TRUE(note().startsWith(QStringLiteral("every pixel"))) << "what was explored is still there";
+    EXPECT_TRUE(note().startsWith(QStringLiteral("every pixel"))) << "the explored view is still available";
     EXPECT_NE(window.findChild<QToolBar*>(QStringLiteral("modeBar")), nullptr);
 }
 
@@ -254,7 +263,7 @@ TEST_F(ModesTest, ARunLeavesExploration) {
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
 }
 
-// Cells of a running result on the screen, which are marked as such.
+// A partial result shows its cells in the view, marked as partial.
 TEST_F(ModesTest, ALongStudyShowsWhatItHasSoFar) {
     QSignalSpy partials(&window.workbench(), &Workbench::studyPartial);
     beginLongStudy();
@@ -265,7 +274,7 @@ TEST_F(ModesTest, ALongStudyShowsWhatItHasSoFar) {
     ASSERT_TRUE(waitFor([&] { return partials.count() >= 3; }));
     window.workbench().running().cancel();
     ASSERT_TRUE(waitFor([this] { return !window.workbench().running().busy(); }));
-    EXPECT_TRUE(note().isEmpty()) << "nothing partial stays";
+    EXPECT_TRUE(note().isEmpty()) << "no partial result stays";
     EXPECT_FALSE(window.panel().legend().legend());
     EXPECT_TRUE(window.panel().messages().text().contains(QStringLiteral("Cancelled")));
 }
@@ -297,7 +306,7 @@ TEST_F(ModesTest, ANewerRunOvertakesAnOlderOne) {
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
     EXPECT_EQ(window.workbench().study()->settings.receivers.cellM, 5);
-    EXPECT_TRUE(note().isEmpty()) << "nothing of the older run comes after";
+    EXPECT_TRUE(note().isEmpty()) << "the older run delivers nothing";
     waitFor([] { return false; }, 300);
     EXPECT_TRUE(note().isEmpty());
     EXPECT_EQ(window.workbench().study()->settings.receivers.cellM, 5);

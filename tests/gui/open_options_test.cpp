@@ -1,4 +1,4 @@
-#include "app/window/open_options.h"
+#include "app/window/study/open_options.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <QTemporaryDir>
 #include <tuple>
 
-#include "app/window/main_window.h"
-#include "app/window/reading_form.h"
-#include "app/window/view_panel.h"
-#include "core/study/repeat_command.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/view/view_panel.h"
+#include "app/window/widgets/reading_form.h"
+#include "core/study/provenance/repeat_command.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -21,7 +21,7 @@ namespace {
 
 using test::waitFor;
 
-/// ReadSettings with every field that has a place in the form, so that two can be compared.
+/// The ReadSettings that have a field in the form, so that two can be compared.
 auto fieldsOf(const ReadSettings& s) {
     return std::tuple(s.heightField, s.heightUnit, s.metresPerLevel, s.defaultHeightM, s.layer, s.crs, s.lod,
                       s.farAwayM, s.upAxis, s.meshUnit, s.meshNorthDeg, s.meshAnchor);
@@ -76,7 +76,7 @@ TEST(ReadingForm, TheMiddleOfTheCityBecomesTheAnchor) {
     EXPECT_EQ(form.settings().meshAnchor, (LonLat{2.3522, 48.8566}));
 }
 
-/// The window without a city, and a cube of 10 units that does not say where it stands.
+/// The window without a city, and a cube of 10 units that states no location.
 struct OpenOptionsTest : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
@@ -191,12 +191,12 @@ TEST_F(OpenOptionsTest, TheStudyRepeatsWhatWasStated) {
     window.openWith({cube()}, reading);
     ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
     StudySettings question = window.workbench().document().settings();
-    question.region = regionFromLocalBox({{-40, -40}, {40, 40}});
+    question.region = makeRegionFromLocalBox({{-40, -40}, {40, 40}});
     question.period.hours = 1;
     window.workbench().document().change(question, QStringLiteral("test"));
     window.workbench().run();
     ASSERT_TRUE(waitFor([this] { return window.workbench().study() != nullptr; }));
-    const std::string command = repeatCommand(*window.workbench().study(), 1000).value();
+    const std::string command = makeRepeatCommand(*window.workbench().study(), 1000).value();
     EXPECT_NE(command.find("--up z --mesh-anchor -73.98,40.76"), std::string::npos) << command;
 }
 

@@ -5,8 +5,8 @@
 #include <QFile>
 #include <QSettings>
 
-#include "app/window/main_window.h"
-#include "app/window/view_panel.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 
@@ -22,7 +22,7 @@ QByteArray contentOf(const QString& name) {
     return file.readAll();
 }
 
-/// The window with a project whose city was read from a file beside it, and a study that is shown.
+/// The window with a displayed study of a project whose city was read from a file beside it.
 struct OutputWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
@@ -94,20 +94,20 @@ TEST_F(OutputWindow, AProjectReplacesProjectsOnly) {
     saveAs(other);
     EXPECT_EQ(workbench().session().file()->path(), other.toStdString()) << message();
     saveAs(other);
-    EXPECT_THAT(message(), HasSubstr("Saved as")) << "over itself";
+    EXPECT_THAT(message(), HasSubstr("Saved as")) << "over its own file";
 }
 
 TEST_F(OutputWindow, AnExportIsAskedAboutAndReplacesItsOwnFilesOnly) {
     study();
     EXPECT_EQ(workbench().filesInTheWay(out.toStdString()), QStringList());
     exportStudy();
-    EXPECT_THAT(message(), HasSubstr("Written into"));
+    EXPECT_THAT(message(), HasSubstr("Exported to"));
     const QStringList there = workbench().filesInTheWay(out.toStdString());
     EXPECT_EQ(QSet<QString>(there.begin(), there.end()), [names = QDir(out).entryList(QDir::Files)] {
         return QSet<QString>(names.begin(), names.end());
     }());
     exportStudy();
-    EXPECT_THAT(message(), HasSubstr("Written into"));
+    EXPECT_THAT(message(), HasSubstr("Exported to"));
     const QString shadow = out + QStringLiteral("/shadow.tif");
     ASSERT_TRUE(QFile::resize(shadow, 0));
     ASSERT_TRUE(QFile::remove(out + QStringLiteral("/cells.csv")));

@@ -1,11 +1,11 @@
-#include "render/overlay_bodies.h"
+#include "render/scene/overlay_bodies.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using test::waitFor;
 
-/// The view of the small city, looked at as pixels.
+/// The view of the small city, checked by pixel.
 struct OverlayTest : ::testing::Test {
     ViewPanel panel;
     std::shared_ptr<const OpenCity> city = test::smallOpenCity();
@@ -56,7 +56,7 @@ struct OverlayTest : ::testing::Test {
         return colour;
     }
 
-    // Frames come a little after what they show.
+    // Frames lag behind the scene, so this waits.
     bool becomes(glm::dvec3 point, const std::function<bool(QColor)>& holds) {
         return waitFor([&] { return holds(colourAt(point)); }, 20000);
     }
@@ -99,7 +99,7 @@ TEST_F(OverlayTest, ABuildingIsLeftOutAndComesBack) {
     ArrayDifference change;
     change.gone = {0};
     panel.view().showChanges(change);
-    // Where it stood the ground is seen, darker than a roof.
+    // The ground is visible in its place, darker than a roof.
     EXPECT_TRUE(becomes(roofPoint, [&](QColor c) { return c.lightness() < roof.lightness() - 8; }))
         << roof.lightness() << " " << colourAt(roofPoint).lightness();
     change.added = only(0);

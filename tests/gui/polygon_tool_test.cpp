@@ -1,12 +1,12 @@
-#include "app/window/polygon_tool.h"
+#include "app/window/view/polygon_tool.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "app/window/region_words.h"
-#include "app/window/visible_ground.h"
+#include "app/window/study/region_words.h"
+#include "app/window/view/visible_ground.h"
 
 namespace noonmark {
 namespace {
@@ -105,7 +105,7 @@ TEST(PolygonTool, TheNextSideGoesOnSquareToTheLastOne) {
     drawing.tool.addPoint({33, 25, 0}, true);
     EXPECT_EQ(drawing.tool.line().back(), glm::vec3(30, 25, 0));
     drawing.tool.addPoint({20, 35, 0});
-    drawing.tool.moveTo({12, 25, 0}, true);  // the side before runs north-west
+    drawing.tool.moveTo({12, 25, 0}, true);  // the previous side runs north-west
     const glm::vec3 corner = drawing.tool.line().back();
     EXPECT_NEAR(double(corner.x), 11, 1e-4);
     EXPECT_NEAR(double(corner.y), 26, 1e-4);
@@ -146,10 +146,10 @@ TEST(VisibleGround, LookingAwayThereIsNone) {
 }
 
 TEST(RegionWords, SayAreaAndCells) {
-    Region region = regionFromLocalBox({{0, 0}, {590, 580}});
+    Region region = makeRegionFromLocalBox({{0, 0}, {590, 580}});
     region.name = "park";
-    EXPECT_EQ(regionWords(region, 2), QStringLiteral("Park\n590 × 580 m, 34.2 ha, 85,550 cells"));
-    EXPECT_EQ(regionWords({}, 2), QStringLiteral("No region yet"));
+    EXPECT_EQ(describeRegion(region, 2), QStringLiteral("Park\n590 × 580 m, 34.2 ha, 85,550 cells"));
+    EXPECT_EQ(describeRegion({}, 2), QStringLiteral("No region yet"));
 }
 
 }  // namespace

@@ -56,25 +56,25 @@ TEST_F(ProjectTree, ScenariosHaveTheirEditsAndTheShownOneIsBold) {
     EXPECT_TRUE(a.data(Qt::FontRole).value<QFont>().bold());
     EXPECT_FALSE(scenario(existingCity).data(Qt::FontRole).value<QFont>().bold());
     ASSERT_EQ(model.rowCount(a), 2);
-    EXPECT_EQ(childrenOf(a)[0].toStdString(), textOf(session.project().scenarios[0].edits[0]));
+    EXPECT_EQ(childrenOf(a)[0].toStdString(), formatText(session.project().scenarios[0].edits[0]));
     session.goTo(existingCity);
     EXPECT_TRUE(scenario(existingCity).data(Qt::FontRole).value<QFont>().bold());
 }
 
 TEST_F(ProjectTree, LinesThatStayAreTheSameLines) {
     session.addEdits({newTower("New", 44)}, QStringLiteral("tower"));
-    const QPersistentModelIndex kept = scenario("Proposal A");
+    const QPersistentModelIndex saved = scenario("Proposal A");
     const QPersistentModelIndex lot = model.indexOf(ProjectPart::lot, "Yard");
     session.addEdits({ChangeHeight{"New", 60}}, QStringLiteral("height"));
     session.change(withScenario(session.project(), "Other", {}), QStringLiteral("new"));
-    EXPECT_TRUE(kept.isValid());
-    EXPECT_EQ(model.rowCount(kept), 2);
+    EXPECT_TRUE(saved.isValid());
+    EXPECT_EQ(model.rowCount(saved), 2);
     EXPECT_TRUE(lot.isValid());
     undo.undo();
     undo.undo();
-    EXPECT_EQ(model.rowCount(kept), 1);
+    EXPECT_EQ(model.rowCount(saved), 1);
     undo.undo();
-    EXPECT_FALSE(kept.isValid());
+    EXPECT_FALSE(saved.isValid());
 }
 
 TEST_F(ProjectTree, RenamesPartsInPlaceButNotTheExistingCity) {
@@ -92,7 +92,7 @@ TEST_F(ProjectTree, RenamesPartsInPlaceButNotTheExistingCity) {
     EXPECT_EQ(session.project().lots[0].name, "Yard");
 }
 
-// The tester checks rows, parents and signals after each of many random changes.
+// The model tester checks rows, parents and signals after each of many random changes.
 TEST_F(ProjectTree, HoldsThroughRandomChangesUndoAndRedo) {
     std::mt19937 random(5);
     const auto any = [&](std::size_t below) { return std::size_t(random() % below); };
@@ -148,7 +148,7 @@ TEST_F(ProjectTree, ScenarioTableFollows) {
     StudySettings other;
     other.receivers.cellM = 9;
     table.setStudies({{"Proposal A", study}}, other);
-    EXPECT_EQ(table.index(1, 2).data().toString(), QString()) << "another question";
+    EXPECT_EQ(table.index(1, 2).data().toString(), QString()) << "other settings";
 }
 
 TEST_F(ProjectTree, KeysInTheTreeGoBeforeTheWindowsShortcuts) {

@@ -6,7 +6,7 @@
 #include <QSignalSpy>
 #include <QUndoStack>
 
-#include "app/window/study_document.h"
+#include "app/window/study/study_document.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {
@@ -102,18 +102,18 @@ TEST_F(Session, AScenarioSharesWhatItsBaseBuilt) {
     EXPECT_EQ(a->buildings[0], b->buildings[0]);
     EXPECT_NE(a->buildings[0], session.project().city->buildings[0]);
     EXPECT_EQ(b->buildings.size(), 2U);
-    EXPECT_EQ(session.cityOf("B").value(), b) << "asked again it is the same city";
+    EXPECT_EQ(session.cityOf("B").value(), b) << "a repeated call returns the same city";
 }
 
 TEST_F(Session, RenamingAScenarioKeepsThoseThatStartFromIt) {
     demolish(0);
     session.change(withScenario(session.project(), "B", "Proposal A"), QStringLiteral("new"), "B");
     EXPECT_TRUE(
-        session.change(renamed(session.project(), ProjectPart::scenario, "Proposal A", "Slim").value(),
+        session.change(renameIn(session.project(), ProjectPart::scenario, "Proposal A", "Slim").value(),
                        QStringLiteral("rename")));
     EXPECT_EQ(session.project().scenarios[1].base, "Slim");
     EXPECT_EQ(session.city()->buildings.size(), 2U);
-    EXPECT_FALSE(renamed(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is taken";
+    EXPECT_FALSE(renameIn(session.project(), ProjectPart::scenario, "Slim", "B")) << "the name is in use";
     EXPECT_THAT(without(session.project(), ProjectPart::scenario, "Slim").error().text(),
                 HasSubstr("first: B"));
 }
@@ -132,10 +132,10 @@ TEST_F(Session, ADeletedScenarioIsLeftAndABaselineToo) {
 TEST_F(Session, ACopyStandsBesideTheOriginalUnderANameOfItsOwn) {
     demolish(0);
     std::string made;
-    const Project next = duplicated(session.project(), ProjectPart::scenario, "Proposal A", made);
+    const Project next = duplicate(session.project(), ProjectPart::scenario, "Proposal A", made);
     EXPECT_EQ(made, "Proposal B");
     EXPECT_EQ(next.scenarios[1].edits, next.scenarios[0].edits);
-    duplicated(session.project(), ProjectPart::lot, "Yard", made);
+    duplicate(session.project(), ProjectPart::lot, "Yard", made);
     EXPECT_EQ(made, "Yard (2)");
 }
 
@@ -168,7 +168,7 @@ TEST_F(Session, TheSavedStateIsCleanByWhateverWayItIsComeBackTo) {
     undo.redo();
     undo.undo();
     session.setSaved(file, version);
-    EXPECT_TRUE(session.hasUnsavedWork()) << "what was written is not surely what is there now";
+    EXPECT_TRUE(session.hasUnsavedWork()) << "the saved state may differ from the present one";
 }
 
 TEST_F(Session, AStepThatIsTakenBackWhileItIsSavedLeavesNoStateClean) {
@@ -181,7 +181,7 @@ TEST_F(Session, AStepThatIsTakenBackWhileItIsSavedLeavesNoStateClean) {
     const int version = session.version();
     undo.undo();
     session.setSaved(file, version);
-    EXPECT_TRUE(session.hasUnsavedWork()) << "the file holds the step that was taken back";
+    EXPECT_TRUE(session.hasUnsavedWork()) << "the file contains the undone step";
 }
 
 TEST_F(Session, OtherBuildingsInTheBaselineAreTold) {
@@ -205,7 +205,7 @@ TEST(ProposalNames, GoOnAfterZ) {
     EXPECT_EQ(scenarios[1].name, "Proposal B");
     EXPECT_EQ(scenarios[25].name, "Proposal Z");
     EXPECT_EQ(scenarios[26].name, "Proposal 27");
-    EXPECT_TRUE(checked(scenarios));
+    EXPECT_TRUE(validate(scenarios));
 }
 
 }  // namespace

@@ -10,13 +10,13 @@
 #include <QSignalSpy>
 #include <QStatusBar>
 
-#include "app/window/main_window.h"
+#include "app/window/frame/main_window.h"
 #include "app/window/project/project_session.h"
-#include "app/window/project/unsaved_place.h"
-#include "app/window/view_panel.h"
-#include "app/window/warning_place.h"
-#include "app/window/warnings_dock.h"
-#include "scenarios/project/autosave.h"
+#include "app/window/project/recovery_store.h"
+#include "app/window/study/warning_place.h"
+#include "app/window/study/warnings_dock.h"
+#include "app/window/view/view_panel.h"
+#include "scenarios/project/recovery_file.h"
 #include "tests/gui/small_project.h"
 #include "tests/gui/wait_for.h"
 
@@ -32,7 +32,7 @@ QByteArray bytesOf(const QString& name) {
     return file.readAll();
 }
 
-/// The window with a small project on the disk.
+/// The window with a small project file.
 struct ProjectWindow : ::testing::Test {
     QTemporaryDir folder;
     QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
@@ -77,7 +77,7 @@ struct ProjectWindow : ::testing::Test {
     void takeOffer() {
         window->panel().messages().findChild<QPushButton*>(QStringLiteral("remedy"))->click();
     }
-    // A window that is killed: neither asked nor tidied up.
+    // Ends the window as a crash would: without questions or cleaning up.
     void kill() { window.reset(); }
 };
 
@@ -106,7 +106,7 @@ TEST_F(ProjectWindow, TheQuestionIsFoundAgain) {
         SolarWindow{std::chrono::minutes(90), std::chrono::minutes(30), SunriseRule::centre};
     question.period.zone = "America/New_York";
     workbench().document().change(question, QStringLiteral("test"));
-    EXPECT_TRUE(session().hasUnsavedWork()) << "the project has a file, and the question is kept in it";
+    EXPECT_TRUE(session().hasUnsavedWork()) << "the project has a file, which stores the settings";
     save();
     makeWindow();
     open(file);
@@ -171,7 +171,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     build();
     keepUnsaved();
     auto other = ProjectFile::open(file.toStdString()).value();
-    ASSERT_TRUE(other.save(other.project()));  // someone else's save: this one's is refused
+    ASSERT_TRUE(other.save(other.project()));  // saved by another program: this window's save is refused
     int asked = 0;
     window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::save; });
     for (int quit = 1; quit <= 2; ++quit) {
@@ -186,7 +186,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     keepUnsaved();
     window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::cancel; });
     EXPECT_FALSE(window->close());
-    EXPECT_EQ(asked, 3) << "nothing remembers the quit that failed";
+    EXPECT_EQ(asked, 3) << "the failed quit has no later effect";
     EXPECT_TRUE(std::filesystem::exists(recovery()));
 }
 
@@ -202,7 +202,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotCl
     EXPECT_TRUE(window->isVisible());
     window->saving().saveAs(name.toStdString());
     ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
-    EXPECT_TRUE(window->isVisible()) << "the quit was given up with the dialog";
+    EXPECT_TRUE(window->isVisible()) << "cancelling the dialog cancelled the quit";
     ASSERT_TRUE(session().addLot({"Mine too", test::square({0, 0}, 10)}));
     const std::size_t lots = session().project().lots.size();
     EXPECT_FALSE(window->close()) << "it is being saved";
@@ -241,8 +241,8 @@ TEST_F(ProjectWindow, WorkDiscardedForAFileThatCannotBeOpenedIsStillRecoverable)
 TEST_F(ProjectWindow, WorkThatWasNotSavedIsOfferedAgain) {
     build();
     window->saving().keepUnsaved();
-    const std::filesystem::path kept = recoveryPath(file.toStdString());
-    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    const std::filesystem::path saved = recoveryPath(file.toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     kill();
     makeWindow();
     open(file);
@@ -265,9 +265,9 @@ TEST_F(ProjectWindow, WorkThatNeverHadAFileIsOfferedAgain) {
     const std::size_t lots = session().project().lots.size();
     window->saving().keepUnsaved();
     const QString unsaved = folder.filePath(QStringLiteral("unsaved"));
-    const std::filesystem::path kept =
+    const std::filesystem::path saved =
         recoveryPath((unsaved + QStringLiteral("/Untitled 1.noonmark.gpkg")).toStdString());
-    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     kill();
     makeWindow();
     open(QStringLiteral("sample:central-park-south"));
@@ -284,10 +284,10 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
     ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
     window->saving().keepUnsaved();
     const QDir unsaved(folder.filePath(QStringLiteral("unsaved")));
-    const auto kept = [&] {
+    const auto saved = [&] {
         return unsaved.entryList({QStringLiteral("*.gpkg")}, QDir::Files | QDir::Hidden);
     };
-    ASSERT_TRUE(waitFor([&] { return !kept().isEmpty() && !window->saving().writing().busy(); }));
+    ASSERT_TRUE(waitFor([&] { return !saved().isEmpty() && !window->saving().writing().busy(); }));
     kill();
     makeWindow();
     open(sample);
@@ -297,7 +297,7 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
     open(sample);  // the question is answered by Discard
     EXPECT_EQ(message(), QString());
     kill();
-    EXPECT_EQ(kept(), QStringList());
+    EXPECT_EQ(saved(), QStringList());
     makeWindow();
     open(sample);
     EXPECT_EQ(message(), QString());
@@ -306,8 +306,8 @@ TEST_F(ProjectWindow, RecoveredWorkThatIsDiscardedIsNotOfferedAgain) {
 TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain) {
     build();
     window->saving().keepUnsaved();
-    const std::filesystem::path kept = recoveryPath(file.toStdString());
-    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+    const std::filesystem::path saved = recoveryPath(file.toStdString());
+    ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
     for (const bool keptAgain : {false, true}) {
         kill();
         makeWindow();
@@ -317,15 +317,15 @@ TEST_F(ProjectWindow, RecoveredChangesOfAFileThatAreDiscardedAreNotOfferedAgain)
         const auto older = ProjectSaving::olderRecovery(file.toStdString());
         if (keptAgain) window->saving().keepUnsaved();
         if (keptAgain) {
-            ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(kept); }));
+            ASSERT_TRUE(waitFor([&] { return std::filesystem::exists(saved); }));
             EXPECT_TRUE(std::filesystem::exists(older));
         }
-        const auto copy = kept.string() + ".copy";
-        std::filesystem::copy_file(keptAgain ? older : kept, copy);
+        const auto copy = saved.string() + ".copy";
+        std::filesystem::copy_file(keptAgain ? older : saved, copy);
         window->close();
-        ASSERT_TRUE(waitFor([&] { return !std::filesystem::exists(kept); }));
+        ASSERT_TRUE(waitFor([&] { return !std::filesystem::exists(saved); }));
         EXPECT_FALSE(std::filesystem::exists(older));
-        std::filesystem::rename(copy, kept);  // for the next round
+        std::filesystem::rename(copy, saved);  // for the next round
     }
 }
 
@@ -365,11 +365,12 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     build();
     session().compareWith(existingCity);
     ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
-    const auto held = workbench().comparison();  // so that no other comes to lie at its address
+    // Keeps the object alive, so that no other comparison gets its address.
+    const auto held = workbench().comparison();
     const ImpactAnswer& answer = *held;
     EXPECT_EQ(answer.from, existingCity);
     EXPECT_EQ(answer.to, "Proposal A");
-    EXPECT_GT(figuresOf(answer.study.total, 0).gross.touchedM2, 0);
+    EXPECT_GT(computeFigures(answer.study.total, 0).gross.touchedM2, 0);
     EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
     const auto legend = window->panel().legend().legend();
     ASSERT_TRUE(legend);
@@ -381,7 +382,7 @@ TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
     session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height"));
     ASSERT_TRUE(waitFor([&] {
         return workbench().comparison() && workbench().comparison().get() != &answer;
-    })) << "a quick answer follows the change by itself";
+    })) << "a quick result is recomputed after the change";
     session().compareWith({});
     EXPECT_EQ(workbench().comparison(), nullptr);
 }
@@ -400,7 +401,7 @@ TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
     EXPECT_EQ(workbench().study(), studies.at("Proposal A"));
     session().goTo(existingCity);
     ASSERT_TRUE(waitFor([&] { return workbench().study() == studies.at(existingCity); }))
-        << "kept and shown again";
+        << "saved and shown again";
 }
 
 TEST_F(ProjectWindow, ACityBecomesAProjectOfItsOwn) {
@@ -421,7 +422,7 @@ TEST_F(ProjectWindow, ASaveThatEndsAfterAnotherWasOpenedIsNotTakenForThatOnes) {
     ASSERT_TRUE(ProjectFile::create(other.toStdString(), test::smallProject()));
     build();
     const QSignalSpy saved(&window->saving(), &ProjectSaving::saved);
-    // Just before the other is taken: the save ends after it.
+    // The save starts just before the other project is taken and ends after it.
     QObject::connect(&workbench().opening(), &JobSlot::ended, window.get(),
                      [this] { window->saving().save(); });
     workbench().open({other});
@@ -429,7 +430,7 @@ TEST_F(ProjectWindow, ASaveThatEndsAfterAnotherWasOpenedIsNotTakenForThatOnes) {
     ASSERT_TRUE(waitFor([this] {
         const auto written = ProjectFile::open(file.toStdString());
         return written && written->saves() == 2;
-    })) << "the save still ends on the disk";
+    })) << "the save is still written";
     save();
     EXPECT_EQ(session().file()->path(), other.toStdString());
     EXPECT_EQ(saved.count(), 1) << "of the other";
@@ -476,7 +477,7 @@ TEST_F(ProjectWindow, ARunningComparisonOutlivesAnotherNameOfEitherSide) {
     EXPECT_EQ(workbench().comparison()->to, "Tall");
     workbench().document().undoStack().undo();
     workbench().document().undoStack().undo();
-    ASSERT_TRUE(workbench().comparison()) << "undoing a name does not end it either";
+    ASSERT_TRUE(workbench().comparison()) << "undoing the renaming does not end it either";
     EXPECT_EQ(session().baseline(), "Other");
     EXPECT_EQ(workbench().comparison()->from, "Other");
     EXPECT_EQ(workbench().comparison()->to, "Proposal A");
@@ -503,7 +504,7 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedAndGoesWhenItIsDiscarded) {
     std::filesystem::rename(recovery(), older);
     makeWindow();
     open(file);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("There are unsaved changes to small from 2")))
         << message().toStdString();
     takeOffer();
     ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
@@ -522,15 +523,15 @@ TEST_F(ProjectWindow, OlderUnsavedWorkIsOfferedBesideNewerAndCanBeDeleted) {
     };
     makeWindow();
     open(file);
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark ended before"))) << message().toStdString();
+    EXPECT_TRUE(message().startsWith(QStringLiteral("Noonmark closed before"))) << message().toStdString();
     other()->click();
-    EXPECT_TRUE(message().startsWith(QStringLiteral("Unsaved work on small of 2")))
+    EXPECT_TRUE(message().startsWith(QStringLiteral("There are unsaved changes to small from 2")))
         << message().toStdString();
     takeOffer();
     ASSERT_TRUE(waitFor([this] { return session().project().scenarios.size() == 1; }));
     EXPECT_TRUE(window->close());
     EXPECT_FALSE(std::filesystem::exists(older));
-    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not taken up";
+    EXPECT_TRUE(std::filesystem::exists(recovery())) << "the newer one was not recovered";
     std::filesystem::copy_file(recovery(), older);
     kill();
     makeWindow();
@@ -631,7 +632,7 @@ TEST_F(ProjectWindow, AWarningLeadsToItsBuilding) {
     EXPECT_NEAR(target.x, -87.5, 30);
     EXPECT_NEAR(target.y, 42.5, 30);
     Q_EMIT dock->itemActivated(dock->topLevelItem(1)->child(0), 0);
-    EXPECT_TRUE(message().contains(QStringLiteral("way 7 is no building"))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("way 7 is not a building"))) << message().toStdString();
 }
 
 TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
@@ -653,21 +654,21 @@ TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
 TEST(UnsavedPlaces, WhatManyRunsLeftDoesNotGrowForEver) {
     const QTemporaryDir folder;
     const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
-    const int runs = UnsavedPlace::mostLeft + 3;
+    const int runs = RecoveryStore::mostLeft + 3;
     for (int i = 0; i < runs; ++i) {
         QFile file(QString::fromStdString(recovery.string()));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(QByteArray::number(i));
         file.close();
-        const UnsavedPlace place(folder.path());
+        const RecoveryStore place(folder.path());
         EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
     }
-    for (int i = runs - 1; i >= runs - UnsavedPlace::mostLeft; --i) {
-        UnsavedPlace place(folder.path());
+    for (int i = runs - 1; i >= runs - RecoveryStore::mostLeft; --i) {
+        RecoveryStore place(folder.path());
         EXPECT_EQ(bytesOf(QString::fromStdString(place.left().value().string())), QByteArray::number(i));
         place.forgetLeft();
     }
-    EXPECT_FALSE(UnsavedPlace(folder.path()).left());
+    EXPECT_FALSE(RecoveryStore(folder.path()).left());
 }
 
 TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {
@@ -678,18 +679,18 @@ TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {
         ASSERT_TRUE(file.open(QIODevice::WriteOnly));
         file.write(text);
     };
-    const auto left = [](const UnsavedPlace& place) {
+    const auto left = [](const RecoveryStore& place) {
         return bytesOf(QString::fromStdString(place.left().value().string()));
     };
     leave("first");
-    EXPECT_EQ(left(UnsavedPlace(folder.path())), "first");
+    EXPECT_EQ(left(RecoveryStore(folder.path())), "first");
     leave("second");
     {
-        UnsavedPlace place(folder.path());
+        RecoveryStore place(folder.path());
         EXPECT_EQ(left(place), "second");
         place.forgetLeft();
     }
-    EXPECT_EQ(left(UnsavedPlace(folder.path())), "first");
+    EXPECT_EQ(left(RecoveryStore(folder.path())), "first");
 }
 
 }  // namespace

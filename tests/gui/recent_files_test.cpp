@@ -1,4 +1,4 @@
-#include "app/window/recent_files.h"
+#include "app/window/frame/recent_files.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
-#include "app/window/recent_menu.h"
-#include "core/io/read_settings_text.h"
+#include "app/window/widgets/recent_menu.h"
+#include "core/io/heights/read_settings_text.h"
 
 namespace noonmark {
 namespace {
@@ -61,7 +61,7 @@ TEST_F(RecentFilesTest, HowAFileWasReadComesBackWithIt) {
     recent.add({QStringLiteral("/mesh.obj")}, every);
     recent.add({QStringLiteral("/plain.gpkg")});
     const ReadSettings back = recent.readingOf(QStringLiteral("/mesh.obj"));
-    EXPECT_EQ(textOf(back), textOf(every));
+    EXPECT_EQ(formatText(back), formatText(every));
     EXPECT_EQ(back.crs, every.crs);
     EXPECT_EQ(back.heightUnit, every.heightUnit);
     EXPECT_EQ(back.meshUnit, every.meshUnit);

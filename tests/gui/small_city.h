@@ -4,7 +4,7 @@
 
 namespace noonmark::test {
 
-/// A square from its south-western corner.
+/// A square, given by its south-western corner.
 inline Footprint square(glm::vec2 corner, float sideM) {
     return {{corner, corner + glm::vec2(sideM, 0), corner + glm::vec2(sideM), corner + glm::vec2(0, sideM)},
             {}};

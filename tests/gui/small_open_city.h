@@ -1,15 +1,15 @@
 #pragma once
 
-#include "app/window/open_city.h"
+#include "app/window/study/open_city.h"
 #include "tests/gui/small_city.h"
 
 namespace noonmark::test {
 
-/// The small city as the window holds one.
+/// The small city, ready for display.
 inline std::shared_ptr<const OpenCity> smallOpenCity() {
     auto open = std::make_shared<OpenCity>();
     open->loaded.read.city = smallCity();
-    open->arrays = std::make_shared<const CityArrays>(arraysOf(open->city()));
+    open->arrays = std::make_shared<const CityArrays>(makeArrays(open->city()));
     open->picker = ScenePicker(open->city(), RayScene::over(open->city()).value());
     return open;
 }

@@ -8,10 +8,10 @@
 
 namespace noonmark::test {
 
-/// The small city with ids, a lot, a region and a period.
+/// A project of the small city with ids, a lot, a region and a period.
 inline Project smallProject() {
     Project project;
-    project.city = std::make_shared<const City>(withUniqueIds(smallCity()));
+    project.city = std::make_shared<const City>(makeIdsUnique(smallCity()));
     project.attribution = "Nobody";
     project.lots.push_back({"Yard", square({20, 20}, 30)});
     project.regions.push_back({"Square", {square({-80, -80}, 160)}});

@@ -1,4 +1,4 @@
-#include "app/window/study_document.h"
+#include "app/window/study/study_document.h"
 #include "app/input/all_engines.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 
-#include "app/window/study_dock.h"
+#include "app/window/study/study_dock.h"
 
 namespace noonmark {
 namespace {
@@ -49,7 +49,7 @@ TEST(StudyDocument, EveryRegionIsAnUndoOfItsOwn) {
     StudyDocument document;
     for (const float size : {10.0F, 20.0F}) {
         StudySettings settings = document.settings();
-        settings.region = regionFromLocalBox({{0, 0}, {size, size}});
+        settings.region = makeRegionFromLocalBox({{0, 0}, {size, size}});
         document.change(settings, QStringLiteral("region"));
     }
     document.undoStack().undo();
@@ -68,7 +68,7 @@ TEST(StudyDock, FieldsChangeTheDocumentAndUndoChangesTheFields) {
     dock.findChild<QDateEdit*>(QStringLiteral("startDate"))->setDate(QDate(2026, 6, 21));
     dock.findChild<QSpinBox*>(QStringLiteral("days"))->setValue(7);
     dock.findChild<QDoubleSpinBox*>(QStringLiteral("cell"))->setValue(3);
-    EXPECT_EQ(textOf(document.settings().period.start), "2026-06-21");
+    EXPECT_EQ(formatText(document.settings().period.start), "2026-06-21");
     EXPECT_EQ(document.settings().period.days, 7);
     EXPECT_EQ(document.settings().receivers.cellM, 3);
     while (document.undoStack().canUndo()) document.undoStack().undo();

@@ -7,7 +7,7 @@
 
 #include "app/window/time/time_looking.h"
 #include "app/window/time/time_strip.h"
-#include "core/accumulate/projected_shadows.h"
+#include "core/engines/projected/projected_shadows.h"
 #include "tests/gui/small_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -41,7 +41,7 @@ TEST(TimeLook, IsAPartOfTheStudysTime) {
     EXPECT_EQ(moment.hours, 0);
     EXPECT_EQ(moment.from, 14h);
     EXPECT_FALSE(moment.window);
-    EXPECT_EQ(wordsOf({TimeSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
+    EXPECT_EQ(describe({TimeSpan::moment, may.date, 14h + 5min}), "4 May 2026, 14:05");
 }
 
 TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
@@ -63,12 +63,12 @@ TEST(TimeStrip, SlidersGoOverTheYearOfTheStudyByDaysAndMinutes) {
     EXPECT_EQ(strip.look().date, CivilDate(2026y, std::chrono::June, 1d));
 }
 
-// Bins of half a degree take a shadow's edge by up to a quarter of a degree of azimuth wrong.
+// Bins of half a degree misplace a shadow's edge by up to a quarter of a degree of azimuth.
 TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
     const auto study = smallStudy();
     TimeLooking looking;
     looking.setStudy(study);
-    EXPECT_FALSE(looking.answer()) << "the whole period needs no other answer";
+    EXPECT_FALSE(looking.answer()) << "the whole period needs no separate answer";
     TimeLook look{TimeSpan::moment, {2026y, std::chrono::May, 4d}, 9h};
     for (; look.at < 15h; look.at += 7min) {
         looking.look(look);
@@ -77,7 +77,7 @@ TEST(TimeLooking, FollowsTheSliderAndEndsAtItsLastPlace) {
     look.at -= 7min;
     ASSERT_TRUE(waitFor([&] { return looking.answer() && looking.answer()->look == look; }));
     NoProgress progress;
-    const auto sun = sunSteps(periodOf(look, study->settings.period), observerOf(*study)).value();
+    const auto sun = computeSunSteps(periodOf(look, study->settings.period), makeObserver(*study)).value();
     const ShadowField exact =
         ProjectedShadows().accumulate(study->city, study->receivers, sun, progress, {}).value();
     std::size_t shaded = 0, other = 0;
@@ -100,7 +100,7 @@ TEST(TimeLooking, NightIsSaidAndTheNextMomentAnswered) {
     looking.setStudy(smallStudy());
     looking.look({TimeSpan::moment, may.date, 2h});
     ASSERT_TRUE(waitFor([&] { return !said.isEmpty(); }));
-    EXPECT_EQ(said.front(), "The sun is below the horizon");
+    EXPECT_EQ(said.front(), "The sun is below the horizon all the time");
     looking.look(may);
     ASSERT_TRUE(waitFor([&] { return looking.answer() != nullptr; }));
     EXPECT_EQ(looking.answer()->look, may);

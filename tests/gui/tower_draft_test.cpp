@@ -18,7 +18,7 @@ TowerDraft draftOf(int storeys) {
 }
 
 TEST(TowerDraft, DemolishesWhatStandsOnTheLotAndAddsTheTower) {
-    const auto tower = drafted(test::smallCity(), draftOf(10)).value();
+    const auto tower = draftTower(test::smallCity(), draftOf(10)).value();
     ASSERT_EQ(tower.edits.size(), 2U);
     EXPECT_EQ(std::get<Demolish>(tower.edits[0]).building, "South House");
     EXPECT_EQ(std::get<AddBuilding>(tower.edits[1]).building->sourceId, "Tower 1");
@@ -32,7 +32,7 @@ TEST(TowerDraft, DemolishesWhatStandsOnTheLotAndAddsTheTower) {
 TEST(TowerDraft, TheReplacedBuildingIsNotDemolishedToo) {
     TowerDraft draft = draftOf(10);
     draft.replaces = "South House";
-    const auto tower = drafted(test::smallCity(), draft).value();
+    const auto tower = draftTower(test::smallCity(), draft).value();
     ASSERT_EQ(tower.edits.size(), 1U);
     EXPECT_EQ(std::get<Replace>(tower.edits[0]).building, "South House");
     EXPECT_TRUE(applied(test::smallCity(), tower.edits));
@@ -41,13 +41,13 @@ TEST(TowerDraft, TheReplacedBuildingIsNotDemolishedToo) {
 TEST(TowerDraft, WhatCannotBeSaysItsLimit) {
     TowerDraft draft = draftOf(10);
     draft.settings.plate.areaM2 = 5000;
-    EXPECT_NE(drafted(test::smallCity(), draft).error().advice.find("2500 m2"), std::string::npos);
+    EXPECT_NE(draftTower(test::smallCity(), draft).error().advice.find("2500 m2"), std::string::npos);
     draft = draftOf(10);
     draft.settings.setbacks = {{.aboveM = 20, .insetM = 30}};
-    EXPECT_NE(drafted(test::smallCity(), draft).error().advice.find("25.0 m"), std::string::npos);
+    EXPECT_NE(draftTower(test::smallCity(), draft).error().advice.find("25.0 m"), std::string::npos);
     draft = draftOf(10);
     draft.settings.podium = Podium{.storeys = 10};
-    EXPECT_FALSE(drafted(test::smallCity(), draft));
+    EXPECT_FALSE(draftTower(test::smallCity(), draft));
 }
 
 TEST(TowerDraft, AHeightIsStatedInStoreysWhereItIsWhole) {
@@ -58,20 +58,20 @@ TEST(TowerDraft, AHeightIsStatedInStoreysWhereItIsWhole) {
     settings = withHeight(settings, 49.5);
     EXPECT_EQ(settings.storeys, 0);
     EXPECT_DOUBLE_EQ(heightOf(settings), 49.5);
-    EXPECT_TRUE(massingOn(southLot().outline, settings));
+    EXPECT_TRUE(makeMassing(southLot().outline, settings));
 }
 
 TEST(TowerDraft, NamesAreFree) {
     City city = test::smallCity();
     EXPECT_EQ(freeTowerName(city), "Tower 1");
-    city = applied(city, drafted(city, draftOf(3)).value().edits).value().city;
+    city = applied(city, draftTower(city, draftOf(3)).value().edits).value().city;
     EXPECT_EQ(freeTowerName(city), "Tower 2");
     EXPECT_EQ(freeLotName({southLot()}), "Lot 2");
 }
 
 TEST(BuildingFacts, OfABox) {
     const City city = test::smallCity();
-    const BuildingFacts facts = factsOf(*city.buildings[0], city);
+    const BuildingFacts facts = collectFacts(*city.buildings[0], city);
     EXPECT_EQ(facts.title, QStringLiteral("South House"));
     EXPECT_NEAR(facts.heightM, 60, 1e-4);
     EXPECT_EQ(facts.heightSource, QStringLiteral("measured"));
@@ -81,7 +81,7 @@ TEST(BuildingFacts, OfABox) {
     EXPECT_NEAR(area(lotUnder(*city.buildings[0], city).value()), 1600, 0.1);
     const std::vector<Edit> higher{ChangeHeight{"South House", 297.5}};
     const City changed = applied(city, higher).value().city;
-    EXPECT_EQ(factsOf(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
+    EXPECT_EQ(collectFacts(*changed.buildings[0], changed).heightSource, QStringLiteral("designed"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/window/view_picture.h"
+#include "app/window/view/view_picture.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ int darkPixels(const QImage& image, const QRect& area) {
     return dark;
 }
 
-/// A white view with all that may stand around it.
+/// A white view with all elements around it.
 struct SavedPicture : ::testing::Test {
     QImage view{900, 500, QImage::Format_RGB32};
     PictureFrame frame{.title = QStringLiteral("Monaco: Proposal A"),
@@ -73,7 +73,7 @@ TEST(PlacingPanels, FieldsStayUnderTheCursorWhateverIsSaid) {
     panel.begin(QStringLiteral("a tower with a rather long name of its file, twice.obj"));
     EXPECT_EQ(places(), before);
     panel.showWarnings(
-        {{WarningKind::assumed, "the mesh's origin was put at the project's origin", "t.obj"}});
+        {{WarningKind::assumed, "the project's origin is used as the mesh's origin", "t.obj"}});
     EXPECT_EQ(places(), before);
 }
 

@@ -6,8 +6,8 @@
 
 namespace noonmark::test {
 
-/// Lets the application work until `condition` holds; false when it does not within the limit, which is far
-/// above what is needed.
+/// Processes events until `condition` holds. Returns false if it does not within the limit, which is far
+/// above the time needed.
 template <class Condition>
 bool waitFor(Condition condition, int limitMs = 60000) {
     QElapsedTimer clock;

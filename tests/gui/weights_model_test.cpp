@@ -80,7 +80,7 @@ TEST_F(Weights, MonthsStandForTheirDays) {
 
 TEST_F(Weights, WhatIsOutOfRangeIsRefusedInItsPlace) {
     EXPECT_FALSE(set(5, Column::intervalWeight, "1.5"));
-    EXPECT_TRUE(refusal.contains(QStringLiteral("row 6: '1.5' is no weight"))) << refusal.toStdString();
+    EXPECT_TRUE(refusal.contains(QStringLiteral("row 6: '1.5' is not a weight"))) << refusal.toStdString();
     EXPECT_FALSE(set(5, Column::intervalWeight, "much"));
     EXPECT_FALSE(set(5, Column::firstDay, "06-31"));
     EXPECT_TRUE(refusal.contains(QStringLiteral("row 6, first"))) << refusal.toStdString();
@@ -88,10 +88,9 @@ TEST_F(Weights, WhatIsOutOfRangeIsRefusedInItsPlace) {
     EXPECT_FALSE(set(5, Column::fromHour, "24:00"));
     EXPECT_TRUE(refusal.contains(QStringLiteral("earlier and a later hour"))) << refusal.toStdString();
     EXPECT_FALSE(set(5, Column::lastDay, "07-02"));
-    EXPECT_TRUE(refusal.contains(QStringLiteral("'June' and 'July' hold the same time")))
-        << refusal.toStdString();
+    EXPECT_TRUE(refusal.contains(QStringLiteral("'June' and 'July' overlap"))) << refusal.toStdString();
     EXPECT_EQ(undo.count(), 0);
-    EXPECT_EQ(session.project().weights[0], monthlyWeights());
+    EXPECT_EQ(session.project().weights[0], makeMonthlyWeights());
 }
 
 TEST_F(Weights, RowsComeAndGo) {
@@ -105,7 +104,7 @@ TEST_F(Weights, RowsComeAndGo) {
     EXPECT_EQ(interval(12).first, January / 1);
     EXPECT_EQ(undo.count(), 3);
     while (undo.canUndo()) undo.undo();
-    EXPECT_EQ(session.project().weights[0], monthlyWeights());
+    EXPECT_EQ(session.project().weights[0], makeMonthlyWeights());
     for (int i = 0; i < 11; ++i) EXPECT_TRUE(model.removeRow(0));
     EXPECT_FALSE(model.removeRow(0));
     EXPECT_TRUE(refusal.contains(QStringLiteral("no intervals"))) << refusal.toStdString();
@@ -125,7 +124,7 @@ TEST_F(Weights, TheTableKeepsItsRowsUnderAnotherName) {
     EXPECT_EQ(model.rowCount(), 12);
 }
 
-// The tester checks rows and signals after each of many random edits.
+// The model tester checks rows and signals after each of many random edits.
 TEST_F(Weights, HoldThroughRandomEditsUndoAndRedo) {
     std::mt19937 random(7);
     const auto any = [&](int below) { return int(random() % unsigned(std::max(1, below))); };
@@ -165,7 +164,7 @@ TEST_F(Weights, TheDockEditsScoresAndSaysWhatIsRefused) {
     EXPECT_TRUE(refused->isHidden());
     dock.findChild<QPushButton*>(QStringLiteral("newTable"))->click();
     EXPECT_EQ(dock.findChild<QComboBox*>()->currentText(), QStringLiteral("my weights"));
-    EXPECT_EQ(session.project().weights[1].intervals, monthlyWeights().intervals);
+    EXPECT_EQ(session.project().weights[1].intervals, makeMonthlyWeights().intervals);
     auto* view = dock.findChild<QTableView*>();
     view->setCurrentIndex(dock.model().index(3, 0));
     dock.findChild<QPushButton*>(QStringLiteral("addInterval"))->click();
@@ -189,7 +188,7 @@ TEST_F(Weights, AllColumnsAreInSightInTheNarrowestDock) {
     dock.show();
     QCoreApplication::processEvents();
     const auto* view = dock.findChild<QTableView*>();
-    EXPECT_LE(dock.width(), 330) << "it has to stand beside the view";
+    EXPECT_LE(dock.width(), 330) << "it must fit beside the view";
     EXPECT_LE(view->horizontalHeader()->length(), view->viewport()->width());
     for (int column = 0; column < dock.model().columnCount(); ++column)
         EXPECT_GE(view->columnWidth(column), 30) << column;

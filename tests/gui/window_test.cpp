@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
-#include "app/report/palette.h"
-#include "app/window/hover_text.h"
-#include "app/window/main_window.h"
-#include "app/window/results_dock.h"
-#include "app/window/view_panel.h"
+#include "app/report/maps/palette.h"
+#include "app/window/frame/main_window.h"
+#include "app/window/study/results_dock.h"
+#include "app/window/view/hover_text.h"
+#include "app/window/view/view_panel.h"
 #include "core/samples/sample_city.h"
 #include "tests/gui/wait_for.h"
 
@@ -27,7 +27,7 @@ struct WindowTest : ::testing::Test {
     MainWindow window{settings};
 
     void SetUp() override {
-        window.resize(1000, 760);  // the legend has a row of its own at this width
+        window.resize(1000, 760);  // the legend has its own row at this width
         window.show();
         window.open({QStringLiteral("sample:central-park-south")});
         ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
@@ -37,7 +37,7 @@ struct WindowTest : ::testing::Test {
     [[nodiscard]] Region parkAndStreets() {
         const Region park = centralParkRegion(window.workbench().city()->city());
         const auto south = std::ranges::min(park.polygons.front().outer, {}, [](glm::vec2 p) { return p.y; });
-        return regionFromLocalBox({south - glm::vec2(250), south + glm::vec2(250)});
+        return makeRegionFromLocalBox({south - glm::vec2(250), south + glm::vec2(250)});
     }
 
     void runStudy() {
@@ -76,7 +76,7 @@ int difference(const QColor& a, const QColor& b) {
         {std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
 }
 
-// Cells whose neighbours have nearly their value, so that a pixel beside the exact one tells the same.
+// Cells whose neighbours have nearly the same value, so that an adjacent pixel is as good as the exact one.
 std::vector<std::size_t> calmCells(const Grid& grid, const std::vector<float>& values, float tolerance) {
     std::vector<std::size_t> calm;
     for (int row = 1; row + 1 < grid.rows; ++row)
@@ -95,7 +95,7 @@ glm::dvec3 centreOf(const Grid& grid, std::size_t cell) {
     return {grid.centre(int(cell % std::size_t(grid.columns)), int(cell / std::size_t(grid.columns))), 0};
 }
 
-// Cells in sight whose pixel has the palette's colour of their value, and how many were looked at.
+// The number of visible cells, and of those whose pixel has the palette colour of their value.
 struct Agreement {
     int seen = 0;
     int right = 0;
@@ -105,8 +105,8 @@ struct Agreement {
 
 Agreement agreementOf(WindowTest& test, const QImage& image, ShadowMeasure measure) {
     const auto study = test.window.workbench().study();
-    const std::vector<float>& values = valuesOf(study->field, measure);
-    const double top = legendOf(study->field, measure).scale.top;
+    const std::vector<float>& values = getValues(study->field, measure);
+    const double top = makeLegend(study->field, measure).scale.top;
     std::vector<std::size_t> cells = calmCells(study->field.grid, values, float(top * 0.02));
     std::mt19937 random(7);
     std::ranges::shuffle(cells, random);
@@ -125,7 +125,7 @@ Agreement agreementOf(WindowTest& test, const QImage& image, ShadowMeasure measu
     return agreement;
 }
 
-// The texture arrives a frame or two after the study: looks until the ground has its colours.
+// The texture arrives a frame or two after the study, so this waits for the colours.
 void expectGroundShows(WindowTest& test, ShadowMeasure measure, double share, float spreadMin) {
     Agreement agreement;
     const bool shown = waitFor([&] {
@@ -133,8 +133,7 @@ void expectGroundShows(WindowTest& test, ShadowMeasure measure, double share, fl
         return agreement.seen > 50 && agreement.right >= share * agreement.seen;
     });
     EXPECT_TRUE(shown) << agreement.right << " of " << agreement.seen << " cells have their colour";
-    EXPECT_GT(agreement.highest - agreement.lowest, spreadMin)
-        << "sunlit and shaded places were both looked at";
+    EXPECT_GT(agreement.highest - agreement.lowest, spreadMin) << "both sunlit and shaded cells were checked";
 }
 
 TEST_F(WindowTest, GroundHasThePalettesColoursOfTheField) {
@@ -149,7 +148,7 @@ TEST_F(WindowTest, GroundHasThePalettesColoursOfTheField) {
 TEST_F(WindowTest, SlantingViewShowsTheSameColours) {
     runStudy();
     window.panel().navigator().showSlanting(bounds(window.workbench().study()->settings.region));
-    // Far cells share a pixel, and lines of buildings cross some.
+    // Distant cells share a pixel, and building edges cover some.
     expectGroundShows(*this, ShadowMeasure::gross, 0.88, 40);
 }
 

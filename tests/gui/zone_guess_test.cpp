@@ -1,24 +1,24 @@
-#include "app/window/zone_guess.h"
+#include "app/window/frame/zone_guess.h"
 
 #include <gtest/gtest.h>
 
 #include <QFile>
 #include <QIODevice>
 
-#include "app/window/gazetteer_cities.h"
+#include "app/window/frame/gazetteer_cities.h"
 
 namespace noonmark {
 namespace {
 
 TEST(ZoneGuess, ReadsPlacesOfTheTable) {
-    const auto newYork = placeFromIso6709(QStringLiteral("+404251-0740023"));
+    const auto newYork = parseIso6709(QStringLiteral("+404251-0740023"));
     ASSERT_TRUE(newYork);
     EXPECT_NEAR(newYork->latDeg, 40.7142, 1e-4);
     EXPECT_NEAR(newYork->lonDeg, -74.0064, 1e-4);
-    const auto sydney = placeFromIso6709(QStringLiteral("-3352+15113"));
+    const auto sydney = parseIso6709(QStringLiteral("-3352+15113"));
     ASSERT_TRUE(sydney);
     EXPECT_NEAR(sydney->latDeg, -33.8667, 1e-4);
-    EXPECT_FALSE(placeFromIso6709(QStringLiteral("40N 74W")));
+    EXPECT_FALSE(parseIso6709(QStringLiteral("40N 74W")));
 }
 
 std::vector<ZoneCity> smallTable() {
@@ -30,23 +30,23 @@ std::vector<ZoneCity> smallTable() {
 }
 
 TEST(ZoneGuess, TakesTheNearestCity) {
-    const auto zoneAt = [](LonLat place) { return guessedZone(smallTable(), {}, place).zone; };
+    const auto zoneAt = [](LonLat place) { return guessZone(smallTable(), {}, place).zone; };
     EXPECT_EQ(zoneAt({-73.97, 40.77}), QStringLiteral("America/New_York"));
     EXPECT_EQ(zoneAt({150, -34}), QStringLiteral("Australia/Sydney"));
     EXPECT_EQ(zoneAt({-179.5, -17}), QStringLiteral("Pacific/Fiji")) << "across the date line";
 }
 
-TEST(ZoneGuess, EmptyListsGiveUtc) { EXPECT_EQ(guessedZone({}, {}, {}), ZoneGuess{}); }
+TEST(ZoneGuess, EmptyListsGiveUtc) { EXPECT_EQ(guessZone({}, {}, {}), ZoneGuess{}); }
 
-// A gazetteer may be older than the change of a city's clock, which the tz database knows.
+// A gazetteer may predate a change of a city's clock that the tz database knows.
 TEST(ZoneGuess, ThePrincipalCityOfTheSameCountryCounts) {
     const std::vector<ZoneCity> principal{
         {{-106.483, 31.733}, QStringLiteral("MX"), QStringLiteral("America/Ciudad_Juarez")}};
     const std::vector<ZoneCity> cities{
         {{-106.461, 31.721}, QStringLiteral("MX"), QStringLiteral("America/Ojinaga")},
         {{-106.487, 31.759}, QStringLiteral("US"), QStringLiteral("America/Denver")}};
-    EXPECT_EQ(guessedZone(principal, cities, {-106.42, 31.69}).zone, QStringLiteral("America/Ciudad_Juarez"));
-    EXPECT_EQ(guessedZone(principal, cities, {-106.48, 31.77}).zone, QStringLiteral("America/Denver"));
+    EXPECT_EQ(guessZone(principal, cities, {-106.42, 31.69}).zone, QStringLiteral("America/Ciudad_Juarez"));
+    EXPECT_EQ(guessZone(principal, cities, {-106.48, 31.77}).zone, QStringLiteral("America/Denver"));
 }
 
 TEST(ZoneGuess, SaysWhereAnotherClockIsNear) {
@@ -55,10 +55,10 @@ TEST(ZoneGuess, SaysWhereAnotherClockIsNear) {
     const std::vector<ZoneCity> cities{
         {{-114.57, 35.13}, QStringLiteral("US"), QStringLiteral("America/Phoenix")},
         {{-114.60, 35.12}, QStringLiteral("US"), QStringLiteral("America/Los_Angeles")}};
-    const ZoneGuess guess = guessedZone(principal, cities, {-114.57, 35.13});
+    const ZoneGuess guess = guessZone(principal, cities, {-114.57, 35.13});
     EXPECT_EQ(guess.zone, QStringLiteral("America/Phoenix"));
     EXPECT_EQ(guess.others, QStringList{QStringLiteral("America/Los_Angeles")});
-    EXPECT_TRUE(guessedZone(principal, {}, {-114, 35}).others.isEmpty());
+    EXPECT_TRUE(guessZone(principal, {}, {-114, 35}).others.isEmpty());
 }
 
 struct KnownZone {
@@ -67,7 +67,7 @@ struct KnownZone {
     const char* zone;
 };
 
-// Middles of cities, from public gazetteers.
+// City centres, from public gazetteers.
 const KnownZone knownZones[] = {
     {"Monaco", {7.4200, 43.7325}, "Europe/Monaco"},
     {"Nice", {7.265, 43.700}, "Europe/Paris"},
@@ -121,10 +121,10 @@ TEST(ZoneGuess, OfRealCities) {
     QTextStream table(&file);
     const std::vector<ZoneCity> principal = zoneCities(table);
     for (const KnownZone& known : knownZones)
-        EXPECT_EQ(guessedZone(principal, cities, known.place).zone.toStdString(), known.zone) << known.city;
-    const ZoneGuess monaco = zoneNear({7.42, 43.7325});
+        EXPECT_EQ(guessZone(principal, cities, known.place).zone.toStdString(), known.zone) << known.city;
+    const ZoneGuess monaco = findNearestZone({7.42, 43.7325});
     EXPECT_EQ(monaco.zone, QStringLiteral("Europe/Monaco"));
-    EXPECT_TRUE(monaco.others.isEmpty()) << "its neighbours have its clock";
+    EXPECT_TRUE(monaco.others.isEmpty()) << "its neighbours' clocks show the same time";
 }
 
 }  // namespace

@@ -1,15 +1,15 @@
-#include "app/report/change_scale.h"
+#include "app/report/maps/change_scale.h"
 
 #include <gtest/gtest.h>
 
-#include "app/report/impact_legend.h"
+#include "app/report/maps/impact_legend.h"
 
 namespace noonmark {
 namespace {
 
 TEST(ChangeScales, AreReadAndWrittenAndRefusedWhereTheyAreNone) {
     for (const char* text : {"60", "0.5", "1440", "auto"})
-        EXPECT_EQ(textOf(parseChangeScale(text).value()), text);
+        EXPECT_EQ(formatText(parseChangeScale(text).value()), text);
     for (const char* text : {"", "0", "-60", "1441", "60 min", "60,5", "nan", "inf", "Auto", " 60"})
         EXPECT_FALSE(parseChangeScale(text)) << text;
     EXPECT_EQ(changeScaleIn({}), ChangeScale{60});
@@ -18,7 +18,7 @@ TEST(ChangeScales, AreReadAndWrittenAndRefusedWhereTheyAreNone) {
         << "the file may come from anywhere";
 }
 
-/// One row of cells with these changes.
+/// One row of cells with the given changes.
 Impact impactOf(const std::vector<float>& minutes) {
     Impact impact;
     impact.grid = {0, 0, 1, int(minutes.size()), 1};
@@ -31,13 +31,13 @@ Impact impactOf(const std::vector<float>& minutes) {
 TEST(ChangeScales, LockedTheColoursOfTwoProposalsAreTheSame) {
     const Impact small = impactOf({0, 10, 20}), large = impactOf({0, 10, 230});
     const auto legend = [](const Impact& impact, const ChangeScale& scale) {
-        return legendOf(impact, ShadowMeasure::gross, scale);
+        return makeLegend(impact, ShadowMeasure::gross, scale);
     };
     EXPECT_EQ(legend(small, {}).scale.top, 60);
     EXPECT_EQ(legend(large, {}).scale.top, 60);
-    EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, most 230"));
-    EXPECT_EQ(colourOf(small, ShadowMeasure::gross, 1, 60), colourOf(large, ShadowMeasure::gross, 1, 60));
-    EXPECT_EQ(colourOf(small, ShadowMeasure::gross, 0, 60), std::nullopt);
+    EXPECT_EQ(legend(large, {}).unit, QStringLiteral("min a day, scale locked: ±60 min, largest 230"));
+    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 1, 60), pickColour(large, ShadowMeasure::gross, 1, 60));
+    EXPECT_EQ(pickColour(small, ShadowMeasure::gross, 0, 60), std::nullopt);
     EXPECT_EQ(legend(small, {25}).scale.top, 25) << "exactly what was asked for";
     EXPECT_EQ(legend(small, {7}).scale.top, 7);
     const ChangeScale fitted{std::nullopt};

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/report/report_sections.h"
+#include "app/report/sheets/report_sections.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {

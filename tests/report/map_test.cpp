@@ -2,10 +2,10 @@
 
 #include <QImage>
 
-#include "app/report/field_image.h"
-#include "app/report/legend_painter.h"
-#include "app/report/map_furniture.h"
-#include "app/report/map_painter.h"
+#include "app/report/maps/field_image.h"
+#include "app/report/maps/legend_painter.h"
+#include "app/report/maps/map_furniture.h"
+#include "app/report/maps/map_painter.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
@@ -17,12 +17,12 @@ QImage mapOf(const Study& study) {
     QImage image(size, QImage::Format_RGB32);
     image.fill(Qt::green);
     QPainter painter(&image);
-    paintMap({painter, 2}, mapViewOf(study, QRectF(image.rect())), study, ShadowMeasure::gross);
+    paintMap({painter, 2}, makeMapView(study, QRectF(image.rect())), study, ShadowMeasure::gross);
     return image;
 }
 
 QColor colourAt(const QImage& image, const Study& study, double x, double y) {
-    return image.pixelColor(mapViewOf(study, QRectF(image.rect())).at({x, y}).toPoint());
+    return image.pixelColor(makeMapView(study, QRectF(image.rect())).at({x, y}).toPoint());
 }
 
 TEST(Map, EachQuarterHasItsColourInItsPlace) {
@@ -35,7 +35,7 @@ TEST(Map, EachQuarterHasItsColourInItsPlace) {
 }
 
 TEST(Map, NorthIsUpAndEastIsRight) {
-    const MapView view = mapViewOf(tests::syntheticStudy(), QRectF(QPointF(0, 0), size));
+    const MapView view = makeMapView(tests::syntheticStudy(), QRectF(QPointF(0, 0), size));
     EXPECT_LT(view.at({60, 80}).y(), view.at({60, 0}).y());
     EXPECT_GT(view.at({120, 40}).x(), view.at({0, 40}).x());
     EXPECT_NEAR(view.at({120, 40}).x() - view.at({0, 40}).x(), 120 * view.unitsPerM(), 1e-6);
@@ -62,7 +62,7 @@ TEST(Map, EdgesOfCellsAreExact) {
 
 TEST(FieldImage, LargeGridsAreReducedByMeans) {
     const Study study = tests::syntheticStudy();
-    const QImage image = fieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 12).image;
+    const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 12).image;
     EXPECT_EQ(image.size(), QSize(12, 8));
     EXPECT_EQ(image.pixelColor(0, 7), shadowColour(0));
     EXPECT_EQ(image.pixelColor(11, 0), shadowColour(1));
@@ -71,8 +71,8 @@ TEST(FieldImage, LargeGridsAreReducedByMeans) {
 
 TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
     const Study study = tests::syntheticStudy();
-    const QImage image =
-        fieldImage(study.field, study.receivers, ShadowMeasure::continuous, 360, 17).image;  // blocks of 7
+    const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::continuous, 360, 17)
+                             .image;  // squares of 7 x 7 cells
     EXPECT_EQ(image.size(), QSize(18, 12));
     EXPECT_EQ(image.pixelColor(0, 11), shadowColour(0));
     EXPECT_EQ(image.pixelColor(17, 0), shadowColour(0.5));
@@ -80,12 +80,12 @@ TEST(FieldImage, BlocksThatAreCutAtTheEdgeKeepTheirPlace) {
 
 TEST(Map, BlocksThatAreCutAtTheEdgeDoNotStretchTheMap) {
     Study study = tests::syntheticStudy();
-    study.settings.region.polygons.clear();  // at this size of a point, lines would cover everything
+    study.settings.region.polygons.clear();  // lines would cover everything at this point size
     study.city.buildings.clear();
     QImage image({400, 280}, QImage::Format_RGB32);
     QPainter painter(&image);
-    const MapView view = mapViewOf(study, QRectF(image.rect()));
-    // As coarse print: 17 pixels wanted, so blocks of 7 cells, the last of 1.
+    const MapView view = makeMapView(study, QRectF(image.rect()));
+    // Like coarse print: for 17 pixels, squares of 7 x 7 cells, the last one cell wide.
     const double unitsAPoint = 4 * view.rectOf(study.field.grid).width() / 16.5;
     paintMap({painter, unitsAPoint}, view, study, ShadowMeasure::gross);
     const auto colour = [&](double x, double y) { return image.pixelColor(view.at({x, y}).toPoint()); };
@@ -96,15 +96,24 @@ TEST(Map, BlocksThatAreCutAtTheEdgeDoNotStretchTheMap) {
 
 TEST(FieldImage, NoWhiteStepsUnderTheWalls) {
     const Study study = tests::syntheticStudy();
-    const QImage image = fieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 1000).image;
+    const QImage image = makeFieldImage(study.field, study.receivers, ShadowMeasure::gross, 360, 1000).image;
     EXPECT_EQ(image.pixelColor(50, 79 - 32), shadowColour(0)) << "a covered cell that touches receivers";
     EXPECT_EQ(image.pixelColor(60, 79 - 40), QColor(Qt::white)) << "one that touches none";
 }
 
+static QImage paintedLegend(const Legend& legend, const QSize& size) {
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    const double point = image.height() / legendHeightPt;
+    QPainter painter(&image);
+    paintLegend({painter, point}, QRectF(image.rect()).adjusted(point, 0, -point, 0), legend);
+    return image;
+}
+
 TEST(LegendPainter, BarRunsFromSunToShadow) {
-    const Legend legend = legendOf(tests::syntheticStudy().field, ShadowMeasure::gross);
+    const Legend legend = makeLegend(tests::syntheticStudy().field, ShadowMeasure::gross);
     EXPECT_EQ(legend.scale.top, 360);
-    const QImage image = legendImage(legend, {600, 72}, 2);
+    const QImage image = paintedLegend(legend, {1200, 144});
     EXPECT_EQ(image.size(), QSize(1200, 144));
     const int middle = int(17.5 * 4);
     EXPECT_GT(image.pixelColor(20, middle).lightness(), 180);
@@ -115,8 +124,8 @@ TEST(LegendPainter, BarRunsFromSunToShadow) {
 TEST(LegendPainter, AMomentHasTwoPatches) {
     Study study = tests::syntheticStudy();
     study.field.sunlitMinutesPerDay = 1;
-    EXPECT_TRUE(legendOf(study.field, ShadowMeasure::gross).instant);
-    EXPECT_FALSE(legendImage(legendOf(study.field, ShadowMeasure::gross), {300, 60}).isNull());
+    EXPECT_TRUE(makeLegend(study.field, ShadowMeasure::gross).instant);
+    EXPECT_FALSE(paintedLegend(makeLegend(study.field, ShadowMeasure::gross), {300, 60}).isNull());
 }
 
 struct BarCase {

@@ -1,4 +1,4 @@
-#include "app/report/output_folder.h"
+#include "app/report/files/output_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ std::vector<std::string> namesIn(const std::filesystem::path& folder) {
     return names;
 }
 
-TEST(OutputFolder, writesAllOrNothing) {
+TEST(OutputFolder, WritesAllOrNothing) {
     const tests::TemporaryFolder folder;
     OutputFolder files(folder.path("out"));
     files.add("a.txt", textContent("a"));
@@ -30,15 +30,15 @@ TEST(OutputFolder, writesAllOrNothing) {
     const auto written = std::move(files).result();
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().where, folder.path("out") / "b.txt");
-    EXPECT_THAT(written.error().text(), HasSubstr("not all of it could be written"));
+    EXPECT_THAT(written.error().text(), HasSubstr("it could not be written completely"));
     OutputFolder again(folder.path("out"));
     again.add("d.txt", textContent("d"));
     EXPECT_TRUE(std::move(again).result());
     EXPECT_EQ(namesIn(folder.path("out")), std::vector<std::string>{"d.txt"});
 }
 
-// As on a disk that is full: no file may grow beyond 64 KiB.
-TEST(OutputFolderDeathTest, aFullDiskIsSaidAndLeavesNothing) {
+// Simulates a full disk: no file may grow beyond 64 KiB.
+TEST(OutputFolderDeathTest, AFullDiskIsSaidAndLeavesNothing) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const tests::TemporaryFolder folder;
     const auto fill = [&] {

@@ -1,4 +1,4 @@
-#include "app/report/palette.h"
+#include "app/report/maps/palette.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/report/study_files.h"
+#include "app/report/files/study_files.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/report/cells_csv.h"
-#include "app/report/study_report.h"
+#include "app/report/files/cells_csv.h"
+#include "app/report/sheets/study_report.h"
 #include "tests/report/synthetic_study.h"
 
 namespace noonmark {
@@ -24,7 +24,7 @@ QByteArray reportOf(const Study& study) {
     return buffer.data();
 }
 
-/// "/Type /Page" without "/Type /Pages".
+/// Counts "/Type /Page" without "/Type /Pages".
 qsizetype pagesOf(const QByteArray& pdf) { return pdf.count("/Type /Page") - pdf.count("/Type /Pages"); }
 
 std::vector<std::string> linesOf(const QByteArray& text) {
@@ -61,7 +61,7 @@ TEST(StudyReport, AMomentHasAReportToo) {
     EXPECT_EQ(pagesOf(reportOf(study)), 1);
 }
 
-// The header's first.
+// The lines of cells.csv, the heading first.
 std::vector<std::string> cellLinesOf(const Study& study) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);

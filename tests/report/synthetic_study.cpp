@@ -11,9 +11,9 @@ Footprint box(float west, float south, float east, float north) {
 }
 
 std::shared_ptr<const Building> building(const char* id, const Footprint& footprint, float bottomM,
-                                         bool hangs) {
+                                         bool isOverhanging) {
     Building made{id, "", "built", {}};
-    made.parts.push_back({id, footprint, bottomM, 30, HeightSource::measured, hangs, nullptr});
+    made.parts.push_back({id, footprint, bottomM, 30, HeightSource::measured, isOverhanging, nullptr});
     return std::make_shared<const Building>(std::move(made));
 }
 
@@ -71,14 +71,14 @@ Study syntheticStudy() {
     study.field.engineKey = "ray";
     study.field.engine = "Ray reference: Embree, one occlusion ray a receiver and step";
     study.field.cost.buildingsUsed = 2;
-    study.statistics = statisticsOf(study.field);
+    study.statistics = computeStatistics(study.field);
     study.provenance.attribution = "(c) OpenStreetMap contributors";
     return study;
 }
 
 Study grossOnly(Study study) {
     study.field.continuousMin.assign(study.field.grid.size(), std::numeric_limits<float>::quiet_NaN());
-    study.statistics = statisticsOf(study.field);
+    study.statistics = computeStatistics(study.field);
     return study;
 }
 

@@ -1,4 +1,4 @@
-#include "app/report/text_column.h"
+#include "app/report/sheets/text_column.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace noonmark {
 namespace {
 
-/// A page with a column in its middle; what is outside the column must stay white.
+/// A page with a column in its centre; everything outside the column must stay white.
 class Page : public ::testing::Test {
 protected:
     Page() : image_(600, 400, QImage::Format_RGB32), painter_(&image_) { image_.fill(Qt::white); }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "scenarios/edits/building_ids.h"
 #include "tests/scenarios/small_town.h"
 
@@ -30,7 +30,7 @@ TEST(ApplyEdits, NothingToDoSharesEverything) {
     const EditedCity same = edited(city, {});
     EXPECT_EQ(same.city.buildings, city.buildings);
     EXPECT_TRUE(same.changes.none());
-    EXPECT_TRUE(volumeOf(same.changes).box.empty());
+    EXPECT_TRUE(computeVolume(same.changes).box.empty());
 }
 
 TEST(ApplyEdits, DemolitionTakesOneAndSharesTheOthers) {
@@ -39,8 +39,8 @@ TEST(ApplyEdits, DemolitionTakesOneAndSharesTheOthers) {
     EXPECT_THAT(less.city.buildings, ElementsAre(city.buildings[0], city.buildings[2]));
     EXPECT_THAT(less.changes.removed, ElementsAre(city.buildings[1]));
     EXPECT_THAT(less.changes.added, IsEmpty());
-    EXPECT_EQ(volumeOf(less.changes).box, bounds(*city.buildings[1]));
-    EXPECT_EQ(volumeOf(less.changes).topM, 20);
+    EXPECT_EQ(computeVolume(less.changes).box, bounds(*city.buildings[1]));
+    EXPECT_EQ(computeVolume(less.changes).topM, 20);
 }
 
 TEST(ApplyEdits, ReplacementStandsInTheSamePlaceOfTheList) {
@@ -49,7 +49,7 @@ TEST(ApplyEdits, ReplacementStandsInTheSamePlaceOfTheList) {
     EXPECT_EQ(changed.city.buildings[1]->sourceId, "new");
     EXPECT_EQ(changed.city.buildings[2], city.buildings[2]);
     EXPECT_THAT(changed.changes.added, ElementsAre(changed.city.buildings[1]));
-    EXPECT_EQ(volumeOf(changed.changes).topM, 50);
+    EXPECT_EQ(computeVolume(changed.changes).topM, 50);
 }
 
 TEST(ApplyEdits, ReplacementMayKeepTheId) {
@@ -94,7 +94,7 @@ TEST(ApplyEdits, AMeshIsStretchedToItsHeight) {
     solid.parts[0].mesh = std::make_shared<const TriangleMesh>(meshOf(solid.parts[0]));
     city.buildings = {shared(solid)};
     const auto tall = edited(city, {ChangeHeight{"solid", 25}}).city.buildings[0];
-    EXPECT_EQ(boxOf(*tall->parts[0].mesh).high.z, 25);
+    EXPECT_EQ(computeBox(*tall->parts[0].mesh).high.z, 25);
     EXPECT_EQ(topM(*tall), 25);
     EXPECT_EQ(tall->parts[0].heightSource, HeightSource::designed);
 }
@@ -112,7 +112,7 @@ TEST(ApplyEdits, RotationKeepsTheMiddleAndTheArea) {
 TEST(ApplyEdits, ClockwiseIsSeenFromAbove) {
     City city = threeHouses();
     Building corner = house("a", {{{0, 0}, {10, 0}, {0, 4}}, {}}, 10);
-    const Building turned = placed(corner, {.clockwiseDeg = 90});
+    const Building turned = placeBuilding(corner, {.clockwiseDeg = 90});
     // East becomes south.
     EXPECT_NEAR(bounds(turned).low.y, -10, 1e-4);
     EXPECT_NEAR(bounds(turned).high.x, 4, 1e-4);
@@ -125,7 +125,7 @@ TEST(ApplyEdits, ImportIsScaledTurnedAndMoved) {
     const auto building = edited(threeHouses(), {import}).city.buildings[3];
     EXPECT_EQ(topM(*building), 30);
     EXPECT_NEAR(area(building->parts[0].footprint), 400, 1e-2);
-    EXPECT_NEAR(middleOf(*building).x, 200, 1e-3);
+    EXPECT_NEAR(findMiddle(*building).x, 200, 1e-3);
     EXPECT_NEAR(bounds(*building).high.y, 100 + 10 * std::sqrt(2.0), 1e-3);
 }
 
@@ -133,9 +133,9 @@ TEST(ApplyEdits, NewAndMovedBuildingsStandOnTheTerrain) {
     City city = threeHouses();
     city.terrain = slope();
     const EditedCity changed = edited(city, {AddBuilding{tower("new")}, Move{"a", {50, 0}}});
-    EXPECT_NEAR(changed.city.buildings[3]->parts[0].bottomM, 10, 0.01);  // x = 100: 10 m up
+    EXPECT_NEAR(changed.city.buildings[3]->parts[0].bottomM, 10, 0.01);  // x = 100: the ground is at 10 m
     EXPECT_NEAR(changed.city.buildings[3]->parts[0].topM, 60, 0.01);
-    EXPECT_NEAR(changed.city.buildings[0]->parts[0].topM, 15, 0.01);  // went 5 m up
+    EXPECT_NEAR(changed.city.buildings[0]->parts[0].topM, 15, 0.01);  // raised by 5 m
 }
 
 TEST(ApplyEdits, ErrorsNameTheEditAndWhatIsWrong) {
@@ -157,7 +157,7 @@ TEST(BuildingIds, EveryBuildingGetsItsOwn) {
     city.buildings.push_back(shared(house("a", box(0, 50, 10, 60), 10)));
     city.buildings.push_back(shared(house("", box(20, 50, 30, 60), 10)));
     EXPECT_THAT(errorOf(city, {Demolish{"a"}}), HasSubstr("Two buildings have this id"));
-    const City unique = withUniqueIds(city);
+    const City unique = makeIdsUnique(city);
     EXPECT_EQ(unique.buildings[0], city.buildings[0]);
     EXPECT_EQ(unique.buildings[3]->sourceId, "a (2)");
     EXPECT_EQ(unique.buildings[4]->sourceId, "building");

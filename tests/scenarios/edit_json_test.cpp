@@ -16,14 +16,14 @@ std::string replaced(std::string text, const std::string& old, const std::string
     return text.replace(at, old.size(), with);
 }
 
-TEST(EditJson, cornersThatNoWholeNumberNamesAreRefused) {
+TEST(EditJson, CornersThatNoWholeNumberNamesAreRefused) {
     const Project project = sampleProject();
     const Edit import = project.scenarios.at(1).edits.back();
-    const std::string text = jsonOf(import);
-    ASSERT_TRUE(editOf("import", text));
+    const std::string text = toJson(import);
+    ASSERT_TRUE(parseEdit("import", text));
     for (const char* corner : {"4294967296", "-1", "1e300", "0.5"}) {
-        const auto edit = editOf("import", replaced(text, "\"triangles\":[[",
-                                                    std::string("\"triangles\":[[") + corner + ",1,2],["));
+        const auto edit = parseEdit("import", replaced(text, "\"triangles\":[[",
+                                                       std::string("\"triangles\":[[") + corner + ",1,2],["));
         ASSERT_FALSE(edit) << corner;
         EXPECT_THAT(edit.error().what, HasSubstr("An edit cannot be read"));
     }

@@ -1,4 +1,4 @@
-// Project files from strangers: every number, table and statement in them may be made to harm.
+// Hostile project files: any number, table or statement in them may be malicious.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <random>
 
-#include "scenarios/project/kept_answer.h"
 #include "scenarios/project/project_file.h"
+#include "scenarios/project/results/saved_answer.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
 
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Rows of text; nothing of what no statement returns.
+// Rows of text; empty for statements that return no rows.
 using Rows = std::vector<std::vector<std::string>>;
 
 int keepRow(void* rows, int columns, char** values, char**) {
@@ -37,7 +37,7 @@ protected:
     }
     [[nodiscard]] fs::path file() const { return folder_.path("town.noonmark.gpkg"); }
 
-    /// As any SQLite program does; statements that are refused change nothing.
+    /// Executes statements as any SQLite program would; refused statements change nothing.
     Rows sql(const std::string& statements) const {
         sqlite3* database = nullptr;
         sqlite3_open(file().c_str(), &database);
@@ -47,7 +47,7 @@ protected:
         return rows;
     }
 
-    /// Why it cannot be opened; empty where it can.
+    /// The error of opening the file; empty if it opens.
     [[nodiscard]] std::string trouble() const {
         const auto opened = ProjectFile::open(file());
         return opened ? "" : opened.error().text();
@@ -84,7 +84,7 @@ TEST_F(HostileProject, NumbersAreCheckedWhereTheyEnter) {
     for (const char* value : {"nan", "inf", "1e300", "", "91.5"})
         expectRefused(std::string("UPDATE noonmark SET value = '") + value + "' WHERE key = 'origin_lat_deg'",
                       "origin_lat_deg");
-    // 120 float32: NaN, infinity, 1e38.
+    // Three float32 bit patterns: NaN, infinity, 1e38.
     for (const char* bytes : {"0000c07f", "0000807f", "997696 7e"}) {
         std::string blob;
         for (int i = 0; i < 360; ++i)
@@ -97,7 +97,7 @@ TEST_F(HostileProject, NumbersAreCheckedWhereTheyEnter) {
 TEST_F(HostileProject, MeshesOutlinesAndTilesAreChecked) {
     expectRefused("UPDATE meshes SET vertices = x'', triangles = x''", "meshes");
     expectRefused("UPDATE meshes SET vertices = zeroblob(length(vertices) - 1)", "cut off");
-    expectRefused("UPDATE meshes SET triangles = x'FFFFFFFFFFFFFFFFFFFFFFFF'", "corner");
+    expectRefused("UPDATE meshes SET triangles = x'FFFFFFFFFFFFFFFFFFFFFFFF'", "vertex");
     expectRefused(
         "UPDATE meshes SET vertices = x'0000C07F0000C07F0000C07F', triangles = x'000000000000000000000000'",
         "meshes");
@@ -157,12 +157,12 @@ TEST_F(HostileProject, ViewsInPlaceOfTablesAreRefusedAtOnce) {
         "damaged");
     expectRefused("DROP TABLE noonmark; CREATE VIEW noonmark" + endless +
                       "'schema_version' AS key, '1' AS value FROM n;",
-                  "no Noonmark project");
+                  "not a Noonmark project");
     expectRefused("DROP TABLE result_1_1; CREATE VIEW result_1_1" + endless +
                       "0 AS zoom_level, 0 AS tile_column, 0 AS tile_row, x'' AS tile_data FROM n;",
                   "damaged");
     expectRefused("DROP TABLE inputs; CREATE VIRTUAL TABLE inputs USING fts5(id, path, bytes, sha256)",
-                  "no table");
+                  "not a table");
     expectRefused(
         "DROP TABLE inputs; CREATE TABLE inputs (id INTEGER PRIMARY KEY, path AS (hex(randomblob(9))), "
         "bytes, "
@@ -175,7 +175,7 @@ TEST_F(HostileProject, AResultNamesNoTableOfTheProject) {
     for (const char* table :
          {"buildings", "result_1_1; DROP TABLE edits", "result_", "result_1_", "result__1", "noonmark"})
         expectRefused(std::string("UPDATE result_layers SET tiles = '") + table + "' WHERE id = 1",
-                      "no table of a result");
+                      "not a table of a result");
 }
 
 TEST_F(HostileProject, LongChainsOfScenariosAreRefusedAtOnce) {
@@ -211,7 +211,7 @@ TEST_F(HostileProject, ASpatialIndexThatAGisAddedDoesNotStandInTheWay) {
                 testing::IsEmpty());
 }
 
-// Whatever opens can be worked with: cities are made, results looked at, and the project saved.
+// Uses everything in a file that opens: computes cities, reads results and saves the project.
 void useAll(const fs::path& file) {
     auto opened = ProjectFile::open(file);
     if (!opened) {
@@ -225,7 +225,7 @@ void useAll(const fs::path& file) {
                 for (const Part& part : building->parts) {
                     ASSERT_GE(part.footprint.outer.size(), 3U);
                 }
-    for (const auto& result : project.results) (void)answerOf(*result);
+    for (const auto& result : project.results) (void)readSavedAnswer(*result);
     if (project.city->terrain) {
         ASSERT_EQ(project.city->terrain->elevationM.size(), project.city->terrain->grid.size());
         EXPECT_TRUE(std::isfinite(elevationAt(*project.city->terrain, {1, 1})));
@@ -274,7 +274,7 @@ TEST_F(HostileProject, ChangedCellsNeverCrash) {
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << whole;
         for (int i = 0; i < 1 + int(random() % 2); ++i) {
             const auto [table, column] = any(cells);
-            // A blob keeps most of its bytes; anything else gets another value.
+            // A blob keeps most of its bytes; other values are replaced.
             const std::string old = "cast(" + column + " AS blob)";
             const std::string at = std::to_string(1 + random() % 60);
             const std::string flipped = "CASE typeof(" + column + ") WHEN 'blob' THEN cast(substr(" + old +

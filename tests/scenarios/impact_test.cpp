@@ -20,7 +20,7 @@ constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 ImpactSettings morning(const std::string& engine = "ray") {
     ImpactSettings settings;
-    settings.study.region = regionFromLocalBox({{-60, -40}, {160, 120}});
+    settings.study.region = makeRegionFromLocalBox({{-60, -40}, {160, 120}});
     settings.study.receivers.cellM = 2;
     settings.study.period = {.hours = 6, .stepMinutes = 10, .zone = "America/New_York"};
     settings.study.engine = engine;
@@ -39,7 +39,7 @@ Edit tower(const std::string& id, float west, float topM) {
 }
 
 TEST(Impact, OfNothingIsNothing) {
-    const ImpactFigures figures = figuresOf(impactOf(threeHouses(), threeHouses()).total, 0);
+    const ImpactFigures figures = computeFigures(impactOf(threeHouses(), threeHouses()).total, 0);
     EXPECT_GT(figures.receiverAreaM2, 30000);
     EXPECT_EQ(figures.gross.touchedM2, 0);
     EXPECT_EQ(figures.gross.easedM2, 0);
@@ -56,7 +56,7 @@ TEST(Impact, OfATowerInTheOpenIsItsShadow) {
         ASSERT_EQ(study.total.grossMin[i], study.after.grossMin[i]);
         ASSERT_EQ(study.total.continuousMin[i], study.after.continuousMin[i]);
     }
-    const ImpactFigures figures = figuresOf(study.total);
+    const ImpactFigures figures = computeFigures(study.total);
     EXPECT_EQ(figures.becameBuildingM2, 400);
     EXPECT_GT(figures.gross.gainedM2, 0);
     EXPECT_LT(figures.gross.gainedM2, figures.gross.touchedM2);
@@ -73,7 +73,7 @@ TEST(Impact, ThereAndBackAgainIsTheSameWithTheOtherSign) {
         else
             ASSERT_EQ(there.total.grossMin[i], -back.total.grossMin[i]);
     }
-    const ImpactFigures to = figuresOf(there.total), fro = figuresOf(back.total);
+    const ImpactFigures to = computeFigures(there.total), fro = computeFigures(back.total);
     EXPECT_EQ(to.gross.gainedM2, fro.gross.lostM2);
     EXPECT_EQ(to.becameBuildingM2, fro.becameGroundM2);
     EXPECT_EQ(to.becameGroundM2, 100);
@@ -85,15 +85,15 @@ TEST(Impact, OfTowersFarApartAddsUp) {
     empty.buildings.clear();
     ImpactSettings settings = morning();
     settings.byBuilding = true;
-    settings.study.region = regionFromLocalBox({{-100, 0}, {1200, 200}});
+    settings.study.region = makeRegionFromLocalBox({{-100, 0}, {1200, 200}});
     const City after = with(empty, {tower("t", 0, 20), tower("u", 1000, 20)});
     const ImpactStudy study = impactOf(empty, after, settings);
     ASSERT_EQ(study.byBuilding.size(), 2U);
     EXPECT_EQ(study.byBuilding[0].id, "t");
-    const double t = figuresOf(study.byBuilding[0].impact).shadowAreaChangeM2;
-    const double u = figuresOf(study.byBuilding[1].impact).shadowAreaChangeM2;
+    const double t = computeFigures(study.byBuilding[0].impact).shadowAreaChangeM2;
+    const double u = computeFigures(study.byBuilding[1].impact).shadowAreaChangeM2;
     EXPECT_GT(t, 100);
-    EXPECT_NEAR(t + u, figuresOf(study.total).shadowAreaChangeM2, 1e-6 * (t + u));
+    EXPECT_NEAR(t + u, computeFigures(study.total).shadowAreaChangeM2, 1e-6 * (t + u));
 }
 
 TEST(Impact, FiguresOfAFieldByHand) {
@@ -103,9 +103,9 @@ TEST(Impact, FiguresOfAFieldByHand) {
     impact.change.assign(6, CellChange::none);
     impact.change[0] = CellChange::becameBuilding;
     impact.sunlitMinutesPerDay = 340;
-    const ImpactFigures figures = figuresOf(impact);
+    const ImpactFigures figures = computeFigures(impact);
     EXPECT_EQ(figures.receiverAreaM2, 20);
-    EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 is not more than 30
+    EXPECT_EQ(figures.gross.gainedM2, 4);  // 30 does not exceed the threshold of 30
     EXPECT_EQ(figures.gross.lostM2, 4);
     EXPECT_EQ(figures.gross.touchedM2, 8);
     EXPECT_EQ(figures.gross.easedM2, 8);
@@ -115,9 +115,9 @@ TEST(Impact, FiguresOfAFieldByHand) {
     EXPECT_NEAR(figures.shadowAreaChangeM2, 34.0 * 4 / 340, 1e-9);
     EXPECT_EQ(figures.continuous.lostM2, 4);
     EXPECT_EQ(figures.becameBuildingM2, 4);
-    const Region east = regionFromLocalBox({{2, 0}, {6, 4}});
-    EXPECT_EQ(figuresOf(impact, east, 4).gross.lostM2, 4);
-    EXPECT_EQ(figuresOf(impact, east, 4).becameBuildingM2, 0);
+    const Region east = makeRegionFromLocalBox({{2, 0}, {6, 4}});
+    EXPECT_EQ(computeFigures(impact, east, 4).gross.lostM2, 4);
+    EXPECT_EQ(computeFigures(impact, east, 4).becameBuildingM2, 0);
 }
 
 TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
@@ -129,7 +129,7 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
     ImpactAnswer answer;
     answer.thresholdsMin = {30};
     answer.study.total = impact;
-    const ImpactFigures figures = figuresOf(impact);
+    const ImpactFigures figures = computeFigures(impact);
     EXPECT_EQ(figures.gross.gainedM2, 4);
     EXPECT_FALSE(hasRuns(figures));
     EXPECT_TRUE(std::isnan(figures.continuous.touchedM2)) << "0 would say that nothing changed";
@@ -144,9 +144,9 @@ TEST(Impact, WithoutRunsTheirChangeIsUnknown) {
 TEST(Impact, EveryEngineSeesTheSame) {
     const City before = threeHouses();
     const City after = with(before, {tower("t", 0, 60)});
-    const double truth = figuresOf(impactOf(before, after).total).shadowAreaChangeM2;
+    const double truth = computeFigures(impactOf(before, after).total).shadowAreaChangeM2;
     for (const char* engine : {"projected", "horizon"})
-        EXPECT_NEAR(figuresOf(impactOf(before, after, morning(engine)).total).shadowAreaChangeM2, truth,
+        EXPECT_NEAR(computeFigures(impactOf(before, after, morning(engine)).total).shadowAreaChangeM2, truth,
                     0.01 * truth)
             << engine;
 }
@@ -167,8 +167,8 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     City empty = threeHouses();
     empty.buildings.clear();
     ImpactSettings settings = morning("auto");
-    settings.study.region = regionFromLocalBox({{0, 0}, {80, 160}});
-    settings.study.period.days = 200;  // for the empty city alone projected shadows would do
+    settings.study.region = makeRegionFromLocalBox({{0, 0}, {80, 160}});
+    settings.study.period.days = 200;  // for the empty city alone auto would choose projected shadows
     settings.study.period.hours = 8;
     settings.study.period.stepMinutes = 1;
     const ImpactStudy study = impactOf(empty, manyHouses(20, 20), settings);
@@ -179,7 +179,7 @@ TEST(Impact, TheEngineAutoIsAskedOnceForBothFields) {
     EXPECT_EQ(alone.before.engineKey, "projected");
 }
 
-// With few bins, so that there is an error to see: the sample of all cells is the whole difference.
+// Few bins make the error visible. The sample covers all cells, so its error equals the whole difference.
 TEST(Impact, StatesTheErrorOfTheChange) {
     ImpactSettings settings = morning("horizon");
     settings.study.engineSettings["bin"] = 2;
@@ -202,7 +202,7 @@ TEST(Impact, StatesTheErrorOfTheChange) {
         sum += off, most = std::max(most, off), ++cells;
     }
     EXPECT_GT(most, 0);
-    EXPECT_GT(study.error->receivers, cells * 9 / 10);  // those that the sample's points meet
+    EXPECT_GT(study.error->receivers, cells * 9 / 10);  // the receivers that the sample's points hit
     EXPECT_NEAR(study.error->gross.meanMin, sum / double(cells), 0.2 * sum / double(cells));
     EXPECT_LE(study.error->gross.maxMin, most + 1e-3);
     settings.study.errorSample.receivers = 0;
@@ -211,11 +211,11 @@ TEST(Impact, StatesTheErrorOfTheChange) {
 
 TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     ImpactSettings settings = morning("auto");
-    settings.study.region = regionFromLocalBox({{0, -360}, {1, 140}});
+    settings.study.region = makeRegionFromLocalBox({{0, -360}, {1, 140}});
     settings.study.receivers.cellM = 1;
     settings.study.period.from = std::chrono::hours(0);
     settings.study.period.hours = 24;
-    settings.study.period.stepMinutes = 1.0 / 60;  // more steps than the sweep counts in a day
+    settings.study.period.stepMinutes = 1.0 / 60;  // more steps per day than the sweep can count
     const City before = threeHouses();
     const ImpactStudy study = impactOf(before, with(before, {Demolish{"c"}}), settings);
     EXPECT_EQ(study.before.engineKey, "ray");
@@ -223,7 +223,7 @@ TEST(Impact, WhatTheChosenEngineRefusesGoesToRaysInBothFields) {
     EXPECT_THAT(study.total.engine, testing::HasSubstr("refused"));
 }
 
-// Only where a building's shadow can fall is its field computed anew.
+// The field without a building is recomputed only where the building's shadow can fall.
 TEST(Impact, ByBuildingIsThatOfTheWholeFieldToTheLastBit) {
     City before = manyHouses(6, 6);
     const City after = with(before, {tower("t", 0, 60), tower("low", 60, 4), Demolish{"c"}});
@@ -232,16 +232,16 @@ TEST(Impact, ByBuildingIsThatOfTheWholeFieldToTheLastBit) {
         settings.byBuilding = true;
         const ImpactStudy study = impactOf(before, after, settings);
         const auto common =
-            commonReceivers(before, after, settings.study.region, settings.study.receivers).value();
+            findCommonReceivers(before, after, settings.study.region, settings.study.receivers).value();
         ASSERT_EQ(study.byBuilding.size(), 2U);
         for (const BuildingImpact& made : study.byBuilding) {
             NoProgress progress;
             const ShadowField whole =
-                makeAccumulator(engine)
+                makeEngine(engine)
                     .value()
                     ->accumulate(with(after, {Demolish{made.id}}), common.receivers, study.sun, progress, {})
                     .value();
-            const Impact plain = differenceOf(whole, study.after, common.change);
+            const Impact plain = computeDifference(whole, study.after, common.change);
             for (const std::uint32_t cell : common.receivers.cells) {
                 ASSERT_EQ(made.impact.grossMin[cell], plain.grossMin[cell]) << engine << ' ' << made.id;
                 ASSERT_EQ(made.impact.continuousMin[cell], plain.continuousMin[cell]) << engine;
@@ -253,9 +253,11 @@ TEST(Impact, ByBuildingIsThatOfTheWholeFieldToTheLastBit) {
 TEST(Impact, ALowBuildingReachesFewReceivers) {
     const City city = with(threeHouses(), {tower("low", 60, 4)});
     const ImpactSettings settings = morning();
-    const auto receivers = receiversOnGround(city, settings.study.region, settings.study.receivers).value();
-    const SunSteps sun = sunSteps(settings.study.period, observerOf(city, settings.study), {}).value();
-    const Receivers reached = reachedBy(*city.buildings.back(), receivers, ShadowReach(sun));
+    const auto receivers =
+        placeReceiversOnGround(city, settings.study.region, settings.study.receivers).value();
+    const SunSteps sun =
+        computeSunSteps(settings.study.period, makeObserver(city, settings.study), {}).value();
+    const Receivers reached = findReached(*city.buildings.back(), receivers, ShadowReach(sun));
     EXPECT_GT(reached.cells.size(), 100U);
     EXPECT_LT(reached.cells.size(), receivers.cells.size() / 2);
     EXPECT_EQ(reached.grid, receivers.grid);
@@ -266,7 +268,7 @@ TEST(Impact, SaysWhatIsMissing) {
     ImpactSettings settings = morning("none");
     EXPECT_FALSE(runImpact(threeHouses(), threeHouses(), settings, progress, {}));
     settings = morning();
-    settings.study.region = regionFromLocalBox({{2, 2}, {8, 8}});
+    settings.study.region = makeRegionFromLocalBox({{2, 2}, {8, 8}});
     EXPECT_THAT(runImpact(threeHouses(), threeHouses(), settings, progress, {}).error().what,
                 testing::HasSubstr("No cell"));
     std::stop_source stop;

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/city/city.h"
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "scenarios/massing/floor_plate.h"
 #include "scenarios/massing/same_floor_area.h"
 #include "scenarios/massing/straight_skeleton.h"
@@ -26,15 +26,15 @@ Footprint withCourtyard() {
 Footprint lShape() { return {{{0, 0}, {40, 0}, {40, 15}, {15, 15}, {15, 40}, {0, 40}}, {}}; }
 
 std::string refusal(const Footprint& lot, const MassingSettings& settings) {
-    const auto massing = massingOn(lot, settings);
+    const auto massing = makeMassing(lot, settings);
     return massing ? "" : massing.error().text();
 }
 
-double volumeOf(const Building& building) {
+double computeVolume(const Building& building) {
     double volume = 0;
     for (const Part& part : building.parts) {
         const TriangleMesh mesh = meshOf(part);
-        EXPECT_EQ(openEdges(mesh), 0U);
+        EXPECT_EQ(findOpenEdges(mesh), 0U);
         EXPECT_GT(signedVolume(mesh), 0);
         volume += signedVolume(mesh);
     }
@@ -59,7 +59,7 @@ TEST(StraightSkeleton, CourtyardsGrow) {
 }
 
 TEST(StraightSkeleton, AWaistParts) {
-    // Two squares of 20 m joined by a neck 4 m wide.
+    // Two squares of 20 m connected by a neck 4 m wide.
     const Footprint dumbbell{{{0, 0},
                               {20, 0},
                               {20, 8},
@@ -88,7 +88,7 @@ TEST(StraightSkeleton, WhatCrossesItselfIsRefused) {
 }
 
 TEST(Massing, StatesItsFigures) {
-    const Massing massing = massingOn(box(0, 0, 40, 25), {.storeyHeightM = 3.5, .storeys = 20}).value();
+    const Massing massing = makeMassing(box(0, 0, 40, 25), {.storeyHeightM = 3.5, .storeys = 20}).value();
     EXPECT_NEAR(massing.figures.lotM2, 1000, 1e-6);
     EXPECT_NEAR(massing.figures.grossFloorM2, 20000, 1e-3);
     EXPECT_NEAR(massing.figures.floorAreaRatio, 20, 1e-6);
@@ -96,12 +96,12 @@ TEST(Massing, StatesItsFigures) {
     EXPECT_EQ(massing.figures.heightM, 70);
     EXPECT_EQ(massing.figures.storeys, 20);
     const Building tower = buildingOf(massing, "tower").value();
-    EXPECT_NEAR(volumeOf(tower), 70000, 1);
+    EXPECT_NEAR(computeVolume(tower), 70000, 1);
     for (const Part& part : tower.parts) EXPECT_EQ(part.heightSource, HeightSource::designed);
 }
 
 TEST(Massing, ATotalHeightGivesWholeStoreys) {
-    const Massing massing = massingOn(box(0, 0, 40, 25), {.storeyHeightM = 4, .heightM = 30}).value();
+    const Massing massing = makeMassing(box(0, 0, 40, 25), {.storeyHeightM = 4, .heightM = 30}).value();
     EXPECT_EQ(massing.figures.storeys, 7);
     EXPECT_EQ(massing.figures.heightM, 30);
     EXPECT_NEAR(massing.figures.grossFloorM2, 7000, 1e-3);
@@ -111,11 +111,11 @@ TEST(Massing, PodiumTowerAndSetbacks) {
     MassingSettings settings{.storeyHeightM = 4, .storeys = 30, .plate = {.shareOfLot = 0.5}};
     settings.podium = Podium{.storeys = 5, .plate = {.areaM2 = 900}};
     settings.setbacks = {{.aboveM = 60, .insetM = 2}, {.aboveM = 100, .insetM = 3}};
-    const Massing massing = massingOn(box(0, 0, 40, 25), settings).value();
+    const Massing massing = makeMassing(box(0, 0, 40, 25), settings).value();
     ASSERT_EQ(massing.tiers.size(), 4U);
     EXPECT_NEAR(massing.tiers[0].areaM2, 900, 0.1);
     EXPECT_NEAR(massing.tiers[1].areaM2, 500, 0.1);
-    // The plate of half the lot is the inset by x: (40 - 2x)(25 - 2x) = 500.
+    // The plate of half the lot is the lot's inset by x: (40 - 2x)(25 - 2x) = 500.
     const double x = (65 - std::sqrt(65.0 * 65 - 4 * 500)) / 4;
     EXPECT_NEAR(massing.tiers[2].areaM2, (40 - 2 * x - 4) * (25 - 2 * x - 4), 0.1);
     EXPECT_NEAR(massing.tiers[3].areaM2, (40 - 2 * x - 10) * (25 - 2 * x - 10), 0.1);
@@ -126,19 +126,20 @@ TEST(Massing, PodiumTowerAndSetbacks) {
     EXPECT_NEAR(massing.figures.coverage, 0.9, 1e-4);
     const double floors = 900 * 5 + 500 * 10 + massing.tiers[2].areaM2 * 10 + massing.tiers[3].areaM2 * 5;
     EXPECT_NEAR(massing.figures.grossFloorM2, floors, 1);
-    EXPECT_NEAR(volumeOf(buildingOf(massing, "tower").value()), floors * 4, 10);
+    EXPECT_NEAR(computeVolume(buildingOf(massing, "tower").value()), floors * 4, 10);
 }
 
 TEST(Massing, CourtyardsAreKept) {
-    const Massing massing = massingOn(withCourtyard(), {.storeys = 6, .plate = {.shareOfLot = 0.7}}).value();
+    const Massing massing =
+        makeMassing(withCourtyard(), {.storeys = 6, .plate = {.shareOfLot = 0.7}}).value();
     ASSERT_EQ(massing.tiers[0].plate[0].holes.size(), 1U);
     EXPECT_NEAR(massing.figures.grossFloorM2, 6 * 0.7 * 2000, 1);
-    EXPECT_NEAR(volumeOf(buildingOf(massing, "court").value()), 6 * 3.5 * 1400, 5);
+    EXPECT_NEAR(computeVolume(buildingOf(massing, "court").value()), 6 * 3.5 * 1400, 5);
 }
 
 TEST(Massing, ATowerIsTurnedOnItsLot) {
     const Massing massing =
-        massingOn(box(0, 0, 40, 40), {.storeys = 10, .plate = {.shareOfLot = 0.25}, .clockwiseDeg = 45})
+        makeMassing(box(0, 0, 40, 40), {.storeys = 10, .plate = {.shareOfLot = 0.25}, .clockwiseDeg = 45})
             .value();
     const Box2 across = bounds(massing.tiers[0].plate[0]);
     EXPECT_NEAR(across.high.x - across.low.x, 20 * std::sqrt(2.0), 1e-2);
@@ -148,7 +149,7 @@ TEST(Massing, ATowerIsTurnedOnItsLot) {
 TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     const Footprint lot = box(0, 0, 40, 20);
     EXPECT_THAT(refusal(lot, {}), HasSubstr("either storeys or a total height"));
-    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("stated twice"));
+    EXPECT_THAT(refusal(lot, {.storeys = 5, .heightM = 20}), HasSubstr("given twice"));
     EXPECT_THAT(refusal(lot, {.heightM = -20}), HasSubstr("at most 2000 m"));
     EXPECT_THAT(refusal(lot, {.storeys = -1}), HasSubstr("1 to 500"));
     EXPECT_THAT(refusal(lot, {.storeyHeightM = 1, .storeys = 5}), HasSubstr("2 to 10"));
@@ -164,14 +165,14 @@ TEST(Massing, WhatCannotExistIsRefusedWithTheLimit) {
     MassingSettings podium{.storeys = 3, .podium = Podium{.storeys = 3}};
     EXPECT_THAT(refusal(lot, podium), HasSubstr("not lower than the whole"));
     podium = {.storeys = 9, .podium = Podium{.storeys = 3, .plate = {.shareOfLot = 0.5}}};
-    EXPECT_THAT(refusal(lot, podium), HasSubstr("stands out over its podium"));
+    EXPECT_THAT(refusal(lot, podium), HasSubstr("extends beyond its podium"));
     EXPECT_THAT(refusal(box(0, 0, 2, 2), {.storeys = 5}), HasSubstr("too small"));
 }
 
 TEST(Massing, HostileLotsGiveClosedSolidsOrAWord) {
     for (const Footprint& lot : {lShape(), withCourtyard()})
         for (const double share : {0.05, 0.3, 0.6, 0.95, 1.0}) {
-            const auto massing = massingOn(lot, {.storeys = 12, .plate = {.shareOfLot = share}});
+            const auto massing = makeMassing(lot, {.storeys = 12, .plate = {.shareOfLot = share}});
             ASSERT_TRUE(massing) << massing.error().text();
             EXPECT_NEAR(massing->figures.grossFloorM2, 12 * share * area(lot), 0.002 * 12 * area(lot));
             EXPECT_TRUE(liesOn(massing->tiers[0].plate, {lot}));
@@ -185,7 +186,7 @@ TEST(Massing, EveryHostileOutlineGivesClosedSolidsOrAWord) {
     int built = 0;
     for (const HostilePolygon& polygon : polygons)
         for (const Footprint& lot : repairFootprint(polygon.rings).pieces) {
-            const auto massing = massingOn(lot, {.storeys = 12, .plate = {.shareOfLot = 0.5}});
+            const auto massing = makeMassing(lot, {.storeys = 12, .plate = {.shareOfLot = 0.5}});
             if (!massing) {
                 EXPECT_FALSE(massing.error().advice.empty()) << polygon.name;
                 continue;
@@ -201,14 +202,15 @@ TEST(SameFloorArea, TheDoublePlateIsHalfAsHigh) {
     const Footprint lot = box(0, 0, 60, 60);
     const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
     EXPECT_NEAR(given.grossFloorM2, 40000, 1e-3);
-    const Massing wide = sameFloorArea(lot, given, 2).value();
+    const Massing wide = findSameFloorArea(lot, given, 2).value();
     EXPECT_EQ(wide.figures.storeys, 50);
     EXPECT_NEAR(wide.figures.grossFloorM2, 40000, 20);
     EXPECT_NEAR(wide.figures.heightM, 175, 1e-9);
     EXPECT_TRUE(buildingOf(wide, "wide"));
 }
 
-// From 40 x 40 m to 10 x 10 m at 30 m, 3 m a storey: sides 40, 37, ... 13, so 7,765 m2, and not 10 x 1600.
+// Tapers from 40 x 40 m to 10 x 10 m at 30 m, 3 m per storey: sides 40, 37, ... 13, in total 7,765 m2 rather
+// than 10 x 1600.
 TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     TriangleMesh mesh;
     for (const auto& [half, z] : {std::pair{20.0F, 0.0F}, {5.0F, 30.0F}})
@@ -218,7 +220,7 @@ TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     for (std::uint32_t i = 0; i < 4; ++i)
         mesh.triangles.insert(mesh.triangles.end(),
                               {{i, (i + 1) % 4, 4 + (i + 1) % 4}, {i, 4 + (i + 1) % 4, 4 + i}});
-    ASSERT_EQ(openEdges(mesh), 0U);
+    ASSERT_EQ(findOpenEdges(mesh), 0U);
     Building taper{.sourceId = "taper"};
     taper.parts.push_back({.footprint = box(-20, -20, 20, 20), .topM = 30});
     taper.parts[0].mesh = std::make_shared<const TriangleMesh>(mesh);
@@ -227,29 +229,29 @@ TEST(SameFloorArea, ATaperHasItsOwnFloors) {
     const GivenMass given = givenBy(taper, 0, 3).value();
     EXPECT_NEAR(given.grossFloorM2, expected, 0.5);
     EXPECT_NEAR(given.grossFloorM2, 7765, 6);
-    EXPECT_NEAR(areaOf(given.plate), 39.99 * 39.99, 0.1);
+    EXPECT_NEAR(computeArea(given.plate), 39.99 * 39.99, 0.1);
 }
 
 TEST(SameFloorArea, WhereTheLotIsTooSmallThePlateIsTheLot) {
-    const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the plate 20 x 20 m
+    const Footprint lot = box(18, 0, 42, 60);  // 1440 m2; the building's plate is 20 x 20 m
     const GivenMass given = givenBy(house("t", box(20, 20, 40, 40), 350), 0, 3.5).value();
-    const Massing widest = sameFloorArea(lot, given, largestPlate).value();
+    const Massing widest = findSameFloorArea(lot, given, largestPlate).value();
     EXPECT_EQ(widest.figures.storeys, 28);  // 40000 / 1440 = 27.8
     EXPECT_NEAR(widest.figures.grossFloorM2, 40000, 20);
     EXPECT_TRUE(liesOn(widest.tiers[0].plate, {lot}));
-    const Massing five = sameFloorArea(lot, given, 5).value();
+    const Massing five = findSameFloorArea(lot, given, 5).value();
     EXPECT_EQ(five.figures.storeys, 28);
 }
 
 TEST(SameFloorArea, SlimmerIsTaller) {
     const Footprint lot = box(0, 0, 60, 60);
-    const GivenMass given = givenBy(massingOn(lot, {.storeys = 40, .plate = {.shareOfLot = 0.5}}).value());
-    const Massing slim = sameFloorArea(lot, given, 0.5).value();
+    const GivenMass given = givenBy(makeMassing(lot, {.storeys = 40, .plate = {.shareOfLot = 0.5}}).value());
+    const Massing slim = findSameFloorArea(lot, given, 0.5).value();
     EXPECT_EQ(slim.figures.storeys, 80);
     EXPECT_NEAR(slim.figures.grossFloorM2, given.grossFloorM2, 0.001 * given.grossFloorM2);
-    EXPECT_THAT(sameFloorArea(lot, given, 0.01).error().text(), HasSubstr("or more: 500 storeys"));
-    EXPECT_FALSE(sameFloorArea(lot, given, 0));
-    EXPECT_THAT(sameFloorArea(box(100, 0, 160, 60), given, 2).error().text(),
+    EXPECT_THAT(findSameFloorArea(lot, given, 0.01).error().text(), HasSubstr("or more: 500 storeys"));
+    EXPECT_FALSE(findSameFloorArea(lot, given, 0));
+    EXPECT_THAT(findSameFloorArea(box(100, 0, 160, 60), given, 2).error().text(),
                 HasSubstr("does not stand on the lot"));
 }
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/io/heights/read_settings_text.h"
 #include "core/io/read_city.h"
-#include "core/io/read_settings_text.h"
-#include "core/study/study_hash.h"
-#include "scenarios/project/autosave.h"
-#include "scenarios/project/database.h"
+#include "core/study/provenance/study_hash.h"
 #include "scenarios/project/edit_json.h"
-#include "scenarios/project/schema.h"
+#include "scenarios/project/recovery_file.h"
+#include "scenarios/project/tables/database.h"
+#include "scenarios/project/tables/schema.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
 #include "tests/shared/shared_data.h"
@@ -45,7 +45,7 @@ protected:
     TemporaryFolder folder_;
 };
 
-// Version 1 had neither the warnings of reading nor the terrain's source: that much less.
+// The part of a project that version 1 stored: no warnings of reading and no terrain source.
 Project asVersion1Holds(Project project) {
     CityReading reading{std::nullopt, {{WarningKind::leftOut, noReadingWords, "project file"}}};
     project.reading = std::make_shared<const CityReading>(reading);
@@ -58,7 +58,7 @@ void expectSame(const Project& a, const Project& b) {
     ASSERT_EQ(a.inputs.size(), b.inputs.size());
     ASSERT_EQ(bool(a.reading->settings), bool(b.reading->settings));
     if (a.reading->settings) {
-        EXPECT_EQ(textOf(*a.reading->settings), textOf(*b.reading->settings));
+        EXPECT_EQ(formatText(*a.reading->settings), formatText(*b.reading->settings));
     }
     EXPECT_EQ(a.reading->heights, b.reading->heights);
     ASSERT_EQ(a.reading->warnings.size(), b.reading->warnings.size());
@@ -78,7 +78,7 @@ void expectSame(const Project& a, const Project& b) {
         EXPECT_EQ(a.scenarios[i].base, b.scenarios[i].base);
         ASSERT_EQ(a.scenarios[i].edits.size(), b.scenarios[i].edits.size());
         for (std::size_t e = 0; e < a.scenarios[i].edits.size(); ++e)
-            EXPECT_EQ(jsonOf(a.scenarios[i].edits[e]), jsonOf(b.scenarios[i].edits[e]));
+            EXPECT_EQ(toJson(a.scenarios[i].edits[e]), toJson(b.scenarios[i].edits[e]));
     }
     ASSERT_EQ(a.results.size(), b.results.size());
     for (std::size_t i = 0; i < a.results.size(); ++i) {
@@ -99,7 +99,7 @@ TEST_F(ProjectFileTest, GivesBackAllToTheLastBit) {
     EXPECT_THAT(folder_.names(), ElementsAre("town.noonmark.gpkg"));
 }
 
-// Of the city as it stands and of what a scenario builds.
+// Covers the existing city and a building added by a scenario.
 TEST_F(ProjectFileTest, EverySourceOfAHeightIsGivenBack) {
     Project project = sampleProject();
     City city = *project.city;
@@ -123,7 +123,6 @@ TEST_F(ProjectFileTest, EverySourceOfAHeightIsGivenBack) {
     }
 }
 
-// Its origin and what it holds are those of sampleProject() when version 1 was the newest.
 TEST_F(ProjectFileTest, ATerrainOnAMapsOwnRowsAndColumnsComesBackToTheLastBit) {
     Project project = sampleProject();
     City city = *project.city;
@@ -146,15 +145,16 @@ TEST_F(ProjectFileTest, ATerrainOnAMapsOwnRowsAndColumnsComesBackToTheLastBit) {
     const Project back = opened();
     ASSERT_TRUE(back.city->terrain);
     EXPECT_EQ(*back.city->terrain, *project.city->terrain);
-    EXPECT_EQ(cityHash(*back.city), cityHash(*project.city));
+    EXPECT_EQ(hashCity(*back.city), hashCity(*project.city));
 }
 
+// The file contains sampleProject() as it was when version 1 was current.
 TEST_F(ProjectFileTest, AFileOfVersion1IsOpenedAndSaved) {
     fs::copy_file(testFile("scenarios/files/version-1.noonmark.gpkg"), file());
     const std::string before = bytesOf(file());
     ProjectFile disk = ProjectFile::open(file()).value();
     expectSame(disk.project(), asVersion1Holds(sampleProject()));
-    EXPECT_EQ(bytesOf(file()), before);  // opening alone migrates nothing on the disk
+    EXPECT_EQ(bytesOf(file()), before);  // opening does not migrate the file on disk
     Project project = disk.project();
     project.view["camera"] = "new";
     ASSERT_TRUE(disk.save(project));
@@ -169,7 +169,7 @@ TEST_F(ProjectFileTest, AFileOfVersion1ThatMayOnlyBeReadIsOpened) {
     expectSame(opened(), asVersion1Holds(sampleProject()));
 }
 
-// It holds all that a file of version 2 can.
+// The file contains everything that version 2 can store.
 TEST_F(ProjectFileTest, AFileOfVersion2IsOpenedAndSaved) {
     fs::copy_file(testFile("scenarios/files/version-2.noonmark.gpkg"), file());
     ProjectFile disk = ProjectFile::open(file()).value();
@@ -180,8 +180,8 @@ TEST_F(ProjectFileTest, AFileOfVersion2IsOpenedAndSaved) {
     expectSame(opened(), project);
 }
 
-// Not a test: writes the file that stays in tests/scenarios/files when a version is done, into the folder
-// that it runs in (--gtest_also_run_disabled_tests).
+// Not a test: writes the file of the current version for tests/scenarios/files into the working folder
+// (--gtest_also_run_disabled_tests).
 TEST(ProjectFileFixture, DISABLED_IsWritten) {
     const std::string name = "version-" + std::to_string(schemaVersion) + projectEnding;
     ASSERT_TRUE(ProjectFile::create(name, sampleProject()));
@@ -231,7 +231,7 @@ TEST_F(ProjectFileTest, EveryKindOfChangeIsSaved) {
     project.scenarios.push_back({"C", "", {Demolish{"c"}}});
     project.weights.erase(project.weights.begin());
     project.periods.clear();
-    project.results = {keptResult("second", 20, 600)};
+    project.results = {makeSavedResult("second", 20, 600)};
     project.view["camera"] = "4 5 6";
     ASSERT_TRUE(disk.save(project));
     EXPECT_EQ(disk.saves(), 2);
@@ -275,7 +275,7 @@ TEST_F(ProjectFileTest, DamagedFilesGetAWordAndStayAsTheyAre) {
         const std::string cut = whole.substr(0, std::size_t(share * double(whole.size())));
         std::ofstream(file(), std::ios::binary | std::ios::trunc) << cut;
         EXPECT_THAT(troubleOfOpening(),
-                    testing::AnyOf(HasSubstr("damaged"), HasSubstr("no Noonmark project")))
+                    testing::AnyOf(HasSubstr("damaged"), HasSubstr("not a Noonmark project")))
             << share;
         EXPECT_EQ(bytesOf(file()), cut);
     }
@@ -313,7 +313,7 @@ TEST_F(ProjectFileTest, NewerAndForeignFilesAreSaid) {
     EXPECT_EQ(bytesOf(file()), before);
     fs::remove(file());
     Database(file(), Database::Access::create).execute("CREATE TABLE t (x)");
-    EXPECT_THAT(troubleOfOpening(), HasSubstr("no Noonmark project"));
+    EXPECT_THAT(troubleOfOpening(), HasSubstr("not a Noonmark project"));
     EXPECT_THAT(ProjectFile::open(folder_.path("gone")).error().text(), HasSubstr("no such file"));
 }
 
@@ -345,7 +345,7 @@ TEST_F(ProjectFileTest, AReadOnlyFileIsReadAndNotSaved) {
     ProjectFile disk = made();
     fs::permissions(file(), fs::perms::owner_read);
     EXPECT_TRUE(ProjectFile::open(file()));
-    EXPECT_THAT(disk.save(sampleProject()).error().text(), HasSubstr("may only be read"));
+    EXPECT_THAT(disk.save(sampleProject()).error().text(), HasSubstr("is read-only"));
     fs::permissions(file(), fs::perms::owner_all);
 }
 

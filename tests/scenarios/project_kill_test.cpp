@@ -13,7 +13,7 @@
 namespace noonmark::tests {
 namespace {
 
-// Saves on and on, and tells its number when it begins and after every save that has ended.
+// Saves in an endless loop; reports its number at the start and after every completed save.
 [[noreturn]] void saveForEver(const std::filesystem::path& file, int pipe) {
     auto disk = ProjectFile::open(file);
     for (int i = 0; disk; ++i) {
@@ -29,7 +29,8 @@ namespace {
     ::_exit(1);
 }
 
-// Kills a process that saves, `microseconds` after it told of `saves` saves; the last save that it told of.
+// Kills a saving process `microseconds` after it reported `saves` saves. Returns the last save that it
+// reported.
 std::int64_t killedAfter(const std::filesystem::path& file, int saves, int microseconds) {
     int ends[2];
     EXPECT_EQ(::pipe(ends), 0);

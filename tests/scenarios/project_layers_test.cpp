@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "scenarios/project/project_file.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/scenarios/sample_project.h"
@@ -87,7 +87,7 @@ TEST_F(ProjectLayersTest, AResultIsARasterInItsPlace) {
     }
 }
 
-// Of a counter-clockwise ring along cells: the middle of a cell inside.
+// The centre of the cell inside the first edge of a counter-clockwise ring along cells.
 glm::dvec2 besideFirstEdge(const OGRLinearRing& ring, double halfCellM) {
     const glm::dvec2 from(ring.getX(0), ring.getY(0)), to(ring.getX(1), ring.getY(1));
     const glm::dvec2 along = (to - from) / glm::length(to - from);

@@ -8,28 +8,28 @@
 
 namespace noonmark::tests {
 
-inline std::shared_ptr<const KeptResult> keptResult(const std::string& name, int columns = 300,
-                                                    int rows = 40) {
-    KeptResult result{name, "impact", "A", existingCity, R"({"engine":"ray"})", R"([{"path":"city.gpkg"}])",
-                      {},   {}};
+inline std::shared_ptr<const SavedResult> makeSavedResult(const std::string& name, int columns = 300,
+                                                          int rows = 40) {
+    SavedResult result{name, "impact", "A", existingCity, R"({"engine":"ray"})", R"([{"path":"city.gpkg"}])",
+                       {},   {}};
     result.grid = {-10, -20, 2, columns, rows};
     for (const char* layer : {"gross change", "continuous change"}) {
-        KeptLayer map{layer, "min/day", {}};
+        SavedLayer map{layer, "min/day", {}};
         for (std::size_t i = 0; i < result.grid.size(); ++i)
             map.values.push_back(i % 7 == 0 ? std::numeric_limits<float>::quiet_NaN()
                                             : float(i) * 0.37F - 500);
         result.layers.push_back(std::move(map));
     }
-    return std::make_shared<const KeptResult>(std::move(result));
+    return std::make_shared<const SavedResult>(std::move(result));
 }
 
-/// One of everything that a project holds.
+/// A project with one of everything that a project can contain.
 inline Project sampleProject() {
     using namespace std::chrono;
     City city = threeHouses();
     Building solid = house("mesh house", box(0.1F, 40.3F, 10.7F, 50.9F), 12.34F);
     solid.parts[0].mesh = std::make_shared<const TriangleMesh>(meshOf(solid.parts[0]));
-    solid.parts[0].hangs = true;
+    solid.parts[0].isOverhanging = true;
     solid.parts[0].heightSource = HeightSource::mesh;
     city.buildings.push_back(shared(solid));
     Building court = house("court \"5\"", box(100, 100, 150, 150), 21);
@@ -76,12 +76,12 @@ inline Project sampleProject() {
                          .window = SolarWindow{minutes(90), minutes(90)},
                          .zone = "America/New_York",
                          .refraction = false}}};
-    project.results = {keptResult("first")};
+    project.results = {makeSavedResult("first")};
     project.view = {{"camera", "1 2 3"}, {"palette", "divergent"}};
     return project;
 }
 
-/// Whether two projects say the same, buildings and results by value.
+/// Whether two projects are equal, comparing buildings and results by value.
 inline bool sameCity(const City& a, const City& b) {
     if (a.frame != b.frame || a.buildings.size() != b.buildings.size()) return false;
     if (bool(a.terrain) != bool(b.terrain) || (a.terrain && *a.terrain != *b.terrain)) return false;

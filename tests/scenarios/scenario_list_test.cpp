@@ -15,7 +15,7 @@ TEST(ScenarioList, ANewNameGoesAlongToThoseThatStartFromIt) {
     ASSERT_TRUE(renameScenario(scenarios, "A", "First"));
     EXPECT_EQ(scenarios[0].name, "First");
     EXPECT_EQ(scenarios[1].base, "First");
-    EXPECT_EQ(editsOf(scenarios, "C").value().size(), 1U);
+    EXPECT_EQ(collectEdits(scenarios, "C").value().size(), 1U);
 }
 
 TEST(ScenarioList, ACopyHasTheSameEditsAndNobodyStartsFromIt) {

@@ -35,11 +35,11 @@ TEST(Scenario, ErrorsSayWhichScenario) {
 }
 
 TEST(Scenario, CirclesAndDoubleNamesAreRefused) {
-    EXPECT_THAT(checked({{"A", "B", {}}, {"B", "A", {}}}).error().text(), HasSubstr("starts from itself"));
-    EXPECT_THAT(checked({{"A", "", {}}, {"A", "", {}}}).error().text(), HasSubstr("Two scenarios"));
-    EXPECT_FALSE(checked({{existingCity, "", {}}}));
-    EXPECT_FALSE(checked({{"A", "gone", {}}}));
-    EXPECT_TRUE(checked(twoProposals()));
+    EXPECT_THAT(validate({{"A", "B", {}}, {"B", "A", {}}}).error().text(), HasSubstr("starts from itself"));
+    EXPECT_THAT(validate({{"A", "", {}}, {"A", "", {}}}).error().text(), HasSubstr("Two scenarios"));
+    EXPECT_FALSE(validate({{existingCity, "", {}}}));
+    EXPECT_FALSE(validate({{"A", "gone", {}}}));
+    EXPECT_TRUE(validate(twoProposals()));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "core/city/city.h"
 
-/// Cities made by hand for scenarios.
+/// Small synthetic cities for the tests of scenarios.
 namespace noonmark::tests {
 
 inline Footprint box(float west, float south, float east, float north) {
@@ -22,7 +22,7 @@ inline std::shared_ptr<const Building> shared(Building building) {
     return std::make_shared<const Building>(std::move(building));
 }
 
-/// Three houses of 10 x 10 m in a row along the x axis, 30 m apart: "a" 10 m, "b" 20 m, "c" 30 m high.
+/// Three houses of 10 x 10 m along the x axis, 30 m apart: "a" is 10 m, "b" 20 m, "c" 30 m high.
 inline City threeHouses() {
     City city;
     city.frame = Frame({-73.97, 40.76});
@@ -31,7 +31,7 @@ inline City threeHouses() {
     return city;
 }
 
-/// Ground that rises to the east by one metre in ten, from z = 0 at x = 0.
+/// Ground that rises to the east by 1 m per 10 m, from z = 0 at x = 0.
 inline std::shared_ptr<const Terrain> slope() {
     Terrain terrain{Grid{.westM = -5, .southM = -55, .cellM = 10, .columns = 30, .rows = 12}, {}};
     for (int row = 0; row < terrain.grid.rows; ++row)

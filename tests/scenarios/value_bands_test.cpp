@@ -1,4 +1,4 @@
-#include "scenarios/project/value_bands.h"
+#include "scenarios/project/tables/value_bands.h"
 
 #include <gtest/gtest.h>
 

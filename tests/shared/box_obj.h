@@ -6,8 +6,8 @@
 
 namespace noonmark::tests {
 
-/// An OBJ file of a closed box of x by z by y units, y up, one corner at the origin; it lies where z is
-/// negative.
+/// An OBJ file of a closed box of x by z by y units, y up, with one corner at the origin; z is negative
+/// inside it.
 inline std::string boxObj(int x, int z, int y) {
     return fmt::format(
         "o box\n"

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/progress.h"
+#include "core/base/progress.h"
 
 namespace noonmark::tests {
 
-/// Notes whether a fraction ever fell or left 0 to 1.
+/// Records whether any reported fraction decreased or left the range 0 to 1.
 struct GrowingProgress final : Progress {
     double last = 0;
     bool grew = true;

@@ -6,12 +6,12 @@
 
 namespace noonmark::tests {
 
-/// A file or folder of the shared data (not part of the project): under NOONMARK_SHARED_DATA, else beside the
-/// source folder. Nothing where it is missing: the test then skips and says so.
+/// A file or folder of the shared data, which is not part of the project: in NOONMARK_SHARED_DATA, otherwise
+/// beside the source folder. Empty where it is missing; the test is then skipped with a message.
 std::optional<std::filesystem::path> sharedData(const std::string& relative);
 
-/// A file that lies among the tests: "scenarios/files/version-1.noonmark.gpkg". Read it, or copy it; never
-/// write it.
+/// A file from the tests folder: "scenarios/files/version-1.noonmark.gpkg". It may be read or copied but not
+/// written.
 std::filesystem::path testFile(const std::string& relative);
 
 }  // namespace noonmark::tests

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/window/appearance.h"
-#include "app/window/heap_settings.h"
+#include "app/window/frame/appearance.h"
+#include "app/window/frame/heap_settings.h"
 #include "tests/soak/window_user.h"
 
-/// Uses the window by chance for a while and writes what memory it holds, a line a minute, as CSV.
+/// Performs random actions in the window for a while and writes the memory use as CSV, one line per minute.
 namespace noonmark::soak {
 namespace {
 
@@ -27,7 +27,7 @@ double residentMb() {
     return resident * 4096 / megabyte;
 }
 
-/// What the program has asked of the heap and not given back, MB.
+/// Heap memory in use by the program, MB.
 double heapMb() {
     const auto info = mallinfo2();
     return double(info.uordblks + info.hblkhd) / megabyte;
@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     noonmark::returnFreedMemory();
     noonmark::chooseRenderer();
     QApplication application(argc, argv);
-    QStandardPaths::setTestModeEnabled(true);  // nothing is left in the user's folders
+    QStandardPaths::setTestModeEnabled(true);  // leaves nothing in the user's folders
     noonmark::applyAppearance(application);
     QCommandLineParser parser;
     parser.addHelpOption();

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "app/window/time/time_strip.h"
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark::soak {
@@ -14,7 +14,7 @@ namespace {
 
 using test::waitFor;
 
-/// A square around `middle`, 36 m wide.
+/// A square of 36 m around `middle`.
 Footprint lotAt(glm::dvec2 middle) {
     Footprint lot;
     for (const glm::dvec2 corner : {glm::dvec2{-18, -18}, {18, -18}, {18, 18}, {-18, 18}})
@@ -40,7 +40,7 @@ std::string WindowUser::act() {
     struct Choice {
         const char* name;
         Action action;
-        int weight;  // of 100
+        int weight;  // relative to a total of 100
     };
     static constexpr std::array choices{
         Choice{"look around", &WindowUser::lookAround, 24},
@@ -183,7 +183,7 @@ bool WindowUser::busy() {
     Workbench& bench = window_->workbench();
     return bench.opening().busy() || bench.following().busy() || bench.running().busy() ||
            bench.reading().busy() || window_->exploration().working() ||
-           window_->tools().desk().preview.working().busy() || !bench.city();
+           window_->tools().context().preview.working().busy() || !bench.city();
 }
 
 void WindowUser::waitUntilIdle() {

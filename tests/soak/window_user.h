@@ -6,19 +6,19 @@
 #include <random>
 #include <string>
 
-#include "app/window/main_window.h"
+#include "app/window/frame/main_window.h"
 
 namespace noonmark::soak {
 
-/// Uses the window as a restless person would: looks around, changes the period, runs and cancels studies,
-/// designs towers, compares, undoes, opens the city again. All by chance, from a fixed seed.
+/// A random user of the window: looks around, changes the period, runs and cancels studies, designs towers,
+/// compares, undoes, opens the city again. The sequence follows from a fixed seed.
 class WindowUser {
 public:
     WindowUser(const QString& city, unsigned seed);
 
-    /// Does one thing and waits until the window is idle. Returns its name.
+    /// Performs one action and waits until the window is idle. Returns the action's name.
     std::string act();
-    /// Changes the height of a tower that is being designed and waits for its shadow.
+    /// Changes the height of a tower during its design and waits for its shadow.
     void editLive();
     [[nodiscard]] int liveEdits() const { return liveEdits_; }
 

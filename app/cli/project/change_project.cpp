@@ -17,10 +17,10 @@ int changeProject(const ChangeOptions& options, const Console& console,
     Project project = disk->project();
     const auto words = change(project);
     if (!words) return fail(console, words.error(), exitUsage);
-    if (const auto sound = checked(project); !sound) return fail(console, sound.error(), exitUsage);
+    if (const auto sound = validate(project); !sound) return fail(console, sound.error(), exitUsage);
     if (!options.dryRun)
         if (const auto saved = disk->save(project); !saved) return fail(console, saved.error(), exitFailed);
-    console.out << *words << (options.dryRun ? "Nothing was saved: a dry run\n" : "");
+    console.out << *words << (options.dryRun ? "Dry run: nothing was saved\n" : "");
     return exitOk;
 }
 

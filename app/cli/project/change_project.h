@@ -10,27 +10,28 @@
 
 namespace noonmark::cli {
 
-/// What all commands that change a project share.
+/// Options shared by all commands that change a project.
 struct ChangeOptions {
     std::string file;
-    bool dryRun = false;  ///< says what would come of it, and saves nothing
+    bool dryRun = false;  ///< report the changes without saving
 };
 
-/// The file of a command on a project.
+/// Adds the project file argument.
 void addProjectFile(CLI::App& command, std::string& file);
 
-/// Opens a project, changes it, saves it, and prints what `change` returns. Nothing is saved on an Error.
+/// Opens a project, changes and saves it, and prints the text that `change` returns. Nothing is saved on an
+/// Error.
 int changeProject(const ChangeOptions& options, const Console& console,
                   const std::function<Result<std::string>(Project&)>& change);
 
-/// Adds a command that changes a project. `Options` has a `ChangeOptions change`.
+/// Adds a command that changes a project. `Options` must have a member `ChangeOptions change`.
 template <class Options>
 CLI::App* addChangeCommand(CLI::App& group, const char* name, const char* about,
                            const std::shared_ptr<Options>& options,
                            Result<std::string> (*change)(const Options&, Project&), Run& run) {
     CLI::App* command = group.add_subcommand(name, about);
     addProjectFile(*command, options->change.file);
-    command->add_flag("--dry-run", options->change.dryRun, "Say what would come of it; save nothing");
+    command->add_flag("--dry-run", options->change.dryRun, "Report the changes without saving them");
     command->callback([options, change, &run] {
         run = [options, change](const Console& console) {
             return changeProject(options->change, console,

@@ -8,7 +8,7 @@ namespace noonmark::cli {
 
 namespace {
 
-// Itself, or any of those that it starts from, bears the name. The project's scenarios are sound.
+// Whether the scenario or one of its bases has this name. The project's scenarios are valid.
 bool startsFrom(const Project& project, const Scenario* scenario, const std::string& name) {
     for (; scenario != nullptr; scenario = findScenario(project.scenarios, scenario->base))
         if (scenario->name == name) return true;
@@ -37,19 +37,20 @@ void addScenarioOption(CLI::App& command, EditOptions& options) {
 }
 
 void addBuildings(CLI::App& command, BuildingsOptions& options) {
-    command.add_option("buildings", options.buildings, "Their ids or names")
+    command.add_option("buildings", options.buildings, "Ids or names of the buildings")
         ->required()
         ->type_name("BUILDING");
 }
 
 Result<Scenario*> scenarioToChange(Project& project, const std::string& name) {
     if (name == existingCity)
-        return failure("The existing city is not changed", "scenario 'Existing'",
+        return failure("The existing city cannot be changed", "scenario 'Existing'",
                        "Add a scenario: noonmark-cli project add-scenario");
     if (project.scenarios.empty())
         return failure("The project has no scenario yet", "scenario '" + name + "'",
                        "Add it: noonmark-cli project add-scenario");
-    if (const auto known = scenarioNamed(project, name); !known) return tl::make_unexpected(known.error());
+    if (const auto known = findScenarioByName(project, name); !known)
+        return tl::make_unexpected(known.error());
     for (Scenario& scenario : project.scenarios)
         if (scenario.name == name) return &scenario;
     return nullptr;
@@ -72,7 +73,7 @@ Result<std::string> withEdits(Project& project, const std::string& name, const s
     std::string words;
     for (const Edit& edit : edits) {
         (*scenario)->edits.push_back(edit);
-        words += fmt::format("{}: {}\n", name, textOf(edit));
+        words += fmt::format("{}: {}\n", name, formatText(edit));
     }
     return stillWorks(project, name).map([&] { return words; });
 }

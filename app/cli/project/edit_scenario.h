@@ -8,14 +8,14 @@
 
 namespace noonmark::cli {
 
-/// What all commands that edit a scenario share.
+/// Options shared by all commands that edit a scenario.
 struct EditOptions {
     ChangeOptions change;
     std::string scenario;
 };
 void addScenarioOption(CLI::App& command, EditOptions& options);
 
-/// As addChangeCommand, with the scenario.
+/// Like addChangeCommand(), with the option of the scenario.
 template <class Options>
 CLI::App* addEditCommand(CLI::App& group, const char* name, const char* about,
                          const std::shared_ptr<Options>& options,
@@ -25,30 +25,30 @@ CLI::App* addEditCommand(CLI::App& group, const char* name, const char* about,
     return command;
 }
 
-/// The scenario that a command changes; Error for existingCity or an unknown name.
+/// Finds the scenario to change. Error: existingCity or an unknown name.
 Result<Scenario*> scenarioToChange(Project& project, const std::string& name);
 
-/// Error: an edit of the scenario, or of one that starts from it, cannot be applied.
+/// Error: an edit of the scenario, or of a scenario based on it, can no longer be applied.
 Result<void> stillWorks(const Project& project, const std::string& scenario);
 
-/// Appends edits to a scenario and says them. Error as of scenarioToChange and stillWorks.
+/// Appends edits to a scenario and returns their texts. Errors as of scenarioToChange() and stillWorks().
 Result<std::string> withEdits(Project& project, const std::string& scenario, const std::vector<Edit>& edits);
 
-/// Commands that do the same to each of several buildings.
+/// Options of commands that treat several buildings alike.
 struct BuildingsOptions : EditOptions {
     std::vector<std::string> buildings;  ///< ids or names
 };
 void addBuildings(CLI::App& command, BuildingsOptions& options);
 
-/// A building of the scenario's city, where the edits before have left it.
+/// A building in the scenario's city after the earlier edits.
 struct FoundBuilding {
     const City& city;
     std::size_t index;
     [[nodiscard]] const Building& building() const { return *city.buildings[index]; }
 };
 
-/// Makes an edit of each building, one after the other, and says it; in the words of `sayAlso` too, where
-/// that is not empty.
+/// An edit and an optional additional text to print. editBuildings() makes one for each building in turn and
+/// prints it.
 struct MadeEdit {
     Edit edit;
     std::string sayAlso;

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "app/cli/table.h"
-#include "core/study/warnings_json.h"
+#include "core/study/text/warnings_json.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark::cli {
@@ -23,7 +23,7 @@ void printJson(const std::vector<Listed>& lines, std::ostream& out) {
         one.update(line.json);
         all.push_back(std::move(one));
     }
-    out << jsonText(all) << '\n';
+    out << toJsonText(all) << '\n';
 }
 
 int runList(const ListOptions& options, Lister lister, const Console& console) {
@@ -47,7 +47,7 @@ void addListCommand(CLI::App& group, const char* about, Lister lister, Run& run)
     const auto options = std::make_shared<ListOptions>();
     CLI::App* command = group.add_subcommand("list", about);
     addProjectFile(*command, options->file);
-    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->callback([options, lister, &run] {
         run = [options, lister](const Console& console) { return runList(*options, lister, console); };
     });
@@ -57,7 +57,7 @@ void addRemoveCommand(CLI::App& group, const char* about,
                       Result<std::string> (*remove)(const RemoveOptions&, Project&), Run& run) {
     const auto options = std::make_shared<RemoveOptions>();
     addChangeCommand(group, "remove", about, options, remove, run)
-        ->add_option("names", options->names, "Which")
+        ->add_option("names", options->names, "Names of the entries to remove")
         ->required()
         ->type_name("NAME");
 }

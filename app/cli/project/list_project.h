@@ -8,24 +8,24 @@
 
 namespace noonmark::cli {
 
-/// One line of a list.
+/// One entry of a list.
 struct Listed {
     std::string name;
-    std::string about;            ///< for people
-    nlohmann::ordered_json json;  ///< what `about` says, beside the name; an object
+    std::string about;            ///< description for the user
+    nlohmann::ordered_json json;  ///< the description as a JSON object, without the name
 };
 using Lister = std::vector<Listed> (*)(const Project&);
 
-/// Adds `list`, which says what the project has of something.
+/// Adds the command `list`, which prints one kind of the project's contents.
 void addListCommand(CLI::App& group, const char* about, Lister lister, Run& run);
 
-/// Options of `remove`.
+/// Options of the command `remove`.
 struct RemoveOptions {
     ChangeOptions change;
     std::vector<std::string> names;
 };
 
-/// Takes those of the names out of the list. Error: a name that is not there, as `named` says it.
+/// Removes the named entries from the list. Error: an unknown name, as reported by `named`.
 template <class List, class NameOf, class Named>
 Result<std::string> removeNamed(List& list, const std::vector<std::string>& names, NameOf nameOf,
                                 Named named) {
@@ -38,7 +38,7 @@ Result<std::string> removeNamed(List& list, const std::vector<std::string>& name
     return words;
 }
 
-/// Adds `remove`.
+/// Adds the command `remove`.
 void addRemoveCommand(CLI::App& group, const char* about,
                       Result<std::string> (*remove)(const RemoveOptions&, Project&), Run& run);
 

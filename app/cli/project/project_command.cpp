@@ -4,7 +4,7 @@ namespace noonmark::cli {
 
 void addProjectCommand(CLI::App& app, Run& run) {
     CLI::App* project = app.add_subcommand(
-        "project", "Make and change a project: a city, its scenarios, lots and regions in one file");
+        "project", "Create and change a project: a city with its scenarios, lots and regions in one file");
     project->require_subcommand(1);
     addProjectNew(*project, run);
     addProjectInfo(*project, run);

@@ -1,13 +1,17 @@
 #pragma once
 
+// The folder app/cli/project/ holds the subcommands of `project`, one file each, listed below.
+// change_project.h opens and saves the project for commands that change it, edit_scenario.h applies edits to
+// a scenario, list_project.h lists and removes entries, and project_question.h parses region and period.
+
 #include "app/cli/command.h"
 
 namespace noonmark::cli {
 
-// The commands of `project`, in files of their names; what edits a scenario has the word of kindOf().
+// One file per subcommand of `project`. Commands that make an edit are named as in getKind().
 void addProjectNew(CLI::App& project, Run& run);
 void addProjectInfo(CLI::App& project, Run& run);
-void addProjectScenarios(CLI::App& project, Run& run);  // add-scenario and its like
+void addProjectScenarios(CLI::App& project, Run& run);  // add-scenario and related commands
 void addProjectDemolish(CLI::App& project, Run& run);
 void addProjectReplace(CLI::App& project, Run& run);
 void addProjectHeight(CLI::App& project, Run& run);

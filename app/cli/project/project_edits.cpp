@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/number_range.h"
+#include "app/cli/options/number_range.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
 
@@ -62,10 +62,10 @@ void addProjectDemolish(CLI::App& project, Run& run) {
 
 void addProjectHeight(CLI::App& project, Run& run) {
     const auto options = std::make_shared<HeightOptions>();
-    CLI::App* command = addEditCommand(project, "height", "Make buildings of a scenario higher or lower",
+    CLI::App* command = addEditCommand(project, "height", "Change the height of buildings in a scenario",
                                        options, changeHeight, run);
     addBuildings(*command, *options);
-    command->add_option("--height", options->heightM, "Above the ground, m")
+    command->add_option("--height", options->heightM, "Height above the ground, m")
         ->required()
         ->check(within(0.1, 2000))
         ->type_name("M");
@@ -75,16 +75,16 @@ void addProjectMove(CLI::App& project, Run& run) {
     const auto options = std::make_shared<MoveOptions>();
     CLI::App* command = addEditCommand(project, "move", "Move buildings of a scenario", options, move, run);
     addBuildings(*command, *options);
-    addDistance(*command, "--east", options->eastM, "How far to the east, m; to the west below 0");
-    addDistance(*command, "--north", options->northM, "How far to the north, m; to the south below 0");
+    addDistance(*command, "--east", options->eastM, "Distance to the east, m; negative: to the west");
+    addDistance(*command, "--north", options->northM, "Distance to the north, m; negative: to the south");
 }
 
 void addProjectRotate(CLI::App& project, Run& run) {
     const auto options = std::make_shared<RotateOptions>();
     CLI::App* command = addEditCommand(
-        project, "rotate", "Turn buildings of a scenario, each about its own middle", options, rotate, run);
+        project, "rotate", "Turn buildings of a scenario, each about its own centre", options, rotate, run);
     addBuildings(*command, *options);
-    command->add_option("--clockwise", options->clockwiseDeg, "Degrees, seen from above")
+    command->add_option("--clockwise", options->clockwiseDeg, "Degrees clockwise, seen from above")
         ->required()
         ->check(within(-360, 360))
         ->type_name("DEG");

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/overwrite_option.h"
+#include "app/cli/options/overwrite_option.h"
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/save_city.h"
@@ -34,15 +34,14 @@ int runExport(const ExportOptions& options, const Console& console) {
 
 void addProjectExport(CLI::App& project, Run& run) {
     const auto options = std::make_shared<ExportOptions>();
-    CLI::App* command =
-        project.add_subcommand("export", "Write a scenario's city as a GeoPackage of its own");
+    CLI::App* command = project.add_subcommand("export", "Write the city of a scenario as a GeoPackage");
     addProjectFile(*command, options->file);
-    command->add_option("--scenario", options->scenario, "Which city")
+    command->add_option("--scenario", options->scenario, "The scenario to write")
         ->default_val(existingCity)
         ->type_name("NAME");
     command->add_option("--out", options->out, "The file to write")->required()->type_name("FILE.gpkg");
     addOverwriteOption(*command, options->overwrite);
-    command->add_flag("--json", options->json, "Say what was written as JSON");
+    command->add_flag("--json", options->json, "Report what was written as JSON");
     command->callback([options, &run] {
         run = [options](const Console& console) { return runExport(*options, console); };
     });

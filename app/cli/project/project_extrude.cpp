@@ -5,7 +5,7 @@
 #include <charconv>
 #include <memory>
 
-#include "app/cli/number_range.h"
+#include "app/cli/options/number_range.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/massing_line.h"
 #include "app/cli/project/project_commands.h"
@@ -18,15 +18,15 @@ namespace {
 
 struct ExtrudeOptions : EditOptions {
     std::string lot;
-    std::string on;  // a building, whose footprint is the lot
+    std::string on;  // a building whose footprint is the lot
     std::string id;
     bool clear = false;
     MassingSettings massing;
-    double sharePercent = 0;  // 0: not stated
+    double sharePercent = 0;  // 0: not given
     double areaM2 = 0;
     int podiumStoreys = 0;
     double podiumPercent = 100;
-    double podiumM2 = 0;                // 0: not stated
+    double podiumM2 = 0;                // 0: not given
     std::vector<std::string> setbacks;  // HEIGHT:INSET
 };
 
@@ -38,7 +38,7 @@ Result<Setback> setbackFrom(const std::string& text) {
         const auto [last, second] = std::from_chars(colon + 1, end, setback.insetM);
         if (second == std::errc{} && last == end) return setback;
     }
-    return failure("It is no setback", text, "Give HEIGHT:INSET in metres, for example 60:3");
+    return failure("It is not a setback", text, "Give HEIGHT:INSET in metres, for example 60:3");
 }
 
 Podium podiumFrom(const ExtrudeOptions& options) {
@@ -63,11 +63,11 @@ Result<MassingSettings> settingsFrom(const ExtrudeOptions& options) {
     return settings;
 }
 
-// The lot, and the edits that make it free.
+// The lot, and the edits that clear it.
 struct Site {
     Footprint lot;
     std::vector<Edit> edits;
-    std::string note;  // what the user may not have seen
+    std::string note;  // hint for the user
 };
 
 Site siteOn(const Footprint& lot, const City& city, bool clear) {
@@ -78,16 +78,16 @@ Site siteOn(const Footprint& lot, const City& city, bool clear) {
     return {lot, {}, fmt::format("  Stays on the lot without --clear: {}\n", fmt::join(staying, ", "))};
 }
 
-// Of a building that stands in several pieces the largest.
+// The largest piece of a building that stands in several pieces.
 Footprint groundOf(const Building& building) {
-    std::vector<Footprint> pieces = outlineOf(building);
+    std::vector<Footprint> pieces = computeOutline(building);
     if (pieces.empty()) return building.parts.front().footprint;
     return *std::ranges::max_element(pieces, {}, [](const Footprint& piece) { return area(piece); });
 }
 
 Result<Site> siteOf(const ExtrudeOptions& options, const Project& project, const City& city) {
     if (options.on.empty()) {
-        const auto lot = lotNamed(project, options.lot);
+        const auto lot = findLot(project, options.lot);
         if (!lot) return tl::make_unexpected(lot.error());
         return siteOn(lot->outline, city, options.clear);
     }
@@ -105,7 +105,7 @@ Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
     auto site = siteOf(options, project, city->city);
     if (!site) return tl::make_unexpected(site.error());
     const auto massing = settingsFrom(options).and_then(
-        [&](const MassingSettings& settings) { return massingOn(site->lot, settings); });
+        [&](const MassingSettings& settings) { return makeMassing(site->lot, settings); });
     if (!massing) return tl::make_unexpected(massing.error());
     const auto building = buildingOf(*massing, options.id);
     if (!building) return tl::make_unexpected(building.error());
@@ -118,9 +118,10 @@ Result<std::string> extrude(const ExtrudeOptions& options, Project& project) {
 void addShapeOptions(CLI::App& command, ExtrudeOptions& options) {
     MassingSettings& massing = options.massing;
     CLI::Option* storeys =
-        command.add_option("--storeys", massing.storeys, "How many, the podium's too")->type_name("N");
+        command.add_option("--storeys", massing.storeys, "Number of storeys, podium included")
+            ->type_name("N");
     command.add_option("--height", massing.heightM, "Total height, m")->excludes(storeys)->type_name("M");
-    command.add_option("--storey-height", massing.storeyHeightM, "Of every storey, 2 to 10 m")
+    command.add_option("--storey-height", massing.storeyHeightM, "Height of a storey, 2 to 10 m")
         ->capture_default_str()
         ->type_name("M");
     CLI::Option* share =
@@ -150,7 +151,7 @@ void addShapeOptions(CLI::App& command, ExtrudeOptions& options) {
         ->type_name("M2");
     command
         .add_option("--setback", options.setbacks,
-                    "Above HEIGHT m the walls stand INSET m further in; any number")
+                    "Above HEIGHT m the walls are inset by INSET m; may be repeated")
         ->type_name("HEIGHT:INSET");
     command.add_option("--turn", massing.clockwiseDeg, "Turn the tower on its lot, degrees clockwise")
         ->type_name("DEG");
@@ -164,10 +165,10 @@ void addProjectExtrude(CLI::App& project, Run& run) {
         addEditCommand(project, "extrude", "Build a tower on a lot in a scenario", options, extrude, run);
     CLI::Option_group* where = command->add_option_group("where");
     where->add_option("--lot", options->lot, "A lot of the project")->type_name("NAME");
-    where->add_option("--on", options->on, "A building: demolished, its outline is the lot")
+    where->add_option("--on", options->on, "A building to demolish; its outline becomes the lot")
         ->type_name("BUILDING");
     where->require_option(1);
-    command->add_flag("--clear", options->clear, "Demolish what stands on the lot");
+    command->add_flag("--clear", options->clear, "Demolish the buildings on the lot");
     command->add_option("--id", options->id, "Id and name of the new building")
         ->required()
         ->type_name("NAME");

@@ -4,13 +4,13 @@
 #include <sstream>
 
 #include "app/cli/interrupt.h"
-#include "app/cli/lon_lat_option.h"
-#include "app/cli/number_range.h"
+#include "app/cli/options/lon_lat_option.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/read_options.h"
 #include "app/cli/project/edit_scenario.h"
 #include "app/cli/project/project_commands.h"
-#include "app/cli/read_options.h"
 #include "app/cli/table.h"
-#include "core/io/file_kind.h"
+#include "core/io/files/file_kind.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/edits/read_shape.h"
 
@@ -18,31 +18,31 @@ namespace noonmark::cli {
 
 namespace {
 
-// A building's shape from a file, and where it is put.
+// A building's shape from a file, and its placement.
 struct ShapeOptions : EditOptions {
     std::string mesh;
     std::string id;
     ReadSettings read;
-    std::optional<LonLat> at;        // the middle of its outline
+    std::optional<LonLat> at;        // centre of its outline
     std::optional<LonLat> originAt;  // the mesh's own origin
     double eastM = 0;
     double northM = 0;
     double scale = 1;
     double clockwiseDeg = 0;
-    std::string replaced;  // a building that makes room
+    std::string replaced;  // the building to replace
 };
 
 struct Shape {
     ImportMesh import;
     Warnings warnings;
-    bool hasPlace = false;  // CityJSON comes at its own
+    bool hasPlace = false;  // CityJSON contains its position
 };
 
 Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, const Frame& frame) {
-    const auto kind = fileKind(options.mesh);
+    const auto kind = detectFileKind(options.mesh);
     if (!kind) return tl::make_unexpected(kind.error());
     if (*kind != FileKind::mesh && *kind != FileKind::cityJson)
-        return failure("It is the map of a city, not one building", options.mesh,
+        return failure("The file is the map of a city, not one building", options.mesh,
                        "Give an OBJ, glTF, PLY or CityJSON file");
     Shape shape{.hasPlace = *kind != FileKind::mesh};
     const Interrupt interrupt;
@@ -54,25 +54,25 @@ Result<Shape> shapeFrom(const ShapeOptions& options, const std::string& id, cons
     return shape;
 }
 
-// `usual`: where the middle goes when nothing is said.
+// `usual`: position of the centre if the user gives none.
 Result<Placement> placementOf(const ShapeOptions& options, const Shape& shape, const Frame& frame,
                               std::optional<glm::dvec2> usual) {
     Placement placement{.scale = options.scale, .clockwiseDeg = options.clockwiseDeg};
-    if (!options.originAt) placement.about = middleOf(*shape.import.shape);
+    if (!options.originAt) placement.about = findMiddle(*shape.import.shape);
     std::optional<glm::dvec2> target = usual;
     if (shape.hasPlace) target = placement.about;
     if (options.at) target = frame.localFromLonLat(*options.at);
     if (options.originAt) target = frame.localFromLonLat(*options.originAt);
     if (!target)
-        return failure("The mesh does not say where it stands", options.mesh,
+        return failure("The position of the mesh is not given", options.mesh,
                        "Give --at LON,LAT for its middle, or --origin-at LON,LAT for its origin");
     placement.byM = *target - placement.about + glm::dvec2(options.eastM, options.northM);
     return placement;
 }
 
-// The shape where it is put.
-Result<Building> standing(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
-    Building building = placed(*shape.import.shape, placement);
+// The shape at its placement.
+Result<Building> standOnTerrain(const ShapeOptions& options, const Shape& shape, const Placement& placement) {
+    Building building = placeBuilding(*shape.import.shape, placement);
     if (topM(building) > 0) return building;
     return failure("The building would lie below the ground", options.mesh,
                    "A mesh's heights count from its own zero: check --up, or raise it in the file");
@@ -98,7 +98,7 @@ Result<std::string> import(const ShapeOptions& options, Project& project) {
     if (!shape) return tl::make_unexpected(shape.error());
     const auto placement = placementOf(options, *shape, frame, {});
     if (!placement) return tl::make_unexpected(placement.error());
-    const auto there = standing(options, *shape, *placement);
+    const auto there = standOnTerrain(options, *shape, *placement);
     if (!there) return tl::make_unexpected(there.error());
     shape->import.placement = *placement;
     return withShape(options, project, *shape, *there, shape->import);
@@ -113,9 +113,9 @@ Result<std::string> replace(const ShapeOptions& options, Project& project) {
     const Frame& frame = project.city->frame;
     const auto shape = shapeFrom(options, options.id.empty() ? old.sourceId : options.id, frame);
     if (!shape) return tl::make_unexpected(shape.error());
-    const auto placement = placementOf(options, *shape, frame, middleOf(old));
+    const auto placement = placementOf(options, *shape, frame, findMiddle(old));
     if (!placement) return tl::make_unexpected(placement.error());
-    auto there = standing(options, *shape, *placement);
+    auto there = standOnTerrain(options, *shape, *placement);
     if (!there) return tl::make_unexpected(there.error());
     if (options.id.empty()) there->name = old.name;
     const Replace edit{old.sourceId, std::make_shared<const Building>(*there)};
@@ -124,20 +124,20 @@ Result<std::string> replace(const ShapeOptions& options, Project& project) {
 
 void addPlaceOptions(CLI::App& command, ShapeOptions& options) {
     CLI::Option* at =
-        addLonLatOption(command, "--at", options.at, "Where the middle of its outline stands, degrees");
-    addLonLatOption(command, "--origin-at", options.originAt, "Where the mesh's own origin stands, degrees")
+        addLonLatOption(command, "--at", options.at, "Position of the centre of its outline, degrees");
+    addLonLatOption(command, "--origin-at", options.originAt, "Position of the mesh's own origin, degrees")
         ->excludes(at);
-    command.add_option("--east", options.eastM, "From there to the east, m")
+    command.add_option("--east", options.eastM, "Offset from there to the east, m")
         ->check(within(-20000, 20000))
         ->type_name("M");
-    command.add_option("--north", options.northM, "From there to the north, m")
+    command.add_option("--north", options.northM, "Offset from there to the north, m")
         ->check(within(-20000, 20000))
         ->type_name("M");
-    command.add_option("--scale", options.scale, "How much larger, heights too")
+    command.add_option("--scale", options.scale, "Scale factor, also of the heights")
         ->capture_default_str()
         ->check(within(0.001, 1000))
         ->type_name("FACTOR");
-    command.add_option("--clockwise", options.clockwiseDeg, "Turn it, degrees seen from above")
+    command.add_option("--clockwise", options.clockwiseDeg, "Turn it clockwise, degrees seen from above")
         ->check(within(-360, 360))
         ->type_name("DEG");
 }
@@ -170,13 +170,13 @@ void addProjectImport(CLI::App& project, Run& run) {
 
 void addProjectReplace(CLI::App& project, Run& run) {
     const auto options = std::make_shared<ShapeOptions>();
-    CLI::App* command = addEditCommand(project, "replace",
-                                       "Replace a building of a scenario by that of a mesh or CityJSON file",
-                                       options, replace, run);
+    CLI::App* command = addEditCommand(
+        project, "replace", "Replace a building of a scenario with that of a mesh or CityJSON file", options,
+        replace, run);
     command->add_option("building", options->replaced, "Its id or name")->required()->type_name("BUILDING");
     command
         ->add_option("--with", options->mesh,
-                     "The file; a mesh stands on the old building's middle where nothing else is said")
+                     "The file; by default a mesh is placed at the centre of the old building")
         ->required()
         ->type_name("FILE");
     command->add_option("--id", options->id, "Id and name of the new building (default: the old one's)")

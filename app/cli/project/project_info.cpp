@@ -7,9 +7,9 @@
 #include "app/cli/project/change_project.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
-#include "core/study/terrain_text.h"
-#include "core/study/warnings_json.h"
-#include "scenarios/project/autosave.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/project/recovery_file.h"
 
 namespace noonmark::cli {
 
@@ -34,7 +34,7 @@ constexpr auto sharedName = [](const auto& one) { return one->name; };
 
 Json scenarioJson(const Scenario& scenario) {
     Json edits = Json::array();
-    for (const Edit& edit : scenario.edits) edits.push_back(textOf(edit));
+    for (const Edit& edit : scenario.edits) edits.push_back(formatText(edit));
     return {{"name", scenario.name},
             {"base", scenario.base.empty() ? existingCity : scenario.base.c_str()},
             {"edits", edits}};
@@ -73,12 +73,12 @@ void print(const Json& info, std::ostream& out) {
                                                      : "none: flat ground");
     for (const char* key : {"regions", "lots", "weights", "periods", "results"})
         table.add(key, joined(info[key]));
-    if (info["unsaved_work"].get<bool>()) table.add("recovery", "unsaved work lies beside the file");
+    if (info["unsaved_work"].get<bool>()) table.add("recovery", "there is a recovery file with unsaved work");
     table.print(out);
     for (const Json& scenario : info["scenarios"]) {
         out << fmt::format("\n{} (from {})\n", scenario["name"].get<std::string>(),
                            scenario["base"].get<std::string>());
-        int number = 0;  // of `remove-edit`
+        int number = 0;  // the number that `remove-edit` takes
         for (const Json& edit : scenario["edits"])
             out << fmt::format("{:4} {}\n", ++number, edit.get<std::string>());
     }
@@ -89,7 +89,7 @@ int runInfo(const InfoOptions& options, const Console& console) {
     if (!disk) return fail(console, disk.error(), exitUsage);
     const Json info = infoJson(*disk);
     if (options.json)
-        console.out << jsonText(info) << '\n';
+        console.out << toJsonText(info) << '\n';
     else {
         print(info, console.out);
         printWarnings(console.out, disk->project().reading->warnings);
@@ -101,9 +101,9 @@ int runInfo(const InfoOptions& options, const Console& console) {
 
 void addProjectInfo(CLI::App& project, Run& run) {
     const auto options = std::make_shared<InfoOptions>();
-    CLI::App* command = project.add_subcommand("info", "Say what a project holds");
+    CLI::App* command = project.add_subcommand("info", "Describe the contents of a project");
     addProjectFile(*command, options->file);
-    command->add_flag("--json", options->json, "JSON on standard output, nothing else");
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
 }

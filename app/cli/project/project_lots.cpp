@@ -6,7 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
-#include "core/io/read_parcels.h"
+#include "core/io/footprints/read_parcels.h"
 #include "core/io/read_region.h"
 #include "scenarios/edits/building_ids.h"
 #include "scenarios/free_name.h"
@@ -20,8 +20,8 @@ struct AddOptions {
     ChangeOptions change;
     std::string name;
     std::string place;
-    std::string building;  // whose outline is the lot
-    std::string scenario;  // that it stands in
+    std::string building;  // its outline is the lot
+    std::string scenario;  // the scenario of the building
 };
 
 struct ImportOptions {
@@ -43,18 +43,18 @@ Result<std::vector<Footprint>> outlinesOf(const AddOptions& options, const Proje
     const auto city = cityOf(project, options.scenario);
     if (!city) return tl::make_unexpected(city.error());
     return findBuilding(city->city, options.building).map([&](std::size_t found) {
-        return outlineOf(*city->city.buildings[found]);
+        return computeOutline(*city->city.buildings[found]);
     });
 }
 
-// Several polygons are several lots.
+// Each polygon becomes a lot.
 Result<std::string> addLots(Project& project, const std::string& name,
                             const std::vector<Footprint>& outlines) {
     std::string words;
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         const NamedLot lot{i == 0 ? name : fmt::format("{} ({})", name, i + 1), outlines[i]};
-        if (lotNamed(project, lot.name))
-            return failure("The project has a lot of this name", lot.name,
+        if (findLot(project, lot.name))
+            return failure("The project already has a lot of this name", lot.name,
                            "Choose another name, or remove that one: noonmark-cli project lot remove");
         project.lots.push_back(lot);
         words += lineOf(lot);
@@ -68,20 +68,19 @@ Result<std::string> add(const AddOptions& options, Project& project) {
     return addLots(project, options.name, *outlines);
 }
 
-// A name that no lot has yet: those without one are counted, a second of a name gets a number.
+// A name that no lot has yet: unnamed lots are numbered, and repeated names get a number.
 std::string freeName(const Project& project, const std::string& name) {
     const std::string own = name.empty() ? "lot" : name;
-    return firstFreeName(own,
-                         [&](const std::string& wanted) { return lotNamed(project, wanted).has_value(); });
+    return findFreeName(own, [&](const std::string& wanted) { return findLot(project, wanted).has_value(); });
 }
 
 Result<ParcelSettings> settingsFrom(const ImportOptions& options, const Project& project) {
     ParcelSettings settings = options.parcels;
     if (options.within.empty()) {
-        if (settings.names.empty()) settings.within = regionFromLocalBox(bounds(*project.city));
+        if (settings.names.empty()) settings.within = makeRegionFromLocalBox(bounds(*project.city));
         return settings;
     }
-    auto region = regionNamed(project, options.within);
+    auto region = findRegion(project, options.within);
     if (!region) region = readRegion(options.within, project.city->frame);
     if (!region) return tl::make_unexpected(region.error());
     settings.within = *std::move(region);
@@ -116,22 +115,22 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.lots, options.names, [](const NamedLot& lot) { return lot.name; },
-        [&](const std::string& name) { return lotNamed(project, name); });
+        [&](const std::string& name) { return findLot(project, name); });
 }
 
 void addAdd(CLI::App& group, Run& run) {
     const auto options = std::make_shared<AddOptions>();
     CLI::App* command = addChangeCommand(group, "add", "Add a lot", options, add, run);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the lot")->required()->type_name("NAME");
     CLI::Option_group* where = command->add_option_group("where");
     where
         ->add_option("place", options->place,
                      "west,south,east,north in degrees, POLYGON ((lon lat, ...)), or a polygon file")
         ->type_name("W,S,E,N|WKT|FILE");
-    CLI::Option* of = where->add_option("--of", options->building, "A building, whose outline is the lot")
+    CLI::Option* of = where->add_option("--of", options->building, "A building whose outline becomes the lot")
                           ->type_name("BUILDING");
     where->require_option(1);
-    command->add_option("--scenario", options->scenario, "The scenario that it stands in")
+    command->add_option("--scenario", options->scenario, "The scenario of the building")
         ->default_val(existingCity)
         ->needs(of)
         ->type_name("NAME");
@@ -149,10 +148,10 @@ void addImport(CLI::App& group, Run& run) {
                      "Field of the lots' names (default: name, lot, parcel, apn, bbl or id)")
         ->type_name("FIELD");
     command->add_option("--layer", options->parcels.layer, "Read this layer only")->type_name("NAME");
-    command->add_option("--only", options->parcels.names, "Those of these names alone")->type_name("NAME");
+    command->add_option("--only", options->parcels.names, "Only lots with these names")->type_name("NAME");
     command
         ->add_option("--within", options->within,
-                     "Those alone whose middle lies in a region of the project, a box or a polygon (default: "
+                     "Only lots whose middle lies in a region of the project, a box or a polygon (default: "
                      "the city's extent)")
         ->type_name("REGION|W,S,E,N|WKT|FILE");
 }

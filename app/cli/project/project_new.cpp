@@ -23,7 +23,7 @@ struct NewOptions {
     bool overwrite = false;
 };
 
-// "Park=park.geojson" as a region of that name.
+// Parses "Park=park.geojson" as a region of that name.
 Result<Region> placeFrom(const std::string& text, const Frame& frame) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
@@ -43,7 +43,7 @@ Result<void> addRegions(Project& project, const std::vector<std::string>& texts)
     return {};
 }
 
-// Several polygons are several lots.
+// Each polygon becomes a lot.
 Result<void> addLots(Project& project, const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
         const auto place = placeFrom(text, project.city->frame);
@@ -62,7 +62,7 @@ Result<Project> projectFrom(const NewOptions& options, const LoadedCity& loaded)
         .map([&] { return std::move(project); });
 }
 
-// The city's files, and those of the places: "Park=park.geojson".
+// Protects the city's files and those of the places: "Park=park.geojson".
 OutputRules rulesOf(const NewOptions& options) {
     OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
     for (const auto* places : {&options.regions, &options.lots})
@@ -92,14 +92,14 @@ int runNew(const NewOptions& options, const Console& console) {
 
 void addProjectNew(CLI::App& project, Run& run) {
     const auto options = std::make_shared<NewOptions>();
-    CLI::App* command = project.add_subcommand("new", "Begin a project with a city");
-    command->add_option("project", options->file, "The file to make")
+    CLI::App* command = project.add_subcommand("new", "Create a project from a city");
+    command->add_option("project", options->file, "The project file to create")
         ->required()
         ->type_name("NAME.noonmark.gpkg");
     addReadOptions(*command, options->read);
-    command->add_option("--region", options->regions, "Where shadow is measured; any number")
+    command->add_option("--region", options->regions, "Region where shadow is measured; may be repeated")
         ->type_name("NAME=W,S,E,N|FILE");
-    command->add_option("--lot", options->lots, "Ground to build on; any number")
+    command->add_option("--lot", options->lots, "Lot to build on; may be repeated")
         ->type_name("NAME=W,S,E,N|FILE");
     command->add_flag(
         "--overwrite,--replace", options->overwrite,

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "app/cli/period_options.h"
+#include "app/cli/options/period_options.h"
 #include "app/cli/project/list_project.h"
 #include "app/cli/project/project_commands.h"
 
@@ -17,32 +17,32 @@ struct AddOptions {
 Result<std::string> add(const AddOptions& options, Project& project) {
     return periodFrom(options.period).map([&](const Period& period) {
         project.periods.push_back({options.name, period});
-        return options.name + ": " + textOf(period) + "\n";
+        return options.name + ": " + formatText(period) + "\n";
     });
 }
 
 std::vector<Listed> list(const Project& project) {
     std::vector<Listed> lines;
     for (const NamedPeriod& period : project.periods)
-        lines.push_back({period.name, textOf(period.period), {{"period", textOf(period.period)}}});
+        lines.push_back({period.name, formatText(period.period), {{"period", formatText(period.period)}}});
     return lines;
 }
 
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.periods, options.names, [](const NamedPeriod& period) { return period.name; },
-        [&](const std::string& name) { return periodNamed(project, name); });
+        [&](const std::string& name) { return findPeriod(project, name); });
 }
 
 }  // namespace
 
 void addProjectPeriod(CLI::App& project, Run& run) {
-    CLI::App* group = project.add_subcommand("period", "Days and hours that are measured, by name");
+    CLI::App* group = project.add_subcommand("period", "Named periods: days and hours to measure");
     group->require_subcommand(1);
     const auto options = std::make_shared<AddOptions>();
     CLI::App* command = addChangeCommand(*group, "add", "Add a period, for `--period` of impact and score",
                                          options, add, run);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the period")->required()->type_name("NAME");
     addPeriodOptions(*command, options->period)->required();
     addListCommand(*group, "List the periods", list, run);
     addRemoveCommand(*group, "Remove periods", remove, run);

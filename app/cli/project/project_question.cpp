@@ -18,7 +18,7 @@ bool looksLikePlace(const std::string& text) {
 }  // namespace
 
 Result<Region> regionIn(const Project& project, const City& city, const std::string& text) {
-    auto region = regionNamed(project, text);
+    auto region = findRegion(project, text);
     if (region) return region;
     if (text == "city") return cityRegion(city);
     auto place = readRegion(text, project.city->frame);
@@ -36,9 +36,9 @@ void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, 
 
 Result<Period> periodIn(const Project& project, const std::string& name, const PeriodOptions& options) {
     if (!name.empty())
-        return periodNamed(project, name).map([](const NamedPeriod& named) { return named.period; });
+        return findPeriod(project, name).map([](const NamedPeriod& named) { return named.period; });
     if (!options.start.empty()) return periodFrom(options);
-    return failure("It is not stated when", "period", "Give --start DATE, or --period NAME of the project");
+    return failure("The period is missing", "period", "Give --start DATE, or --period NAME of the project");
 }
 
 }  // namespace noonmark::cli

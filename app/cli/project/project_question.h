@@ -2,20 +2,20 @@
 
 #include <string>
 
-#include "app/cli/period_options.h"
+#include "app/cli/options/period_options.h"
 #include "scenarios/project/project.h"
 
 namespace noonmark::cli {
 
-/// `--region` of a question about a project: a region of the project by its name, "city" for the box around
-/// all buildings of `city`, or what readRegion takes.
+/// Parses `--region` of a command on a project: a region of the project by name, "city" for the box around
+/// all buildings of `city`, or the forms of readRegion().
 Result<Region> regionIn(const Project& project, const City& city, const std::string& text);
 
-/// `--period NAME` of the project, which excludes all options of days and hours that `command` has got since
-/// `before`.
+/// Adds `--period NAME`, a period of the project. It excludes the options for days and hours, that is, those
+/// added to `command` since `before`.
 void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, std::string& name);
 
-/// A period of the project by its name where that is given, else by the options. Error: neither.
+/// The named period of the project, or else the period of the options. Error: neither is given.
 Result<Period> periodIn(const Project& project, const std::string& name, const PeriodOptions& options);
 
 }  // namespace noonmark::cli

@@ -44,7 +44,7 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.regions, options.names, [](const Region& region) { return region.name; },
-        [&](const std::string& name) { return regionNamed(project, name); });
+        [&](const std::string& name) { return findRegion(project, name); });
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void addProjectRegion(CLI::App& project, Run& run) {
     group->require_subcommand(1);
     const auto options = std::make_shared<RegionOptions>();
     CLI::App* command = addChangeCommand(*group, "add", "Add a region", options, add, run);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the region")->required()->type_name("NAME");
     command
         ->add_option("place", options->place,
                      "west,south,east,north in degrees, POLYGON ((lon lat, ...)), or a polygon file")

@@ -7,9 +7,9 @@ namespace noonmark::cli {
 
 namespace {
 
-using SharedResult = std::shared_ptr<const KeptResult>;
+using SharedResult = std::shared_ptr<const SavedResult>;
 
-std::string cityOf(const KeptResult& result) {
+std::string cityOf(const SavedResult& result) {
     return result.baseline.empty() ? result.scenario
                                    : fmt::format("{} -> {}", result.baseline, result.scenario);
 }
@@ -27,16 +27,16 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.results, options.names, [](const SharedResult& result) { return result->name; },
-        [&](const std::string& name) { return resultNamed(project, name); });
+        [&](const std::string& name) { return findResult(project, name); });
 }
 
 }  // namespace
 
 void addProjectResult(CLI::App& project, Run& run) {
-    CLI::App* group = project.add_subcommand("result", "What impact and score kept in the project");
+    CLI::App* group = project.add_subcommand("result", "Results of impact and score saved in the project");
     group->require_subcommand(1);
-    addListCommand(*group, "List the kept results", list, run);
-    addRemoveCommand(*group, "Remove kept results", remove, run);
+    addListCommand(*group, "List the saved results", list, run);
+    addRemoveCommand(*group, "Remove saved results", remove, run);
 }
 
 }  // namespace noonmark::cli

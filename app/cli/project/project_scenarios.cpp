@@ -24,13 +24,13 @@ struct RenameOptions : NameOptions {
 };
 
 struct RemoveEditOptions : EditOptions {
-    std::vector<std::size_t> numbers;  // from 1, as `info` counts them
+    std::vector<std::size_t> numbers;  // from 1, as listed by `info`
 };
 
 Result<std::string> add(const AddOptions& options, Project& project) {
     const std::string base = options.base == existingCity ? "" : options.base;
     project.scenarios.push_back({options.name, base, {}});
-    return checked(project.scenarios).map([&] {
+    return validate(project.scenarios).map([&] {
         return fmt::format("{}: starts from {}\n", options.name, options.base);
     });
 }
@@ -65,7 +65,7 @@ Result<std::string> removeEdits(const RemoveEditOptions& options, Project& proje
                            fmt::format("scenario '{}'", options.scenario),
                            edits.empty() ? "It has none" : fmt::format("Give 1 to {}", edits.size()));
         goes[number - 1] = true;
-        words += fmt::format("{}: no longer {}\n", options.scenario, textOf(edits[number - 1]));
+        words += fmt::format("{}: no longer {}\n", options.scenario, formatText(edits[number - 1]));
     }
     std::size_t at = 0;
     std::erase_if(edits, [&](const Edit&) { return goes[at++]; });
@@ -74,7 +74,7 @@ Result<std::string> removeEdits(const RemoveEditOptions& options, Project& proje
 
 void addNames(CLI::App& command, RenameOptions& options) {
     command.add_option("name", options.name, "The scenario")->required()->type_name("NAME");
-    command.add_option("new-name", options.newName, "A name that no scenario has")
+    command.add_option("new-name", options.newName, "The new name, not yet in use")
         ->required()
         ->type_name("NEW");
 }
@@ -85,7 +85,7 @@ void addProjectScenarios(CLI::App& project, Run& run) {
     const auto adding = std::make_shared<AddOptions>();
     CLI::App* command =
         addChangeCommand(project, "add-scenario", "Add a scenario without edits", adding, add, run);
-    command->add_option("name", adding->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", adding->name, "Name of the scenario")->required()->type_name("NAME");
     command->add_option("--base", adding->base, "The scenario that it starts from")
         ->default_val(existingCity)
         ->type_name("NAME");
@@ -95,8 +95,8 @@ void addProjectScenarios(CLI::App& project, Run& run) {
              *copying);
     const auto renaming = std::make_shared<RenameOptions>();
     addNames(*addChangeCommand(project, "rename-scenario",
-                               "Give a scenario another name; those that start from it go along", renaming,
-                               rename, run),
+                               "Rename a scenario, and the base of the scenarios that start from it",
+                               renaming, rename, run),
              *renaming);
     const auto removing = std::make_shared<NameOptions>();
     addChangeCommand(project, "remove-scenario", "Remove a scenario and its edits", removing, remove, run)
@@ -104,8 +104,8 @@ void addProjectScenarios(CLI::App& project, Run& run) {
         ->required()
         ->type_name("NAME");
     const auto taking = std::make_shared<RemoveEditOptions>();
-    addEditCommand(project, "remove-edit", "Take edits of a scenario back", taking, removeEdits, run)
-        ->add_option("numbers", taking->numbers, "Which, as `project info` counts them, from 1")
+    addEditCommand(project, "remove-edit", "Remove edits of a scenario", taking, removeEdits, run)
+        ->add_option("numbers", taking->numbers, "Numbers of the edits as `project info` lists them, from 1")
         ->required()
         ->type_name("NUMBER");
 }

@@ -43,13 +43,13 @@ std::vector<Listed> list(const Project& project) {
 Result<std::string> remove(const RemoveOptions& options, Project& project) {
     return removeNamed(
         project.weights, options.names, [](const TimeWeights& table) { return table.name; },
-        [&](const std::string& name) { return weightsNamed(project, name); });
+        [&](const std::string& name) { return findWeights(project, name); });
 }
 
 int show(const ShowOptions& options, const Console& console) {
     const auto disk = ProjectFile::open(options.file);
     if (!disk) return fail(console, disk.error(), exitUsage);
-    const auto weights = weightsNamed(disk->project(), options.name);
+    const auto weights = findWeights(disk->project(), options.name);
     if (!weights) return fail(console, weights.error(), exitUsage);
     console.out << (options.json ? weightsJson(*weights) + "\n" : weightsCsv(*weights));
     return exitOk;
@@ -59,7 +59,7 @@ void addShow(CLI::App& group, Run& run) {
     const auto options = std::make_shared<ShowOptions>();
     CLI::App* command = group.add_subcommand("show", "Print a table as the CSV or JSON that `add` reads");
     addProjectFile(*command, options->file);
-    command->add_option("name", options->name, "Which")->capture_default_str()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the table")->capture_default_str()->type_name("NAME");
     command->add_flag("--json", options->json, "JSON instead of CSV");
     command->callback(
         [options, &run] { run = [options](const Console& console) { return show(*options, console); }; });
@@ -68,15 +68,16 @@ void addShow(CLI::App& group, Run& run) {
 }  // namespace
 
 void addProjectWeights(CLI::App& project, Run& run) {
-    CLI::App* group = project.add_subcommand("weights", "When shade is wanted and shadow is not");
+    CLI::App* group =
+        project.add_subcommand("weights", "Time weights: when shade is wanted and shadow is not");
     group->require_subcommand(1);
     const auto options = std::make_shared<AddOptions>();
     CLI::App* command = addChangeCommand(*group, "add", "Add a time-weight table", options, add, run);
-    command->add_option("name", options->name, "Its name")->required()->type_name("NAME");
+    command->add_option("name", options->name, "Name of the table")->required()->type_name("NAME");
     command
         ->add_option("table", options->table,
-                     "CSV or JSON with one line an interval: name, first and last day (MM-DD), from and to "
-                     "(HH:MM), weight (-1 to 1); `weights show` prints one to begin with")
+                     "CSV or JSON with one line per interval: name, first and last day (MM-DD), from and to "
+                     "(HH:MM), weight (-1 to 1); `weights show` prints one to start from")
         ->required()
         ->type_name("FILE");
     addListCommand(*group, "List the tables", list, run);

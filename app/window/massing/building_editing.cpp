@@ -6,7 +6,7 @@
 #include "app/window/massing/building_facts.h"
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/selection_panel.h"
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 
 namespace noonmark {
@@ -25,12 +25,12 @@ std::optional<std::uint32_t> indexOf(const City& city, const std::string& id) {
     return std::uint32_t(found - city.buildings.begin());
 }
 
-QString wordsOf(const Edit& edit) { return QString::fromStdString(noonmark::textOf(edit)); }
+QString describe(const Edit& edit) { return QString::fromStdString(noonmark::formatText(edit)); }
 
 }  // namespace
 
-BuildingEditing::BuildingEditing(EditDesk& desk, SelectionPanel& panel, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(panel), move_(desk.panel) {
+BuildingEditing::BuildingEditing(EditContext& context, SelectionPanel& panel, QObject* parent)
+    : QObject(parent), context_(context), panel_(panel), move_(context.panel) {
     connectPanel();
     connect(&move_, &MoveTool::dragged, this, [this](glm::dvec2 byM) {
         panel_.showMove(byM);
@@ -58,7 +58,7 @@ void BuildingEditing::connectPanel() {
     });
 }
 
-const Building& BuildingEditing::building() const { return *desk_.city->city().buildings[*selected_]; }
+const Building& BuildingEditing::building() const { return *context_.city->city().buildings[*selected_]; }
 
 void BuildingEditing::cityChanged() {
     move_.end();
@@ -67,11 +67,11 @@ void BuildingEditing::cityChanged() {
     const std::string wanted = next_.empty() ? id_ : next_;
     next_.clear();
     selected_.reset();
-    select(indexOf(desk_.city->city(), wanted));
+    select(indexOf(context_.city->city(), wanted));
 }
 
 void BuildingEditing::select(std::optional<std::uint32_t> building) {
-    if (desk_.preview.shown()) desk_.preview.clear();
+    if (context_.preview.shown()) context_.preview.clear();
     setMoving(false);
     selected_ = building;
     id_ = building ? this->building().sourceId : std::string();
@@ -81,57 +81,58 @@ void BuildingEditing::select(std::optional<std::uint32_t> building) {
 
 void BuildingEditing::standBack() {
     setMoving(false);
-    OverlayBodies& overlay = desk_.panel.view().overlay();
+    OverlayBodies& overlay = context_.panel.view().overlay();
     overlay.show(OverlayBodies::Tint::hovered, {});
     overlay.show(OverlayBodies::Tint::selected, {});
-    desk_.handle.hide();
+    context_.handle.hide();
 }
 
 void BuildingEditing::show() {
-    if (!desk_.city || desk_.preview.shown()) return;
-    OverlayBodies& overlay = desk_.panel.view().overlay();
+    if (!context_.city || context_.preview.shown()) return;
+    OverlayBodies& overlay = context_.panel.view().overlay();
     overlay.show(OverlayBodies::Tint::hovered, {});
-    const City& city = desk_.city->city();
+    const City& city = context_.city->city();
     overlay.show(OverlayBodies::Tint::selected, selected_ ? only(city.buildings[*selected_]) : City{});
-    panel_.show(selected_ ? std::optional(factsOf(building(), city)) : std::nullopt);
+    panel_.show(selected_ ? std::optional(collectFacts(building(), city)) : std::nullopt);
     showHandle();
 }
 
 void BuildingEditing::showHandle() {
-    if (!selected_) return desk_.handle.hide();
-    const City& city = desk_.city->city();
-    const double ground = double(groundUnder(building(), city));
-    const glm::dvec2 middle = middleOf(building());
-    desk_.handle.stand({{middle.x, middle.y, ground}, double(heightM(building(), city)), usualStoreyM});
+    if (!selected_) return context_.handle.hide();
+    const City& city = context_.city->city();
+    const double ground = double(findGroundUnder(building(), city));
+    const glm::dvec2 middle = findMiddle(building());
+    context_.handle.stand({{middle.x, middle.y, ground}, double(heightM(building(), city)), usualStoreyM});
 }
 
 void BuildingEditing::hover(std::optional<std::uint32_t> building) {
     if (building == hovered_) return;
     hovered_ = building;
     const bool tinted = building && building != selected_;
-    desk_.panel.view().overlay().show(OverlayBodies::Tint::hovered,
-                                      tinted ? only(desk_.city->city().buildings[*building]) : City{});
+    context_.panel.view().overlay().show(OverlayBodies::Tint::hovered,
+                                         tinted ? only(context_.city->city().buildings[*building]) : City{});
 }
 
 void BuildingEditing::preview(const Edit& edit) {
     if (!selected_) return;
-    const auto shown = desk_.preview.show({edit});
+    const auto shown = context_.preview.show({edit});
     panel_.showError(shown ? QString() : QString::fromStdString(shown.error().text()));
-    desk_.panel.view().overlay().show(OverlayBodies::Tint::selected, {});
-    const auto& added = desk_.preview.changes().added;
-    if (added.empty() || desk_.handle.dragging()) return;
-    const glm::dvec2 middle = middleOf(*added.front());
-    const double ground = double(groundUnder(*added.front(), desk_.city->city()));
-    desk_.handle.stand({{middle.x, middle.y, ground}, double(topM(*added.front())) - ground, usualStoreyM});
+    context_.panel.view().overlay().show(OverlayBodies::Tint::selected, {});
+    const auto& added = context_.preview.changes().added;
+    if (added.empty() || context_.handle.dragging()) return;
+    const glm::dvec2 middle = findMiddle(*added.front());
+    const double ground = double(findGroundUnder(*added.front(), context_.city->city()));
+    context_.handle.stand(
+        {{middle.x, middle.y, ground}, double(topM(*added.front())) - ground, usualStoreyM});
 }
 
-// What it does comes back as another city; until then the preview shows it.
+// The project answers with a changed city; until then the preview stays.
 void BuildingEditing::make(const Edit& edit) {
     if (!selected_) return;
-    if (const auto sound = applied(desk_.city->city(), std::vector{edit}); !sound)
+    if (const auto sound = applied(context_.city->city(), std::vector{edit}); !sound)
         return panel_.showError(QString::fromStdString(sound.error().text()));
     preview(edit);
-    Q_EMIT editsMade({edit}, wordsOf(edit));
+    Q_EMIT editsMade({edit}, describe(edit));
 }
 
 void BuildingEditing::demolish() {
@@ -149,7 +150,7 @@ void BuildingEditing::setMoving(bool on) {
 void BuildingEditing::endTool() {
     if (!move_.active()) return select(std::nullopt);
     setMoving(false);
-    desk_.preview.clear();
+    context_.preview.clear();
     show();
 }
 
@@ -157,47 +158,47 @@ void BuildingEditing::previewHeight(double heightM) {
     if (!selected_) return;
     panel_.showHeight(heightM);
     preview(ChangeHeight{id_, heightM});
-    const auto& added = desk_.preview.changes().added;
-    if (added.empty() || !desk_.handle.dragging()) return;
-    const City& city = desk_.city->city();
-    const BuildingFacts facts = factsOf(*added.front(), city);
-    const double ground = double(groundUnder(building(), city));
-    const glm::dvec2 middle = middleOf(building());
-    desk_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
-    desk_.handle.tell(
-        tr("%1 m, %2\n%3 m² floor area")
-            .arg(grouped(facts.heightM, 1), storeyWords(facts.storeys), grouped(facts.grossFloorM2)));
+    const auto& added = context_.preview.changes().added;
+    if (added.empty() || !context_.handle.dragging()) return;
+    const City& city = context_.city->city();
+    const BuildingFacts facts = collectFacts(*added.front(), city);
+    const double ground = double(findGroundUnder(building(), city));
+    const glm::dvec2 middle = findMiddle(building());
+    context_.handle.stand({{middle.x, middle.y, ground}, facts.heightM, usualStoreyM});
+    context_.handle.tell(tr("%1 m, %2\n%3 m² floor area")
+                             .arg(groupDigits(facts.heightM, 1), describeStoreys(facts.storeys),
+                                  groupDigits(facts.grossFloorM2)));
 }
 
 void BuildingEditing::takeHeight(double heightM) {
     if (!selected_) return;
-    const double before = double(noonmark::heightM(building(), desk_.city->city()));
+    const double before = double(noonmark::heightM(building(), context_.city->city()));
     if (std::abs(heightM - before) > 0.05) return make(ChangeHeight{id_, heightM});
-    desk_.preview.clear();
+    context_.preview.clear();
     show();
 }
 
 void BuildingEditing::makeVariant(double plateFactor) {
     const auto lot = this->lot();
     if (!selected_ || !lot) return;
-    const auto variant = variantOf(desk_.city->city(), *selected_, lot->outline, plateFactor);
+    const auto variant = noonmark::makeVariant(context_.city->city(), *selected_, lot->outline, plateFactor);
     if (variant) return make(variant->edit);
     panel_.showError(QString::fromStdString(variant.error().text()));
 }
 
 std::optional<NamedLot> BuildingEditing::lot() const {
     if (!selected_) return std::nullopt;
-    const glm::dvec2 middle = middleOf(building());
-    for (const NamedLot& lot : desk_.lots)
+    const glm::dvec2 middle = findMiddle(building());
+    for (const NamedLot& lot : context_.lots)
         if (contains(lot.outline, middle)) return lot;
-    const auto footprint = lotUnder(building(), desk_.city->city());
+    const auto footprint = lotUnder(building(), context_.city->city());
     if (!footprint) return std::nullopt;
     const std::string& name = building().name.empty() ? id_ : building().name;
     return NamedLot{"Lot of " + name, *footprint};
 }
 
 int BuildingEditing::storeys() const {
-    return selected_ ? factsOf(building(), desk_.city->city()).storeys : 0;
+    return selected_ ? collectFacts(building(), context_.city->city()).storeys : 0;
 }
 
 }  // namespace noonmark

@@ -4,22 +4,23 @@
 #include <optional>
 #include <string>
 
-#include "app/window/massing/edit_desk.h"
+#include "app/window/massing/edit_context.h"
 #include "app/window/massing/move_tool.h"
 
 namespace noonmark {
 
 class SelectionPanel;
 
-/// The building that is selected and what is done with it. It stays selected by its id when the city changes.
+/// The selected building and the edits of it. The selection follows the building's id when the city changes.
 class BuildingEditing final : public QObject {
     Q_OBJECT
 public:
-    BuildingEditing(EditDesk& desk, SelectionPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    BuildingEditing(EditContext& context, SelectionPanel& panel,
+                    QObject* parent = nullptr);  ///< both outlive it
 
     void cityChanged();
-    void select(std::optional<std::uint32_t> building);         ///< index in the city; none: nothing
-    void selectNext(std::string id) { next_ = std::move(id); }  ///< when the city has it
+    void select(std::optional<std::uint32_t> building);  ///< index in the city; none: clear the selection
+    void selectNext(std::string id) { next_ = std::move(id); }  ///< selects it when the next city arrives
     void hover(std::optional<std::uint32_t> building);
     [[nodiscard]] std::optional<std::uint32_t> selected() const { return selected_; }
     [[nodiscard]] const std::string& id() const { return id_; }
@@ -27,17 +28,19 @@ public:
     void demolish();
     void setMoving(bool on);
     [[nodiscard]] MoveTool& moveTool() { return move_; }
-    void endTool();  ///< Esc: the move tool first, then the selection
+    void endTool();  ///< on Esc: ends the move tool or, if it is off, the selection
 
     void previewHeight(double heightM);
     void takeHeight(double heightM);
-    void show();       ///< tint and handle again, unless a preview stands in their place
-    void standBack();  ///< another tool has the view: both go
+    /// Shows tint and handle again, unless a preview is shown instead.
+    void show();
+    void standBack();  ///< hides both, for another tool
 
-    /// The lot that the middle of the selected building stands on, or its footprint, "Lot of One57".
+    /// The lot that contains the middle of the selected building, or else its footprint as "Lot of One57".
     [[nodiscard]] std::optional<NamedLot> lot() const;
     [[nodiscard]] int storeys()
-        const;  ///< of the selected building, of usualStoreyM; 0 where none is selected
+        /// Storeys of the selected building at usualStoreyM each; 0 if none is selected.
+        const;
 
 Q_SIGNALS:
     void editsMade(std::vector<noonmark::Edit> edits, QString what);
@@ -51,7 +54,7 @@ private:
     void showHandle();
     [[nodiscard]] const Building& building() const;
 
-    EditDesk& desk_;
+    EditContext& context_;
     SelectionPanel& panel_;
     MoveTool move_;
     std::optional<std::uint32_t> selected_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
 
@@ -19,22 +19,22 @@ QString sourceWords(HeightSource source) {
         case HeightSource::assumed:
             return QObject::tr("assumed");
         case HeightSource::mesh:
-            return QObject::tr("of its mesh");
+            return QObject::tr("from its mesh");
         case HeightSource::designed:
             return QObject::tr("designed");
         case HeightSource::madeUp:
-            return QObject::tr("made up");
+            return QObject::tr("synthetic");
     }
     return {};
 }
 
 Result<GivenMass> massOf(const Building& building, const City& city) {
-    return givenBy(building, double(groundUnder(building, city)), usualStoreyM);
+    return givenBy(building, double(findGroundUnder(building, city)), usualStoreyM);
 }
 
 }  // namespace
 
-BuildingFacts factsOf(const Building& building, const City& city) {
+BuildingFacts collectFacts(const Building& building, const City& city) {
     BuildingFacts facts;
     facts.id = QString::fromStdString(building.sourceId);
     facts.title = building.name.empty() ? facts.id : QString::fromStdString(building.name);
@@ -44,7 +44,7 @@ BuildingFacts factsOf(const Building& building, const City& city) {
     if (highest != building.parts.end()) facts.heightSource = sourceWords(highest->heightSource);
     facts.storeys = int(facts.heightM / usualStoreyM + 0.5);
     if (const auto mass = massOf(building, city)) {
-        facts.planM2 = areaOf(mass->plate);
+        facts.planM2 = computeArea(mass->plate);
         facts.grossFloorM2 = mass->grossFloorM2;
         facts.estimatedStoreys = mass->estimatedStoreys;
     }

@@ -8,23 +8,24 @@
 
 namespace noonmark {
 
-/// What a user asks of a building that stands there.
+/// Facts about a building for the selection panel.
 struct BuildingFacts {
-    QString title;  ///< name, or id where it has none
+    QString title;  ///< name, or id if it has none
     QString id;
-    double heightM = 0;  ///< above its ground
+    double heightM = 0;  ///< above the ground at the building
     QString heightSource;
-    int storeys = 0;  ///< of usualStoreyM; 0: not one
+    int storeys = 0;  ///< at usualStoreyM each; 0: less than one
     std::size_t parts = 0;
-    double planM2 = 0;         ///< what touches the ground
-    double grossFloorM2 = 0;   ///< at usualStoreyM a storey
-    int estimatedStoreys = 0;  ///< of these, where its mesh is open
+    double planM2 = 0;         ///< area of the parts that touch the ground
+    double grossFloorM2 = 0;   ///< at usualStoreyM per storey
+    int estimatedStoreys = 0;  ///< storeys of that area that are estimated, because the mesh is open
 };
 
-/// Some ms for a building of hundreds of points.
-BuildingFacts factsOf(const Building& building, const City& city);
+/// Takes some ms for a building of hundreds of points.
+BuildingFacts collectFacts(const Building& building, const City& city);
 
-/// The largest piece of what touches the ground, as a lot; none where nothing does.
+/// The largest piece of the building's outline on the ground, as a lot. Nothing if no part touches the
+/// ground.
 std::optional<Footprint> lotUnder(const Building& building, const City& city);
 
 }  // namespace noonmark

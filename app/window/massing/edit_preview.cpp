@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/window/open_city.h"
-#include "app/window/view_panel.h"
+#include "app/window/study/open_city.h"
+#include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
@@ -11,7 +11,7 @@ namespace {
 
 using Buildings = std::vector<std::shared_ptr<const Building>>;
 
-// The square whose shadow is shown: as much as the view shows of it, in cells that suit it.
+// Half width of the square of the live shadow, metres: about the part of the ground that is visible.
 double halfWidthM(const CameraPose& pose) { return std::clamp(0.6 * pose.distanceM, 150.0, 1000.0); }
 
 City without(const City& city, const Buildings& removed) {
@@ -24,7 +24,7 @@ City without(const City& city, const Buildings& removed) {
 
 }  // namespace
 
-EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent), panel_(panel), live_(std::move(horizons)) {
     connect(&live_, &LiveFollower::changed, this, &EditPreview::showLive);
     connect(&live_, &LiveFollower::aged, this, &EditPreview::tellAge);
@@ -32,7 +32,7 @@ EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizons> horiz
 }
 
 void EditPreview::setCity(std::shared_ptr<const OpenCity> city) {
-    city_ = std::move(city);  // what comes back when the preview goes is the new one's
+    city_ = std::move(city);  // ending the preview must restore the new city's buildings
     clear();
 }
 
@@ -76,28 +76,28 @@ void EditPreview::clear() {
 }
 
 void EditPreview::hide(const Buildings& removed) {
-    panel_.view().showChanges(differenceOf(*city_->arrays, without(city_->city(), removed)));
+    panel_.view().showChanges(computeDifference(*city_->arrays, without(city_->city(), removed)));
 }
 
 void EditPreview::begin() {
-    const ChangedVolume volume = volumeOf(changes_);
+    const ChangedVolume volume = computeVolume(changes_);
     if (volume.box.empty()) return live_.end();
     live_.begin({without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose())},
                 question_);
 }
 
-void EditPreview::showLive() { panel_.results().setLive(groundAnswerOf(live_.answer())); }
+void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.answer())); }
 
 void EditPreview::tellAge() {
-    const auto answer = groundAnswerOf(live_.answer());
+    const auto answer = makeGroundAnswer(live_.answer());
     panel_.results().noteLive(
-        tr("%1. Of the shape %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
+        tr("%1. Shape of %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
 }
 
-// The bodies alone are shown.
+// Without a live shadow only the buildings are shown.
 void EditPreview::tellWhy(const Error& error) {
     panel_.results().setLive(std::nullopt);
-    Q_EMIT told(isCancelled(error) ? tr("The live shadow was stopped; the next thing that is shaped has one")
+    Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
                                    : tr("No live shadow. %1").arg(QString::fromStdString(error.text())));
 }
 

@@ -12,28 +12,28 @@ namespace noonmark {
 struct OpenCity;
 class ViewPanel;
 
-/// Shows what edits would make of the city before they are made: what goes is gone, what comes stands there
-/// in another colour, and its shadow follows. The city's own arrays stay as they are.
+/// Shows the effect of edits before they are made: removed buildings are hidden, added ones are shown in
+/// another colour with their live shadow. The arrays of the city are not changed.
 class EditPreview final : public QObject {
     Q_OBJECT
 public:
-    /// `panel` outlives it.
-    EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizons> horizons, QObject* parent = nullptr);
+    /// `panel` must outlive it.
+    EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent = nullptr);
 
     void setCity(std::shared_ptr<const OpenCity> city);  ///< ends the preview
     void setQuestion(const LiveQuestion& question);
 
-    /// In place of the edits before. Error: they cannot be applied; nothing changes then.
+    /// Replaces the edits shown before. Error: the edits cannot be applied; then nothing changes.
     Result<void> show(const std::vector<Edit>& edits);
     void clear();
     [[nodiscard]] bool shown() const { return shown_; }
-    /// What is there by the edits that are shown.
+    /// The buildings removed and added by the edits shown.
     [[nodiscard]] const CityChanges& changes() const { return changes_; }
     [[nodiscard]] const LiveFollower& live() const { return live_; }
-    [[nodiscard]] JobSlot& working() { return live_.working(); }  ///< on the live shadow
+    [[nodiscard]] JobSlot& working() { return live_.working(); }  ///< jobs of the live shadow
 
 Q_SIGNALS:
-    void told(QString text);  ///< why there is no live shadow
+    void told(QString text);  ///< the reason why there is no live shadow
     void shownChanged(bool shown);
 
 private:

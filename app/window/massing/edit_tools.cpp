@@ -4,24 +4,24 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/window/file_dialogs.h"
-#include "app/window/ground_lines.h"
 #include "app/window/massing/massing_panel.h"
 #include "app/window/massing/placing_panel.h"
 #include "app/window/massing/selection_panel.h"
+#include "app/window/view/ground_lines.h"
+#include "app/window/widgets/file_dialogs.h"
 
 namespace noonmark {
 
-EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent),
       selection_(new SelectionPanel),
       placing_(new PlacingPanel),
       massing_(new MassingPanel),
       dock_(new QWidget),
-      desk_(view, std::move(horizons)),
-      building_(desk_, *selection_),
-      tower_(desk_, *massing_),
-      mesh_(desk_, *placing_) {
+      context_(view, std::move(horizons)),
+      building_(context_, *selection_),
+      tower_(context_, *massing_),
+      mesh_(context_, *placing_) {
     auto* column = new QVBoxLayout(dock_);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(placing_);
@@ -33,7 +33,7 @@ EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizons> horizons, 
     enableActions();
 }
 
-// Docks that nobody placed are still this one's.
+// Panels that were not placed in a dock are still owned here.
 EditTools::~EditTools() {
     for (QWidget* dock : {dock_.data(), static_cast<QWidget*>(massing_.data())})
         if (dock && !dock->parent()) delete dock;
@@ -55,14 +55,16 @@ QAction* EditTools::action(const QString& text, const QKeySequence& keys, const 
 void EditTools::makeActions() {
     const auto draw =
         action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
-               tr("Click the corners on the ground; Shift: square; Enter finishes, Esc cancels"));
-    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Takes the selected building away"));
+               tr("Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels"));
+    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building"));
     const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
-                                tr("A tower on the lot or footprint of the selected building"));
+                                tr("Replaces the selected building by a tower on its lot or footprint"));
     const auto move =
         action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
-    const auto lot = action(tr("Lot from &footprint"), {}, tr("Makes the selected building's outline a lot"));
-    const auto mesh = action(tr("&Import mesh..."), {}, tr("A building from a mesh file, placed by a click"));
+    const auto lot =
+        action(tr("Lot from &footprint"), {}, tr("Creates a lot from the selected building's outline"));
+    const auto mesh =
+        action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
     ofBuilding_ = {demolish, replace, move, lot};
     connect(draw, &QAction::triggered, this, &EditTools::drawLot);
     connect(demolish, &QAction::triggered, &building_, &BuildingEditing::demolish);
@@ -73,14 +75,14 @@ void EditTools::makeActions() {
 }
 
 void EditTools::connectView() {
-    ViewNavigator& navigator = desk_.panel.navigator();
+    ViewNavigator& navigator = context_.panel.navigator();
     connect(&navigator, &ViewNavigator::clicked, this, &EditTools::click);
     connect(&navigator, &ViewNavigator::hovered, this, &EditTools::hover);
     connect(&navigator, &ViewNavigator::left, this, [this] { building_.hover(std::nullopt); });
-    connect(&desk_.panel, &ViewPanel::keyPressed, this, &EditTools::key);
-    connect(&desk_.panel.lotTool(), &PolygonTool::finished, this, &EditTools::takeLot);
-    connect(&desk_.handle, &ExtrudeHandle::dragged, this, &EditTools::extrude);
-    connect(&desk_.handle, &ExtrudeHandle::dropped, this, &EditTools::extruded);
+    connect(&context_.panel, &ViewPanel::keyPressed, this, &EditTools::key);
+    connect(&context_.panel.lotTool(), &PolygonTool::finished, this, &EditTools::takeLot);
+    connect(&context_.handle, &ExtrudeHandle::dragged, this, &EditTools::extrude);
+    connect(&context_.handle, &ExtrudeHandle::dropped, this, &EditTools::extruded);
 }
 
 void EditTools::connectTools() {
@@ -91,7 +93,7 @@ void EditTools::connectTools() {
     connect(&building_, &BuildingEditing::editsMade, this, &EditTools::editsMade);
     connect(&building_, &BuildingEditing::selectionChanged, this, &EditTools::enableActions);
     connect(&building_.moveTool(), &MoveTool::began, this,
-            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends moving.")); });
+            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends the tool.")); });
     connect(selection_, &SelectionPanel::replaceRequested, this, &EditTools::replace);
     connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
     connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
@@ -100,7 +102,7 @@ void EditTools::connectTools() {
         tower_.begin(lot, {});
         tellOfDesign();
     });
-    connect(&desk_.preview, &EditPreview::told, this, &EditTools::hinted);
+    connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
     connect(&tower_, &TowerEditing::editsMade, this, made);
     connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
     connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
@@ -111,16 +113,16 @@ void EditTools::connectTools() {
     const auto place = [this](bool placing) {
         placing_->setVisible(placing);
         selection_->setVisible(!placing);
-        if (placing) Q_EMIT selectionMade();  // both are in one dock
+        if (placing) Q_EMIT selectionMade();  // both panels share a dock
     };
     connect(&mesh_, &MeshPlacing::began, this, [place] { place(true); });
     connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
 }
 
 void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
-    const bool another = !desk_.city || desk_.city->arrays != city->arrays;
-    desk_.city = city;
-    desk_.preview.setCity(std::move(city));
+    const bool another = !context_.city || context_.city->arrays != city->arrays;
+    context_.city = city;
+    context_.preview.setCity(std::move(city));
     building_.cityChanged();
     if (another) {
         tower_.forget();
@@ -133,18 +135,18 @@ void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
 }
 
 void EditTools::setLots(const std::vector<NamedLot>& lots) {
-    desk_.lots = lots;
+    context_.lots = lots;
     massing_->setLots(lots);
     showLots();
 }
 
-void EditTools::setQuestion(const LiveQuestion& question) { desk_.preview.setQuestion(question); }
+void EditTools::setQuestion(const LiveQuestion& question) { context_.preview.setQuestion(question); }
 
 void EditTools::showLots() {
-    if (!desk_.city) return;
+    if (!context_.city) return;
     Region all;
-    for (const NamedLot& lot : desk_.lots) all.polygons.push_back(lot.outline);
-    desk_.panel.view().overlay().showLines(groundLinesOf(all, desk_.city->city()));
+    for (const NamedLot& lot : context_.lots) all.polygons.push_back(lot.outline);
+    context_.panel.view().overlay().showLines(makeGroundLines(all, context_.city->city()));
 }
 
 void EditTools::enableActions() {
@@ -153,8 +155,8 @@ void EditTools::enableActions() {
 }
 
 void EditTools::click(QPointF pixel) {
-    if (!desk_.city || desk_.panel.drawing() || tower_.active()) return;
-    const ViewNavigator& navigator = desk_.panel.navigator();
+    if (!context_.city || context_.panel.drawing() || tower_.active()) return;
+    const ViewNavigator& navigator = context_.panel.navigator();
     if (mesh_.active()) {
         if (const auto ground = navigator.groundAt(pixel)) mesh_.placeAt({ground->x, ground->y});
         return;
@@ -164,14 +166,14 @@ void EditTools::click(QPointF pixel) {
 }
 
 void EditTools::hover(QPointF pixel) {
-    const bool busy = desk_.panel.drawing() || tower_.active() || mesh_.active();
-    if (!desk_.city || busy) return building_.hover(std::nullopt);
-    const auto pick = desk_.panel.navigator().pickAt(pixel);
+    const bool busy = context_.panel.drawing() || tower_.active() || mesh_.active();
+    if (!context_.city || busy) return building_.hover(std::nullopt);
+    const auto pick = context_.panel.navigator().pickAt(pixel);
     building_.hover(pick ? pick->building : std::nullopt);
 }
 
 void EditTools::key(int key) {
-    if (desk_.handle.key(key)) return;
+    if (context_.handle.key(key)) return;
     if (key == Qt::Key_Escape) cancel();
     const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
     if (enter && tower_.active()) tower_.build();
@@ -179,14 +181,14 @@ void EditTools::key(int key) {
 }
 
 void EditTools::takeBack() {
-    desk_.preview.clear();
+    context_.preview.clear();
     building_.show();
 }
 
 void EditTools::cancel() {
     if (tower_.active()) return tower_.cancel();
     if (mesh_.active()) return mesh_.cancel();
-    if (desk_.city) building_.endTool();
+    if (context_.city) building_.endTool();
 }
 
 void EditTools::extrude(double heightM) {
@@ -201,19 +203,19 @@ void EditTools::extruded(double heightM) {
 }
 
 void EditTools::drawLot() {
-    if (!desk_.city) return;
+    if (!context_.city) return;
     cancel();
-    desk_.panel.lotTool().begin();
-    desk_.panel.view().requestActivate();  // the keys that finish and cancel go there
-    Q_EMIT hinted(
-        tr("Click the lot's corners. Shift: square to the last side. Double click or Enter finishes."));
+    context_.panel.lotTool().begin();
+    context_.panel.view().requestActivate();  // the view receives the keys that finish or cancel the lot
+    Q_EMIT hinted(tr(
+        "Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes."));
 }
 
 void EditTools::takeLot(const std::vector<Footprint>& pieces) {
     if (pieces.size() > 1)
         return Q_EMIT failed(
-            {"The sides of the lot cross one another", {}, "Draw it again, corner after corner"});
-    const NamedLot lot{freeLotName(desk_.lots), pieces.front()};
+            {"The sides of the lot cross each other", {}, "Draw the corners in order around the lot"});
+    const NamedLot lot{freeLotName(context_.lots), pieces.front()};
     Q_EMIT lotDrawn(lot);
     tower_.begin(lot, {});
     tellOfDesign();
@@ -223,11 +225,11 @@ void EditTools::lotFromFootprint() {
     if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
 }
 
-// What was built here is designed further; in place of any other building a tower begins as high as it is.
+// A tower built here is redesigned; any other building is replaced by a new tower of the same height.
 void EditTools::replace() {
     const auto lot = building_.lot();
     if (!lot) return;
-    if (const auto design = tower_.designOf(*desk_.city->city().buildings[*building_.selected()]))
+    if (const auto design = tower_.designOf(*context_.city->city().buildings[*building_.selected()]))
         tower_.resume(*design);
     else
         tower_.begin(*lot, building_.id(), std::clamp(building_.storeys(), 1, 500));
@@ -235,15 +237,15 @@ void EditTools::replace() {
 }
 
 void EditTools::tellOfDesign() {
-    desk_.panel.view().requestActivate();  // the number that is typed goes there
+    context_.panel.view().requestActivate();  // the view receives a typed height
     Q_EMIT designBegan();
     Q_EMIT hinted(
-        tr("Drag the arrow, or type a height in metres. Shift: not in whole storeys. Enter builds, Esc "
+        tr("Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc "
            "cancels."));
 }
 
 void EditTools::importMesh() {
-    const QString file = desk_.city ? askForMesh(dock_) : QString();
+    const QString file = context_.city ? askForMesh(dock_) : QString();
     if (!file.isEmpty()) mesh_.begin(file);
 }
 

@@ -15,42 +15,47 @@ namespace noonmark {
 class PlacingPanel;
 class SelectionPanel;
 
-/// The tools that change the city: selecting, demolishing, moving, towers on lots, meshes. They know no
-/// project: what they make goes out as edits, and comes back as another city.
+/// The tools that edit the city: selection, demolition, moving, towers on lots, meshes. They do not know the
+/// project: they emit edits and get back the changed city.
 class EditTools final : public QObject {
     Q_OBJECT
 public:
-    /// `view` outlives it; `horizons` of the live shadow may be shared with whoever else asks them.
+    /// `view` must outlive it. `horizons` are used for the live shadow and may be shared.
     explicit EditTools(ViewPanel& view,
-                       std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>(),
+                       std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
                        QObject* parent = nullptr);
     ~EditTools() override;
 
-    void setCity(std::shared_ptr<const OpenCity> city);  ///< what the view shows, after it shows it
+    /// the displayed city; call it after the view shows it
+    void setCity(std::shared_ptr<const OpenCity> city);
     void setLots(const std::vector<NamedLot>& lots);
-    void setQuestion(const LiveQuestion& question);  ///< of the live shadow
+    void setQuestion(const LiveQuestion& question);  ///< settings of the live shadow
 
-    [[nodiscard]] QWidget* dock() const;         ///< the selected building; whoever places it owns it
-    [[nodiscard]] QWidget* massingDock() const;  ///< lots and towers; owned in the same way
+    [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership
+    [[nodiscard]] QWidget* massingDock() const;  ///< panel of lots and towers; likewise
     [[nodiscard]] std::vector<QAction*> actions() const { return actions_; }  ///< for a menu
 
     [[nodiscard]] BuildingEditing& building() { return building_; }
     [[nodiscard]] TowerEditing& tower() { return tower_; }
     [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
-    [[nodiscard]] EditDesk& desk() { return desk_; }
+    [[nodiscard]] EditContext& context() { return context_; }
 
     void drawLot();
     void lotFromFootprint();
-    void replace();   ///< the selected building by a tower
-    void takeBack();  ///< the edits were refused: the city is shown as it is
-    void cancel();    ///< the tool at work, else the selection
+    void replace();  ///< the selected building with a tower
+    /// The edits were refused: shows the unchanged city.
+    void takeBack();
+    void cancel();  ///< cancels the active tool, or else the selection
 
 Q_SIGNALS:
-    void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one step of undo
+    void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one undo step
     void lotDrawn(noonmark::NamedLot lot);
-    void hinted(QString text);  ///< mouse and keys of the tool that begins
-    void designBegan();         ///< the dock for it should be in sight
-    void selectionMade();       ///< in the same way
+    /// How to use the tool that has started.
+    void hinted(QString text);
+    /// A tower design has started: its dock should be visible.
+    void designBegan();
+    /// A building was selected: its dock should be visible.
+    void selectionMade();
     void failed(noonmark::Error error);
 
 private:
@@ -73,7 +78,7 @@ private:
     PlacingPanel* placing_;
     QPointer<MassingPanel> massing_;
     QPointer<QWidget> dock_;
-    EditDesk desk_;
+    EditContext context_;
     BuildingEditing building_;
     TowerEditing tower_;
     MeshPlacing mesh_;

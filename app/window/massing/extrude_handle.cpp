@@ -6,14 +6,14 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/window/massing/extrusion.h"
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr double reachPx = 30;   // about the handle's middle
-constexpr double steepDeg = 70;  // from here on a vertical is too short on the screen to be followed
+constexpr double reachPx = 30;   // around the handle's middle
+constexpr double steepDeg = 70;  // steeper than this, a vertical is too short on screen to be dragged along
 
 glm::dvec2 of(QPointF point) { return {point.x(), point.y()}; }
 
@@ -52,7 +52,8 @@ bool ExtrudeHandle::isAt(QPointF pixel) const {
     return tower_ && middle && glm::distance(*middle, of(pixel)) < reachPx;
 }
 
-// Seen from nearly straight above a vertical has no length on the screen: a pixel up is a pixel's metres up.
+// Seen from nearly straight above, a vertical has no length on screen: each pixel counts as the metres that a
+// pixel covers at the view's target.
 double ExtrudeHandle::metresUp(QPointF pixel) const {
     const CityView& view = panel_.view();
     const double halfM = std::tan(glm::radians(view.lens().verticalDeg / 2)) * view.pose().distanceM;
@@ -62,7 +63,7 @@ double ExtrudeHandle::metresUp(QPointF pixel) const {
 std::optional<double> ExtrudeHandle::heightAt(QPointF pixel) const {
     if (fromAbove_) return metresUp(pixel);
     const CityView& view = panel_.view();
-    return heightOnVertical(rayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot);
+    return heightOnVertical(makeRayThrough(view.pose(), view.lens(), of(pixel)), tower_->foot);
 }
 
 bool ExtrudeHandle::grab(QPointF pixel) {

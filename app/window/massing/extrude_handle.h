@@ -4,18 +4,18 @@
 #include <QTimer>
 #include <optional>
 
-#include "render/view_navigator.h"
+#include "render/view/view_navigator.h"
 
 namespace noonmark {
 
 class ViewPanel;
 
-/// The arrow on top of a tower: dragged up and down it states a height, in whole storeys or freely with
-/// Shift. A number that is typed over the view states it too, with Enter.
+/// The arrow on top of a tower. Dragging it up or down sets the height, snapped to whole storeys, or free
+/// with Shift. A number typed over the view, followed by Enter, sets the height too.
 class ExtrudeHandle final : public QObject, public DragTarget {
     Q_OBJECT
 public:
-    explicit ExtrudeHandle(ViewPanel& panel, QObject* parent = nullptr);  ///< `panel` outlives it
+    explicit ExtrudeHandle(ViewPanel& panel, QObject* parent = nullptr);  ///< `panel` must outlive it
     ~ExtrudeHandle() override;
 
     struct Tower {
@@ -28,19 +28,19 @@ public:
     [[nodiscard]] bool shown() const { return tower_.has_value(); }
     [[nodiscard]] bool dragging() const { return grabbedM_.has_value(); }
 
-    /// Beside the cursor while it is dragged, and under it the keys.
+    /// Text beside the cursor during a drag.
     void tell(const QString& figures);
 
     bool grab(QPointF pixel) override;
     void dragTo(QPointF pixel) override;
     void drop() override;
 
-    /// True where the key was a part of a number, or ended one.
+    /// True if the key was part of a typed number, or ended one.
     bool key(int key);
 
 Q_SIGNALS:
-    void dragged(double heightM);  ///< as often as a picture can be made
-    void dropped(double heightM);  ///< the drag, or the typing, has ended
+    void dragged(double heightM);  ///< at most once per frame
+    void dropped(double heightM);  ///< the drag or the typing has ended
 
 private:
     [[nodiscard]] std::optional<double> heightAt(QPointF pixel) const;
@@ -51,10 +51,10 @@ private:
 
     ViewPanel& panel_;
     std::optional<Tower> tower_;
-    std::optional<double> grabbedM_;  // from the handle to where it was taken
-    bool fromAbove_ = false;          // the drag counts pixels
+    std::optional<double> grabbedM_;  // from the handle to where it was grabbed
+    bool fromAbove_ = false;          // seen from above: the drag is measured in pixels
     QPointF pixel_;
-    QTimer next_;  // several moves of the mouse in one picture
+    QTimer next_;  // combines several mouse moves into one frame
     QString typed_;
 };
 

@@ -9,11 +9,12 @@ namespace noonmark {
 
 namespace {
 
-constexpr double leastSine = 0.1392;  // of 8 degrees
+constexpr double leastSine = 0.1392;  // sine of 8 degrees
 
 }  // namespace
 
-// The nearest points of two lines: origin + s direction and foot + h z, whose difference is square to both.
+// The nearest points of the two lines, origin + s direction and foot + h z: their difference is perpendicular
+// to both.
 std::optional<double> heightOnVertical(const ViewRay& ray, glm::dvec3 foot) {
     const glm::dvec2 along(ray.direction);
     const double level2 = along.x * along.x + along.y * along.y;  // squared sine of the angle to the vertical

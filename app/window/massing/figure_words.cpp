@@ -7,24 +7,24 @@
 
 namespace noonmark {
 
-QString grouped(double number, int decimals) {
+QString groupDigits(double number, int decimals) {
     return QLocale(QLocale::English).toString(number, 'f', decimals);
 }
 
-QString storeyWords(int storeys) {
+QString describeStoreys(int storeys) {
     return storeys == 1 ? QObject::tr("1 storey") : QObject::tr("%1 storeys").arg(storeys);
 }
 
-QString figureWords(const MassingFigures& figures) {
+QString describeFigures(const MassingFigures& figures) {
     return QObject::tr("%1 m, %2\n%3 m² floor area, FAR %4")
-        .arg(grouped(figures.heightM, 1), storeyWords(figures.storeys), grouped(figures.grossFloorM2),
-             grouped(figures.floorAreaRatio, 2));
+        .arg(groupDigits(figures.heightM, 1), describeStoreys(figures.storeys),
+             groupDigits(figures.grossFloorM2), groupDigits(figures.floorAreaRatio, 2));
 }
 
-QString moveWords(glm::dvec2 byM) {
+QString describeMove(glm::dvec2 byM) {
     return QObject::tr("%1 m %2, %3 m %4")
-        .arg(grouped(std::abs(byM.x), 1), byM.x < 0 ? QObject::tr("west") : QObject::tr("east"),
-             grouped(std::abs(byM.y), 1), byM.y < 0 ? QObject::tr("south") : QObject::tr("north"));
+        .arg(groupDigits(std::abs(byM.x), 1), byM.x < 0 ? QObject::tr("west") : QObject::tr("east"),
+             groupDigits(std::abs(byM.y), 1), byM.y < 0 ? QObject::tr("south") : QObject::tr("north"));
 }
 
 }  // namespace noonmark

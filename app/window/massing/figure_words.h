@@ -7,16 +7,16 @@
 namespace noonmark {
 
 /// "10 storeys"
-QString storeyWords(int storeys);
+QString describeStoreys(int storeys);
 
-/// "35.0 m, 10 storeys / 12,345 m² floor area, FAR 8.21", in two lines: beside the cursor while a tower is
+/// Two lines, "35.0 m, 10 storeys / 12,345 m² floor area, FAR 8.21", shown beside the cursor while a tower is
 /// extruded.
-QString figureWords(const MassingFigures& figures);
+QString describeFigures(const MassingFigures& figures);
 
 /// "12.0 m east, 3.5 m south"
-QString moveWords(glm::dvec2 byM);
+QString describeMove(glm::dvec2 byM);
 
 /// 12,345
-QString grouped(double number, int decimals = 0);
+QString groupDigits(double number, int decimals = 0);
 
 }  // namespace noonmark

@@ -13,7 +13,7 @@ constexpr auto ageTime = 250ms;
 
 }  // namespace
 
-LiveFollower::LiveFollower(std::shared_ptr<SharedHorizons> horizons, QObject* parent)
+LiveFollower::LiveFollower(std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
     : QObject(parent), horizons_(std::move(horizons)) {
     rest_.setSingleShot(true);
     rest_.setInterval(restTime);
@@ -43,7 +43,7 @@ double LiveFollower::ageSeconds() const {
     return newerThanShown_.isValid() ? double(newerThanShown_.elapsed()) / 1000 : 0;
 }
 
-// Runs that are being counted are those of a shape before: they give way.
+// A running count of continuous shadow is of an older shape: it is cancelled.
 void LiveFollower::follow(const LiveReceivers::Shape& shape) {
     if (!start_) return;
     shape_ = shape;

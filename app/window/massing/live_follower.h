@@ -6,33 +6,35 @@
 #include <memory>
 #include <optional>
 
-#include "app/window/job_slot.h"
 #include "app/window/massing/live_shadow.h"
+#include "app/window/study/job_slot.h"
 
 namespace noonmark {
 
-/// Follows a shape with its shadow, beside the window: one shape is worked out at a time, and of those that
-/// come meanwhile the newest is next. Gross shadow while the shape moves; the longest runs, where they cost
-/// more, when it rests.
+/// Keeps the shadow of a shape up to date while the user edits it. One shape is computed at a time, in a job;
+/// when it is ready, the newest of the shapes that arrived meanwhile is next. While the shape moves only
+/// gross shadow is computed; continuous shadow, where it costs more, when the shape rests.
 class LiveFollower final : public QObject {
     Q_OBJECT
 public:
-    explicit LiveFollower(std::shared_ptr<SharedHorizons> horizons, QObject* parent = nullptr);
+    explicit LiveFollower(std::shared_ptr<SharedHorizonCache> horizons, QObject* parent = nullptr);
 
-    void begin(LivePlace place, const LiveQuestion& question);  ///< what was before ends unheard
+    void begin(LivePlace place, const LiveQuestion& question);  ///< cancels the work before
     void follow(const LiveReceivers::Shape& shape);             ///< does nothing before begin()
     void end();
 
-    /// The latest since begin(); null: none yet.
+    /// The latest answer since begin(); null if there is none yet.
     [[nodiscard]] std::shared_ptr<const LiveAnswer> answer() const { return answer_; }
-    /// How long a newer shape than that of the answer is known, seconds; 0: there is none.
+    /// How long a shape newer than the answer's has been known, seconds; 0 if there is none.
     [[nodiscard]] double ageSeconds() const;
     [[nodiscard]] JobSlot& working() { return slot_; }
 
 Q_SIGNALS:
-    void changed();  ///< another answer
-    void aged();     ///< the answer is of a shape before the newest; some times a second while it is
-    void failed(noonmark::Error error);  ///< or cancelled: nothing follows any more until begin()
+    void changed();  ///< a new answer
+    /// The answer is of an older shape than the newest; emitted several times a second while it is.
+    void aged();
+    /// Also if cancelled. Nothing is computed until the next begin().
+    void failed(noonmark::Error error);
 
 private:
     struct Start {
@@ -47,13 +49,13 @@ private:
     void take(Result<Followed> followed);
     void rested();
 
-    std::shared_ptr<SharedHorizons> horizons_;
-    std::shared_ptr<const Start> start_;  // null: nothing to follow
+    std::shared_ptr<SharedHorizonCache> horizons_;
+    std::shared_ptr<const Start> start_;  // null: not active
     std::shared_ptr<LiveShadow> live_;    // null before the first answer
     std::shared_ptr<const LiveAnswer> answer_;
     LiveReceivers::Shape shape_;
-    ShadowCounts asked_ = ShadowCounts::gross;  // of the job at work
-    QElapsedTimer newerThanAsked_;              // invalid: nothing newer
+    ShadowCounts asked_ = ShadowCounts::gross;  // of the running job
+    QElapsedTimer newerThanAsked_;              // invalid: no newer shape
     QElapsedTimer newerThanShown_;
     QTimer rest_;
     QTimer age_;

@@ -19,7 +19,8 @@ City within(const City& city, const Grid& grid) {
     return some;
 }
 
-// First and last cell of an interval along one axis, one more on either side, within the grid.
+// First and last cell of an interval along one axis, widened by one cell on either side and limited to the
+// grid.
 std::pair<int, int> cellsOf(double low, double high, double beginM, double cellM, int count) {
     const auto at = [&](double metres) { return std::clamp((metres - beginM) / cellM, -2.0, count + 2.0); };
     return {std::clamp(int(std::floor(at(low))) - 1, 0, count - 1),
@@ -29,7 +30,7 @@ std::pair<int, int> cellsOf(double low, double high, double beginM, double cellM
 /// A rectangle of a grid's cells.
 struct Patch {
     Grid grid;
-    int column = 0, row = 0;  // of its first cell in the whole
+    int column = 0, row = 0;  // its first cell in the whole grid
 };
 
 std::optional<Patch> patchOf(const Box2& box, const Grid& whole) {
@@ -44,7 +45,7 @@ std::optional<Patch> patchOf(const Box2& box, const Grid& whole) {
                  south};
 }
 
-// The ground keeps its height, whatever stands on it.
+// Copies the kind of each cell and the height of roofs. The ground keeps its height, whatever is built on it.
 void paste(const Receivers& part, const Patch& patch, Receivers& receivers) {
     for (int row = 0; row < part.grid.rows; ++row)
         for (int column = 0; column < part.grid.columns; ++column) {
@@ -65,7 +66,7 @@ void listReceivers(Receivers& receivers) {
 
 Result<LiveReceivers> LiveReceivers::of(const City& city, const Region& region,
                                         const ReceiverSettings& settings, const std::stop_token& stop) {
-    auto base = receiversIn(city, region, settings, stop);
+    auto base = placeReceivers(city, region, settings, stop);
     if (!base) return tl::make_unexpected(base.error());
     LiveReceivers made;
     made.near_ = within(city, base->grid);
@@ -87,8 +88,8 @@ void LiveReceivers::patch(Receivers& receivers, const Building& added, const Sha
     if (!patch) return;
     City city = within(near_, patch->grid);
     city.buildings.insert(city.buildings.end(), shape.begin(), shape.end());
-    const auto ground = receiversInPart(city, region_, patch->grid);
-    if (ground) paste(placed(*ground, city, places_), *patch, receivers);  // fails only when stopped
+    const auto ground = placeReceiversInPart(city, region_, patch->grid);
+    if (ground) paste(placeAtHeights(*ground, city, places_), *patch, receivers);  // fails only if stopped
 }
 
 }  // namespace noonmark

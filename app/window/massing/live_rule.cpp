@@ -7,10 +7,10 @@ namespace noonmark {
 
 namespace {
 
-QString grouped(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
+QString groupDigits(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
 
 QString stepWords(std::size_t steps) {
-    return steps == 1 ? QObject::tr("its moment") : QObject::tr("all %1 steps").arg(grouped(steps));
+    return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(groupDigits(steps));
 }
 
 }  // namespace
@@ -22,19 +22,18 @@ std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std
     return {LiveEngine::horizons, LiveEngine::moments};
 }
 
-QString liveWords(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
+QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
     switch (engine) {
         case LiveEngine::shadows:
             return QObject::tr("With the proposal: exact at %1").arg(stepWords(steps));
         case LiveEngine::moments:
             return QObject::tr("With the proposal: exact at %1 of %2 steps")
-                .arg(grouped(counted), grouped(steps));
+                .arg(groupDigits(counted), groupDigits(steps));
         case LiveEngine::horizons:
             break;
     }
-    const QString words =
-        QObject::tr("With the proposal: %1, to a quarter of a degree").arg(stepWords(steps));
-    return runs ? words : QObject::tr("%1; longest runs follow").arg(words);
+    const QString words = QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(stepWords(steps));
+    return runs ? words : QObject::tr("%1; continuous shadow follows").arg(words);
 }
 
 }  // namespace noonmark

@@ -8,31 +8,35 @@
 
 namespace noonmark {
 
-/// How the shadow of what is being shaped is worked out.
+/// The method of the live shadow.
 enum class LiveEngine {
-    shadows,   ///< each building's polygons at every step stay (kept_shadows.h): exact, level ground only
-    horizons,  ///< horizons stay (shared_horizons.h): every step of any period, wherever; off by up to half a
-               ///< bin of azimuth
-    moments,   ///< as shadows, of some moments spread over the period: exact at these only
+    /// The projected polygons of each building at every step are cached (shadow_cache.h): exact, on level
+    /// ground only.
+    shadows,
+    /// Horizons are cached (shared_horizon_cache.h): any period, any receivers; the azimuth is off by up to
+    /// half a bin.
+    horizons,
+    /// As `shadows`, at some moments spread over the period: exact at these only.
+    moments,
 };
 
 struct LiveRule {
-    /// Up to so many steps each has its polygons: twelve hours by the minute.
+    /// Up to this many steps, polygons of each step are cached: twelve hours minute by minute.
     static constexpr std::size_t mostSteps = 720;
-    /// So many of a longer period, where it comes to that: far apart, each costs more.
+    /// Number of moments of a longer period. Fewer than mostSteps, since moments far apart cost more each.
     static constexpr std::size_t someMoments = 120;
-    /// A region of more cells is too slow to follow and does not fit into the kept horizons' memory for a
-    /// year: a square around the shape is shown in its place.
+    /// A region with more cells is too slow to follow, and the horizons of a year would not fit into the
+    /// cache: a square around the shape is used instead.
     static constexpr std::size_t mostCells = std::size_t{1} << 20U;
 };
 
-/// The engines for a city, receivers and number of steps, the best first; where one refuses (too much hangs,
-/// too little memory) the next is tried. Polygons where they are exact; else horizons; moments only where
-/// horizons cannot be kept, on level ground.
+/// The methods for a city, receivers and number of steps, the best first; if one refuses (too many overhangs,
+/// too little memory) the next is tried. Polygons where they are exact, else horizons; moments only on level
+/// ground and if horizons cannot be cached.
 std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps);
 
-/// Beside the legend: what is shown and how exact it is. `counted` of `steps` steps; `runs`: the longest ones
-/// are there, too.
-QString liveWords(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
+/// The note beside the legend: what is shown and how exact it is. `counted` of `steps` steps are computed;
+/// `runs`: continuous shadow is included.
+QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs);
 
 }  // namespace noonmark

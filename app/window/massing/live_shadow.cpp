@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/accumulate/reach.h"
+#include "core/engines/common/shadow_reach.h"
 
 namespace noonmark {
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int cellsToASide = 400;
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
-// Of a long period moments from many days and hours, as one day.
+// Moments spread over the days and hours of a long period, as one day.
 SunSteps spread(const SunSteps& sun) {
     const std::size_t all = sun.steps.size(), most = LiveRule::someMoments;
     SunSteps chosen{.stepMinutes = sun.stepMinutes};
@@ -21,18 +21,10 @@ SunSteps spread(const SunSteps& sun) {
     return chosen;
 }
 
-Result<SunSteps> daylight(const SunQuestion& question, const std::stop_token& stop) {
-    auto sun = sunSteps(question.period, question.observer, stop);
-    if (sun && sun->steps.empty())
-        return failure("The sun is below the horizon all the time", textOf(question.period),
-                       "Choose other hours or days");
-    return sun;
-}
-
 // Only what can shade: each picture looks through it.
 City shading(const City& city, const Receivers& receivers, const SunSteps& sun) {
     City around{.frame = city.frame, .terrain = city.terrain};
-    for (const std::uint32_t building : buildingsInReach(city, receivers, sun))
+    for (const std::uint32_t building : findBuildingsInReach(city, receivers, sun))
         around.buildings.push_back(city.buildings[building]);
     return around;
 }
@@ -50,8 +42,9 @@ bool suits(const LiveQuestion& question, const LivePlace& place, const SunSteps&
                                     bounds(question.region));
 }
 
-// Roofs alone would come and go with the shape, and all be swept anew: what lies between stays, unseen.
-ReceiverSettings kept(ReceiverSettings settings) {
+// Roof receivers alone would come and go with the shape, and each change would sweep all horizons anew. So
+// the ground is computed too, and not shown.
+ReceiverSettings makeCacheSettings(ReceiverSettings settings) {
     if (settings.places == ReceiverPlaces::roofs) settings.places = ReceiverPlaces::both;
     return settings;
 }
@@ -59,20 +52,21 @@ ReceiverSettings kept(ReceiverSettings settings) {
 Result<LiveReceivers> receiversOf(const LivePlace& place, const LiveQuestion& question, const SunSteps& sun,
                                   const std::stop_token& stop) {
     if (suits(question, place, sun))
-        return LiveReceivers::of(place.rest, question.region, kept(question.receivers), stop);
+        return LiveReceivers::of(place.rest, question.region, makeCacheSettings(question.receivers), stop);
     const glm::vec2 centre = (place.volume.box.low + place.volume.box.high) / 2.0F;
     const auto half = glm::vec2(float(place.halfM));
-    ReceiverSettings settings = kept(question.receivers);
+    ReceiverSettings settings = makeCacheSettings(question.receivers);
     settings.cellM = 2 * place.halfM / cellsToASide;
-    return LiveReceivers::of(place.rest, regionFromLocalBox({centre - half, centre + half}), settings, stop);
+    return LiveReceivers::of(place.rest, makeRegionFromLocalBox({centre - half, centre + half}), settings,
+                             stop);
 }
 
 }  // namespace
 
 Result<std::shared_ptr<LiveShadow>> LiveShadow::at(LivePlace place, const LiveQuestion& question,
-                                                   std::shared_ptr<SharedHorizons> horizons,
+                                                   std::shared_ptr<SharedHorizonCache> horizons,
                                                    Progress& progress, const std::stop_token& stop) {
-    const auto sun = daylight(question.sun, stop);
+    const auto sun = computeDaylightSteps(question.sun.period, question.sun.observer, stop);
     if (!sun) return tl::make_unexpected(sun.error());
     auto receivers = receiversOf(place, question, *sun, stop);
     if (!receivers) return tl::make_unexpected(receivers.error());
@@ -103,10 +97,10 @@ Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress&
         });
     const SunSteps steps = engine == LiveEngine::moments ? spread(sun) : sun;
     City around = shading(city_, receivers(), steps);
-    auto kept = KeptShadows::make(around, receivers(), steps, progress, stop);
-    if (!kept) return tl::make_unexpected(kept.error());
+    auto saved = ShadowCache::make(around, receivers(), steps, progress, stop);
+    if (!saved) return tl::make_unexpected(saved.error());
     city_ = std::move(around);
-    shadows_ = std::move(*kept);
+    shadows_ = std::move(*saved);
     return {};
 }
 
@@ -137,7 +131,7 @@ Result<ShadowField> LiveShadow::fieldOf(const City& city, const Receivers& recei
     return field;
 }
 
-// As shares of the whole period; single moments know no runs.
+// Scales the minutes to the whole period. Separate moments have no continuous shadow.
 void LiveShadow::spreadMoments(ShadowField& field) const {
     const double minutes = sunlitMinutesPerDay_ / field.sunlitMinutesPerDay;
     for (float& gross : field.grossMin) gross = float(double(gross) * minutes);

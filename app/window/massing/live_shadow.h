@@ -6,54 +6,55 @@
 
 #include "app/window/massing/live_receivers.h"
 #include "app/window/massing/live_rule.h"
-#include "app/window/shared_horizons.h"
-#include "core/accumulate/kept_shadows.h"
-#include "core/progress.h"
+#include "app/window/view/shared_horizon_cache.h"
+#include "core/base/progress.h"
+#include "core/engines/projected/shadow_cache.h"
 #include "scenarios/edits/apply_edits.h"
 
 namespace noonmark {
 
-/// What the live shadow is asked: as a study is.
+/// The settings of the live shadow, as those of a study.
 struct LiveQuestion {
     SunQuestion sun;
     Region region;
     ReceiverSettings receivers;
-    bool onRegion = false;  ///< on the region's cells where it can be; else in a square around the shape
+    /// On the region's cells if possible; else in a square around the shape.
+    bool onRegion = false;
     bool operator==(const LiveQuestion&) const = default;
 };
 
-/// Where something is shaped.
+/// The place where a shape is edited.
 struct LivePlace {
-    City rest;             ///< the city without what the shape takes the place of
-    ChangedVolume volume;  ///< around what goes and comes first; not empty
-    double halfM = 200;    ///< of the square, to each side
+    City rest;             ///< the city without the buildings that the shape replaces
+    ChangedVolume volume;  ///< around the buildings removed and added first; not empty
+    double halfM = 200;    ///< half width of the square
 };
 
-/// The shadow with a shape, and how it was worked out.
+/// The shadow with a shape, and how it was computed.
 struct LiveAnswer {
-    ShadowField field;  ///< without `runs` its continuousMin is NaN
+    ShadowField field;  ///< NaN in continuousMin if `runs` is false
     Receivers receivers;
     LiveEngine engine = LiveEngine::shadows;
-    std::size_t counted = 0;  ///< steps that it is of
-    std::size_t steps = 0;    ///< of the period
+    std::size_t counted = 0;  ///< steps computed
+    std::size_t steps = 0;    ///< steps of the period
     bool runs = true;
 };
 
-/// The shadow around a place while something is shaped there: the city's own is worked out once and stays, so
-/// that each new shape costs what it changes only. By the first engine of liveEngines() that can do it.
+/// The shadow around a place while a shape is edited there. The shadow of the rest of the city is computed
+/// once and cached, so that each new shape costs only what it changes. Uses the first of liveEngines() that
+/// succeeds.
 class LiveShadow {
 public:
-    /// `horizons` outlives it. On the region's cells where the question says so, they are not too many and a
-    /// shadow from the place can reach them; else in a square of 400 x 400 cells. Error: a sun that never
-    /// rises, what no engine can do, cancelled(). Polygons: for 43,000 buildings some 0.2 s; horizons of a
-    /// year: up to some seconds.
+    /// Uses the region's cells if the question says so, they are not too many and a shadow from the place can
+    /// reach them; else a square of 400 x 400 cells. Error: the sun never rises, no method succeeds,
+    /// cancelled(). Polygons take about 0.2 s for 43,000 buildings; horizons of a year up to some seconds.
     static Result<std::shared_ptr<LiveShadow>> at(LivePlace place, const LiveQuestion& question,
-                                                  std::shared_ptr<SharedHorizons> horizons,
+                                                  std::shared_ptr<SharedHorizonCache> horizons,
                                                   Progress& progress, const std::stop_token& stop);
 
-    /// Shadow of the city and these buildings in place of those before. `counts`: of horizons; polygons
-    /// always know the runs, and single moments never do. Error: too little memory, more that hangs than
-    /// horizons take, cancelled(). By polygons for one thread at a time.
+    /// The shadow of the city with these buildings instead of those before. `counts` applies to horizons
+    /// only: polygons always include continuous shadow, moments never do. Error: too little memory, too many
+    /// overhangs for horizons, cancelled(). With polygons, call it from one thread at a time.
     [[nodiscard]] Result<LiveAnswer> with(const LiveReceivers::Shape& shape, ShadowCounts counts,
                                           Progress& progress, const std::stop_token& stop);
 
@@ -62,7 +63,7 @@ public:
 
 private:
     LiveShadow(City city, LiveReceivers receivers, const LiveQuestion& question,
-               std::shared_ptr<SharedHorizons> horizons)
+               std::shared_ptr<SharedHorizonCache> horizons)
         : city_(std::move(city)),
           receivers_(std::move(receivers)),
           sun_(question.sun),
@@ -80,8 +81,8 @@ private:
     LiveReceivers receivers_;
     SunQuestion sun_;
     ReceiverPlaces places_;
-    std::shared_ptr<SharedHorizons> horizons_;
-    std::optional<KeptShadows> shadows_;  // of engines that keep them
+    std::shared_ptr<SharedHorizonCache> horizons_;
+    std::optional<ShadowCache> shadows_;  // if the method caches polygons
     LiveEngine engine_ = LiveEngine::shadows;
     std::size_t counted_ = 0;
     std::size_t steps_ = 0;

@@ -9,7 +9,7 @@
 #include "app/window/massing/plate_field.h"
 #include "app/window/massing/setback_table.h"
 #include "app/window/massing/tower_draft.h"
-#include "app/window/number_fields.h"
+#include "app/window/widgets/number_fields.h"
 #include "core/city/plausible_heights.h"
 
 namespace noonmark {
@@ -34,11 +34,11 @@ MassingForm::MassingForm(QWidget* parent)
 void MassingForm::makeFields() {
     storeys_->setObjectName(QStringLiteral("storeys"));
     height_->setObjectName(QStringLiteral("totalHeight"));
-    storeys_->setToolTip(tr("All storeys, the podium's too: 1 to 500"));
-    storeyHeight_->setToolTip(tr("From floor to floor: 2 to 10 m"));
+    storeys_->setToolTip(tr("All storeys, including the podium: 1 to 500"));
+    storeyHeight_->setToolTip(tr("Floor to floor: 2 to 10 m"));
     height_->setToolTip(
         tr("One storey to 2000 m; or drag the arrow on the tower, or type a number over the view"));
-    turn_->setToolTip(tr("The tower turned clockwise about its middle; it must stay on the lot"));
+    turn_->setToolTip(tr("Rotation clockwise about the tower's middle; it must stay on the lot"));
     podiumStoreys_->setToolTip(tr("Fewer than all storeys"));
     podium_->setCheckable(true);
     podium_->setChecked(false);
@@ -50,7 +50,7 @@ void MassingForm::makeFields() {
     form->addRow(tr("Storey height"), storeyHeight_);
     form->addRow(tr("Total height"), height_);
     form->addRow(tr("Floor plate"), plate_);
-    form->addRow(tr("Turned"), turn_);
+    form->addRow(tr("Rotation"), turn_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(form);
@@ -81,7 +81,7 @@ void MassingForm::connectFields() {
     connect(setbacks_, &SetbackTable::addRequested, this, &MassingForm::addSetback);
 }
 
-// One of the three heights was changed: the others follow.
+// One of storeys, storey height and total height was changed: the others follow.
 void MassingForm::takeHeight() {
     if (showing_) return;
     show(settings_);
@@ -99,7 +99,7 @@ void MassingForm::takeRest() {
     Q_EMIT edited();
 }
 
-// Half way from the last one to the top.
+// Adds a setback half way between the last one and the top.
 void MassingForm::addSetback() {
     const double top = heightOf(settings_);
     double from = settings_.podium ? settings_.podium->storeys * settings_.storeyHeightM : 0;

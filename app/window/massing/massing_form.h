@@ -13,8 +13,8 @@ namespace noonmark {
 class PlateField;
 class SetbackTable;
 
-/// Fields for the MassingSettings of one tower. Storeys and total height state the same: the one that was
-/// changed last is meant, and the other follows.
+/// Fields for the MassingSettings of one tower. Number of storeys and total height are two fields for one
+/// quantity: changing one updates the other.
 class MassingForm final : public QWidget {
     Q_OBJECT
 public:

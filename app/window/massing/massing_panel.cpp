@@ -11,27 +11,26 @@
 
 #include "app/window/massing/figure_words.h"
 #include "app/window/massing/massing_form.h"
-#include "app/window/push_button.h"
-#include "app/window/region_words.h"
+#include "app/window/study/region_words.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
 namespace {
 
-QString rowsOf(const MassingFigures& figures, std::size_t demolished) {
+QString makeRows(const MassingFigures& figures, std::size_t demolished) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align='right'><b>%2</b></td></tr>")
             .arg(name, value);
     };
     return QStringLiteral("<table>") +
-           row(QObject::tr("Gross floor area"), grouped(figures.grossFloorM2) + QStringLiteral(" m²")) +
-           row(QObject::tr("Floor area ratio (FAR)"), grouped(figures.floorAreaRatio, 2)) +
-           row(QObject::tr("Coverage of the lot"), grouped(figures.coverage * 100) + QStringLiteral(" %")) +
-           row(QObject::tr("Height"), grouped(figures.heightM, 1) + QStringLiteral(" m")) +
+           row(QObject::tr("Gross floor area"), groupDigits(figures.grossFloorM2) + QStringLiteral(" m²")) +
+           row(QObject::tr("Floor area ratio (FAR)"), groupDigits(figures.floorAreaRatio, 2)) +
+           row(QObject::tr("Lot coverage"), groupDigits(figures.coverage * 100) + QStringLiteral(" %")) +
+           row(QObject::tr("Height"), groupDigits(figures.heightM, 1) + QStringLiteral(" m")) +
            row(QObject::tr("Storeys"), QString::number(figures.storeys)) +
-           row(QObject::tr("Lot"), areaWords(figures.lotM2)) +
-           row(QObject::tr("Buildings it demolishes"), QString::number(demolished)) +
-           QStringLiteral("</table>");
+           row(QObject::tr("Lot"), describeArea(figures.lotM2)) +
+           row(QObject::tr("Buildings demolished"), QString::number(demolished)) + QStringLiteral("</table>");
 }
 
 }  // namespace
@@ -62,11 +61,11 @@ QWidget* MassingPanel::makeLotRow() {
     lot_ = new QComboBox;
     lot_->setToolTip(tr("The project's lots"));
     design_ = pushButton(tr("Design tower"), "designTower",
-                         tr("A tower on this lot; what stands on it is demolished with it"));
+                         tr("Designs a tower on this lot; building it demolishes the buildings on the lot"));
     auto* draw =
         pushButton(tr("Draw lot"), "drawLot",
-                   tr("Click the corners on the ground (Shift: square to the last side).\n"
-                      "Double click, Enter or the right button finish it, Backspace takes a corner back."));
+                   tr("Click corners on the ground (Shift: at right angles to the last side).\nDouble click, "
+                      "Enter or right click finishes, Backspace removes the last corner."));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(draw);
     buttons->addWidget(design_);
@@ -92,11 +91,10 @@ QWidget* MassingPanel::makeFigures() {
     error_->setWordWrap(true);
     error_->setObjectName(QStringLiteral("massingError"));
     error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
-    apply_ = pushButton(
-        tr("Build"), "applyMassing",
-        tr("Puts the tower into the scenario, as one step that can be undone (Enter over the view)"));
+    apply_ = pushButton(tr("Build"), "applyMassing",
+                        tr("Adds the tower to the scenario, as one undo step (Enter over the view)"));
     auto* cancel =
-        pushButton(tr("Cancel"), "cancelMassing", tr("Leaves the scenario as it is (Esc over the view)"));
+        pushButton(tr("Cancel"), "cancelMassing", tr("Leaves the scenario unchanged (Esc over the view)"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(apply_);
     buttons->addWidget(cancel);
@@ -127,7 +125,7 @@ void MassingPanel::setDesigning(bool designing) { body_->setVisible(designing); 
 void MassingPanel::showDraft(const TowerDraft& draft) {
     draft_ = draft;
     on_->setText(QStringLiteral("%1, %2").arg(QString::fromStdString(draft.lot.name),
-                                              areaWords(area(draft.lot.outline))));
+                                              describeArea(area(draft.lot.outline))));
     const QString name = QString::fromStdString(draft.tower);
     if (name_->text() != name) name_->setText(name);
     lot_->setCurrentIndex(std::max(0, lot_->findText(QString::fromStdString(draft.lot.name))));
@@ -148,13 +146,13 @@ TowerDraft MassingPanel::draft() const {
 }
 
 void MassingPanel::showFigures(const MassingFigures& figures, std::size_t demolished) {
-    figures_->setText(rowsOf(figures, demolished));
+    figures_->setText(makeRows(figures, demolished));
     error_->clear();
     error_->hide();
     apply_->setEnabled(true);
 }
 
-// The last figures stay: they are those of the tower that is still in the view.
+// The last figures stay: they describe the tower still in the view.
 void MassingPanel::showError(const Error& error) {
     error_->setText(QString::fromStdString(error.text()));
     error_->show();

@@ -13,8 +13,8 @@ namespace noonmark {
 
 class MassingForm;
 
-/// Designing a tower on a lot: which lot, the tower's name and shape, what it comes to. Shows a draft and
-/// tells of changes; what a draft comes to, or why it cannot be, is told to it.
+/// The dock for designing a tower on a lot: choice of lot, name, shape and resulting figures. Shows a draft
+/// and emits its changes; figures or errors of the draft are passed in.
 class MassingPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -22,16 +22,16 @@ public:
 
     void setLots(const std::vector<NamedLot>& lots);
     void showDraft(const TowerDraft& draft);  ///< without a signal
-    void showNone();                          ///< nothing is designed
+    void showNone();                          ///< no tower is being designed
     [[nodiscard]] TowerDraft draft() const;
 
     void showFigures(const MassingFigures& figures, std::size_t demolished);
     void showError(const Error& error);
-    [[nodiscard]] QString message() const;  ///< the error that is shown; empty: none
+    [[nodiscard]] QString message() const;  ///< the displayed error; empty: none
 
 Q_SIGNALS:
     void drawRequested();
-    void designRequested(noonmark::NamedLot lot);  ///< a tower on a lot that there is
+    void designRequested(noonmark::NamedLot lot);  ///< a tower on an existing lot
     void edited();
     void applied();
     void cancelled();

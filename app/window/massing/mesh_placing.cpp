@@ -13,15 +13,15 @@ namespace noonmark {
 namespace {
 
 std::string freeId(const City& city, const std::string& wanted) {
-    return firstFreeName(wanted, [&](const std::string& id) {
+    return findFreeName(wanted, [&](const std::string& id) {
         return std::ranges::any_of(city.buildings, [&](const auto& b) { return b->sourceId == id; });
     });
 }
 
 }  // namespace
 
-MeshPlacing::MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(panel) {
+MeshPlacing::MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* parent)
+    : QObject(parent), context_(context), panel_(panel) {
     connect(&panel_, &PlacingPanel::edited, this, &MeshPlacing::show);
     connect(&panel_, &PlacingPanel::readingEdited, this, &MeshPlacing::read);
     connect(&panel_, &PlacingPanel::applied, this, &MeshPlacing::build);
@@ -29,7 +29,7 @@ MeshPlacing::MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent)
 }
 
 void MeshPlacing::begin(const QString& file) {
-    if (!desk_.city) return;
+    if (!context_.city) return;
     mesh_.reset();
     place_.reset();
     file_ = file;
@@ -37,10 +37,10 @@ void MeshPlacing::begin(const QString& file) {
 }
 
 void MeshPlacing::read() {
-    const std::string id = freeId(desk_.city->city(), QFileInfo(file_).completeBaseName().toStdString());
+    const std::string id = freeId(context_.city->city(), QFileInfo(file_).completeBaseName().toStdString());
     reading_.start<Read>(
         tr("Reading %1").arg(QFileInfo(file_).fileName()),
-        [file = file_.toStdString(), id, settings = panel_.reading(), frame = desk_.city->city().frame](
+        [file = file_.toStdString(), id, settings = panel_.reading(), frame = context_.city->city().frame](
             Progress& progress, std::stop_token stop) {
             Warnings warnings;
             return readShape(file, id, settings, frame, warnings, progress, std::move(stop))
@@ -68,12 +68,12 @@ void MeshPlacing::placeAt(glm::dvec2 ground) {
 
 void MeshPlacing::show() {
     if (!mesh_ || !place_) return;
-    const glm::dvec2 middle = middleOf(*mesh_->shape);
+    const glm::dvec2 middle = findMiddle(*mesh_->shape);
     mesh_->placement = {.about = middle,
                         .scale = panel_.scale(),
                         .clockwiseDeg = panel_.clockwiseDeg(),
                         .byM = *place_ - middle};
-    if (const auto shown = desk_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
+    if (const auto shown = context_.preview.show({*mesh_}); !shown) return Q_EMIT failed(shown.error());
     panel_.showPlaced(double(topM(*mesh_->shape)) * panel_.scale());
 }
 
@@ -88,7 +88,7 @@ void MeshPlacing::cancel() {
     reading_.drop();
     if (!mesh_) return;
     mesh_.reset();
-    desk_.preview.clear();
+    context_.preview.clear();
     Q_EMIT ended();
 }
 

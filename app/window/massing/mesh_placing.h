@@ -3,25 +3,25 @@
 #include <QObject>
 #include <optional>
 
-#include "app/window/massing/edit_desk.h"
+#include "app/window/massing/edit_context.h"
 #include "scenarios/edits/edit.h"
 
 namespace noonmark {
 
 class PlacingPanel;
 
-/// A mesh file that becomes a building: read, placed by clicks, scaled and turned by its panel.
+/// Adds a mesh file as a building: the file is read, placed by clicks, and scaled and rotated in the panel.
 class MeshPlacing final : public QObject {
     Q_OBJECT
 public:
-    MeshPlacing(EditDesk& desk, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    MeshPlacing(EditContext& context, PlacingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
 
     void begin(const QString& file);
-    void show();  ///< again, in the city as it is now
+    void show();  ///< again, in the current city
     void cancel();
     [[nodiscard]] bool active() const { return mesh_.has_value(); }
     void placeAt(glm::dvec2 ground);
-    void build();  ///< does nothing before it was placed
+    void build();  ///< does nothing before the mesh is placed
 
 Q_SIGNALS:
     void began();
@@ -37,7 +37,7 @@ private:
     void read();
     void take(Result<Read> read);
 
-    EditDesk& desk_;
+    EditContext& context_;
     PlacingPanel& panel_;
     QString file_;
     std::optional<ImportMesh> mesh_;

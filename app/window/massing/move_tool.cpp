@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/window/massing/figure_words.h"
-#include "app/window/view_panel.h"
+#include "app/window/view/view_panel.h"
 
 namespace noonmark {
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double stepM = 0.1;
 
-double rounded(double metres) { return std::round(metres / stepM) * stepM; }
+double roundToStep(double metres) { return std::round(metres / stepM) * stepM; }
 
 }  // namespace
 
@@ -52,18 +52,19 @@ void MoveTool::dragTo(QPointF pixel) {
     if (!next_.isActive()) next_.start();
 }
 
-// On the level of the place that was taken hold of, which so stays under the cursor.
+// Moves in the horizontal plane through the grabbed point, which so stays under the cursor.
 void MoveTool::follow() {
     if (!from_) return;
     const CityView& view = panel_.view();
-    const auto there = planeHit(rayThrough(view.pose(), view.lens(), {pixel_.x(), pixel_.y()}), from_->z);
+    const auto there =
+        findPlaneHit(makeRayThrough(view.pose(), view.lens(), {pixel_.x(), pixel_.y()}), from_->z);
     if (!there) return;
-    byM_ = {rounded(there->x - from_->x), rounded(there->y - from_->y)};
-    panel_.cursorLabel().show(pixel_, moveWords(byM_));
+    byM_ = {roundToStep(there->x - from_->x), roundToStep(there->y - from_->y)};
+    panel_.cursorLabel().show(pixel_, describeMove(byM_));
     Q_EMIT dragged(byM_);
 }
 
-// Of what was let go of before, by Esc or by another city, nothing becomes of the drag.
+// A drag that Esc or another city ended has no effect.
 void MoveTool::drop() {
     if (!from_) return;
     if (next_.isActive()) follow();

@@ -3,17 +3,17 @@
 #include <QObject>
 #include <QTimer>
 
-#include "render/view_navigator.h"
+#include "render/view/view_navigator.h"
 
 namespace noonmark {
 
 class ViewPanel;
 
-/// Drags one building over the ground while it is on.
+/// Drags one building over the ground while active.
 class MoveTool final : public QObject, public DragTarget {
     Q_OBJECT
 public:
-    explicit MoveTool(ViewPanel& panel, QObject* parent = nullptr);  ///< `panel` outlives it
+    explicit MoveTool(ViewPanel& panel, QObject* parent = nullptr);  ///< `panel` must outlive it
     ~MoveTool() override;
 
     void begin(std::uint32_t building);  ///< index in the view's city
@@ -26,7 +26,8 @@ public:
 
 Q_SIGNALS:
     void began();
-    void dragged(glm::dvec2 byM);  ///< east, north, from where it stands; as often as a picture can be made
+    /// Metres east and north of its present place; at most once per frame.
+    void dragged(glm::dvec2 byM);
     void dropped(glm::dvec2 byM);
 
 private:
@@ -34,7 +35,7 @@ private:
 
     ViewPanel& panel_;
     std::optional<std::uint32_t> building_;
-    std::optional<glm::dvec3> from_;  // what was taken hold of
+    std::optional<glm::dvec3> from_;  // the point grabbed
     glm::dvec2 byM_{0, 0};
     QPointF pixel_;
     QTimer next_;

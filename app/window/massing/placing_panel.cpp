@@ -8,14 +8,14 @@
 #include <QPushButton>
 
 #include "app/window/massing/figure_words.h"
-#include "app/window/mesh_fields.h"
-#include "app/window/number_fields.h"
+#include "app/window/widgets/mesh_fields.h"
+#include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 
 namespace {
 
-constexpr int wordLines = 4;  // a long name of a file, and what to do
+constexpr int wordLines = 4;  // room for a long file name and the instruction
 
 }  // namespace
 
@@ -32,24 +32,24 @@ PlacingPanel::PlacingPanel(QWidget* parent)
         words->setWordWrap(true);
         words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     }
-    // As high at every step: else the fields would move under the cursor that is placing the mesh.
+    // A fixed height: the fields must not move under the cursor while the mesh is placed.
     what_->setFixedHeight(wordLines * what_->fontMetrics().lineSpacing());
-    scale_->setToolTip(tr("Of all three axes"));
+    scale_->setToolTip(tr("Scale of all three axes"));
     turn_->setToolTip(tr("Clockwise, seen from above"));
     apply_->setObjectName(QStringLiteral("applyMesh"));
-    apply_->setToolTip(tr("Puts it into the scenario (Enter over the view)"));
+    apply_->setToolTip(tr("Adds it to the scenario (Enter over the view)"));
     auto* cancel = new QPushButton(tr("Cancel"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(apply_);
     buttons->addWidget(cancel);
     auto* form = new QFormLayout(this);
     form->addRow(what_);
-    form->addRow(tr("Axis that points up"), upAxis_);
+    form->addRow(tr("Up axis"), upAxis_);
     form->addRow(tr("Unit"), unit_);
     form->addRow(tr("Scale"), scale_);
-    form->addRow(tr("Turned"), turn_);
+    form->addRow(tr("Rotation"), turn_);
     form->addRow(buttons);
-    form->addRow(warnings_);  // below what is used: there are more of them or fewer
+    form->addRow(warnings_);  // below the fields, since their number varies
     for (QComboBox* field : {upAxis_, unit_})
         connect(field, &QComboBox::activated, this, &PlacingPanel::readingEdited);
     for (QDoubleSpinBox* field : {scale_, turn_})
@@ -63,17 +63,17 @@ void PlacingPanel::begin(const QString& file) {
     scale_->setValue(1);
     turn_->setValue(0);
     apply_->setEnabled(false);
-    what_->setText(tr("%1: click the place on the ground where its middle is to stand.").arg(file));
+    what_->setText(tr("%1: click the place on the ground for its middle.").arg(file));
 }
 
 void PlacingPanel::showPlaced(double heightM) {
     apply_->setEnabled(true);
-    what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, grouped(heightM, 1)));
+    what_->setText(tr("%1, %2 m high. Another click moves it.").arg(file_, groupDigits(heightM, 1)));
 }
 
 void PlacingPanel::showWarnings(const Warnings& warnings) {
     QStringList lines;
-    for (const WarningGroup& group : grouped(warnings)) lines << QString::fromStdString(lineOf(group));
+    for (const WarningGroup& group : groupWarnings(warnings)) lines << QString::fromStdString(lineOf(group));
     warnings_->setText(lines.mid(0, 1).join(QString()) +
                        (lines.size() > 1 ? tr(" (and %1 more)").arg(lines.size() - 1) : QString()));
     warnings_->setToolTip(lines.join(QLatin1Char('\n')));

@@ -11,15 +11,15 @@ class QPushButton;
 
 namespace noonmark {
 
-/// How a mesh that is being placed is read, scaled and turned; the place itself is clicked in the view.
+/// Reading settings, scale and rotation of a mesh being placed. The place itself is clicked in the view.
 class PlacingPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit PlacingPanel(QWidget* parent = nullptr);
 
     void begin(const QString& file);
-    void showPlaced(double heightM);              ///< it stands somewhere, so that it can be built
-    void showWarnings(const Warnings& warnings);  ///< of reading it
+    void showPlaced(double heightM);              ///< the mesh has a place, so it can be built
+    void showWarnings(const Warnings& warnings);  ///< of reading the file
     [[nodiscard]] ReadSettings reading() const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] double clockwiseDeg() const;

@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
-#include "app/window/number_fields.h"
+#include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 
@@ -20,7 +20,7 @@ PlateField::PlateField(QWidget* parent)
     kind_->addItems({tr("Whole lot"), tr("Share of the lot"), tr("Area")});
     kind_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     kind_->setMinimumContentsLength(9);
-    kind_->setToolTip(tr("A smaller plate keeps the lot's shape, moved in from all of its sides"));
+    kind_->setToolTip(tr("A smaller plate keeps the lot's shape, inset from all sides"));
     size_->setObjectName(QStringLiteral("plateSize"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -34,7 +34,7 @@ PlateField::PlateField(QWidget* parent)
     connect(size_, &QDoubleSpinBox::valueChanged, this, &PlateField::edited);
 }
 
-// The field's range and unit, with a value to begin with.
+// Sets the field's range, unit and initial value.
 void PlateField::choose(int kind) {
     const QSignalBlocker block(size_);
     size_->setEnabled(kind != wholeLot);

@@ -9,7 +9,7 @@ class QDoubleSpinBox;
 
 namespace noonmark {
 
-/// How large a floor plate is: the whole lot, a share of it, or an area.
+/// The size of a floor plate: the whole lot, a share of it, or an area.
 class PlateField final : public QWidget {
     Q_OBJECT
 public:

@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "app/window/massing/figure_words.h"
-#include "app/window/number_fields.h"
-#include "app/window/push_button.h"
-#include "app/window/region_words.h"
+#include "app/window/study/region_words.h"
+#include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/push_button.h"
 #include "scenarios/massing/lot_edits.h"
 #include "scenarios/massing/same_floor_area.h"
 
@@ -25,22 +25,22 @@ namespace {
 
 QString estimateWords(int storeys) {
     if (storeys == 0) return {};
-    return QObject::tr("; its mesh is open: %1 estimated").arg(storeyWords(storeys));
+    return QObject::tr("; mesh is open: %1 estimated").arg(describeStoreys(storeys));
 }
 
-QString rowsOf(const BuildingFacts& facts) {
+QString makeRows(const BuildingFacts& facts) {
     const auto row = [](const QString& name, const QString& value) {
         return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
     };
     const QString storeys =
-        facts.storeys == 0 ? QString() : QStringLiteral(", ") + storeyWords(facts.storeys);
+        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeStoreys(facts.storeys);
     return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
            (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
            row(QObject::tr("Height"),
-               QStringLiteral("%1 m (%2)").arg(grouped(facts.heightM, 1), facts.heightSource)) +
+               QStringLiteral("%1 m (%2)").arg(groupDigits(facts.heightM, 1), facts.heightSource)) +
            row(QObject::tr("Parts"), QString::number(facts.parts)) +
-           row(QObject::tr("Plan"), areaWords(facts.planM2)) +
-           row(QObject::tr("Floor area"), grouped(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
+           row(QObject::tr("Plan"), describeArea(facts.planM2)) +
+           row(QObject::tr("Floor area"), groupDigits(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
                                               QObject::tr(" of %1 m").arg(usualStoreyM) +
                                               estimateWords(facts.estimatedStoreys)) +
            QStringLiteral("</table>");
@@ -68,7 +68,7 @@ SelectionPanel::SelectionPanel(QWidget* parent)
     inside->addWidget(makeVariants());
     auto* import =
         pushButton(tr("Import mesh..."), "importMesh",
-                   tr("A building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
+                   tr("Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(facts_);
     column->addWidget(tools_);
@@ -81,12 +81,13 @@ SelectionPanel::SelectionPanel(QWidget* parent)
 }
 
 QWidget* SelectionPanel::makeButtons() {
-    auto* demolish = pushButton(tr("Demolish"), "demolish", tr("Takes the building away (Delete)"));
+    auto* demolish = pushButton(tr("Demolish"), "demolish", tr("Removes the building (Delete)"));
     auto* replace = pushButton(tr("Replace by tower"), "replace",
-                               tr("A tower on its lot, or on its footprint where it has none"));
-    auto* lot =
-        pushButton(tr("Lot from footprint"), "lotFromFootprint", tr("Makes its outline on the ground a lot"));
-    moveTool_ = pushButton(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends it"));
+                               tr("Replaces it by a tower on its lot or, if it has none, on its footprint"));
+    auto* lot = pushButton(tr("Lot from footprint"), "lotFromFootprint",
+                           tr("Creates a lot from its outline on the ground"));
+    moveTool_ =
+        pushButton(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends the tool"));
     moveTool_->setCheckable(true);
     connect(demolish, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
     connect(replace, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
@@ -108,17 +109,17 @@ QWidget* SelectionPanel::makeFields() {
     east_->setObjectName(QStringLiteral("moveEast"));
     north_->setObjectName(QStringLiteral("moveNorth"));
     height_->setToolTip(
-        tr("Above its ground, 0.1 to 2000 m; or drag the arrow on the building. Enter makes it so"));
-    turn_->setToolTip(tr("Clockwise about its middle. Enter makes it so"));
+        tr("Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply"));
+    turn_->setToolTip(tr("Clockwise about its middle. Press Enter to apply"));
     for (QDoubleSpinBox* field : {east_, north_})
-        field->setToolTip(tr("Negative: west, south. Enter makes it so"));
+        field->setToolTip(tr("Negative: west, south. Press Enter to apply"));
     auto* fields = new QWidget;
     auto* form = new QFormLayout(fields);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(tr("Height"), height_);
     form->addRow(tr("Move east"), east_);
     form->addRow(tr("Move north"), north_);
-    form->addRow(tr("Turn"), turn_);
+    form->addRow(tr("Rotate"), turn_);
     return fields;
 }
 
@@ -158,12 +159,12 @@ void SelectionPanel::connectFields() {
     onEnter(*turn_, &SelectionPanel::takeTurn);
 }
 
-// Not editingFinished, which comes as well when the field is left, for whatever reason.
+// Not editingFinished, which is also emitted when the field loses focus.
 void SelectionPanel::onEnter(const QDoubleSpinBox& field, void (SelectionPanel::*take)()) {
     connect(field.findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, take);
 }
 
-// What was taken is no longer asked for: until the city comes back, a second Enter makes nothing again.
+// The fields are reset after an edit: a second Enter before the changed city arrives must not repeat it.
 void SelectionPanel::takeMove() {
     const glm::dvec2 byM = move();
     showMove({0, 0});
@@ -184,7 +185,7 @@ void SelectionPanel::takeTurn() {
 
 void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
     showing_ = true;
-    facts_->setText(facts ? rowsOf(*facts) : tr("Click a building in the view to select it."));
+    facts_->setText(facts ? makeRows(*facts) : tr("Click a building in the view to select it."));
     tools_->setVisible(facts.has_value());
     heightM_ = facts ? facts->heightM : 0;
     height_->setValue(heightM_);

@@ -12,18 +12,19 @@ class QPushButton;
 
 namespace noonmark {
 
-/// What the selected building is, and what can be done with it. A number that is being changed is shown in
-/// the view at once; Enter makes it an edit.
+/// The dock of the selected building: its facts and edits. A number being changed is previewed at once; Enter
+/// makes the edit.
 class SelectionPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit SelectionPanel(QWidget* parent = nullptr);
 
-    void show(const std::optional<BuildingFacts>& facts);  ///< none: nothing is selected
-    void showHeight(double heightM);                       ///< while a handle is dragged; without a signal
-    void showMove(glm::dvec2 byM);                         ///< in the same way
-    void setMoving(bool moving);                           ///< the move tool is on
-    void showError(const QString& text);                   ///< empty: none
+    void show(const std::optional<BuildingFacts>& facts);  ///< none: no selection
+    /// While the handle is dragged; without a signal.
+    void showHeight(double heightM);
+    void showMove(glm::dvec2 byM);        ///< likewise
+    void setMoving(bool moving);          ///< the move tool is active
+    void showError(const QString& text);  ///< empty: none
     [[nodiscard]] QString message() const;
 
 Q_SIGNALS:
@@ -61,7 +62,7 @@ private:
     QDoubleSpinBox* turn_;
     QPushButton* moveTool_;
     QLabel* error_;
-    double heightM_ = 0;  // as it stands, or as it was taken last
+    double heightM_ = 0;  // of the building, or as entered last
     bool showing_ = false;
 };
 

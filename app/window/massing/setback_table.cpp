@@ -7,7 +7,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "app/window/number_fields.h"
+#include "app/window/widgets/number_fields.h"
 
 namespace noonmark {
 
@@ -27,7 +27,7 @@ SetbackTable::SetbackTable(QWidget* parent)
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->verticalHeader()->hide();
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setToolTip(tr("Above a height the walls stand further in, from below upwards"));
+    table_->setToolTip(tr("Above each height the walls are set back by the inset, from bottom to top"));
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() +
                            rowsInSight * table_->verticalHeader()->defaultSectionSize() + 4);
     auto* add = new QPushButton(tr("Add setback"));
@@ -51,7 +51,7 @@ std::vector<Setback> SetbackTable::setbacks() const {
     return setbacks;
 }
 
-// Rows whose fields the user is in are not taken away from under him.
+// An unchanged table is not rebuilt, so that the field the user is in stays.
 void SetbackTable::show(const std::vector<Setback>& setbacks) {
     if (setbacks == this->setbacks()) return;
     table_->setRowCount(0);
@@ -72,7 +72,7 @@ void SetbackTable::add(const Setback& setback) {
         connect(field, &QDoubleSpinBox::valueChanged, this, &SetbackTable::edited);
 }
 
-// The chosen row, or the last one.
+// Removes the selected row, or the last one.
 void SetbackTable::removeChosen() {
     const int chosen = table_->currentRow() >= 0 ? table_->currentRow() : table_->rowCount() - 1;
     table_->removeRow(chosen);

@@ -10,7 +10,7 @@ class QTableWidget;
 
 namespace noonmark {
 
-/// The setbacks of a tower, one a row: from which height on, and how far in.
+/// The setbacks of a tower, one per row: the height from which it applies, and the inset.
 class SetbackTable final : public QWidget {
     Q_OBJECT
 public:
@@ -21,7 +21,8 @@ public:
 
 Q_SIGNALS:
     void edited();
-    void addRequested();  ///< another one, above those there are: whoever knows the height adds it
+    /// Requests a setback above the others; the owner, which knows the heights, adds it.
+    void addRequested();
 
 private:
     void add(const Setback& setback);

@@ -17,8 +17,9 @@ std::string firstFree(const char* word, IsTaken&& isTaken) {
         if (std::string name = fmt::format("{} {}", word, number); !isTaken(name)) return name;
 }
 
-// Demolitions but that of the building that is replaced: it may stand on the lot with a corner only.
-std::vector<Edit> cleared(const City& city, const TowerDraft& draft) {
+// The demolitions on the lot, without that of the replaced building, of which only a corner may be on the
+// lot.
+std::vector<Edit> clearLot(const City& city, const TowerDraft& draft) {
     std::vector<Edit> edits = clearing(city, draft.lot.outline);
     std::erase_if(edits,
                   [&](const Edit& edit) { return std::get<Demolish>(edit).building == draft.replaces; });
@@ -27,13 +28,13 @@ std::vector<Edit> cleared(const City& city, const TowerDraft& draft) {
 
 }  // namespace
 
-Result<DraftedTower> drafted(const City& city, const TowerDraft& draft) {
-    auto massing = massingOn(draft.lot.outline, draft.settings);
+Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft) {
+    auto massing = makeMassing(draft.lot.outline, draft.settings);
     if (!massing) return tl::make_unexpected(massing.error());
     auto building = buildingOf(*massing, draft.tower);
     if (!building) return tl::make_unexpected(building.error());
     auto shape = std::make_shared<const Building>(*std::move(building));
-    std::vector<Edit> edits = cleared(city, draft);
+    std::vector<Edit> edits = clearLot(city, draft);
     if (draft.replaces.empty())
         edits.emplace_back(AddBuilding{std::move(shape)});
     else

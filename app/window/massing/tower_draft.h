@@ -10,32 +10,32 @@
 
 namespace noonmark {
 
-/// A tower on a lot that is not built yet: what the form states.
+/// A tower on a lot that is not built yet, as entered in the form.
 struct TowerDraft {
     NamedLot lot;
     MassingSettings settings;
     std::string tower;     ///< id and name of the new building, not empty
-    std::string replaces;  ///< id of a building that it takes the place of; empty: none
+    std::string replaces;  ///< id of the building that it replaces; empty: none
     bool operator==(const TowerDraft&) const = default;
 };
 
-/// The tower, and the edits that build it: what stands on the lot is demolished, the tower replaces the
-/// building it is for or is added. Error: a massing that cannot be, with the limit. Some 5 ms.
+/// The tower, and the edits that build it: the buildings on the lot are demolished; the tower replaces the
+/// building it is meant for, or is added. Error: an invalid massing, with the limit. Takes about 5 ms.
 struct DraftedTower {
     Massing massing;
     std::vector<Edit> edits;
 };
-Result<DraftedTower> drafted(const City& city, const TowerDraft& draft);
+Result<DraftedTower> draftTower(const City& city, const TowerDraft& draft);
 
-/// The height it would have: stated, or storeys x storey height. Metres.
+/// The tower's height, metres: as stated, or storeys x storey height.
 double heightOf(const MassingSettings& settings);
 
-/// The same with another height: whole storeys are stated as such.
+/// The same settings with another height. A whole number of storeys is stated as such.
 MassingSettings withHeight(MassingSettings settings, double heightM);
 
-/// "Tower 1", or the first number that no building has as its id.
+/// "Tower 1", or with the first number that is not a building's id.
 std::string freeTowerName(const City& city);
-/// "Lot 1", or the first number that no lot has.
+/// "Lot 1", or with the first number that is not used.
 std::string freeLotName(const std::vector<NamedLot>& lots);
 
 }  // namespace noonmark

@@ -10,27 +10,27 @@ namespace noonmark {
 
 namespace {
 
-// Where a tower's handle stands: over the middle of its highest plate.
-glm::dvec2 middleOf(const Tier& tier) {
+// The handle's position: the middle of the highest floor plate.
+glm::dvec2 findMiddle(const Tier& tier) {
     Building building;
     for (const Footprint& piece : tier.plate) building.parts.push_back({.footprint = piece});
-    return noonmark::middleOf(building);
+    return noonmark::findMiddle(building);
 }
 
 }  // namespace
 
-TowerEditing::TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(panel) {
+TowerEditing::TowerEditing(EditContext& context, MassingPanel& panel, QObject* parent)
+    : QObject(parent), context_(context), panel_(panel) {
     connect(&panel_, &MassingPanel::edited, this, &TowerEditing::take);
     connect(&panel_, &MassingPanel::applied, this, &TowerEditing::build);
     connect(&panel_, &MassingPanel::cancelled, this, &TowerEditing::cancel);
 }
 
 void TowerEditing::begin(const NamedLot& lot, const std::string& replaces, int storeys) {
-    if (!desk_.city) return;
+    if (!context_.city) return;
     resume({.lot = lot,
             .settings = {.storeys = storeys},
-            .tower = freeTowerName(desk_.city->city()),
+            .tower = freeTowerName(context_.city->city()),
             .replaces = replaces});
 }
 
@@ -40,7 +40,7 @@ std::optional<TowerDraft> TowerEditing::designOf(const Building& building) const
 }
 
 void TowerEditing::resume(TowerDraft draft) {
-    if (!desk_.city) return;
+    if (!context_.city) return;
     draft_ = std::move(draft);
     Q_EMIT began();
     panel_.showDraft(*draft_);
@@ -55,17 +55,18 @@ void TowerEditing::take() {
 
 void TowerEditing::show() {
     if (!draft_) return;
-    const auto tower = drafted(desk_.city->city(), *draft_);
+    const auto tower = draftTower(context_.city->city(), *draft_);
     edits_.clear();
     if (!tower) return panel_.showError(tower.error());
-    if (const auto shown = desk_.preview.show(tower->edits); !shown) return panel_.showError(shown.error());
+    if (const auto shown = context_.preview.show(tower->edits); !shown)
+        return panel_.showError(shown.error());
     edits_ = tower->edits;
-    panel_.showFigures(tower->massing.figures, desk_.preview.changes().removed.size());
-    const glm::dvec2 foot = middleOf(tower->massing.tiers.back());
-    const double ground = double(groundAt(desk_.city->city(), foot));
-    desk_.handle.stand(
+    panel_.showFigures(tower->massing.figures, context_.preview.changes().removed.size());
+    const glm::dvec2 foot = findMiddle(tower->massing.tiers.back());
+    const double ground = double(groundAt(context_.city->city(), foot));
+    context_.handle.stand(
         {{foot.x, foot.y, ground}, tower->massing.figures.heightM, draft_->settings.storeyHeightM});
-    desk_.handle.tell(figureWords(tower->massing.figures));
+    context_.handle.tell(describeFigures(tower->massing.figures));
 }
 
 void TowerEditing::setHeight(double heightM) {
@@ -75,14 +76,14 @@ void TowerEditing::setHeight(double heightM) {
     show();
 }
 
-// The preview stays until the city comes back with the tower in it.
+// The preview stays until the changed city arrives with the tower in it.
 void TowerEditing::build() {
     if (!draft_ || edits_.empty()) return;
     const TowerDraft done = *draft_;
     draft_.reset();
     built_.push_back(
-        {desk_.preview.changes().added.back(), {done.lot, done.settings, done.tower, done.tower}});
-    desk_.handle.hide();
+        {context_.preview.changes().added.back(), {done.lot, done.settings, done.tower, done.tower}});
+    context_.handle.hide();
     panel_.showNone();
     Q_EMIT ended();
     Q_EMIT editsMade(std::exchange(edits_, {}), tr("Build %1").arg(QString::fromStdString(done.tower)),
@@ -93,8 +94,8 @@ void TowerEditing::cancel() {
     if (!draft_) return;
     draft_.reset();
     edits_.clear();
-    desk_.handle.hide();
-    desk_.preview.clear();
+    context_.handle.hide();
+    context_.preview.clear();
     panel_.showNone();
     Q_EMIT ended();
 }

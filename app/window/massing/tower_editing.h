@@ -1,37 +1,46 @@
 #pragma once
 
+// Editing of buildings and design of towers in the view. EditTools owns the tools and their menu actions;
+// BuildingEditing (select, demolish, move, resize), TowerEditing (a tower on a lot) and MeshPlacing (a mesh
+// file as a building) share one EditContext: the view, the preview and the drag handle. No tool knows the
+// project: each emits its edits as one undo step and gets back the changed city. EditPreview shows edits
+// before they are made; LiveFollower keeps their shadow up to date with LiveShadow, whose receivers and
+// engines are in live_receivers and live_rule. The panels, forms, fields and tables only show and change
+// values.
+
 #include <QObject>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "app/window/massing/edit_desk.h"
+#include "app/window/massing/edit_context.h"
 #include "app/window/massing/tower_draft.h"
 
 namespace noonmark {
 
 class MassingPanel;
 
-/// A tower while it is designed: form, handle and preview say the same. Building it is one list of edits; it
-/// can be designed again afterwards from what it was made of.
+/// A tower being designed; form, handle and preview show the same draft. Building it emits one list of edits.
+/// A built tower can be redesigned from the draft it was built from.
 class TowerEditing final : public QObject {
     Q_OBJECT
 public:
-    TowerEditing(EditDesk& desk, MassingPanel& panel, QObject* parent = nullptr);  ///< both outlive it
+    TowerEditing(EditContext& context, MassingPanel& panel,
+                 QObject* parent = nullptr);  ///< both outlive it
 
-    /// `replaces`: id of a building whose place it takes; empty: none.
+    /// `replaces`: id of the building that the tower replaces; empty: none.
     void begin(const NamedLot& lot, const std::string& replaces, int storeys = 10);
-    /// The design of a tower that was built here and still is as it was built; none of any other building,
-    /// though it should bear the same id in another scenario.
+    /// The draft of a tower that was built here and has not been changed since. Nothing for any other
+    /// building, even if it has the same id in another scenario.
     [[nodiscard]] std::optional<TowerDraft> designOf(const Building& building) const;
     void resume(TowerDraft draft);
     [[nodiscard]] bool active() const { return draft_.has_value(); }
 
     void setHeight(double heightM);  ///< from the handle
-    void build();                    ///< does nothing while the draft cannot be
-    void show();                     ///< again, in the city as it is now
+    void build();                    ///< does nothing while the draft is invalid
+    void show();                     ///< again, in the current city
     void cancel();
-    void forget();  ///< another city: designs too
+    void forget();  ///< ends the design and forgets all drafts: another city was opened
 
 Q_SIGNALS:
     void began();
@@ -46,10 +55,10 @@ private:
 
     void take();
 
-    EditDesk& desk_;
+    EditContext& context_;
     MassingPanel& panel_;
     std::optional<TowerDraft> draft_;
-    std::vector<Edit> edits_;  ///< of the draft; empty while it cannot be
+    std::vector<Edit> edits_;  ///< of the draft; empty while it is invalid
     std::vector<Built> built_;
 };
 

@@ -7,13 +7,14 @@
 
 namespace noonmark {
 
-/// The project at a moment, to state what an answer shown then came from: its scenarios' names and edits, and
-/// whether its file holds them. For a job: costs the hashes of provenanceOf().
+/// A snapshot of the project when a result was displayed, to state the result's provenance later: the
+/// scenarios' names and edits, and whether the file contains them. Use it in a job: stating costs the hashes
+/// of provenanceOf().
 class AnswerOrigin {
 public:
     explicit AnswerOrigin(const ProjectSession& session);
 
-    /// Of the scenario that was shown then.
+    /// The study is of the scenario displayed at the time of the snapshot.
     [[nodiscard]] Study stated(Study study) const;
     [[nodiscard]] ImpactAnswer stated(ImpactAnswer answer) const;
     [[nodiscard]] ScoreAnswer stated(ScoreAnswer answer) const;

@@ -2,16 +2,16 @@
 
 #include <vector>
 
-#include "app/window/result_rows.h"
+#include "app/window/study/result_rows.h"
 #include "scenarios/impact/impact_text.h"
 
 namespace noonmark {
 
-/// What one scenario changes against another, line by line: areas of more and of less shadow for each
-/// threshold, means, the largest change, cells that are no receivers, and each new building by itself.
-std::vector<ResultRow> comparisonRowsOf(const ComparisonFigures& figures);
+/// The table of a comparison: areas with more and with less shadow for each threshold, means, largest
+/// changes, cells that stopped or started being receivers, and the contribution of each new building.
+std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures);
 
-/// "1,234 m² more" and "56 m² less", a line each; "nowhere".
-QString changedAreaWords(const ChangeFigures& figures);
+/// "1,234 m² more" and "56 m² less" on a line each, or "nowhere".
+QString describeChangedArea(const ChangeFigures& figures);
 
 }  // namespace noonmark

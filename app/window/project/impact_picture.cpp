@@ -3,9 +3,9 @@
 #include <QObject>
 #include <cmath>
 
-#include "app/report/impact_legend.h"
-#include "app/window/field_picture.h"
-#include "app/window/hover_text.h"
+#include "app/report/maps/impact_legend.h"
+#include "app/window/view/field_picture.h"
+#include "app/window/view/hover_text.h"
 
 namespace noonmark {
 
@@ -24,20 +24,20 @@ GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double 
     picture.grid = impact.grid;
     picture.pixels.reserve(impact.change.size());
     for (std::size_t cell = 0; cell < impact.change.size(); ++cell) {
-        const auto colour = colourOf(impact, measure, cell, top);
+        const auto colour = pickColour(impact, measure, cell, top);
         picture.pixels.push_back(colour ? pixelOf(*colour) : GroundPicture::Pixel{});
     }
     return picture;
 }
 
-QString changeText(const Impact& impact, glm::dvec2 point) {
+QString formatChange(const Impact& impact, glm::dvec2 point) {
     const auto cell = cellAt(impact.grid, point);
     if (!cell) return {};
     if (impact.change[*cell] == CellChange::becameBuilding)
-        return QObject::tr("ground before, built over now");
-    if (impact.change[*cell] == CellChange::becameGround) return QObject::tr("built over before, ground now");
+        return QObject::tr("formerly ground, now built over");
+    if (impact.change[*cell] == CellChange::becameGround) return QObject::tr("formerly building, now ground");
     const float gross = impact.grossMin[*cell], continuous = impact.continuousMin[*cell];
-    if (std::isnan(gross)) return QObject::tr("not measured here");
+    if (std::isnan(gross)) return QObject::tr("not measured");
     if (isInstant(impact))
         return gross > 0   ? QObject::tr("now in shadow")
                : gross < 0 ? QObject::tr("now in the sun")

@@ -1,16 +1,18 @@
 #pragma once
 
-#include "app/report/shadow_measure.h"
-#include "render/ground_picture.h"
+#include "app/report/maps/shadow_measure.h"
+#include "render/scene/ground_picture.h"
 #include "scenarios/impact/impact.h"
 
 namespace noonmark {
 
-/// The change on the ground. Cells without a change by more than a thousandth of a minute stay transparent,
-/// as do those that are no receivers in both, but for those that became building or ground. O(cells).
+/// The change of shadow as a picture for the ground. Transparent: cells that change by no more than a
+/// thousandth of a minute, and cells that are not receivers in both cities; cells that became building or
+/// ground have their own colour. O(cells).
 GroundPicture impactPicture(const Impact& impact, ShadowMeasure measure, double top);
 
-/// "+12.0 min a day more shadow" or "no change", of the cell that holds a point; empty outside of the grid.
-QString changeText(const Impact& impact, glm::dvec2 point);
+/// The change in the cell that contains a point, such as "change: gross +12.0 min a day" or "no change";
+/// empty outside the grid.
+QString formatChange(const Impact& impact, glm::dvec2 point);
 
 }  // namespace noonmark

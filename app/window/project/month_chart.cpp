@@ -11,8 +11,8 @@
 #include <QValueAxis>
 #include <algorithm>
 
-#include "app/report/palette.h"
-#include "app/report/style.h"
+#include "app/report/maps/palette.h"
+#include "app/report/sheets/style.h"
 #include "app/window/project/score_rows.h"
 
 namespace noonmark {
@@ -28,11 +28,11 @@ QFont smallFont(QFont font, bool bold = false) {
     return font;
 }
 
-/// One value a month.
+/// One value per month.
 struct Bars {
     QString title;
     std::vector<double> values;
-    QColor above;  ///< of values above 0
+    QColor above;  ///< colour of values above 0
     QColor below;
 };
 
@@ -75,7 +75,7 @@ void addAxes(QChart& chart, QStackedBarSeries& series, const QStringList& months
     if (amount->min() < amount->max())
         amount->applyNiceNumbers();
     else
-        amount->setRange(0, 1);  // all months are 0: nice numbers of an empty range are none
+        amount->setRange(0, 1);  // all months are 0: an empty range would give no tick labels
 }
 
 QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& font) {
@@ -90,7 +90,7 @@ QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& fon
     QStackedBarSeries* series = seriesOf(bars);
     chart->addSeries(series);
     addAxes(*chart, *series, months, font);
-    auto* view = new QChartView(chart);  // which owns it
+    auto* view = new QChartView(chart);  // owns the chart
     view->setRenderHint(QPainter::Antialiasing);
     view->setFixedHeight(chartHeightPx);
     view->setFrameShape(QFrame::NoFrame);
@@ -98,7 +98,7 @@ QChartView* viewOf(const Bars& bars, const QStringList& months, const QFont& fon
 }
 
 template <class Value>
-std::vector<double> valuesOf(const std::vector<MonthFigures>& months, Value value) {
+std::vector<double> getValues(const std::vector<MonthFigures>& months, Value value) {
     std::vector<double> values;
     for (const MonthFigures& month : months) values.push_back(month.*value);
     return values;
@@ -120,10 +120,10 @@ void MonthChart::show(const std::vector<MonthFigures>& months) {
     setVisible(!months.empty());
     if (months.empty()) return;
     QStringList names;
-    for (const MonthFigures& month : months) names << monthWords(month.month);
-    const Bars area{tr("Shadow area by month, m²"), valuesOf(months, &MonthFigures::shadowAreaM2),
+    for (const MonthFigures& month : months) names << describeMonth(month.month);
+    const Bars area{tr("Shadow area by month, m²"), getValues(months, &MonthFigures::shadowAreaM2),
                     shadowColour(0.6), shadowColour(0.6)};
-    const Bars score{tr("Score by month, m²"), valuesOf(months, &MonthFigures::scoreM2), impactColour(-0.8),
+    const Bars score{tr("Score by month, m²"), getValues(months, &MonthFigures::scoreM2), impactColour(-0.8),
                      impactColour(0.8)};
     for (const Bars& bars : {area, score}) layout()->addWidget(viewOf(bars, names, font()));
 }

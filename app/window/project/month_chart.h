@@ -7,13 +7,14 @@
 
 namespace noonmark {
 
-/// Two bar charts over the months of a score: shadow area, and what each month adds to the score, both in m².
+/// Two bar charts of a score by month, both in m²: the shadow area, and the month's contribution to the
+/// score.
 class MonthChart final : public QWidget {
     Q_OBJECT
 public:
     explicit MonthChart(QWidget* parent = nullptr);
 
-    void show(const std::vector<MonthFigures>& months);  ///< none: the charts hide
+    void show(const std::vector<MonthFigures>& months);  ///< none: hides the charts
 };
 
 }  // namespace noonmark

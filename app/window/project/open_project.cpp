@@ -19,9 +19,9 @@ Result<LoadedCity> readProjectFile(const std::string& file, OpenProject& opened,
     auto disk = ProjectFile::open(file);
     if (!disk) return tl::make_unexpected(disk.error());
     opened.project = disk->project();
-    opened.view = viewStateFrom(opened.project.view);
+    opened.view = parseViewState(opened.project.view);
     opened.file = *std::move(disk);
-    LoadedCity loaded = loadedFrom(opened.project, file);
+    LoadedCity loaded = loadProjectCity(opened.project, file);
     goToScenario(opened, loaded);
     return loaded;
 }
@@ -47,7 +47,7 @@ Result<OpenProject> openProject(const std::vector<std::string>& files, const Rea
     auto loaded = isProject(files) ? readProjectFile(files.front(), opened, progress)
                                    : readCityFiles(files, settings, opened, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
-    opened.zone = zoneNear(loaded->read.city.frame.origin());
+    opened.zone = findNearestZone(loaded->read.city.frame.origin());
     return shownCity(*std::move(loaded), nullptr, progress, std::move(stop)).map([&](OpenCity city) {
         opened.city = std::move(city);
         return std::move(opened);

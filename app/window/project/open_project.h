@@ -1,30 +1,31 @@
 #pragma once
 
-#include "app/window/open_city.h"
 #include "app/window/project/view_state.h"
+#include "app/window/study/open_city.h"
 #include "scenarios/project/project_file.h"
 
 namespace noonmark {
 
-/// A project with the city of one of its scenarios ready to be shown.
+/// A project and the city of one of its scenarios, ready for display.
 struct OpenProject {
     Project project;
-    std::optional<ProjectFile> file;  ///< none: it was never saved
+    std::optional<ProjectFile> file;  ///< none: never saved
     ViewState view;
-    OpenCity city;           ///< of view.scenario
-    bool recovered = false;  ///< work that an earlier run left unsaved
-    ZoneGuess zone;          ///< of the city
+    OpenCity city;  ///< the city of view.scenario
+    /// Read from a recovery file of an earlier run.
+    bool recovered = false;
+    ZoneGuess zone;  ///< guessed from the city's location
 };
 
-/// Whether the files are one project file, by its ending.
+/// Whether the files are a single project file, by its extension.
 bool isProject(const std::vector<std::string>& files);
 
-/// Everything that opening takes, without the window: for a job. City files become a project that has no
-/// file. A scenario of the view that cannot be shown any more gives a warning, and the city as it stands.
+/// Reads a project, or city files as a project without a file; no widgets, for use in a job. If the scenario
+/// of the view cannot be shown any more, the existing city is shown, with a warning.
 Result<OpenProject> openProject(const std::vector<std::string>& files, const ReadSettings& settings,
                                 Progress& progress, std::stop_token stop);
 
-/// The same city as read, with other buildings: for a scenario.
+/// `loaded` with the buildings of `city`, for a scenario.
 LoadedCity withCity(LoadedCity loaded, const City& city);
 
 }  // namespace noonmark

@@ -12,7 +12,7 @@ namespace noonmark {
 
 namespace {
 
-// Calls `work` with the list that holds parts of this kind. Results are shared and handled apart.
+// Calls `work` with the list of parts of this kind. Results are shared pointers and handled separately.
 template <class Work>
 void inList(Project& project, ProjectPart part, Work&& work) {
     switch (part) {
@@ -49,7 +49,7 @@ Scenario* scenarioIn(Project& project, const std::string& name) {
 void renameResult(Project& project, const std::string& from, const std::string& to) {
     for (auto& result : project.results) {
         if (result->name != from) continue;
-        auto copy = std::make_shared<KeptResult>(*result);
+        auto copy = std::make_shared<SavedResult>(*result);
         copy->name = to;
         result = std::move(copy);
     }
@@ -67,7 +67,7 @@ std::string nextProposal(const std::vector<Scenario>& scenarios) {
 
 std::string freeName(const Project& project, ProjectPart part, const std::string& name) {
     const std::vector<std::string> names = namesOf(project, part);
-    return firstFreeName(
+    return findFreeName(
         name, [&](const std::string& wanted) { return std::ranges::find(names, wanted) != names.end(); });
 }
 
@@ -76,7 +76,7 @@ Project withScenario(Project project, const std::string& name, const std::string
     return project;
 }
 
-Result<Project> renamed(Project project, ProjectPart part, const std::string& from, const std::string& to) {
+Result<Project> renameIn(Project project, ProjectPart part, const std::string& from, const std::string& to) {
     if (part == ProjectPart::scenario)
         return renameScenario(project.scenarios, from, to).map([&] { return std::move(project); });
     inList(project, part, [&](auto& list) {
@@ -97,7 +97,7 @@ Result<Project> without(Project project, ProjectPart part, const std::string& na
     return project;
 }
 
-Project duplicated(Project project, ProjectPart part, const std::string& name, std::string& made) {
+Project duplicate(Project project, ProjectPart part, const std::string& name, std::string& made) {
     made = part == ProjectPart::scenario ? nextProposal(project.scenarios) : freeName(project, part, name);
     inList(project, part, [&](auto& list) {
         const auto found = std::ranges::find_if(list, [&](auto& one) { return one.name == name; });
@@ -109,7 +109,7 @@ Project duplicated(Project project, ProjectPart part, const std::string& name, s
     return project;
 }
 
-Project rebased(Project project, const std::string& scenario, const std::string& base) {
+Project rebase(Project project, const std::string& scenario, const std::string& base) {
     if (Scenario* found = scenarioIn(project, scenario))
         found->base = base == existingCity ? std::string() : base;
     return project;

@@ -7,25 +7,25 @@
 
 namespace noonmark {
 
-/// What a project is made of, as lists show it.
+/// The kinds of parts that a project lists.
 enum class ProjectPart { lot, region, scenario, weights, period, result };
 
-/// "Proposal A", "Proposal B"... "Proposal Z", "Proposal 27": the first that no scenario bears.
+/// "Proposal A", "Proposal B"... "Proposal Z", "Proposal 27": the first name that no scenario has.
 std::string nextProposal(const std::vector<Scenario>& scenarios);
 
-/// The name, or "name (2)", "name (3)"...: the first that no part of this kind bears.
+/// The name, or "name (2)", "name (3)"...: the first that no part of this kind has.
 std::string freeName(const Project& project, ProjectPart part, const std::string& name);
 
-/// Changes of a project, as new values. Whether the outcome is sound is for ProjectSession::change() to say.
+/// Each function returns a changed project. ProjectSession::change() checks whether it is valid.
 Project withScenario(Project project, const std::string& name, const std::string& base);
-/// Error: no scenario may have this name.
-Result<Project> renamed(Project project, ProjectPart part, const std::string& from, const std::string& to);
-/// Error: the scenario is one that others start from.
+/// Error: the name is not allowed for a scenario.
+Result<Project> renameIn(Project project, ProjectPart part, const std::string& from, const std::string& to);
+/// Error: other scenarios start from this one.
 Result<Project> without(Project project, ProjectPart part, const std::string& name);
-/// A copy under a free name, after the original; `made` gets the name.
-Project duplicated(Project project, ProjectPart part, const std::string& name, std::string& made);
-/// A scenario with another base; empty or "Existing": the existing city.
-Project rebased(Project project, const std::string& scenario, const std::string& base);
+/// Adds a copy under an unused name after the original; `made` receives the name.
+Project duplicate(Project project, ProjectPart part, const std::string& name, std::string& made);
+/// Changes the base of a scenario; empty or "Existing": the existing city.
+Project rebase(Project project, const std::string& scenario, const std::string& base);
 Project withoutEdit(Project project, const std::string& scenario, std::size_t position);
 
 }  // namespace noonmark

@@ -27,11 +27,11 @@ QString useWords(ProjectPart part) {
         case ProjectPart::scenario:
             return QObject::tr("&Show");
         case ProjectPart::lot:
-            return QObject::tr("&Go there");
+            return QObject::tr("&Zoom to lot");
         case ProjectPart::region:
-            return QObject::tr("&Measure here");
+            return QObject::tr("&Use as study region");
         case ProjectPart::period:
-            return QObject::tr("&Measure then");
+            return QObject::tr("&Use as study period");
         case ProjectPart::weights:
             return QObject::tr("&Edit and score");
         case ProjectPart::result:
@@ -64,13 +64,14 @@ ProjectDock::ProjectDock(ProjectSession& session, QWidget* parent)
     for (int i = 0; i < model_->rowCount(); ++i) openGroup(model_->index(i, 0));
 }
 
-// What is worked with; what is long and seldom needed stays closed.
+// Expands the groups that are used most; lots and weight tables stay collapsed.
 void ProjectDock::openGroup(const QModelIndex& group) {
     const auto part = model_->nodeAt(group)->part;
     if (part && *part != ProjectPart::lot && *part != ProjectPart::weights) tree_->expand(group);
 }
 
-// Before the window's shortcuts: Delete in the tree is not the building's that is selected in the view.
+// The tree's keys take precedence over the window's shortcuts: Delete in the tree must not demolish the
+// building selected in the view.
 bool ProjectDock::eventFilter(QObject* watched, QEvent* event) {
     const bool claim = event->type() == QEvent::ShortcutOverride;
     if (watched != tree_ || (!claim && event->type() != QEvent::KeyPress))
@@ -92,14 +93,14 @@ void ProjectDock::use(const QModelIndex& index) {
     if (node == nullptr || !node->part || node->kind == Kind::group)
         return tree_->setExpanded(index, !tree_->isExpanded(index));
     const Project& project = session_.project();
-    const std::string name = node->name;  // the line may go with what is done
+    const std::string name = node->name;  // the action may remove the node
     if (node->part == ProjectPart::scenario) return session_.goTo(name);
     if (node->part == ProjectPart::result) return Q_EMIT resultChosen(name);
     if (node->part == ProjectPart::weights) return Q_EMIT weightsChosen(name);
     if (node->part == ProjectPart::region)
-        if (const auto region = regionNamed(project, name)) return Q_EMIT regionChosen(*region);
+        if (const auto region = findRegion(project, name)) return Q_EMIT regionChosen(*region);
     if (node->part == ProjectPart::lot)
-        if (const auto lot = lotNamed(project, name)) return Q_EMIT lotChosen(*lot);
+        if (const auto lot = findLot(project, name)) return Q_EMIT lotChosen(*lot);
     if (node->part == ProjectPart::period)
         for (const NamedPeriod& period : project.periods)
             if (period.name == name) return Q_EMIT periodChosen(period.period);
@@ -112,7 +113,7 @@ void ProjectDock::remove(const QModelIndex& index) {
     const QString shown = QString::fromStdString(name);
     if (node->kind == Kind::edit) {
         session_.change(withoutEdit(session_.project(), name, node->position),
-                        tr("step %1 of %2").arg(node->position + 1).arg(shown));
+                        tr("remove step %1 of %2").arg(node->position + 1).arg(shown));
         return;
     }
     const auto next = without(session_.project(), *node->part, name);
@@ -125,8 +126,8 @@ void ProjectDock::duplicate(const QModelIndex& index) {
     if (node == nullptr || !canDuplicate(*node)) return;
     const ProjectPart part = *node->part;
     std::string made;
-    Project next = duplicated(session_.project(), part, node->name, made);
-    const QString what = tr("copy of %1").arg(QString::fromStdString(node->name));
+    Project next = noonmark::duplicate(session_.project(), part, node->name, made);
+    const QString what = tr("duplicate %1").arg(QString::fromStdString(node->name));
     if (session_.change(std::move(next), what, part == ProjectPart::scenario ? made : std::string()))
         select(part, made);
 }
@@ -155,26 +156,26 @@ void ProjectDock::showMenu(QPoint at) {
     if (!menu.isEmpty()) menu.exec(tree_->viewport()->mapToGlobal(at));
 }
 
-// The project may change while the menu is open.
+// `index` is persistent, since the project may change while the menu is open.
 void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node) {
     if (node.kind == Kind::part) menu.addAction(useWords(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
     if (node.kind == Kind::part)
         menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });
     if (canDuplicate(node)) menu.addAction(tr("D&uplicate"), this, [this, index] { duplicate(index); });
-    menu.addAction(node.kind == Kind::edit ? tr("&Take back\tDel") : tr("&Delete\tDel"), this,
+    menu.addAction(node.kind == Kind::edit ? tr("&Remove step\tDel") : tr("&Delete\tDel"), this,
                    [this, index] { remove(index); });
 }
 
 void ProjectDock::addScenarioActions(QMenu& menu, const std::string& name) {
     if (name != session_.scenario())
-        menu.addAction(tr("&Compare with it"), this, [this, name] { session_.compareWith(name); });
-    menu.addAction(tr("&New scenario from it"), this, [this, name] { addScenario(name); });
+        menu.addAction(tr("&Compare with this"), this, [this, name] { session_.compareWith(name); });
+    menu.addAction(tr("&New scenario from this"), this, [this, name] { addScenario(name); });
     QMenu& bases = *menu.addMenu(tr("&Starts from"));
     const auto offer = [&](const std::string& base) {
         bases.addAction(QString::fromStdString(base), this, [this, name, base] {
-            session_.change(rebased(session_.project(), name, base),
-                            tr("base of %1").arg(QString::fromStdString(name)));
+            session_.change(rebase(session_.project(), name, base),
+                            tr("change base of %1").arg(QString::fromStdString(name)));
         });
     };
     offer(existingCity);
@@ -188,16 +189,17 @@ void ProjectDock::addGroupActions(QMenu& menu, const ProjectNode& node) {
         if (node.kind == Kind::part) {
             menu.addAction(tr("&Show"), this, [this] { session_.goTo(existingCity); });
             if (session_.scenario() != existingCity)
-                menu.addAction(tr("&Compare with it"), this, [this] { session_.compareWith(existingCity); });
+                menu.addAction(tr("&Compare with this"), this,
+                               [this] { session_.compareWith(existingCity); });
         }
         menu.addAction(tr("&New scenario"), this, [this] { addScenario({}); });
     }
     if (node.part == ProjectPart::region)
-        menu.addAction(tr("&Keep the study's region"), this, &ProjectDock::keepRegionRequested);
+        menu.addAction(tr("&Save the study's region"), this, &ProjectDock::keepRegionRequested);
     if (node.part == ProjectPart::period)
-        menu.addAction(tr("&Keep the study's period"), this, &ProjectDock::keepPeriodRequested);
+        menu.addAction(tr("&Save the study's period"), this, &ProjectDock::keepPeriodRequested);
     if (node.part == ProjectPart::result)
-        menu.addAction(tr("&Keep the result that is shown"), this, &ProjectDock::keepResultRequested);
+        menu.addAction(tr("&Save the displayed result"), this, &ProjectDock::keepResultRequested);
     if (node.part == ProjectPart::lot)
         menu.addAction(tr("&Draw a lot"), this, &ProjectDock::drawLotRequested);
 }

@@ -15,21 +15,21 @@ class ProjectModel;
 class ProjectSession;
 struct ProjectNode;
 
-/// The project's tree, and what can be done with its lines: by keys, by double click and by the context menu.
+/// The project's tree and the actions on its nodes: by key, double click and context menu.
 class ProjectDock final : public QWidget {
     Q_OBJECT
 public:
-    explicit ProjectDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` outlives it
+    explicit ProjectDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` must outlive it
 
     [[nodiscard]] QTreeView& tree() { return *tree_; }
     [[nodiscard]] ProjectModel& model() { return *model_; }
 
-    /// What Enter and a double click do: go to a scenario, use a region or period, go to a lot, edit a weight
-    /// table, show a kept result.
+    /// The action of Enter and double click: display a scenario, use a region or period, zoom to a lot, edit
+    /// a weight table, show a saved result.
     void use(const QModelIndex& index);
-    void remove(const QModelIndex& index);      ///< a part, or an edit of a scenario
+    void remove(const QModelIndex& index);      ///< removes a part, or an edit of a scenario
     void duplicate(const QModelIndex& index);   ///< a scenario, lot, region, period or weight table
-    void addScenario(const std::string& base);  ///< and goes to it
+    void addScenario(const std::string& base);  ///< and displays it
 
 Q_SIGNALS:
     void regionChosen(noonmark::Region region);
@@ -37,7 +37,7 @@ Q_SIGNALS:
     void lotChosen(noonmark::NamedLot lot);
     void resultChosen(const std::string& name);
     void weightsChosen(const std::string& name);
-    void keepRegionRequested();  ///< the study's region shall become one of the project's
+    void keepRegionRequested();  ///< the study's region is to be added to the project
     void keepPeriodRequested();
     void keepResultRequested();
     void drawLotRequested();

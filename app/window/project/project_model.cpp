@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-// Whether two lines stand for the same thing, though its words may differ.
+// Whether two nodes represent the same thing, even if the text differs.
 bool same(const ProjectNode& a, const ProjectNode& b) {
     if (a.kind != b.kind || a.part != b.part || a.name != b.name) return false;
     if (a.kind == ProjectNode::Kind::part) return true;
@@ -31,19 +31,19 @@ bool canRename(const ProjectNode& node) {
 ProjectModel::ProjectModel(ProjectSession& session, QObject* parent)
     : QAbstractItemModel(parent),
       session_(session),
-      root_(nodesOf(session.project(), session.scenario(), session.baseline())) {
+      root_(makeNodes(session.project(), session.scenario(), session.baseline())) {
     connect(&session_, &ProjectSession::changed, this, &ProjectModel::follow);
 }
 
 ProjectModel::~ProjectModel() = default;
 
 void ProjectModel::follow() {
-    const auto wanted = nodesOf(session_.project(), session_.scenario(), session_.baseline());
-    become(*root_, *wanted);
+    const auto wanted = makeNodes(session_.project(), session_.scenario(), session_.baseline());
+    mergeInto(*root_, *wanted);
 }
 
-// Lines that are the same at the beginning and at the end stay; those in between are replaced.
-void ProjectModel::become(ProjectNode& old, ProjectNode& wanted) {
+// Keeps nodes that are equal at the beginning and at the end, and replaces those in between.
+void ProjectModel::mergeInto(ProjectNode& old, ProjectNode& wanted) {
     auto& was = old.children;
     auto& is = wanted.children;
     std::size_t first = 0;
@@ -51,8 +51,8 @@ void ProjectModel::become(ProjectNode& old, ProjectNode& wanted) {
     std::size_t oldEnd = was.size(), wantedEnd = is.size();
     while (oldEnd > first && wantedEnd > first && same(*was[oldEnd - 1], *is[wantedEnd - 1]))
         --oldEnd, --wantedEnd;
-    for (std::size_t i = 0; i < first; ++i) become(*was[i], *is[i]);
-    for (std::size_t i = 0; oldEnd + i < was.size(); ++i) become(*was[oldEnd + i], *is[wantedEnd + i]);
+    for (std::size_t i = 0; i < first; ++i) mergeInto(*was[i], *is[i]);
+    for (std::size_t i = 0; oldEnd + i < was.size(); ++i) mergeInto(*was[oldEnd + i], *is[wantedEnd + i]);
     replaceRows(old, wanted, first, oldEnd, wantedEnd);
     if (&old == root_.get()) return;
     const bool differs = old.text != wanted.text || old.tip != wanted.tip ||

@@ -10,28 +10,29 @@ namespace noonmark {
 
 class ProjectSession;
 
-/// One line of the project's tree.
+/// A node of the project's tree.
 struct ProjectNode {
     enum class Kind { group, fact, part, edit };
     Kind kind = Kind::fact;
     std::optional<ProjectPart>
-        part;                  ///< of a group: what it lists; of a part and of an edit: what it belongs to
-    std::string name;          ///< of a part, of an edit the scenario's; else empty
-    std::size_t position = 0;  ///< of an edit in its scenario
+        /// The kind of a group's parts, of a part, or of the part that an edit belongs to.
+        part;
+    std::string name;          ///< of a part; of an edit: the scenario's name; else empty
+    std::size_t position = 0;  ///< of an edit: its index in the scenario
     QString text;
     QString tip;
-    bool emphasized = false;        ///< the scenario that is shown
+    bool emphasized = false;        ///< the displayed scenario
     ProjectNode* parent = nullptr;  ///< null: the root
     std::vector<std::unique_ptr<ProjectNode>> children;
 };
 
 /// The project as a tree: city, scenarios with their edits, lots, regions, periods, weight tables, results.
-/// Follows the session; lines that stay are not rebuilt, so views keep what is open and chosen. Parts of the
-/// project can be renamed in place.
+/// Follows the session; unchanged nodes are not rebuilt, so views keep what is expanded and selected. Parts
+/// can be renamed in place.
 class ProjectModel final : public QAbstractItemModel {
     Q_OBJECT
 public:
-    explicit ProjectModel(ProjectSession& session, QObject* parent = nullptr);  ///< `session` outlives it
+    explicit ProjectModel(ProjectSession& session, QObject* parent = nullptr);  ///< `session` must outlive it
     ~ProjectModel() override;
 
     [[nodiscard]] const ProjectNode* nodeAt(const QModelIndex& index) const;  ///< null: the root
@@ -48,7 +49,7 @@ public:
 
 private:
     void follow();
-    void become(ProjectNode& old, ProjectNode& wanted);
+    void mergeInto(ProjectNode& old, ProjectNode& wanted);
     void replaceRows(ProjectNode& old, ProjectNode& wanted, std::size_t first, std::size_t oldEnd,
                      std::size_t wantedEnd);
     [[nodiscard]] QModelIndex indexOf(const ProjectNode& node) const;

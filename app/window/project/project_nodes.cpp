@@ -2,8 +2,8 @@
 
 #include <QObject>
 
-#include "app/report/study_words.h"
-#include "app/window/region_words.h"
+#include "app/report/sheets/study_words.h"
+#include "app/window/study/region_words.h"
 
 namespace noonmark {
 
@@ -12,7 +12,7 @@ namespace {
 using Kind = ProjectNode::Kind;
 
 QString tr(const char* text) { return QObject::tr(text); }
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+QString formatText(const std::string& text) { return QString::fromStdString(text); }
 
 ProjectNode& added(ProjectNode& parent, ProjectNode node) {
     node.parent = &parent;
@@ -31,7 +31,8 @@ ProjectNode& addGroup(ProjectNode& root, ProjectPart part, const QString& text, 
 
 ProjectNode& addPart(ProjectNode& group, const std::string& name, const QString& about = {},
                      const QString& tip = {}) {
-    const QString text = about.isEmpty() ? textOf(name) : QStringLiteral("%1   %2").arg(textOf(name), about);
+    const QString text =
+        about.isEmpty() ? formatText(name) : QStringLiteral("%1   %2").arg(formatText(name), about);
     return added(group, {.kind = Kind::part, .part = group.part, .name = name, .text = text, .tip = tip});
 }
 
@@ -39,42 +40,44 @@ void addCity(ProjectNode& root, const Project& project) {
     const City& city = *project.city;
     ProjectNode& group = added(root, {.kind = Kind::group,
                                       .text = QObject::tr("City"),
-                                      .tip = tr("The city as it stands: what every scenario starts from")});
-    addFact(group, tr("%1 buildings").arg(countWords(city.buildings.size())));
+                                      .tip = tr("The existing city, from which every scenario starts")});
+    addFact(group, tr("%1 buildings").arg(describeCount(city.buildings.size())));
     addFact(group,
             city.terrain
                 ? tr("Terrain of %1 × %2 points").arg(city.terrain->grid.columns).arg(city.terrain->grid.rows)
                 : tr("Flat ground"));
-    if (!project.attribution.empty()) addFact(group, dataWords(project.attribution));
+    if (!project.attribution.empty()) addFact(group, describeData(project.attribution));
     for (const InputFile& input : project.inputs)
-        addFact(group, textOf(input.path.filename().string()),
-                QStringLiteral("%1\n%2").arg(textOf(input.path.string()), textOf(input.sha256)));
+        addFact(group, formatText(input.path.filename().string()),
+                QStringLiteral("%1\n%2").arg(formatText(input.path.string()), formatText(input.sha256)));
 }
 
 void addScenario(ProjectNode& group, const Scenario& scenario, bool shown, bool baseline) {
     QStringList notes;
-    if (!scenario.base.empty()) notes << tr("from %1").arg(textOf(scenario.base));
-    if (baseline) notes << tr("compared with");
+    if (!scenario.base.empty()) notes << tr("from %1").arg(formatText(scenario.base));
+    if (baseline) notes << tr("baseline");
     ProjectNode& node =
         addPart(group, scenario.name,
                 notes.isEmpty() ? QString() : QStringLiteral("(%1)").arg(notes.join(QStringLiteral(", "))),
-                tr("Enter or double click shows it"));
+                tr("Press Enter or double-click to show it"));
     node.emphasized = shown;
     for (std::size_t i = 0; i < scenario.edits.size(); ++i)
-        added(node, {.kind = Kind::edit,
-                     .part = ProjectPart::scenario,
-                     .name = scenario.name,
-                     .position = i,
-                     .text = textOf(noonmark::textOf(scenario.edits[i])),
-                     .tip = tr("Step %1 of %2; Delete takes it back").arg(i + 1).arg(textOf(scenario.name))});
+        added(node,
+              {.kind = Kind::edit,
+               .part = ProjectPart::scenario,
+               .name = scenario.name,
+               .position = i,
+               .text = formatText(noonmark::formatText(scenario.edits[i])),
+               .tip =
+                   tr("Step %1 of %2; press Delete to remove it").arg(i + 1).arg(formatText(scenario.name))});
 }
 
 void addScenarios(ProjectNode& root, const Project& project, const std::string& shown,
                   const std::string& baseline) {
     ProjectNode& group = addGroup(root, ProjectPart::scenario, tr("Scenarios"), project.scenarios.size(),
-                                  tr("Lists of changes to the city; the one that is shown is bold"));
+                                  tr("Lists of changes to the city; the displayed one is bold"));
     addScenario(group, {existingCity, {}, {}}, shown == existingCity, baseline == existingCity);
-    group.children.back()->tip = tr("The city as it stands. Enter or double click shows it");
+    group.children.back()->tip = tr("The existing city. Press Enter or double-click to show it");
     for (const Scenario& scenario : project.scenarios)
         addScenario(group, scenario, shown == scenario.name, baseline == scenario.name);
 }
@@ -83,7 +86,8 @@ void addLots(ProjectNode& root, const Project& project) {
     ProjectNode& group =
         addGroup(root, ProjectPart::lot, tr("Lots"), project.lots.size(), tr("Ground to build on"));
     for (const NamedLot& lot : project.lots)
-        addPart(group, lot.name, areaWords(area(lot.outline)), tr("Enter or double click goes there"));
+        addPart(group, lot.name, describeArea(area(lot.outline)),
+                tr("Press Enter or double-click to zoom to it"));
 }
 
 void addRegions(ProjectNode& root, const Project& project) {
@@ -92,7 +96,8 @@ void addRegions(ProjectNode& root, const Project& project) {
     for (const Region& region : project.regions) {
         double areaM2 = 0;
         for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
-        addPart(group, region.name, areaWords(areaM2), tr("Enter or double click: the study measures here"));
+        addPart(group, region.name, describeArea(areaM2),
+                tr("Press Enter or double-click to use it as the study region"));
     }
 }
 
@@ -101,38 +106,40 @@ void addPeriods(ProjectNode& root, const Project& project) {
                                   tr("Days and hours to study"));
     for (const NamedPeriod& period : project.periods)
         addPart(group, period.name, {},
-                tr("%1\nEnter or double click: the study measures then")
-                    .arg(textOf(noonmark::textOf(period.period))));
+                tr("%1\nPress Enter or double-click to use it as the study period")
+                    .arg(formatText(noonmark::formatText(period.period))));
 }
 
 void addWeights(ProjectNode& root, const Project& project) {
     ProjectNode& group =
         addGroup(root, ProjectPart::weights, tr("Weight tables"), project.weights.size(),
-                 tr("How much shade is wanted (1) or shadow unwanted (-1), by time of the year"));
+                 tr("How much shade is wanted (up to 1) or shadow unwanted (down to -1), by time of year"));
     for (const TimeWeights& table : project.weights) {
-        ProjectNode& node =
-            addPart(group, table.name, {}, tr("Enter or double click: edit it, and score by it"));
+        ProjectNode& node = addPart(group, table.name, {},
+                                    tr("Press Enter or double-click to edit it and compute scores with it"));
         for (const WeightedInterval& interval : table.intervals)
-            addFact(node, QStringLiteral("%1   %2").arg(textOf(interval.name)).arg(interval.weight));
+            addFact(node, QStringLiteral("%1   %2").arg(formatText(interval.name)).arg(interval.weight));
     }
 }
 
 void addResults(ProjectNode& root, const Project& project) {
-    ProjectNode& group = addGroup(root, ProjectPart::result, tr("Kept results"), project.results.size(),
-                                  tr("Maps and figures that are saved with the project"));
+    ProjectNode& group = addGroup(root, ProjectPart::result, tr("Saved results"), project.results.size(),
+                                  tr("Maps and figures saved in the project"));
     for (const auto& result : project.results) {
-        const QString of = result->baseline.empty()
-                               ? textOf(result->scenario)
-                               : tr("%1 against %2").arg(textOf(result->scenario), textOf(result->baseline));
-        addPart(group, result->name, {},
-                tr("%1 of %2\nEnter or double click shows it again").arg(textOf(result->kind), of));
+        const QString of =
+            result->baseline.empty()
+                ? formatText(result->scenario)
+                : tr("%1 compared with %2").arg(formatText(result->scenario), formatText(result->baseline));
+        addPart(
+            group, result->name, {},
+            tr("%1 of %2\nPress Enter or double-click to show it again").arg(formatText(result->kind), of));
     }
 }
 
 }  // namespace
 
-std::unique_ptr<ProjectNode> nodesOf(const Project& project, const std::string& shown,
-                                     const std::string& baseline) {
+std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string& shown,
+                                       const std::string& baseline) {
     auto root = std::make_unique<ProjectNode>();
     addCity(*root, project);
     addScenarios(*root, project, shown, baseline);

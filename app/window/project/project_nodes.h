@@ -6,8 +6,8 @@
 
 namespace noonmark {
 
-/// The tree of a project as it is now. The scenario that is shown is emphasized; the baseline is marked.
-std::unique_ptr<ProjectNode> nodesOf(const Project& project, const std::string& shown,
-                                     const std::string& baseline);
+/// The tree of a project. The displayed scenario is emphasized; the baseline is marked.
+std::unique_ptr<ProjectNode> makeNodes(const Project& project, const std::string& shown,
+                                       const std::string& baseline);
 
 }  // namespace noonmark

@@ -11,23 +11,23 @@ namespace noonmark {
 
 namespace fs = std::filesystem;
 
-/// A recovery file that one thread writes and another takes away; after that nothing is written any more.
-/// Taking it away does not wait for a write: the file goes when that ends.
-class KeptWork {
+/// A recovery file that one thread writes and another may discard; nothing is written after that. Discarding
+/// does not wait for a write: the file is removed when the write ends.
+class RecoveredWork {
 public:
-    explicit KeptWork(const fs::path& file) : autosave_(file) {
+    explicit RecoveredWork(const fs::path& file) : autosave_(file) {
         std::error_code none;
         movedAside_ = fs::exists(recoveryPath(file), none);
         if (movedAside_) fs::rename(recoveryPath(file), ProjectSaving::olderRecovery(file), none);
     }
 
-    /// Whether the recovery file of an earlier run was there; it is the older one now.
+    /// Whether there was a recovery file of an earlier run; it has been moved to olderRecovery().
     [[nodiscard]] bool movedAside() const { return movedAside_; }
 
     Result<void> keep(const Project& project) {
-        Result<void> kept = keepUnlessGone(project);
+        Result<void> saved = keepUnlessGone(project);
         if (gone_) removeUnlessWritten();
-        return kept;
+        return saved;
     }
 
     void discard() {
@@ -63,7 +63,7 @@ ProjectSaving::ProjectSaving(ProjectSession& session, std::function<View()> view
     });
 }
 
-// Two saves at once would take each other for someone else's: the later one waits.
+// The later save waits: concurrent saves would each see the other as a change of the file by another program.
 void ProjectSaving::save() {
     if (!session_.file()) return;
     if (writing_.busy()) return void(next_ = [this] { save(); });
@@ -100,12 +100,12 @@ void ProjectSaving::take(Result<ProjectFile> written, int version) {
     takenUp_.clear();
     session_.setSaved(*std::move(written), version);
     std::error_code none;
-    fs::remove(olderRecovery(session_.file()->path()), none);  // what was saved later than it counts
+    fs::remove(olderRecovery(session_.file()->path()), none);  // superseded by this save
     Q_EMIT saved(QString::fromStdString(session_.file()->path().string()));
     if (const auto next = std::exchange(next_, nullptr)) next();
 }
 
-fs::path ProjectSaving::keptBeside() const {
+fs::path ProjectSaving::savedBeside() const {
     return session_.file() ? session_.file()->path() : unsavedFile_;
 }
 
@@ -115,23 +115,23 @@ fs::path ProjectSaving::olderRecovery(const fs::path& file) {
 }
 
 void ProjectSaving::keepUnsaved() {
-    if (!session_.hasUnsavedWork() || keptBeside().empty()) return;
+    if (!session_.hasUnsavedWork() || savedBeside().empty()) return;
     if (keeping_.busy() || writing_.busy() || !leaving_.expired()) return timer_.start();
-    if (!kept_) kept_ = std::make_shared<KeptWork>(keptBeside());
+    if (!saved_) saved_ = std::make_shared<RecoveredWork>(savedBeside());
     keeping_.start<bool>(
-        tr("Keeping unsaved work"),
-        [kept = kept_, project = session_.withView(view_())](Progress&, std::stop_token) {
-            return kept->keep(project).map([] { return true; });
+        tr("Saving recovery file"),
+        [saved = saved_, project = session_.withView(view_())](Progress&, std::stop_token) {
+            return saved->keep(project).map([] { return true; });
         },
-        [this](const Result<bool>& kept) {
-            if (!kept) Q_EMIT notKept(kept.error());
+        [this](const Result<bool>& saved) {
+            if (!saved) Q_EMIT notSaved(saved.error());
         });
 }
 
 void ProjectSaving::forgetUnsaved() {
-    if (kept_) {
-        kept_->discard();
-        leaving_ = kept_;
+    if (saved_) {
+        saved_->discard();
+        leaving_ = saved_;
     }
     startOver();
 }
@@ -142,11 +142,11 @@ void ProjectSaving::discardUnsaved() {
     forgetUnsaved();
 }
 
-// Where this run has kept something, the newer of the earlier files was moved over the older one.
+// If this run has written a recovery file, the newer of the earlier files was moved over the older one.
 void ProjectSaving::forgetTakenUp() {
     const fs::path recovery = recoveryPath(session_.file()->path());
     const fs::path older = olderRecovery(session_.file()->path());
-    const bool moved = kept_ && kept_->movedAside();
+    const bool moved = saved_ && saved_->movedAside();
     std::error_code none;
     if (takenUp_ == recovery) fs::remove(moved ? older : recovery, none);
     if (takenUp_ == older && !moved) fs::remove(older, none);
@@ -163,7 +163,7 @@ void ProjectSaving::projectReplaced() {
 void ProjectSaving::startOver() {
     timer_.stop();
     keeping_.drop();
-    kept_.reset();
+    saved_.reset();
 }
 
 }  // namespace noonmark

@@ -7,45 +7,45 @@
 #include <map>
 #include <memory>
 
-#include "app/window/job_slot.h"
-#include "scenarios/project/autosave.h"
+#include "app/window/study/job_slot.h"
+#include "scenarios/project/recovery_file.h"
 
 namespace noonmark {
 
-class KeptWork;
+class RecoveredWork;
 class ProjectSession;
 
-/// Writes the session's project: into its file when asked to, and what is not saved yet into the recovery
-/// file beside it from time to time. Works beside the window; one save follows the other.
+/// Saves the session's project: into its file on request, and unsaved changes at intervals into the recovery
+/// file beside it. Works in jobs, one save after the other.
 class ProjectSaving final : public QObject {
     Q_OBJECT
 public:
     using View = std::map<std::string, std::string>;
-    /// `view` says what to keep of the window. `unsavedFile`: beside it lies the recovery file of a project
-    /// that has no file yet; empty: such a project is not kept. `session` outlives it.
+    /// `view` returns the window's state to save. `unsavedFile`: the recovery file of a project without a
+    /// file is written beside this path; empty: it is not written. `session` must outlive this object.
     ProjectSaving(ProjectSession& session, std::function<View()> view, std::filesystem::path unsavedFile,
                   QObject* parent = nullptr);
 
-    void save();                                     ///< only where the session has a file
-    void saveAs(const std::filesystem::path& file);  ///< over a project, never another file
-    /// What is not saved, now; as the timer does `autosaveMs` after a change. A recovery file of an earlier
-    /// run is moved aside, not written over.
+    void save();                                     ///< only if the session has a file
+    void saveAs(const std::filesystem::path& file);  ///< replaces a project file, never another file
+    /// Writes unsaved changes to the recovery file now; the timer calls it `autosaveMs` after a change. A
+    /// recovery file of an earlier run is moved aside, not overwritten.
     void keepUnsaved();
-    /// Nothing is unsaved any more: this run's recovery file goes.
+    /// Nothing is unsaved any more: removes this run's recovery file.
     void forgetUnsaved();
-    /// The session has taken up what this recovery file of an earlier run holds.
+    /// Reports that the session contains the work of this recovery file of an earlier run.
     void takeUp(const std::filesystem::path& recovery) { takenUp_ = recovery; }
-    /// The user does not want the unsaved work: this run's recovery file goes, and the one that the work was
-    /// taken up from. One that was offered and not taken up stays.
+    /// The user discards unsaved work: removes this run's recovery file, and the one that the work was
+    /// recovered from. A recovery file that was offered and not used stays.
     void discardUnsaved();
-    /// Another project was opened: what was kept of the one before stays. A save of that one still ends on
-    /// the disk, unheard; one that waited is left out.
+    /// Another project was opened: the previous project's recovery file stays. A save of it in progress
+    /// completes silently; one that was waiting is dropped.
     void projectReplaced();
 
     [[nodiscard]] JobSlot& writing() { return writing_; }
 
-    /// Where the recovery file lies that was there before this one's was written; see keepUnsaved(). One for
-    /// each project, in place of an older one; the next save removes it, and so does discardUnsaved() after
+    /// The path to which an earlier recovery file is moved before a new one is written; see keepUnsaved().
+    /// One per project, replacing an older one. The next save removes it, and so does discardUnsaved() after
     /// takeUp() of it.
     [[nodiscard]] static std::filesystem::path olderRecovery(const std::filesystem::path& file);
 
@@ -54,24 +54,24 @@ public:
 Q_SIGNALS:
     void saved(QString file);
     void failed(noonmark::Error error);
-    void notKept(noonmark::Error error);  ///< the recovery file could not be written; the work goes on
+    void notSaved(noonmark::Error error);  ///< the recovery file could not be written
 
 private:
     using Write = std::function<Result<ProjectFile>()>;
     void write(const std::filesystem::path& file, Write work);
     void take(Result<ProjectFile> written, int version);
     void startOver();
-    [[nodiscard]] std::filesystem::path keptBeside() const;
+    [[nodiscard]] std::filesystem::path savedBeside() const;
 
     ProjectSession& session_;
     std::function<View()> view_;
     std::filesystem::path unsavedFile_;
-    std::shared_ptr<KeptWork> kept_;   // null: nothing was kept since the last save
-    std::weak_ptr<KeptWork> leaving_;  // still being written when it was discarded
-    std::function<void()> next_;       // a save that was asked for while another wrote
+    std::shared_ptr<RecoveredWork> saved_;  // null: no recovery file written since the last save
+    std::weak_ptr<RecoveredWork> leaving_;  // still being written when discarded
+    std::function<void()> next_;            // a save requested while another was in progress
     void forgetTakenUp();
 
-    std::filesystem::path takenUp_;  // empty: nothing
+    std::filesystem::path takenUp_;  // the recovery file whose work was taken up; empty: none
     QTimer timer_;
     JobSlot writing_;
     JobSlot keeping_;

@@ -4,7 +4,7 @@
 
 namespace noonmark {
 
-// Keeps the values before and after: they share all that did not change.
+// Holds the project before and after; both share what did not change.
 class ProjectCommand final : public QUndoCommand {
 public:
     ProjectCommand(ProjectSession& session, ProjectSession::State to, const QString& what,
@@ -52,7 +52,7 @@ Result<std::shared_ptr<const City>> ProjectSession::cityOf(const std::string& sc
 }
 
 bool ProjectSession::isSound(const Project& project) {
-    Result<void> sound = checked(project);
+    Result<void> sound = validate(project);
     for (const Scenario& scenario : project.scenarios)
         if (sound) sound = cities_.cityOf(project, scenario.name).map([](const auto&) {});
     if (!sound) Q_EMIT refused(sound.error());
@@ -70,7 +70,7 @@ bool ProjectSession::push(State to, const QString& what, const Renaming& renamin
 }
 
 bool ProjectSession::rename(ProjectPart part, const std::string& from, const std::string& to) {
-    auto next = noonmark::renamed(now_.project, part, from, to);
+    auto next = noonmark::renameIn(now_.project, part, from, to);
     if (!next) {
         Q_EMIT refused(next.error());
         return false;
@@ -96,7 +96,7 @@ bool ProjectSession::addEdits(std::vector<Edit> edits, const QString& what) {
 bool ProjectSession::addLot(NamedLot lot) {
     Project next = now_.project;
     lot.name = freeName(next, ProjectPart::lot, lot.name.empty() ? "Lot" : lot.name);
-    const QString what = tr("lot %1").arg(QString::fromStdString(lot.name));
+    const QString what = tr("add lot %1").arg(QString::fromStdString(lot.name));
     next.lots.push_back(std::move(lot));
     return change(std::move(next), what);
 }
@@ -118,7 +118,8 @@ void ProjectSession::compareWith(const std::string& scenario) {
     Q_EMIT baselineChanged();
 }
 
-// A scenario that is gone (undone, deleted) is left for the existing city, a baseline for none.
+// If the displayed scenario no longer exists (undone, deleted), the existing city is displayed; if the
+// baseline no longer exists, there is none.
 void ProjectSession::apply(const State& state, const Renaming& renaming) {
     const auto before = cityOf(now_.baseline).value_or(nullptr);
     const bool follows = renaming.part == ProjectPart::scenario && now_.baseline == renaming.from;
@@ -141,7 +142,7 @@ void ProjectSession::takeCity() {
     Q_EMIT cityChanged();
 }
 
-// Alone, or in a step of undo that is made of several.
+// Looks at commands and at those inside a macro.
 bool ProjectSession::projectChanged() const {
     const auto changes = [](const QUndoCommand* command, const auto& self) -> bool {
         if (dynamic_cast<const ProjectCommand*>(command) != nullptr) return true;

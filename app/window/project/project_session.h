@@ -1,5 +1,14 @@
 #pragma once
 
+// The open project: its value, file and undo steps, and the docks that show it. ProjectSession holds the
+// project and the displayed scenario; project_changes has the pure functions that edit it, ScenarioCities
+// builds the city of each scenario. ProjectSaving writes the project file and its recovery file;
+// RecoveryStore names the recovery file of a project that has no file yet; ViewState is the part of the
+// window's state saved in the project. ProjectModel and ProjectDock show the project as a tree,
+// ScenarioTable, ScenariosDock and ScenarioBar the scenarios, WeightsModel and WeightsDock the weight tables.
+// The *_rows, *_picture and month_chart files turn comparisons and scores into table rows, map colours and
+// charts; shown_result does it for saved results.
+
 #include <QObject>
 #include <QString>
 #include <memory>
@@ -14,16 +23,16 @@ class QUndoStack;
 
 namespace noonmark {
 
-/// The project that is open: its value and its file, the scenario that is shown and the one it is compared
-/// with. Each change of the value is a step of the window's undo stack, which goes back to the scenario that
-/// it was made in. Knows no widgets and does no long work.
+/// The open project: its value and file, the displayed scenario and the baseline it is compared with. Each
+/// change is a step of the window's undo stack; undoing it also goes back to the scenario in which it was
+/// made. Knows no widgets and does no long work.
 class ProjectSession final : public QObject {
     Q_OBJECT
 public:
-    explicit ProjectSession(QUndoStack& undo, QObject* parent = nullptr);  ///< `undo` outlives it
+    explicit ProjectSession(QUndoStack& undo, QObject* parent = nullptr);  ///< `undo` must outlive it
 
-    /// Another project; the caller clears the undo stack. `file`: none for one that was never saved. A
-    /// scenario or baseline that is not sound is left out.
+    /// Opens another project; the caller clears the undo stack. `file`: none if the project was never saved.
+    /// An invalid scenario or baseline is ignored.
     void open(Project project, std::optional<ProjectFile> file, const std::string& scenario,
               const std::string& baseline = {});
 
@@ -32,42 +41,42 @@ public:
     [[nodiscard]] const std::string& scenario() const { return now_.scenario; }  ///< or existingCity
     [[nodiscard]] const std::string& baseline() const { return now_.baseline; }  ///< empty: no comparison
     [[nodiscard]] std::shared_ptr<const City> city() const { return city_; }  ///< of scenario(); never null
-    /// Of any scenario; the same city until its edits change.
+    /// The city of any scenario; the same object until its edits change.
     Result<std::shared_ptr<const City>> cityOf(const std::string& scenario);
 
-    /// The project as the next step of undo; `what` names it in the menu, `goTo` the scenario to show then,
-    /// empty: the one that is shown. What is not sound is refused, and nothing changes.
+    /// Makes `next` the project, as one undo step; `what` names it in the menu, `goTo` is the scenario to
+    /// display then, empty: the present one. An invalid project is refused, and nothing changes.
     bool change(Project next, const QString& what, const std::string& goTo = {});
-    /// Appends to the scenario that is shown; on the existing city a new one begins.
+    /// Appends edits to the displayed scenario; on the existing city, creates a new scenario.
     bool addEdits(std::vector<Edit> edits, const QString& what);
-    bool addLot(NamedLot lot);  ///< an empty or used name gets a number
+    bool addLot(NamedLot lot);  ///< an empty or used name is numbered
 
-    /// Another name for a part, one step of undo. The scenario that is shown and the one it is compared with
-    /// stay the same under their new names. What is not sound is refused, and nothing changes.
+    /// Renames a part, as one undo step. The displayed scenario and the baseline stay the same under their
+    /// new names. An invalid name is refused, and nothing changes.
     bool rename(ProjectPart part, const std::string& from, const std::string& to);
 
-    void goTo(const std::string& scenario);         ///< no step of undo; unknown names are refused
-    void compareWith(const std::string& scenario);  ///< empty: with nothing
+    void goTo(const std::string& scenario);         ///< no undo step; unknown names are refused
+    void compareWith(const std::string& scenario);  ///< empty: no comparison
 
-    /// Whether closing would lose something: changes since the last save; of a project that has no file,
-    /// changes of the project itself, not only of the question.
+    /// Whether closing would lose work: changes since the last save; for a project without a file, changes of
+    /// the project itself, not only of the study settings.
     [[nodiscard]] bool hasUnsavedWork() const;
-    /// Counts changes of project and question: two equal numbers mean that nothing happened in between.
+    /// Counts changes of project and study settings: equal numbers mean that nothing changed in between.
     [[nodiscard]] int version() const { return version_; }
-    /// The project is work that an earlier run left unsaved.
+    /// Marks the project as recovered: work that an earlier run left unsaved.
     void setRecovered();
     [[nodiscard]] bool recovered() const { return recovered_; }  ///< until it is saved
-    /// What was saved when the version was `version`.
+    /// Records that the state of version `version` was saved in `file`.
     void setSaved(ProjectFile file, int version);
-    /// The value that a save writes: with the window's state in it.
+    /// The project as it is saved: with the window's state in it.
     [[nodiscard]] Project withView(std::map<std::string, std::string> view) const;
 
 Q_SIGNALS:
-    void changed();          ///< what lists show
-    void unsavedChanged();   ///< hasUnsavedWork() or file() may be another
-    void cityChanged();      ///< another scenario, or other buildings in it
-    void baselineChanged();  ///< another baseline, or other buildings in it
-    /// Done, undone or redone; before changed().
+    void changed();          ///< something that lists display has changed
+    void unsavedChanged();   ///< hasUnsavedWork() or file() may have changed
+    void cityChanged();      ///< another scenario is displayed, or its buildings changed
+    void baselineChanged();  ///< another baseline, or its buildings changed
+    /// Emitted on do, undo and redo, before changed().
     void renamed(noonmark::ProjectPart part, const std::string& from, const std::string& to);
     void refused(noonmark::Error error);
 
@@ -78,7 +87,7 @@ private:
         std::string scenario = existingCity;
         std::string baseline;
     };
-    /// What a step of undo gave another name, if anything.
+    /// What an undo step renames, if anything.
     struct Renaming {
         std::optional<ProjectPart> part;
         std::string from;

@@ -33,10 +33,10 @@ void fillList(QComboBox& list, const QStringList& names, const QString& now) {
 ScenarioBar::ScenarioBar(ProjectSession& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      scenario_(listOf("scenario", tr("The scenario that is shown. Changes go into it; on the existing city "
-                                      "they begin a new one"))),
-      baseline_(listOf("baseline", tr("Show what the scenario changes against another one: minutes of shadow "
-                                      "more or less"))) {
+      scenario_(listOf("scenario", tr("The displayed scenario. Edits are added to it; on the existing city "
+                                      "they start a new scenario"))),
+      baseline_(listOf("baseline",
+                       tr("Compare the scenario with this baseline: more or fewer minutes of shadow"))) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 0, 6, 0);
     row->addWidget(new QLabel(tr("Scenario")));

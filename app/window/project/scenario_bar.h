@@ -8,11 +8,11 @@ namespace noonmark {
 
 class ProjectSession;
 
-/// Which scenario is shown, and which one it is compared with: two lists beside the modes.
+/// Two lists beside the modes: the displayed scenario and its baseline.
 class ScenarioBar final : public QWidget {
     Q_OBJECT
 public:
-    explicit ScenarioBar(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` outlives it
+    explicit ScenarioBar(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` must outlive it
 
 private:
     void fill();

@@ -8,7 +8,7 @@ namespace noonmark {
 
 namespace {
 
-constexpr std::size_t most = 64;  // cities kept; each holds a list of pointers of its own
+constexpr std::size_t most = 64;  // cities cached; each holds its own list of pointers
 
 bool beginsWith(const std::vector<Edit>& edits, const std::vector<Edit>& first) {
     return first.size() <= edits.size() && std::equal(first.begin(), first.end(), edits.begin());
@@ -27,13 +27,13 @@ Result<std::shared_ptr<const City>> ScenarioCities::cityOf(const Project& projec
                                                            const std::string& scenario) {
     if (existing_ != project.city) made_.clear();
     existing_ = project.city;
-    const auto edits = editsOf(project.scenarios, scenario);
+    const auto edits = collectEdits(project.scenarios, scenario);
     if (!edits) return tl::make_unexpected(edits.error());
     const Made from = nearest(*edits);
     if (from.edits.size() == edits->size()) return from.city;
     const auto rest = std::span(*edits).subspan(from.edits.size());
     auto edited = applied(*from.city, rest);
-    // Counted anew from the first edit, so that the message names the right one.
+    // Applies all edits again from the first, so that the error names the right one.
     if (!edited)
         return noonmark::cityOf(project, scenario).map([](EditedCity all) {
             return std::make_shared<const City>(std::move(all.city));

@@ -7,11 +7,11 @@
 
 namespace noonmark {
 
-/// The cities that scenarios make, made once: a list of edits that begins like one that was applied before
-/// goes on from there. So a city shares with its base what the base built, and an edit costs itself.
+/// Caches the cities of scenarios. A list of edits that begins with one applied before continues from its
+/// city, so that a scenario shares buildings with its base and an edit costs only itself.
 class ScenarioCities {
 public:
-    /// Errors as of cityOf(). Asked again the answer is the same city.
+    /// Errors as of cityOf(). Repeated calls return the same city.
     Result<std::shared_ptr<const City>> cityOf(const Project& project, const std::string& scenario);
 
 private:

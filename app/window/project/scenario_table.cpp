@@ -2,7 +2,7 @@
 
 #include <QFont>
 
-#include "app/report/study_words.h"
+#include "app/report/sheets/study_words.h"
 #include "app/window/project/project_session.h"
 #include "core/measures/has_runs.h"
 
@@ -16,18 +16,18 @@ struct Column {
 };
 
 constexpr Column columns[] = {
-    {"Scenario", "Double click shows it"},
-    {"Changes", "Steps from the existing city, those of its bases included"},
+    {"Scenario", "Double-click to show it"},
+    {"Changes", "Steps from the existing city, including those of its bases"},
     {"Shadow area, m²", "Sum over the receivers of (share of the sunlit time in shadow × cell area)"},
-    {"Mean gross, min", "Minutes in shadow a day, mean over days and receivers"},
+    {"Mean gross, min", "Minutes in shadow per day, mean over days and receivers"},
     {"Mean continuous, min", "Longest unbroken run in shadow on any day, mean over the receivers"},
 };
 
 QString figureAt(const Study& study, int column) {
     const ShadowStatistics& figures = study.statistics;
-    if (column == 2) return amountWords(figures.shadowAreaM2, 0);
+    if (column == 2) return describeAmount(figures.shadowAreaM2, 0);
     if (column == 4 && !hasRuns(figures)) return QObject::tr("not counted");
-    return amountWords(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
+    return describeAmount(column == 3 ? figures.meanGrossMin : figures.meanContinuousMin);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ int ScenarioTable::columnCount(const QModelIndex& parent) const {
 QString ScenarioTable::textAt(const std::string& scenario, int column) const {
     if (column == 0) return QString::fromStdString(scenario);
     if (column == 1) {
-        const auto edits = editsOf(session_.project().scenarios, scenario);
+        const auto edits = collectEdits(session_.project().scenarios, scenario);
         return edits ? QString::number(edits->size()) : QString();
     }
     const auto study = studies_.find(scenario);
@@ -82,7 +82,7 @@ QVariant ScenarioTable::data(const QModelIndex& index, int role) const {
     if (role == Qt::DisplayRole) return textAt(scenario, index.column());
     if (role == Qt::TextAlignmentRole && index.column() > 0) return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && index.column() > 1 && !studies_.contains(scenario))
-        return tr("No study of this scenario with the present settings yet: show it and press Run");
+        return tr("Not computed with the current settings: show the scenario and press Run");
     if (role == Qt::FontRole && scenario == session_.scenario()) {
         QFont bold;
         bold.setBold(true);

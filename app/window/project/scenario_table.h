@@ -10,15 +10,16 @@ namespace noonmark {
 
 class ProjectSession;
 
-/// The scenarios side by side: how many changes, and the figures of the latest study of each. Numbers can be
-/// compared only where the same question was asked, so those of other settings than the present are left out.
+/// The scenarios side by side: the number of changes, and the figures of each one's latest study. Figures are
+/// comparable only for the same study, so those with other settings are left out.
 class ScenarioTable final : public QAbstractTableModel {
     Q_OBJECT
 public:
-    explicit ScenarioTable(ProjectSession& session, QObject* parent = nullptr);  ///< `session` outlives it
+    /// `session` must outlive it
+    explicit ScenarioTable(ProjectSession& session, QObject* parent = nullptr);
 
     using Studies = std::map<std::string, std::shared_ptr<const Study>>;
-    /// By scenario; those of another question than `settings` are not shown.
+    /// Studies by scenario; those with settings other than `settings` are not shown.
     void setStudies(Studies studies, const StudySettings& settings);
 
     [[nodiscard]] std::string scenarioAt(int row) const;

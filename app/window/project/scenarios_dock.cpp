@@ -22,7 +22,7 @@ ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
     view->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     auto* measure = new QPushButton(tr("Measure all"));
     measure->setToolTip(
-        tr("The study of the scenarios that have no figures yet, with the same period and region"));
+        tr("Runs the study for scenarios without figures, with the current period and region"));
     auto* column = new QVBoxLayout(this);
     column->addWidget(view);
     column->addWidget(measure);

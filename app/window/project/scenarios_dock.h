@@ -7,11 +7,12 @@ namespace noonmark {
 class ProjectSession;
 class ScenarioTable;
 
-/// All scenarios and their figures side by side, and the button that works out those that are missing.
+/// All scenarios with their figures side by side, and a button that computes the missing ones.
 class ScenariosDock final : public QWidget {
     Q_OBJECT
 public:
-    explicit ScenariosDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` outlives it
+    /// `session` must outlive it
+    explicit ScenariosDock(ProjectSession& session, QWidget* parent = nullptr);
 
     [[nodiscard]] ScenarioTable& table() { return *table_; }
 

@@ -2,15 +2,15 @@
 
 #include <QString>
 
-#include "render/ground_picture.h"
+#include "render/scene/ground_picture.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
 
-/// Transparent where there is no receiver. O(cells).
+/// The score as a picture for the ground, transparent where there is no receiver. O(cells).
 GroundPicture scorePicture(const Score& score, double top);
 
-/// "score +0.520 m² a m²" of the cell that holds a point; empty outside of the grid.
-QString scoreText(const Score& score, glm::dvec2 point);
+/// "score +0.520 m² a m²" of the cell that contains a point; empty outside the grid.
+QString formatScore(const Score& score, glm::dvec2 point);
 
 }  // namespace noonmark

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "app/window/result_rows.h"
+#include "app/window/study/result_rows.h"
 #include "scenarios/weights/score.h"
 
 namespace noonmark {
 
-/// A score line by line: of all, of every month and of every interval that has sunlit time.
-std::vector<ResultRow> scoreRowsOf(const Score& score, const std::string& scenario,
-                                   const std::string& weights, const std::string& period);
+/// The table of a score: the total, each month and each interval with sunlit time.
+std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
+                                     const std::string& weights, const std::string& period);
 
 /// "Jan 2026"
-QString monthWords(std::chrono::year_month month);
+QString describeMonth(std::chrono::year_month month);
 
 }  // namespace noonmark

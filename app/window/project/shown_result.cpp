@@ -11,81 +11,81 @@ namespace noonmark {
 namespace {
 
 QString tr(const char* text) { return QObject::tr(text); }
-QString textOf(const std::string& text) { return QString::fromStdString(text); }
+QString formatText(const std::string& text) { return QString::fromStdString(text); }
 
-// In the time of this machine: whoever reads it kept it there, as a rule.
-QString keptAt(const KeptOrigin& origin) {
-    const QDateTime at = QDateTime::fromString(textOf(origin.at), Qt::ISODate).toLocalTime();
+// In local time, since the reader usually saved it on the same machine.
+QString keptAt(const SavedOrigin& origin) {
+    const QDateTime at = QDateTime::fromString(formatText(origin.at), Qt::ISODate).toLocalTime();
     return at.isValid() ? at.toString(QStringLiteral("yyyy-MM-dd HH:mm")) : tr("at an unknown date");
 }
 
-std::vector<ResultRow> figureRows(const KeptStudy& study, const ShownResult& result) {
+std::vector<ResultRow> figureRows(const SavedStudy& study, const ShownResult& result) {
     const ShadowField& field = study.field;
-    return rowsOf(StudyFigures{study.statistics,
-                               isInstant(field),
-                               study.steps,
-                               study.belowHorizon,
-                               field.sunlitMinutesPerDay,
-                               0,
-                               study.seconds,
-                               result.answer->origin.period,
-                               {{"error", study.error}},
-                               field.engine});
+    return makeRows(StudyFigures{study.statistics,
+                                 isInstant(field),
+                                 study.steps,
+                                 study.belowHorizon,
+                                 field.sunlitMinutesPerDay,
+                                 0,
+                                 study.seconds,
+                                 result.answer->origin.period,
+                                 {{"error", study.error}},
+                                 field.engine});
 }
 
-std::vector<ResultRow> figureRows(const KeptImpact& impact, const ShownResult&) {
-    return comparisonRowsOf(impact.figures);
+std::vector<ResultRow> figureRows(const SavedImpact& impact, const ShownResult&) {
+    return makeComparisonRows(impact.figures);
 }
 
-std::vector<ResultRow> figureRows(const KeptScore& score, const ShownResult& result) {
-    return scoreRowsOf(score.score, result.scenario, score.weights, result.answer->origin.period);
+std::vector<ResultRow> figureRows(const SavedScore& score, const ShownResult& result) {
+    return makeScoreRows(score.score, result.scenario, score.weights, result.answer->origin.period);
 }
 
-GroundAnswer::Map mapOf(const std::shared_ptr<const KeptAnswer>& kept) {
-    if (const auto* study = std::get_if<KeptStudy>(&kept->answer))
-        return std::shared_ptr<const ShadowField>(kept, &study->field);
-    if (const auto* impact = std::get_if<KeptImpact>(&kept->answer))
-        return std::shared_ptr<const Impact>(kept, &impact->impact);
-    return std::shared_ptr<const Score>(kept, &std::get<KeptScore>(kept->answer).score);
+GroundAnswer::Map mapOf(const std::shared_ptr<const SavedAnswer>& saved) {
+    if (const auto* study = std::get_if<SavedStudy>(&saved->answer))
+        return std::shared_ptr<const ShadowField>(saved, &study->field);
+    if (const auto* impact = std::get_if<SavedImpact>(&saved->answer))
+        return std::shared_ptr<const Impact>(saved, &impact->impact);
+    return std::shared_ptr<const Score>(saved, &std::get<SavedScore>(saved->answer).score);
 }
 
 }  // namespace
 
-Result<ShownResult> shownResult(const KeptResult& result, const Project& project) {
-    return answerOf(result).map([&](KeptAnswer answer) {
+Result<ShownResult> shownResult(const SavedResult& result, const Project& project) {
+    return readSavedAnswer(result).map([&](SavedAnswer answer) {
         ShownResult shown{result.name, result.scenario, {}, result.grid.cellM, {}, {}};
-        shown.changes = changesSince(result, answer.origin, project);
-        shown.weightChanges = weightChangesSince(answer.origin, project);
-        shown.answer = std::make_shared<const KeptAnswer>(std::move(answer));
+        shown.changes = findChangesSince(result, answer.origin, project);
+        shown.weightChanges = findWeightChangesSince(answer.origin, project);
+        shown.answer = std::make_shared<const SavedAnswer>(std::move(answer));
         return shown;
     });
 }
 
-std::optional<ShownResult> reweighed(const ShownResult& result, const Project& project) {
-    auto changes = weightChangesSince(result.answer->origin, project);
+std::optional<ShownResult> reweigh(const ShownResult& result, const Project& project) {
+    auto changes = findWeightChangesSince(result.answer->origin, project);
     if (changes == result.weightChanges) return std::nullopt;
     ShownResult now = result;
     now.weightChanges = std::move(changes);
     return now;
 }
 
-GroundAnswer groundAnswerOf(const ShownResult& result) {
-    const QString kept = tr("Kept %1: %2").arg(keptAt(result.answer->origin), textOf(result.name));
-    const QString note = result.upToDate() ? kept : tr("%1. Out of date").arg(kept);
+GroundAnswer makeGroundAnswer(const ShownResult& result) {
+    const QString saved = tr("Saved %1: %2").arg(keptAt(result.answer->origin), formatText(result.name));
+    const QString note = result.upToDate() ? saved : tr("%1. Outdated").arg(saved);
     return runsLookedFor({mapOf(result.answer), nullptr, note, !result.upToDate()});
 }
 
-std::vector<ResultRow> rowsOf(const ShownResult& result) {
-    const KeptOrigin& origin = result.answer->origin;
+std::vector<ResultRow> makeRows(const ShownResult& result) {
+    const SavedOrigin& origin = result.answer->origin;
     std::vector<ResultRow> rows{
-        {tr("Kept result"), textOf(result.name), tr("As it was kept in the project, not computed anew")},
-        {tr("Of"), textOf(result.scenario), {}},
+        {tr("Saved result"), formatText(result.name), tr("As saved in the project, not recomputed")},
+        {tr("Scenario"), formatText(result.scenario), {}},
         {tr("Region"),
          tr("%1\ncells of %2 m")
-             .arg(origin.region.empty() ? tr("without a name") : textOf(origin.region))
+             .arg(origin.region.empty() ? tr("unnamed") : formatText(origin.region))
              .arg(result.cellM),
          {}},
-        {tr("Made by"), tr("%1, kept %2").arg(textOf(origin.program), keptAt(origin)), {}}};
+        {tr("Computed by"), tr("%1, saved %2").arg(formatText(origin.program), keptAt(origin)), {}}};
     std::visit(
         [&](const auto& answer) {
             for (ResultRow& row : figureRows(answer, result)) rows.push_back(std::move(row));
@@ -94,16 +94,16 @@ std::vector<ResultRow> rowsOf(const ShownResult& result) {
     return rows;
 }
 
-QString keptWords(const ShownResult& result) {
-    QStringList words{tr("A result kept %1.").arg(keptAt(result.answer->origin))};
+QString describeSaved(const ShownResult& result) {
+    QStringList words{tr("A result saved %1.").arg(keptAt(result.answer->origin))};
     for (const auto* changes : {&result.changes, &result.weightChanges})
-        for (const std::string& change : *changes) words << textOf(change);
-    if (result.upToDate()) words << tr("Nothing it rests on has changed since.");
+        for (const std::string& change : *changes) words << formatText(change);
+    if (result.upToDate()) words << tr("Its inputs have not changed since.");
     return words.join(QLatin1Char('\n'));
 }
 
 std::vector<MonthFigures> monthsOf(const ShownResult& result) {
-    const auto* score = std::get_if<KeptScore>(&result.answer->answer);
+    const auto* score = std::get_if<SavedScore>(&result.answer->answer);
     return score ? score->score.months : std::vector<MonthFigures>();
 }
 

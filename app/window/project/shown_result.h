@@ -1,38 +1,40 @@
 #pragma once
 
-#include "app/window/ground_answer.h"
-#include "app/window/result_rows.h"
-#include "scenarios/project/kept_answer.h"
+#include "app/window/study/result_rows.h"
+#include "app/window/view/ground_answer.h"
+#include "scenarios/project/results/saved_answer.h"
 
 namespace noonmark {
 
-/// A kept result of the project, ready to be shown again.
+/// A saved result of the project, ready for display.
 struct ShownResult {
     std::string name;
     std::string scenario;
-    std::shared_ptr<const KeptAnswer> answer;
+    std::shared_ptr<const SavedAnswer> answer;
     double cellM = 1;
-    std::vector<std::string> changes;        ///< of buildings and files since it was kept
-    std::vector<std::string> weightChanges;  ///< of a score's weight table; changes while it is shown
+    /// Changes of buildings and files since it was saved.
+    std::vector<std::string> changes;
+    /// Changes of a score's weight table; may change while the result is displayed.
+    std::vector<std::string> weightChanges;
     [[nodiscard]] bool upToDate() const { return changes.empty() && weightChanges.empty(); }
 };
 
-/// For a job. Error: as of answerOf().
-Result<ShownResult> shownResult(const KeptResult& result, const Project& project);
+/// For use in a job. Error: as of readSavedAnswer().
+Result<ShownResult> shownResult(const SavedResult& result, const Project& project);
 
-/// The same beside the weight tables of a project that has changed; nothing where it stays as it is.
-std::optional<ShownResult> reweighed(const ShownResult& result, const Project& project);
+/// The result updated for the weight tables of a changed project; nothing if it stays as it is.
+std::optional<ShownResult> reweigh(const ShownResult& result, const Project& project);
 
-/// The note says that it is kept, since when, and whether something has changed: then it is marked.
-GroundAnswer groundAnswerOf(const ShownResult& result);
+/// The note states when the result was saved and whether anything has changed since; if so, it is marked.
+GroundAnswer makeGroundAnswer(const ShownResult& result);
 
-/// Its figures; before them what it is, where, when and by which version it was made.
-std::vector<ResultRow> rowsOf(const ShownResult& result);
+/// Its figures, preceded by what it is, where, when and by which version it was computed.
+std::vector<ResultRow> makeRows(const ShownResult& result);
 
-/// What to say above the figures: that it is kept, and each change since.
-QString keptWords(const ShownResult& result);
+/// The text above the figures: when the result was saved, and each change since.
+QString describeSaved(const ShownResult& result);
 
-/// Months of a score; none for other kinds.
+/// The months of a score; none for other kinds of results.
 std::vector<MonthFigures> monthsOf(const ShownResult& result);
 
 }  // namespace noonmark

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "core/receivers/roof_receivers.h"
-#include "scenarios/project/ring_json.h"
+#include "scenarios/project/tables/ring_json.h"
 
 namespace noonmark {
 
@@ -28,7 +28,7 @@ Region regionFrom(const Json& json) {
     for (const Json& polygon : json.at("polygons")) {
         std::vector<RawRing> rings;
         for (const Json& points : polygon) {
-            const Ring ring = ringOf(points);
+            const Ring ring = parseRing(points);
             rings.emplace_back(ring.begin(), ring.end());
         }
         for (Footprint& piece : repairFootprint(rings).pieces) region.polygons.push_back(std::move(piece));
@@ -49,9 +49,9 @@ SolarWindow windowFrom(const Json& json) {
 }
 
 Json periodJson(const Period& period) {
-    Json json{{"start", textOf(period.start)},   {"days", period.days},
-              {"from_min", period.from.count()}, {"hours", period.hours},
-              {"step_min", period.stepMinutes},  {"zone", period.zone},
+    Json json{{"start", formatText(period.start)}, {"days", period.days},
+              {"from_min", period.from.count()},   {"hours", period.hours},
+              {"step_min", period.stepMinutes},    {"zone", period.zone},
               {"refraction", period.refraction}};
     if (period.window) json["window"] = windowJson(*period.window);
     return json;
@@ -88,15 +88,15 @@ std::optional<StudySettings> studyFrom(const std::string& text) try {
     study.region = regionFrom(json.at("region"));
     study.receivers.cellM = json.at("cell_m");
     if (json.contains("receivers_on"))
-        study.receivers.places = placesNamed(json.at("receivers_on").get<std::string>()).value();
+        study.receivers.places = parsePlaces(json.at("receivers_on").get<std::string>()).value();
     study.period = periodFrom(json.at("period"));
     study.engine = json.at("engine");
     for (const auto& [key, value] : json.at("options").items()) study.engineSettings[key] = value;
     study.byMonth = json.at("by_month");
     study.contributions = json.at("contributions");
-    if (!checked(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
+    if (!validate(study.period) || !(study.receivers.cellM > 0)) return std::nullopt;
     return study;
-} catch (const std::exception&) {  // JSON of another shape, a ring of two points, places without a name
+} catch (const std::exception&) {  // unexpected JSON structure, a ring of two points, unnamed places
     return std::nullopt;
 }
 
@@ -124,7 +124,7 @@ std::string found(const Texts& texts, const char* key) {
     return at == texts.end() ? std::string() : at->second;
 }
 
-// Numbers of the file, not names: those are the window's and translated.
+// Values in the file, not the displayed names, which are translated.
 constexpr const char* modes[] = {"exploration", "analysis", "ray reference"};
 
 ViewMode modeFrom(const std::string& text) {
@@ -138,7 +138,7 @@ ViewMode modeFrom(const std::string& text) {
 Texts textsOf(const ViewState& state) {
     Texts texts{{"mode", modes[int(state.mode)]},
                 {"measure", state.measure == ShadowMeasure::gross ? "gross" : "continuous"},
-                {changeScaleKey, textOf(state.changeScale)},
+                {changeScaleKey, formatText(state.changeScale)},
                 {"scenario", state.scenario},
                 {"baseline", state.baseline}};
     if (!state.answer.empty()) {
@@ -150,7 +150,7 @@ Texts textsOf(const ViewState& state) {
     return texts;
 }
 
-ViewState viewStateFrom(const Texts& texts) {
+ViewState parseViewState(const Texts& texts) {
     ViewState state;
     state.camera = cameraFrom(found(texts, "camera"));
     state.mode = modeFrom(found(texts, "mode"));

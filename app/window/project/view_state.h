@@ -4,16 +4,16 @@
 #include <optional>
 #include <string>
 
-#include "app/report/change_scale.h"
-#include "app/report/shadow_measure.h"
-#include "app/window/view_mode.h"
+#include "app/report/maps/change_scale.h"
+#include "app/report/maps/shadow_measure.h"
+#include "app/window/view/view_mode.h"
 #include "core/study/study.h"
-#include "render/camera_pose.h"
+#include "render/view/camera_pose.h"
 #include "scenarios/scenario.h"
 
 namespace noonmark {
 
-/// What the window shows and asks, kept in Project::view and found again when the project is opened.
+/// The window's state that is saved in Project::view and restored when the project is opened.
 struct ViewState {
     std::optional<CameraPose> camera;
     ViewMode mode = ViewMode::exploration;
@@ -21,8 +21,8 @@ struct ViewState {
     ChangeScale changeScale;
     std::string scenario = existingCity;
     std::string baseline;                ///< empty: none
-    std::string answer;                  ///< "study" or "comparison": it was shown; empty: none was
-    double answerSeconds = 0;            ///< that it took to work out
+    std::string answer;                  ///< "study" or "comparison" was displayed; empty: neither
+    double answerSeconds = 0;            ///< time to compute it
     std::optional<StudySettings> study;  ///< region, cells, period, engine
 };
 
@@ -30,7 +30,8 @@ struct ViewState {
 /// "study" (JSON).
 std::map<std::string, std::string> textsOf(const ViewState& state);
 
-/// What can be read; the rest is as in ViewState{}. Any text is taken: the file may come from anywhere.
-ViewState viewStateFrom(const std::map<std::string, std::string>& texts);
+/// Reads what is valid; the rest is as in ViewState{}. Accepts any text, since the file may come from
+/// anywhere.
+ViewState parseViewState(const std::map<std::string, std::string>& texts);
 
 }  // namespace noonmark

@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "app/report/palette.h"
+#include "app/report/maps/palette.h"
 
 namespace noonmark {
 

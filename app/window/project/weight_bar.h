@@ -4,8 +4,8 @@
 
 namespace noonmark {
 
-/// A weight as a number with a bar under it: from the middle to the right where shade is wanted, to the left
-/// where shadow is unwanted. Takes the weight, -1 to 1, from Qt::UserRole.
+/// Draws a weight as a number with a bar: from the middle to the right if shade is wanted, to the left if
+/// shadow is unwanted. Reads the weight, -1 to 1, from Qt::UserRole.
 class WeightBar final : public QStyledItemDelegate {
     Q_OBJECT
 public:

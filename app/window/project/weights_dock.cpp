@@ -13,7 +13,7 @@
 #include "app/window/project/project_session.h"
 #include "app/window/project/weight_bar.h"
 #include "app/window/project/weights_model.h"
-#include "app/window/push_button.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
@@ -24,12 +24,12 @@ WeightsDock::WeightsDock(ProjectSession& session, QWidget* parent)
       tables_(new QComboBox),
       view_(new QTableView),
       refusal_(new QLabel),
-      score_(
-          pushButton(tr("Score by this table"), "score",
-                     tr("Shadow of the scenario that is shown, over the study's region and period, weighed "
-                        "by this table: month by month, and as a map"))) {
+      score_(pushButton(tr("Compute score"), "score",
+                        tr("Shadow of the displayed scenario over the study's region and period, weighted by "
+                           "this table: by month and as a map"))) {
     tables_->setObjectName(QStringLiteral("weightTables"));
-    tables_->setToolTip(tr("The table that is edited and scored by; F2 in the project's tree renames it"));
+    tables_->setToolTip(
+        tr("The weight table to edit and to compute scores with; rename it with F2 in the project tree"));
     refusal_->setObjectName(QStringLiteral("refusal"));
     refusal_->setWordWrap(true);
     refusal_->setStyleSheet(QStringLiteral("color: #a02410;"));
@@ -66,11 +66,12 @@ void WeightsDock::makeView() {
     view_->setTextElideMode(Qt::ElideRight);
     view_->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     fitColumns();
-    view_->horizontalHeader()->moveSection(WeightsModel::intervalWeight, 1);  // in sight in a narrow dock
+    view_->horizontalHeader()->moveSection(WeightsModel::intervalWeight, 1);  // visible in a narrow dock
     view_->verticalHeader()->setDefaultSectionSize(view_->fontMetrics().height() + 10);
 }
 
-// All columns are in sight in the narrowest dock: each as wide as what it may hold, and names take the rest.
+// Keeps all columns visible in the narrowest dock: each is as wide as its longest content, and names take the
+// rest.
 void WeightsDock::fitColumns() {
     constexpr int padding = 8, leastName = 60;
     const QString day = QStringLiteral("30 May"), hour = QStringLiteral("00:00");
@@ -93,14 +94,13 @@ void WeightsDock::fitColumns() {
 }
 
 QWidget* WeightsDock::makeButtons() {
-    auto* add =
-        pushButton(tr("Add"), "addInterval",
-                   tr("One more interval after the chosen one: over days that have no weight yet, else "
-                      "half of its days"));
-    auto* remove =
-        pushButton(tr("Remove"), "removeInterval", tr("The chosen interval; its time has no weight then"));
+    auto* add = pushButton(tr("Add"), "addInterval",
+                           tr("Adds an interval after the selected one: over days without a weight, else "
+                              "over half of its days"));
+    auto* remove = pushButton(tr("Remove"), "removeInterval",
+                              tr("Removes the selected interval; its time then has no weight"));
     auto* table = pushButton(tr("New table"), "newTable",
-                             tr("A table of its own, which begins with the twelve months of the paper"));
+                             tr("Adds a table that starts with the twelve months of the paper"));
     connect(add, &QPushButton::clicked, this, &WeightsDock::addInterval);
     connect(remove, &QPushButton::clicked, this, &WeightsDock::removeInterval);
     connect(table, &QPushButton::clicked, this, &WeightsDock::addTable);
@@ -117,7 +117,7 @@ void WeightsDock::choose(const std::string& table) {
     follow();
 }
 
-// The list, with the model's table chosen; the first one where that is gone.
+// Fills the list and selects the model's table, or the first one if that no longer exists.
 void WeightsDock::follow() {
     const QSignalBlocker quiet(tables_);
     tables_->clear();
@@ -131,11 +131,11 @@ void WeightsDock::follow() {
 
 void WeightsDock::addTable() {
     Project next = session_.project();
-    TimeWeights table = monthlyWeights();
+    TimeWeights table = makeMonthlyWeights();
     table.name = freeName(next, ProjectPart::weights, "my weights");
     const std::string name = table.name;
     next.weights.push_back(std::move(table));
-    if (session_.change(std::move(next), tr("new weights %1").arg(QString::fromStdString(name))))
+    if (session_.change(std::move(next), tr("new weight table %1").arg(QString::fromStdString(name))))
         choose(name);
 }
 

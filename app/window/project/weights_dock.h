@@ -14,11 +14,11 @@ namespace noonmark {
 class ProjectSession;
 class WeightsModel;
 
-/// The weight tables of the project: one of them is edited, and scored by.
+/// The weight tables of the project; the chosen one is edited and used to compute a score.
 class WeightsDock final : public QWidget {
     Q_OBJECT
 public:
-    explicit WeightsDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` outlives it
+    explicit WeightsDock(ProjectSession& session, QWidget* parent = nullptr);  ///< `session` must outlive it
 
     void choose(const std::string& table);  ///< shows and edits this one
     [[nodiscard]] WeightsModel& model() { return *model_; }

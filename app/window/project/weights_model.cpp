@@ -12,18 +12,19 @@ namespace noonmark {
 namespace {
 
 struct ColumnWords {
-    const char* key;  ///< of textsOf(WeightedInterval)
+    const char* key;  ///< key in textsOf(WeightedInterval)
     const char* title;
     const char* tip;
 };
 
 constexpr ColumnWords columns[] = {
-    {"name", "Interval", "Its name"},
-    {"first", "First", "First day, every year: month and day as 06-01, or a month as June"},
-    {"last", "Last", "Last day, itself too; before the first: over New Year. As 08-31, or a month as August"},
-    {"from", "From", "Hour of the day from which on it holds, wall clock: 00:00 to 24:00"},
-    {"to", "To", "Hour of the day up to which it holds: 00:00 to 24:00"},
-    {"weight", "Weight", "-1 (shadow is unwanted) to 1 (shade is wanted)"},
+    {"name", "Interval", "Name of the interval"},
+    {"first", "First", "First day, every year: month and day such as 06-01, or a month such as June"},
+    {"last", "Last",
+     "Last day, included; before the first: across New Year. Such as 08-31, or a month such as August"},
+    {"from", "From", "Time of day at which it begins, wall clock: 00:00 to 24:00"},
+    {"to", "To", "Time of day at which it ends: 00:00 to 24:00"},
+    {"weight", "Weight", "-1 (shadow unwanted) to 1 (shade wanted)"},
 };
 
 QString dayWords(std::chrono::month_day day) {
@@ -56,11 +57,11 @@ void WeightsModel::setTable(const std::string& name) {
 }
 
 void WeightsModel::follow() {
-    become(weightsNamed(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
+    replaceTable(findWeights(session_.project(), table_.name).value_or(TimeWeights{table_.name, {}}));
 }
 
-// Rows that are alike at the beginning and at the end stay; those in between are replaced.
-void WeightsModel::become(TimeWeights table) {
+// Keeps rows that are equal at the beginning and at the end, and replaces those in between.
+void WeightsModel::replaceTable(TimeWeights table) {
     auto& was = table_.intervals;
     const auto& is = table.intervals;
     const auto [oldFirst, newFirst] = std::ranges::mismatch(was, is);
@@ -79,7 +80,7 @@ void WeightsModel::become(TimeWeights table) {
 }
 
 bool WeightsModel::change(const Result<TimeWeights>& next) {
-    const Result<void> sound = next ? checked(*next) : tl::make_unexpected(next.error());
+    const Result<void> sound = next ? validate(*next) : tl::make_unexpected(next.error());
     if (!sound) {
         Q_EMIT refused(sound.error());
         return false;
@@ -87,7 +88,7 @@ bool WeightsModel::change(const Result<TimeWeights>& next) {
     Project project = session_.project();
     std::ranges::replace_if(
         project.weights, [&](const TimeWeights& one) { return one.name == table_.name; }, *next);
-    if (!session_.change(std::move(project), tr("weights %1").arg(QString::fromStdString(table_.name))))
+    if (!session_.change(std::move(project), tr("edit weights %1").arg(QString::fromStdString(table_.name))))
         return false;
     Q_EMIT edited();
     return true;
@@ -95,13 +96,13 @@ bool WeightsModel::change(const Result<TimeWeights>& next) {
 
 int WeightsModel::add(int afterRow) {
     if (table_.intervals.empty()) return -1;
-    const auto added = withInterval(table_, std::size_t(std::clamp(afterRow, 0, rowCount() - 1)));
+    const auto added = addInterval(table_, std::size_t(std::clamp(afterRow, 0, rowCount() - 1)));
     return change(added.map([](const AddedInterval& one) { return one.table; })) ? int(added->position) : -1;
 }
 
 bool WeightsModel::removeRows(int row, int count, const QModelIndex& parent) {
     if (parent.isValid() || count != 1 || row < 0 || row >= rowCount()) return false;
-    return change(withoutInterval(table_, std::size_t(row)));
+    return change(removeInterval(table_, std::size_t(row)));
 }
 
 int WeightsModel::rowCount(const QModelIndex& parent) const {

@@ -9,28 +9,28 @@ namespace noonmark {
 
 class ProjectSession;
 
-/// One weight table of the project: a row an interval, with columns for its name, its days, its hours and its
-/// weight, all edited in place as text ("06-01" or "June", "15:00", "-0.5"). Each edit is one step of undo.
-/// What is no date, hour or weight, and what would give a time two weights, is refused where it stands and
-/// changes nothing. Follows the session, a new name of the table too.
+/// One weight table of the project: one row per interval, with columns for name, days, hours and weight, all
+/// edited in place as text ("06-01" or "June", "15:00", "-0.5"). Each edit is one undo step. An invalid date,
+/// hour or weight, and intervals that would give a time two weights, are refused and change nothing. Follows
+/// the session, including renaming of the table.
 class WeightsModel final : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { intervalName, firstDay, lastDay, fromHour, toHour, intervalWeight };
 
-    explicit WeightsModel(ProjectSession& session, QObject* parent = nullptr);  ///< `session` outlives it
+    explicit WeightsModel(ProjectSession& session, QObject* parent = nullptr);  ///< `session` must outlive it
 
-    /// The table that is shown; one that is not there (any more) has no rows.
+    /// The table to show; if it does not exist (any more) there are no rows.
     void setTable(const std::string& name);
     [[nodiscard]] const TimeWeights& table() const { return table_; }
 
-    /// An interval more, as withInterval() has it. Returns its row; -1 where it was refused.
+    /// Adds an interval, as addInterval() places it. Returns its row, or -1 if refused.
     int add(int afterRow);
     bool removeRows(int row, int count, const QModelIndex& parent = {}) override;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-    /// The weight itself as Qt::UserRole, of every column.
+    /// For Qt::UserRole, returns the weight itself in every column.
     [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation,
@@ -38,12 +38,12 @@ public:
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    void edited();  ///< by this model: what was refused before is settled
+    void edited();  ///< by this model: clears an earlier refusal
     void refused(noonmark::Error error);
 
 private:
     void follow();
-    void become(TimeWeights table);
+    void replaceTable(TimeWeights table);
     bool change(const Result<TimeWeights>& next);
 
     ProjectSession& session_;

@@ -2,7 +2,7 @@
 
 #include <QLocale>
 
-#include "app/window/qt_dates.h"
+#include "app/window/frame/qt_dates.h"
 
 namespace noonmark {
 
@@ -25,11 +25,11 @@ TimeLook firstLook(const Period& study) {
     return look;
 }
 
-QString wordsOf(const TimeLook& look) {
+QString describe(const TimeLook& look) {
     if (look.span == TimeSpan::period) return {};
     const QString date = QLocale(QLocale::English).toString(dateOf(look.date), QStringLiteral("d MMMM yyyy"));
     if (look.span == TimeSpan::day) return date;
-    return QStringLiteral("%1, %2").arg(date, QString::fromStdString(textOf(look.at)));
+    return QStringLiteral("%1, %2").arg(date, QString::fromStdString(formatText(look.at)));
 }
 
 }  // namespace noonmark

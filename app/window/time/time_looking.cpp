@@ -25,7 +25,7 @@ void TimeLooking::ask() {
     if (!study_ || look_.span == TimeSpan::period) return;
     asked_ = look_;
     slot_.start<TimeAnswer>(
-        tr("Looking at %1").arg(wordsOf(look_)),
+        tr("Computing %1").arg(describe(look_)),
         [question = TimeAnswer{study_, look_, {}}, horizons = horizons_](Progress& progress,
                                                                          const std::stop_token& stop) {
             return answered(question, *horizons, progress, stop);
@@ -33,10 +33,10 @@ void TimeLooking::ask() {
         [this](Result<TimeAnswer> answer) { take(std::move(answer)); });
 }
 
-Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizons& horizons, Progress& progress,
-                                         const std::stop_token& stop) {
+Result<TimeAnswer> TimeLooking::answered(TimeAnswer question, SharedHorizonCache& horizons,
+                                         Progress& progress, const std::stop_token& stop) {
     const Study& study = *question.study;
-    const SunQuestion sun{periodOf(question.look, study.settings.period), observerOf(study)};
+    const SunQuestion sun{periodOf(question.look, study.settings.period), makeObserver(study)};
     auto field = horizons.field(study.city, study.receivers, sun, ShadowCounts::gross, progress, stop);
     if (!field) return tl::make_unexpected(field.error());
     question.field = std::move(*field);

@@ -3,51 +3,53 @@
 #include <QObject>
 #include <memory>
 
-#include "app/window/job_slot.h"
-#include "app/window/shared_horizons.h"
+#include "app/window/study/job_slot.h"
 #include "app/window/time/time_look.h"
+#include "app/window/view/shared_horizon_cache.h"
 #include "core/study/study.h"
 
 namespace noonmark {
 
-/// The shadow of a day or a moment on the receivers of a study.
+/// The shadow of a day or moment on the receivers of a study.
 struct TimeAnswer {
-    std::shared_ptr<const Study> study;  ///< whose receivers they are
+    std::shared_ptr<const Study> study;  ///< the study with the receivers
     TimeLook look;
-    ShadowField field;  ///< without longest runs
+    ShadowField field;  ///< without continuous shadow
 };
 
-/// Answers looks at a study's city from horizons that stay: the first look sweeps what its suns need, those
-/// that follow are a walk through tables, fast enough to follow a slider. One is worked out at a time; of
-/// those that come meanwhile the newest is next.
+/// Computes looks at a study's city from cached horizons. The first look sweeps the horizons for its sun
+/// positions; later ones are table look-ups, fast enough to follow a slider. One look is computed at a time;
+/// of those that arrive meanwhile the newest is next.
 class TimeLooking final : public QObject {
     Q_OBJECT
 public:
-    explicit TimeLooking(std::shared_ptr<SharedHorizons> horizons = std::make_shared<SharedHorizons>(),
-                         QObject* parent = nullptr)
+    explicit TimeLooking(
+        std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
+        QObject* parent = nullptr)
         : QObject(parent), horizons_(std::move(horizons)) {}
 
-    void setStudy(std::shared_ptr<const Study> study);  ///< null: none. The look stays and is answered anew
-    void look(const TimeLook& look);                    ///< the whole period: there is no answer then
+    /// Null: none. The look stays and is computed again.
+    void setStudy(std::shared_ptr<const Study> study);
+    void look(const TimeLook& look);  ///< for the whole period there is no answer
 
-    /// The latest; stays until there is another, also where a later look has none.
+    /// The latest answer; it stays until the next one, also if a later look has none.
     [[nodiscard]] std::shared_ptr<const TimeAnswer> answer() const { return answer_; }
     [[nodiscard]] JobSlot& working() { return slot_; }
 
 Q_SIGNALS:
-    void changed();  ///< another answer, or none any more
+    void changed();  ///< a new answer, or none any more
     void failed(noonmark::TimeLook look, noonmark::Error error);
 
 private:
-    static Result<TimeAnswer> answered(TimeAnswer question, SharedHorizons& horizons, Progress& progress,
+    static Result<TimeAnswer> answered(TimeAnswer question, SharedHorizonCache& horizons, Progress& progress,
                                        const std::stop_token& stop);
     void ask();
     void take(Result<TimeAnswer> answer);
 
-    std::shared_ptr<SharedHorizons> horizons_;
+    std::shared_ptr<SharedHorizonCache> horizons_;
     std::shared_ptr<const Study> study_;
     TimeLook look_;
-    TimeLook asked_;  // the last that was worked out, or is
+    TimeLook asked_;  // the last one computed or being computed
     std::shared_ptr<const TimeAnswer> answer_;
     JobSlot slot_;
 };

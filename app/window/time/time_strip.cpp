@@ -7,8 +7,8 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
-#include "app/window/push_button.h"
-#include "app/window/qt_dates.h"
+#include "app/window/frame/qt_dates.h"
+#include "app/window/widgets/push_button.h"
 
 namespace noonmark {
 
@@ -37,18 +37,18 @@ TimeStrip::TimeStrip(QWidget* parent)
       date_(slider("lookDate",
                    tr("The date, in the year of the study. Arrows: a day; Page Up and Down: a month"), 364,
                    30)),
-      time_(slider("lookTime", tr("The time on the wall clock. Arrows: a minute; Page Up and Down: an hour"),
+      time_(slider("lookTime", tr("The wall-clock time. Arrows: a minute; Page Up and Down: an hour"),
                    minutesADay - 1, 60)),
       words_(new QLabel),
-      use_(pushButton(tr("Study this"), "lookStudy",
-                      tr("Make this day or moment the period of the study; Run then works it out with its "
-                         "figures and errors"))) {
+      use_(pushButton(
+          tr("Set as period"), "lookStudy",
+          tr("Makes this day or moment the period of the study; Run then computes its figures and errors"))) {
     span_->setObjectName(QStringLiteral("lookSpan"));
     span_->addItems({tr("Whole period"), tr("One day"), tr("One moment")});
     span_->setToolTip(
-        tr("What is shown: the study, or its shadow on one day or at one moment, drawn while "
-           "the sliders move.\nHorizons are kept to half degrees for that: shadows may be off "
-           "by a quarter of a degree of the sun's way."));
+        tr("Shows the whole study, or its shadow on one day or at one moment as the sliders move.\nUses "
+           "horizons cached in steps of half a degree: shadows may be off by a quarter of a degree of the "
+           "sun's path."));
     place();
     connectFields();
     showLook();
@@ -86,7 +86,7 @@ void TimeStrip::setLook(const TimeLook& look) {
 }
 
 void TimeStrip::setAnswer(const TimeLook& of, const QString& words) {
-    words_->setText(QStringLiteral("%1: %2").arg(wordsOf(of), words));
+    words_->setText(QStringLiteral("%1: %2").arg(describe(of), words));
 }
 
 void TimeStrip::take() {

@@ -1,5 +1,8 @@
 #pragma once
 
+// Display of one day or moment of a study. TimeStrip has the sliders, TimeLook is the value that they choose,
+// and TimeLooking computes its shadow from cached horizons, fast enough to follow a slider.
+
 #include <QWidget>
 
 #include "app/window/time/time_look.h"
@@ -11,23 +14,23 @@ class QSlider;
 
 namespace noonmark {
 
-/// Below the view of a study: a day or a moment of its year, chosen by sliders that can be dragged. The dates
-/// are those of the year in which the study begins.
+/// The strip below the view: sliders that choose a day or moment of the study's year. Dates are in the year
+/// in which the study begins.
 class TimeStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit TimeStrip(QWidget* parent = nullptr);
 
-    /// Another study: the look stays where its year is the same.
+    /// Sets the period of another study; the look stays if the year is the same.
     void setPeriod(const Period& period);
     [[nodiscard]] const TimeLook& look() const { return look_; }
-    void setLook(const TimeLook& look);  ///< the date lies in the year of the study
-    /// What is to be said of a look that was worked out: "71 % in shadow".
+    void setLook(const TimeLook& look);  ///< the date must be in the year of the study
+    /// The result text of a look that was computed, such as "71 % in shadow".
     void setAnswer(const TimeLook& of, const QString& words);
 
 Q_SIGNALS:
     void lookChanged(noonmark::TimeLook look);
-    void taken(noonmark::TimeLook look);  ///< shall become the period of the study
+    void taken(noonmark::TimeLook look);  ///< to become the period of the study
 
 private:
     void place();

@@ -1,4 +1,4 @@
-#include "core/bench/contest.h"
+#include "core/bench/contests/contest.h"
 
 #include <gtest/gtest.h>
 
@@ -6,21 +6,25 @@
 #include <limits>
 #include <thread>
 
-#include "core/accumulate/ray_reference.h"
-#include "core/bench/forecast.h"
+#include "core/bench/contests/forecast.h"
+#include "core/engines/ray/ray_reference.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {
 namespace {
 
-/// The ray reference with minutes added, after a while; or a refusal.
-class Made final : public Accumulator {
+/// Returns the ray reference's field with minutes added, after a delay; or refuses.
+class Made final : public Engine {
 public:
     Made(double addedMin, double seconds, bool refuses = false)
         : addedMin_(addedMin), seconds_(seconds), refuses_(refuses) {}
 
-    Result<ShadowField> accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                   Progress& progress, std::stop_token stop) const override {
+    [[nodiscard]] std::string_view name() const override { return "Made"; }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return {}; }
+
+protected:
+    Result<ShadowField> compute(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                Progress& progress, std::stop_token stop) const override {
         if (refuses_) return failure("Not on such ground");
         for (double waited = 0; waited < seconds_; waited += 0.01) {
             if (stop.stop_requested()) return cancelled();
@@ -42,20 +46,20 @@ protected:
     Placing placingOf(double addedMin, double seconds, bool refuses = false) {
         const std::vector<Contestant> contestants{
             {"made", "Made", "", std::make_shared<Made>(addedMin, seconds, refuses)}};
-        const Truth truth = truthOf(scene_, receivers_, work_).value();
-        return contest(scene_, contestants, truth, extent_, work_).value().front();
+        const Truth truth = computeTruth(scene_, receivers_, work_).value();
+        return runContest(scene_, contestants, truth, extent_, work_).value().front();
     }
 
     BenchSite site_ = tests::tinySite();
-    Receivers receivers_ = middleReceivers(site_, {}).value();
-    SunSteps sun_ = noonHour(site_).value();
+    Receivers receivers_ = pickMiddleReceivers(site_, {}).value();
+    SunSteps sun_ = makeNoonHour(site_).value();
     Scene scene_{site_.city, receivers_, sun_};
     NoProgress silent_;
     Work work_{silent_, {}};
     Extent extent_;
 };
 
-TEST_F(ContestTest, theRightAnswerIsTimedAsOftenAsAsked) {
+TEST_F(ContestTest, TheRightAnswerIsTimedAsOftenAsAsked) {
     const Placing placing = placingOf(0, 0);
     EXPECT_EQ(placing.error, FieldError{});
     EXPECT_EQ(placing.runs, 5);
@@ -63,7 +67,7 @@ TEST_F(ContestTest, theRightAnswerIsTimedAsOftenAsAsked) {
     EXPECT_TRUE(placing.refusal.empty());
 }
 
-TEST_F(ContestTest, errorsAreInPercentOfThePeriod) {
+TEST_F(ContestTest, ErrorsAreInPercentOfThePeriod) {
     const Placing placing = placingOf(1.2, 0);  // of 60 min
     EXPECT_NEAR(placing.error.areaPct, 2, 1e-4);
     EXPECT_NEAR(placing.error.cellMeanPct, 2, 1e-4);
@@ -71,48 +75,48 @@ TEST_F(ContestTest, errorsAreInPercentOfThePeriod) {
     EXPECT_TRUE(placing.timed());
 }
 
-TEST_F(ContestTest, aWrongAnswerIsNotTimed) {
+TEST_F(ContestTest, AWrongAnswerIsNotTimed) {
     const Placing placing = placingOf(10, 0);
     EXPECT_FALSE(placing.timed());
-    EXPECT_NE(placing.refusal.find("off by 16.7 %"), std::string::npos) << placing.refusal;
+    EXPECT_NE(placing.refusal.find("differ by 16.7 %"), std::string::npos) << placing.refusal;
 }
 
-TEST_F(ContestTest, aRefusalIsKept) {
+TEST_F(ContestTest, ARefusalIsKept) {
     const Placing placing = placingOf(0, 0, true);
     EXPECT_FALSE(placing.timed());
     EXPECT_FALSE(placing.tooSlow);
     EXPECT_EQ(placing.refusal, "Not on such ground");
 }
 
-TEST_F(ContestTest, whoNeverEndsIsStopped) {
+TEST_F(ContestTest, WhoNeverEndsIsStopped) {
     extent_.neverAboveS = 0.05;
     const Placing placing = placingOf(0, 1000);
     EXPECT_TRUE(placing.tooSlow);
     EXPECT_FALSE(placing.timed());
 }
 
-TEST(BenchForecast, givesUpWhatWouldTakeHalfAsLongAgain) {
-    EXPECT_TRUE(hopeless(6, 0.1, 20));
-    EXPECT_FALSE(hopeless(4, 0.1, 20));   // too early to tell
-    EXPECT_FALSE(hopeless(6, 0.25, 20));  // it may end in time
-    EXPECT_FALSE(hopeless(6, 0, 20));     // it does not say how far it is
-    EXPECT_FALSE(hopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
+TEST(BenchForecast, GivesUpWhatWouldTakeHalfAsLongAgain) {
+    EXPECT_TRUE(isHopeless(6, 0.1, 20));
+    EXPECT_FALSE(isHopeless(4, 0.1, 20));   // too early to tell
+    EXPECT_FALSE(isHopeless(6, 0.25, 20));  // it may end in time
+    EXPECT_FALSE(isHopeless(6, 0, 20));     // it reports no progress
+    EXPECT_FALSE(isHopeless(1e6, 0.5, std::numeric_limits<double>::infinity()));
 }
 
-TEST_F(ContestTest, whoIsNeededIsLetEnd) {
+TEST_F(ContestTest, WhoIsNeededIsLetEnd) {
     extent_.neverAboveS = 0.01;
     const std::vector<Contestant> needed{
         {"made", "Made", "", std::make_shared<Made>(0, 0.05), /*needed=*/true}};
-    const Truth truth = truthOf(scene_, receivers_, work_).value();
-    EXPECT_TRUE(contest(scene_, needed, truth, extent_, work_).value().front().timed());
+    const Truth truth = computeTruth(scene_, receivers_, work_).value();
+    EXPECT_TRUE(runContest(scene_, needed, truth, extent_, work_).value().front().timed());
 }
 
-TEST_F(ContestTest, whoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
+TEST_F(ContestTest, WhoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
     const std::vector<Contestant> three{{"a", "A", "", std::make_shared<Made>(0, 0)},
                                         {"b", "B", "", std::make_shared<Made>(0, 0)},
                                         {"c", "C", "", std::make_shared<Made>(1.2, 0)}};
-    const Truth truth = truthOf(scene_, receivers_, work_).value();
-    const auto placings = contestWithin(3, {1, 10, 2}, scene_, three, truth, extent_, work_).value();
+    const Truth truth = computeTruth(scene_, receivers_, work_).value();
+    const auto placings = runContestWithin(3, {1, 10, 2}, scene_, three, truth, extent_, work_).value();
     ASSERT_EQ(placings.size(), 3U);
     EXPECT_TRUE(placings[0].timed());
     EXPECT_TRUE(placings[1].tooSlow);
@@ -121,14 +125,14 @@ TEST_F(ContestTest, whoCostsTooMuchIsLeftOutAndKeepsItsPlace) {
     EXPECT_TRUE(placings[0].peakBytes.has_value());
 }
 
-TEST_F(ContestTest, whatTakesLongIsRunOnce) {
+TEST_F(ContestTest, WhatTakesLongIsRunOnce) {
     extent_.onceAboveS = 0.01;
     const Placing placing = placingOf(0, 0.03);
     EXPECT_EQ(placing.runs, 1);
     EXPECT_GE(placing.medianS, 0.03);
 }
 
-TEST_F(ContestTest, theWholeRaysTimeGrowsWithTheReceivers) {
+TEST_F(ContestTest, TheWholeRaysTimeGrowsWithTheReceivers) {
     Truth truth;
     truth.field.cost.seconds = {{"build", 2}, {"trace", 3}};
     truth.receivers = receivers_;

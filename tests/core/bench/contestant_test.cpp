@@ -1,4 +1,4 @@
-#include "core/bench/contestant.h"
+#include "core/bench/contests/contestant.h"
 
 #include <gtest/gtest.h>
 
@@ -8,29 +8,29 @@
 namespace noonmark::bench {
 namespace {
 
-TEST(BenchContestants, everyEngineOfTheListRunsAsUsual) {
-    const StartList list = usualEngines(coreEngines());
+TEST(BenchContestants, EveryEngineOfTheListRunsAsUsual) {
+    const StartList list = listUsualEngines(coreEngines());
     EXPECT_EQ(list.contestants.size() + list.absent.size(), coreEngines().size());
     for (const Contestant& contestant : list.contestants) EXPECT_TRUE(contestant.setting.empty());
 }
 
-TEST(BenchContestants, settingsAreTriedOnceEach) {
-    const StartList list = variedEngines(coreEngines(), {0.25, 0.5, 1, 2, 4});
+TEST(BenchContestants, SettingsAreTriedOnceEach) {
+    const StartList list = listVariedEngines(coreEngines(), {0.25, 0.5, 1, 2, 4});
     std::set<std::string> titles;
     for (const Contestant& contestant : list.contestants)
-        EXPECT_TRUE(titles.insert(titleOf(contestant)).second) << titleOf(contestant);
+        EXPECT_TRUE(titles.insert(makeTitle(contestant)).second) << makeTitle(contestant);
     EXPECT_TRUE(titles.contains("Horizon sweep"));
     EXPECT_TRUE(titles.contains("Horizon sweep, error 0.1 %"));
     EXPECT_TRUE(titles.contains("Inverse accrual map, levels 6"));
     EXPECT_TRUE(titles.contains("Inverse accrual map, levels 8"));  // 12 clamped
 }
 
-TEST(BenchContestants, aLadderHasTheUsualRungToo) {
-    const auto ladder = ladderOf(coreEngines(), "iam", "levels", {1, 2, 3});
+TEST(BenchContestants, ALadderHasTheUsualRungToo) {
+    const auto ladder = listVariants(coreEngines(), "iam", "levels", {1, 2, 3});
     ASSERT_EQ(ladder.size(), 3U);
     EXPECT_EQ(ladder[0].setting, "levels 1");
     EXPECT_EQ(ladder[2].setting, "");
-    EXPECT_TRUE(ladderOf(coreEngines(), "none", "levels", {1}).empty());
+    EXPECT_TRUE(listVariants(coreEngines(), "none", "levels", {1}).empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/bench/horizon_bench.h"
+#include "core/bench/horizon/horizon_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +16,13 @@ protected:
             NoProgress silent;
             Extent extent = tests::leastExtent();
             extent.binsDeg = {0.5, 2};
-            return horizonBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
+            return runHorizonBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
         }();
         return made;
     }
 };
 
-TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
+TEST_F(HorizonBenchTest, TheSummaryHasTheKeysThatOthersReadAllMeasured) {
     const auto json = nlohmann::ordered_json::parse(summaryJson(report()));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) {
@@ -38,14 +38,14 @@ TEST_F(HorizonBenchTest, theSummaryHasTheKeysThatOthersReadAllMeasured) {
     EXPECT_LT(json["day_mistagged_pct"].get<double>(), 0.05);
 }
 
-TEST_F(HorizonBenchTest, widerBinsAreFartherOff) {
+TEST_F(HorizonBenchTest, WiderBinsAreFartherOff) {
     const Finding& year = report().findings.front();
     ASSERT_EQ(year.key, "horizon_year") << year.text;
-    ASSERT_EQ(year.table.rows.size(), 4U);  // the first two: as the error target asks
+    ASSERT_EQ(year.table.rows.size(), 4U);  // the first two use the error target
     EXPECT_LT(std::get<double>(year.table.rows[2][2]), std::get<double>(year.table.rows[3][2]));
 }
 
-TEST_F(HorizonBenchTest, everyExperimentIsMadeAndEveryRowHasEveryColumn) {
+TEST_F(HorizonBenchTest, EveryExperimentIsMadeAndEveryRowHasEveryColumn) {
     ASSERT_EQ(report().findings.size(), horizonBenchKeys.size());
     for (std::size_t i = 0; i < report().findings.size(); ++i) {
         const Finding& one = report().findings[i];

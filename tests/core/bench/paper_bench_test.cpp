@@ -1,4 +1,4 @@
-#include "core/bench/paper_bench.h"
+#include "core/bench/paper/paper_bench.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/bench/contestant.h"
+#include "core/bench/contests/contestant.h"
 #include "tests/core/bench/tiny_site.h"
 
 namespace noonmark::bench {
@@ -17,7 +17,7 @@ protected:
     static const BenchReport& report() {
         static const BenchReport made = [] {
             NoProgress silent;
-            return paperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {}).value();
+            return runPaperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, {}).value();
         }();
         return made;
     }
@@ -28,7 +28,7 @@ protected:
     }
 };
 
-TEST_F(PaperBenchTest, everyExperimentIsMade) {
+TEST_F(PaperBenchTest, EveryExperimentIsMade) {
     ASSERT_EQ(report().findings.size(), paperBenchKeys.size());
     for (std::size_t i = 0; i < report().findings.size(); ++i) {
         const Finding& one = report().findings[i];
@@ -36,7 +36,7 @@ TEST_F(PaperBenchTest, everyExperimentIsMade) {
     }
 }
 
-TEST_F(PaperBenchTest, everyRowHasEveryColumn) {
+TEST_F(PaperBenchTest, EveryRowHasEveryColumn) {
     for (const Finding& one : report().findings) {
         EXPECT_FALSE(one.table.rows.empty()) << one.key;
         for (const auto& row : one.table.rows) EXPECT_EQ(row.size(), one.table.columns.size()) << one.key;
@@ -46,7 +46,7 @@ TEST_F(PaperBenchTest, everyRowHasEveryColumn) {
     }
 }
 
-TEST_F(PaperBenchTest, theSummaryHasTheKeysThatOthersRead) {
+TEST_F(PaperBenchTest, TheSummaryHasTheKeysThatOthersRead) {
     const auto json = nlohmann::ordered_json::parse(summaryJson(report()));
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) keys.push_back(key);
@@ -57,17 +57,17 @@ TEST_F(PaperBenchTest, theSummaryHasTheKeysThatOthersRead) {
     EXPECT_GT(json["iam_vs_ray"].get<double>(), 0);
     EXPECT_EQ(json["graph_intervals"], 2190);
     EXPECT_TRUE(json["sam_vs_shadow_map"].is_null());   // core has no OpenGL
-    EXPECT_TRUE(json["year_graph_speedup"].is_null());  // three days are no year
+    EXPECT_TRUE(json["year_graph_speedup"].is_null());  // three days are not a year
 }
 
-TEST_F(PaperBenchTest, theRayReferenceHasNoErrorAnywhere) {
+TEST_F(PaperBenchTest, TheRayReferenceHasNoErrorAnywhere) {
     for (const auto& row : finding("engine_times").table.rows)
         if (std::get<std::string>(row[0]) == "ray") {
             EXPECT_EQ(std::get<double>(row[5]), 0);
         }
 }
 
-TEST_F(PaperBenchTest, anHourAndADayHaveEverySetting) {
+TEST_F(PaperBenchTest, AnHourAndADayHaveEverySetting) {
     std::set<std::string> settings;
     for (const auto& row : finding("time_against_error").table.rows)
         if (std::get<std::string>(row[0]) == "a day") settings.insert(std::get<std::string>(row[2]));
@@ -76,7 +76,7 @@ TEST_F(PaperBenchTest, anHourAndADayHaveEverySetting) {
     EXPECT_TRUE(settings.contains("no graph"));
 }
 
-TEST_F(PaperBenchTest, errorFallsWithTheLevels) {
+TEST_F(PaperBenchTest, ErrorFallsWithTheLevels) {
     const auto& series = finding("level_error").charts[0].series[0];
     ASSERT_EQ(series.points.size(), 6U);
     EXPECT_GE(series.points[0].y, series.points[2].y);
@@ -84,7 +84,7 @@ TEST_F(PaperBenchTest, errorFallsWithTheLevels) {
 
 constexpr const char* noTime = "left out: there was no time for it";
 
-// Rows that say so.
+// Number of rows marked as left out.
 std::size_t leftOut(const std::string& key, const BenchReport& report) {
     std::size_t count = 0;
     for (const Finding& finding : report.findings)
@@ -94,20 +94,20 @@ std::size_t leftOut(const std::string& key, const BenchReport& report) {
     return count;
 }
 
-// On a machine so slow that there is time for nothing.
-TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
+// As on a machine that is too slow for any optional experiment.
+TEST(PaperBench, WithoutTimeTheSummaryIsMadeAllTheSame) {
     NoProgress silent;
     Extent extent = tests::leastExtent();
     extent.budgetS = 0;
     extent.resolutions = {16, 24, 32};
-    const BenchReport report = paperBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
+    const BenchReport report = runPaperBench(tests::tinySite(), extent, coreEngines(), silent, {}).value();
     EXPECT_EQ(report.findings.size(), 9U);
     const auto json = nlohmann::ordered_json::parse(summaryJson(report));
     for (const char* key : {"iam_vs_ray", "iam_area_error_mean_pct", "graph_edges", "graph_mistagged_pct"})
         EXPECT_FALSE(json[key].is_null()) << key;
     std::map<std::string, std::size_t> rows;
     for (const Finding& finding : report.findings) rows[finding.key] = finding.table.rows.size();
-    const std::size_t engines = usualEngines(coreEngines()).contestants.size();
+    const std::size_t engines = listUsualEngines(coreEngines()).contestants.size();
     EXPECT_EQ(rows["time_by_resolution"], 3 * engines);
     EXPECT_EQ(rows["memory_by_resolution"], 2 * engines) << "two resolutions are measured in any case";
     EXPECT_EQ(leftOut("engine_times", report), engines) << "the second of two days";
@@ -118,19 +118,19 @@ TEST(PaperBench, withoutTimeTheSummaryIsMadeAllTheSame) {
         }
 }
 
-TEST(PaperBench, stopsWhenAsked) {
+TEST(PaperBench, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress silent;
     const auto report =
-        paperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, stop.get_token());
+        runPaperBench(tests::tinySite(), tests::leastExtent(), coreEngines(), silent, stop.get_token());
     ASSERT_FALSE(report);
     EXPECT_TRUE(isCancelled(report.error()));
 }
 
-TEST(PaperBench, aCityWithoutBuildingsIsRefused) {
+TEST(PaperBench, ACityWithoutBuildingsIsRefused) {
     NoProgress silent;
-    const auto report = paperBench({}, tests::leastExtent(), coreEngines(), silent, {});
+    const auto report = runPaperBench({}, tests::leastExtent(), coreEngines(), silent, {});
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().what.find("no buildings"), std::string::npos);
 }

@@ -4,42 +4,42 @@
 
 #include <cmath>
 
-#include "core/bench/moments.h"
+#include "core/bench/contests/moments.h"
 
 namespace noonmark::bench {
 namespace {
 
-TEST(BenchTable, csvQuotesWhatNeedsItAndLeavesWhatIsMissingEmpty) {
+TEST(BenchTable, CsvQuotesWhatNeedsItAndLeavesWhatIsMissingEmpty) {
     const Table table{{"engine", "time_s", "refusal"},
                       {{std::string("iam"), 0.1, std::monostate{}},
                        {std::string("a \"b\", c"), std::monostate{}, std::string("two\nlines")}}};
-    EXPECT_EQ(csvOf(table),
+    EXPECT_EQ(toCsv(table),
               "engine,time_s,refusal\n"
               "iam,0.1,\n"
               "\"a \"\"b\"\", c\",,\"two\nlines\"\n");
 }
 
-TEST(BenchTable, numbersComeBackExactly) {
+TEST(BenchTable, NumbersComeBackExactly) {
     const double third = 1.0 / 3;
-    const std::string csv = csvOf({{"x"}, {{third}}});
+    const std::string csv = toCsv({{"x"}, {{third}}});
     EXPECT_EQ(std::stod(csv.substr(2)), third);
 }
 
-TEST(BenchMoments, ofKnownValues) {
-    const Moments moments = momentsOf({4, 1, 3, 2});
+TEST(BenchMoments, OfKnownValues) {
+    const Moments moments = computeMoments({4, 1, 3, 2});
     EXPECT_DOUBLE_EQ(moments.mean, 2.5);
     EXPECT_DOUBLE_EQ(moments.median, 2.5);
     EXPECT_DOUBLE_EQ(moments.deviation, std::sqrt(1.25));
     EXPECT_EQ(moments.least, 1);
     EXPECT_EQ(moments.most, 4);
-    EXPECT_EQ(momentsOf({5, 9, 1}).median, 5);
-    EXPECT_EQ(momentsOf({}).mean, 0);
+    EXPECT_EQ(computeMoments({5, 9, 1}).median, 5);
+    EXPECT_EQ(computeMoments({}).mean, 0);
 }
 
-TEST(BenchMoments, threeDigitsHaveNoExponent) {
-    EXPECT_EQ(threeDigits(0.012345), "0.0123");
-    EXPECT_EQ(threeDigits(12.345), "12.3");
-    EXPECT_EQ(threeDigits(3097.89), "3098");
+TEST(BenchMoments, ThreeDigitsHaveNoExponent) {
+    EXPECT_EQ(formatThreeDigits(0.012345), "0.0123");
+    EXPECT_EQ(formatThreeDigits(12.345), "12.3");
+    EXPECT_EQ(formatThreeDigits(3097.89), "3098");
 }
 
 }  // namespace

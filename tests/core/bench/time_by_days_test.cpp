@@ -1,4 +1,4 @@
-#include "core/bench/time_by_days.h"
+#include "core/bench/paper/time_by_days.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,16 @@ PeriodRun runOf(int days, double raySeconds, Placing iam) {
         .placings = {{.medianS = raySeconds, .runs = 1, .estimated = days > 1}, std::move(iam)}};
 }
 
-TEST(TimeByDays, theYearsSpeedupIsRaysOverTheGraph) {
-    const Finding finding =
-        timeByDays({runOf(1, 1, {.medianS = 1, .runs = 5}), runOf(365, 365, {.medianS = 5, .runs = 5})}, {});
+TEST(TimeByDays, TheYearsSpeedupIsRaysOverTheGraph) {
+    const Finding finding = benchTimeByDays(
+        {runOf(1, 1, {.medianS = 1, .runs = 5}), runOf(365, 365, {.medianS = 5, .runs = 5})}, {});
     EXPECT_DOUBLE_EQ(finding.summary.at("year_graph_speedup"), 73);
     EXPECT_EQ(std::get<std::string>(finding.table.rows[0].back()), "no");
     EXPECT_EQ(std::get<std::string>(finding.table.rows[1].back()), "yes");
 }
 
-TEST(TimeByDays, whoWasTooSlowIsWorkedOutInProportionAndMarked) {
-    const Finding finding = timeByDays(
+TEST(TimeByDays, WhoWasTooSlowIsWorkedOutInProportionAndMarked) {
+    const Finding finding = benchTimeByDays(
         {runOf(1, 1, {.medianS = 2, .runs = 5}), runOf(365, 365, {.refusal = "stopped", .tooSlow = true})},
         {});
     const auto& row = finding.table.rows.back();
@@ -30,10 +30,10 @@ TEST(TimeByDays, whoWasTooSlowIsWorkedOutInProportionAndMarked) {
     EXPECT_FALSE(finding.summary.contains("year_graph_speedup"));
 }
 
-TEST(TimeByDays, whoRefusedHasNoTime) {
+TEST(TimeByDays, WhoRefusedHasNoTime) {
     const Finding finding =
-        timeByDays({runOf(1, 1, {.refusal = "terrain"}), runOf(365, 365, {.refusal = "terrain"})}, {});
-    EXPECT_EQ(finding.table.rows.size(), 2U);  // the rays'
+        benchTimeByDays({runOf(1, 1, {.refusal = "terrain"}), runOf(365, 365, {.refusal = "terrain"})}, {});
+    EXPECT_EQ(finding.table.rows.size(), 2U);  // those of the rays
     EXPECT_FALSE(finding.summary.contains("year_graph_speedup"));
 }
 

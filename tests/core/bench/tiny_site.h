@@ -1,21 +1,21 @@
 #pragma once
 
+#include "core/bench/contests/site.h"
 #include "core/bench/extent.h"
-#include "core/bench/site.h"
 #include "core/samples/sample_city.h"
 
 namespace noonmark::bench::tests {
 
-/// 100 buildings, squares of 60 m: seconds for all experiments together.
+/// 100 buildings, squares of 60 m: all experiments together take seconds.
 inline BenchSite tinySite() {
     BenchSite site;
-    site.city = gridSample({.buildings = 100}).value();
+    site.city = makeGridSample({.buildings = 100}).value();
     site.name = "tiny grid";
     site.sideM = 60;
     return site;
 }
 
-/// One of everything.
+/// One of each quantity.
 inline Extent leastExtent() {
     Extent extent;
     extent.sunTimes = 100;

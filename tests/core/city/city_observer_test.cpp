@@ -18,34 +18,32 @@ constexpr double toDegrees = 180 / std::numbers::pi;
 
 City cityAt(LonLat origin, bool terrain) {
     City city{.frame = Frame(origin)};
-    if (terrain)
-        city.terrain =
-            std::make_shared<const Terrain>(Terrain{{0, 0, 10, 1, 1}, {0.0F}});
+    if (terrain) city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 1, 1}, {0.0F}});
     return city;
 }
 
-// A little way from the observer towards (east, north, up), as reading places what stands there.
+// A point near the observer, offset by (east, north, up), transformed as readers transform geometry.
 glm::dvec3 placedAt(const City& city, LonLat observer, glm::dvec3 eastNorthUp) {
     const Geodetic at = displaced({observer.lonDeg, observer.latDeg}, eastNorthUp.x, eastNorthUp.y);
     const glm::dvec2 local = city.frame.localFromLonLat({at.lonDeg, at.latDeg});
     return {local, eastNorthUp.z - (city.terrain ? earthDropM(local) : 0)};
 }
 
-TEST(CityObserver, atTheOriginTheFrameIsTheObserversOwn) {
+TEST(CityObserver, AtTheOriginTheFrameIsTheObserversOwn) {
     for (const bool terrain : {false, true}) {
-        const Observer observer = observerIn(cityAt({10, 62}, terrain), {0, 0});
+        const Observer observer = placeObserver(cityAt({10, 62}, terrain), {0, 0});
         for (int column = 0; column < 3; ++column)
             for (int row = 0; row < 3; ++row)
                 EXPECT_NEAR(observer.frameFromPlace[column][row], column == row ? 1 : 0, 1e-12);
     }
 }
 
-TEST(CityObserver, directionsRunAsTheGeometryDoes) {
+TEST(CityObserver, DirectionsRunAsTheGeometryDoes) {
     for (const LonLat origin : {LonLat{10, 62}, LonLat{151, -33.9}, LonLat{179.9, -17.5}, LonLat{-60, 0.1}})
         for (const bool terrain : {false, true})
             for (const glm::dvec2 local : {glm::dvec2(27e3, 4e3), {-30e3, 30e3}, {0, -45e3}}) {
                 const City city = cityAt(origin, terrain);
-                const Observer observer = observerIn(city, local);
+                const Observer observer = placeObserver(city, local);
                 const glm::dvec3 eastNorthUp(6, -3, 2);
                 const glm::dvec3 moved = placedAt(city, observer.place, eastNorthUp) -
                                          placedAt(city, observer.place, -eastNorthUp);
@@ -54,9 +52,9 @@ TEST(CityObserver, directionsRunAsTheGeometryDoes) {
             }
 }
 
-// d_lon sin(lat), and 0.87 of the angle at the earth's centre: 27.5 km to the east in 62 deg north.
-TEST(CityObserver, turnsByTheConvergenceAndTheSlopeOfTheDrop) {
-    const Observer observer = observerIn(cityAt({10, 62}, true), {27.5e3, 0});
+// d_lon sin(lat), and 0.87 of the angle at the earth's centre: 27.5 km east at 62 deg north.
+TEST(CityObserver, TurnsByTheConvergenceAndTheSlopeOfTheDrop) {
+    const Observer observer = placeObserver(cityAt({10, 62}, true), {27.5e3, 0});
     const double convergence = (observer.place.lonDeg - 10) * std::sin(62 / toDegrees);
     ASSERT_NEAR(convergence, 0.464, 0.001);
     const glm::dvec3 north = observer.frameFromPlace[1], east = observer.frameFromPlace[0];

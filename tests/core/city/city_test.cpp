@@ -22,7 +22,7 @@ City twoBuildings() {
     return city;
 }
 
-TEST(City, meshNamesTheBuildingOfEveryTriangle) {
+TEST(City, MeshNamesTheBuildingOfEveryTriangle) {
     const City city = twoBuildings();
     const CityMesh all = meshOf(city);
     ASSERT_EQ(all.buildingOfTriangle.size(), all.mesh.triangles.size());
@@ -35,27 +35,27 @@ TEST(City, meshNamesTheBuildingOfEveryTriangle) {
         }
     }
     EXPECT_EQ(tests::openEdgesOf(all.mesh), 0);
-    EXPECT_NEAR(tests::volumeOf(all.mesh), 2000 + 16 * 70 + 1500, 1e-6);
+    EXPECT_NEAR(tests::computeVolume(all.mesh), 2000 + 16 * 70 + 1500, 1e-6);
 }
 
-TEST(City, boundsAndTops) {
+TEST(City, BoundsAndTops) {
     const City city = twoBuildings();
     EXPECT_EQ(bounds(city), (Box2{{0, -5}, {40, 10}}));
     EXPECT_EQ(topM(*city.buildings[0]), 90);
     EXPECT_TRUE(bounds(City{}).empty());
 }
 
-TEST(City, everySourceOfAHeightHasItsOwnName) {
+TEST(City, EverySourceOfAHeightHasItsOwnName) {
     for (std::size_t i = 0; i < heightSources.size(); ++i) {
         EXPECT_EQ(std::size_t(heightSources[i]), i);
-        EXPECT_EQ(heightSourceNamed(nameOf(heightSources[i])), heightSources[i]);
+        EXPECT_EQ(parseHeightSource(nameOf(heightSources[i])), heightSources[i]);
     }
     EXPECT_EQ(nameOf(HeightSource::designed), "designed");
     EXPECT_EQ(nameOf(HeightSource::madeUp), "made up");
-    EXPECT_EQ(heightSourceNamed("unknown"), std::nullopt);
+    EXPECT_EQ(parseHeightSource("unknown"), std::nullopt);
 }
 
-TEST(City, aPartWithItsOwnMeshKeepsIt) {
+TEST(City, APartWithItsOwnMeshKeepsIt) {
     Part part = box(0, 0, 10, 0, 20);
     part.mesh = std::make_shared<const TriangleMesh>(
         TriangleMesh{{glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)}, {glm::uvec3(0, 1, 2)}});

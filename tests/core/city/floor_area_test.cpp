@@ -1,12 +1,12 @@
-#include "core/city/floor_area.h"
+#include "core/city/footprints/floor_area.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
-#include "core/city/mesh_parts.h"
-#include "core/city/mesh_section.h"
+#include "core/city/meshes/mesh_parts.h"
+#include "core/city/meshes/mesh_section.h"
 #include "tests/core/city/mesh_fixtures.h"
 
 namespace noonmark {
@@ -20,7 +20,7 @@ Building buildingOfMesh(const TriangleMesh& mesh) {
     return building;
 }
 
-// A square of 2 x `baseM` that shrinks to 2 x `topM` at `heightM`.
+// A solid with a square of side 2 x `baseM` at the bottom and 2 x `topM` at `heightM`.
 TriangleMesh taper(float baseM, float topM, float heightM) {
     TriangleMesh mesh = box({-baseM, -baseM, 0}, {baseM, baseM, heightM});
     for (int i = 4; i < 8; ++i) {
@@ -31,22 +31,22 @@ TriangleMesh taper(float baseM, float topM, float heightM) {
     return mesh;
 }
 
-double areaOf(const std::vector<Footprint>& pieces) {
+double computeArea(const std::vector<Footprint>& pieces) {
     double sum = 0;
     for (const Footprint& piece : pieces) sum += area(piece);
     return sum;
 }
 
-// 40 x 40 m tapering to 20 x 20 at 40 m, 3.2 m a storey: a base on every storey would be 12.5 -> 13 x 1600
-// m2.
-TEST(FloorArea, ofATaperIsTheSumOfItsSections) {
+// 40 x 40 m tapering to 20 x 20 at 40 m, storeys of 3.2 m: with the base on every storey it would be 12.5 ->
+// 13 x 1600 m2.
+TEST(FloorArea, OfATaperIsTheSumOfItsSections) {
     double expected = 0;
     int storeys = 0;
     for (double floor = 0; floor + 1.6 < 40; floor += 3.2, ++storeys) {
         const double side = 40 - (floor + 0.01) * 20 / 40;
         expected += side * side;
     }
-    const FloorArea floors = floorAreaOf(buildingOfMesh(taper(20, 10, 40)), 0, 3.2);
+    const FloorArea floors = computeFloorArea(buildingOfMesh(taper(20, 10, 40)), 0, 3.2);
     EXPECT_EQ(floors.storeys, storeys);
     EXPECT_EQ(floors.estimatedStoreys, 0);
     EXPECT_NEAR(floors.grossM2, expected, 0.5);
@@ -55,18 +55,19 @@ TEST(FloorArea, ofATaperIsTheSumOfItsSections) {
 
 // Floors at 0, 3, ... 27 of a pyramid of 30 x 30 x 30 m: sides 30, 27, ... 3, so 9 x (1 + 4 + ... + 100) =
 // 3465.
-TEST(FloorArea, ofAPyramidIsWorkedOut) {
-    const FloorArea floors = floorAreaOf(buildingOfMesh(taper(15, 0.0005F, 30)), 0, 3);
+TEST(FloorArea, OfAPyramidIsWorkedOut) {
+    const FloorArea floors = computeFloorArea(buildingOfMesh(taper(15, 0.0005F, 30)), 0, 3);
     EXPECT_EQ(floors.storeys, 10);
-    EXPECT_NEAR(floors.grossM2, 3465, 4);  // 1 cm above the floor takes 2 x 0.01 x 165 off
+    // Sections 1 cm above the floor are smaller by 2 x 0.01 x 165 in all
+    EXPECT_NEAR(floors.grossM2, 3465, 4);
     EXPECT_NEAR(floors.grossM2, 3465 - 2 * 0.01 * 165, 0.05);
 }
 
-TEST(FloorArea, aBoxOfTrianglesIsThatPrism) {
+TEST(FloorArea, ABoxOfTrianglesIsThatPrism) {
     Building prism{.sourceId = "prism"};
     prism.parts.push_back({.footprint = {{{0, 0}, {20, 0}, {20, 30}, {0, 30}}, {}}, .topM = 35});
-    const FloorArea asPrism = floorAreaOf(prism, 0, 3.5);
-    const FloorArea asMesh = floorAreaOf(buildingOfMesh(box({0, 0, 0}, {20, 30, 35})), 0, 3.5);
+    const FloorArea asPrism = computeFloorArea(prism, 0, 3.5);
+    const FloorArea asMesh = computeFloorArea(buildingOfMesh(box({0, 0, 0}, {20, 30, 35})), 0, 3.5);
     EXPECT_NEAR(asPrism.grossM2, 6000, 1e-6);
     EXPECT_NEAR(asMesh.grossM2, 6000, 0.01);
     EXPECT_EQ(asPrism.storeys, 10);
@@ -74,8 +75,8 @@ TEST(FloorArea, aBoxOfTrianglesIsThatPrism) {
 }
 
 // A podium of 40 x 40 to 12 m and a tower of 20 x 20 from 12 to 52 m, as prisms and as meshes; and the same
-// tower drawn from the ground up, inside the podium: its floors there count once.
-TEST(FloorArea, partsAtSeveralHeightsAreEachCountedOnce) {
+// tower from the ground up, inside the podium: its floors there count once.
+TEST(FloorArea, PartsAtSeveralHeightsAreEachCountedOnce) {
     const double expected = 3 * 1600 + 10 * 400;
     const auto prism = [](float low, float high, float bottom, float top) {
         return Part{.footprint = {{{low, low}, {high, low}, {high, high}, {low, high}}, {}},
@@ -84,13 +85,13 @@ TEST(FloorArea, partsAtSeveralHeightsAreEachCountedOnce) {
     };
     Building stacked{.parts = {prism(0, 40, 0, 12), prism(10, 30, 12, 52)}};
     Building nested{.parts = {prism(0, 40, 0, 12), prism(10, 30, 0, 52)}};
-    EXPECT_NEAR(floorAreaOf(stacked, 0, 4).grossM2, expected, 0.01);
-    EXPECT_NEAR(floorAreaOf(nested, 0, 4).grossM2, expected, 0.01);
+    EXPECT_NEAR(computeFloorArea(stacked, 0, 4).grossM2, expected, 0.01);
+    EXPECT_NEAR(computeFloorArea(nested, 0, 4).grossM2, expected, 0.01);
     const TriangleMesh meshes = tests::joined(box({0, 0, 0}, {40, 40, 12}), box({10, 10, 12}, {30, 30, 52}));
-    EXPECT_NEAR(floorAreaOf(buildingOfMesh(meshes), 0, 4).grossM2, expected, 0.01);
+    EXPECT_NEAR(computeFloorArea(buildingOfMesh(meshes), 0, 4).grossM2, expected, 0.01);
     const TriangleMesh overlapping =
         tests::joined(box({0, 0, 0}, {40, 40, 12}), box({10, 10, 0}, {30, 30, 52}));
-    EXPECT_NEAR(floorAreaOf(buildingOfMesh(overlapping), 0, 4).grossM2, expected, 0.01);
+    EXPECT_NEAR(computeFloorArea(buildingOfMesh(overlapping), 0, 4).grossM2, expected, 0.01);
 }
 
 // A block of 40 x 40 x 20 m around a court of 20 x 20 m: five storeys of 1200 m2.
@@ -114,42 +115,43 @@ TriangleMesh courtyardBlock() {
     return mesh;
 }
 
-TEST(FloorArea, aCourtyardIsNoFloor) {
-    ASSERT_EQ(openEdges(courtyardBlock()), 0U);
-    const FloorArea floors = floorAreaOf(buildingOfMesh(courtyardBlock()), 0, 4);
+TEST(FloorArea, ACourtyardIsNoFloor) {
+    ASSERT_EQ(findOpenEdges(courtyardBlock()), 0U);
+    const FloorArea floors = computeFloorArea(buildingOfMesh(courtyardBlock()), 0, 4);
     EXPECT_NEAR(floors.grossM2, 5 * 1200, 0.05);
     EXPECT_EQ(floors.estimatedStoreys, 0);
 }
 
-// Open below, a court all the same; without one outer wall too, it is closed by a line, and that is stated.
-TEST(FloorArea, openMeshesAreMeasuredAndAMissingWallIsStated) {
+// Without a floor it still has a court; without one outer wall too, a line closes the gap, and the result
+// states that.
+TEST(FloorArea, OpenMeshesAreMeasuredAndAMissingWallIsStated) {
     TriangleMesh open = courtyardBlock();
     std::erase_if(open.triangles, [&](glm::uvec3 t) {
         return open.vertices[t.x].z + open.vertices[t.y].z + open.vertices[t.z].z == 0;
     });
-    const FloorArea floors = floorAreaOf(buildingOfMesh(open), 0, 4);
+    const FloorArea floors = computeFloorArea(buildingOfMesh(open), 0, 4);
     EXPECT_NEAR(floors.grossM2, 5 * 1200, 0.05);
     EXPECT_EQ(floors.estimatedStoreys, 0);
     TriangleMesh house = box({0, 0, 0}, {8, 12, 12});
     std::erase_if(house.triangles, [&](glm::uvec3 t) {
         return house.vertices[t.x].x == 8 && house.vertices[t.y].x == 8 && house.vertices[t.z].x == 8;
     });
-    const FloorArea estimated = floorAreaOf(buildingOfMesh(house), 0, 3);
+    const FloorArea estimated = computeFloorArea(buildingOfMesh(house), 0, 3);
     EXPECT_NEAR(estimated.grossM2, 4 * 96, 0.05);
     EXPECT_EQ(estimated.estimatedStoreys, 4);
 }
 
-TEST(MeshSection, aCavityIsOutAndWhatOverlapsCountsOnce) {
+TEST(MeshSection, ACavityIsOutAndWhatOverlapsCountsOnce) {
     TriangleMesh hollow = box({0, 0, 0}, {10, 10, 10});
     TriangleMesh cavity = box({2, 2, 2}, {8, 8, 8});
     turnInsideOut(cavity);
     append(hollow, cavity);
-    EXPECT_NEAR(areaOf(sectionAt(hollow, 5).pieces), 100 - 36, 1e-3);
-    EXPECT_NEAR(areaOf(sectionAt(hollow, 1).pieces), 100, 1e-3);
-    EXPECT_TRUE(sectionAt(hollow, 11).pieces.empty());
+    EXPECT_NEAR(computeArea(cutSection(hollow, 5).pieces), 100 - 36, 1e-3);
+    EXPECT_NEAR(computeArea(cutSection(hollow, 1).pieces), 100, 1e-3);
+    EXPECT_TRUE(cutSection(hollow, 11).pieces.empty());
     const TriangleMesh overlapping =
         tests::joined(box({0, 0, 0}, {10, 10, 10}), box({5, 5, 0}, {15, 15, 10}));
-    EXPECT_NEAR(areaOf(sectionAt(overlapping, 5).pieces), 175, 1e-3);
+    EXPECT_NEAR(computeArea(cutSection(overlapping, 5).pieces), 175, 1e-3);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ inline std::vector<Edge> edgesOf(const Footprint& footprint) {
     return edges;
 }
 
-// Sign of the turn a, b, c. Exact for floats of like size: their differences and products fit a long double.
+// Orientation of a, b, c. Exact for floats of similar size: their differences and products fit a long double.
 inline int turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     using Exact = long double;
     const Exact cross = (Exact(b.x) - a.x) * (Exact(c.y) - a.y) - (Exact(b.y) - a.y) * (Exact(c.x) - a.x);
@@ -52,7 +52,8 @@ inline bool apart(const Edge& e, const Edge& f) {
            std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) || std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y);
 }
 
-// Neighbours of a ring share their common point; edges of two rings may touch in one point; nothing else.
+// Neighbouring edges of a ring share a point; edges of two rings may touch in one point; all others must not
+// meet.
 inline bool mayMeet(const Edge& e, const Edge& f) {
     if (e.ring != f.ring) return true;
     return (e.number + 1) % e.ringSize == f.number || (f.number + 1) % f.ringSize == e.number;
@@ -73,7 +74,7 @@ inline std::string troubleOf(const Edge& e, const Edge& f) {
     return "";
 }
 
-/// What keeps a footprint from being simple and oriented; empty when it is. O(points squared).
+/// Why a footprint is not simple and oriented; empty if it is. O(points squared).
 inline std::string troubleOf(const Footprint& footprint) {
     if (footprint.outer.size() < 3 || signedArea(footprint.outer) <= 0)
         return "outline is not counter-clockwise";
@@ -92,7 +93,7 @@ using Position = std::tuple<float, float, float>;
 
 inline Position positionOf(glm::vec3 p) { return {p.x, p.y, p.z}; }
 
-/// How many directed edges of the mesh lack their opposite, by position. 0: closed.
+/// Number of directed edges of the mesh without their opposite, by position. 0: closed.
 inline int openEdgesOf(const TriangleMesh& mesh) {
     std::map<std::pair<Position, Position>, int> balance;
     for (const glm::uvec3 t : mesh.triangles)
@@ -108,9 +109,9 @@ inline int openEdgesOf(const TriangleMesh& mesh) {
         std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// Volume inside, m3, positive when faces look outward. Relative to the first vertex, so that it does not
-/// cancel far away.
-inline double volumeOf(const TriangleMesh& mesh) {
+/// Volume, m3, positive if faces point outward. Relative to the first vertex, so that digits do not cancel
+/// far from the origin.
+inline double computeVolume(const TriangleMesh& mesh) {
     double volume = 0;
     for (const glm::uvec3 t : mesh.triangles) {
         const glm::dvec3 origin(mesh.vertices[0]);
@@ -122,20 +123,20 @@ inline double volumeOf(const TriangleMesh& mesh) {
     return volume;
 }
 
-/// What keeps a footprint's prism from being a solid: open edges or a volume that is not area x height; empty
-/// when it is one.
+/// Why a footprint's prism is not a solid: open edges, or a volume other than area x height; empty if it is
+/// one.
 inline std::string troubleOfSolid(const Footprint& footprint) {
     constexpr double heightM = 7.5;
     const Part part{.footprint = footprint, .bottomM = 1.25F, .topM = float(1.25 + heightM)};
     const TriangleMesh mesh = meshOf(part);
     if (const int open = openEdgesOf(mesh)) return fmt::format("{} open edges", open);
     const double expected = area(footprint) * heightM;
-    const double volume = volumeOf(mesh);
+    const double volume = computeVolume(mesh);
     const bool equal = std::abs(volume - expected) <= 1e-9 * expected + 1e-6;
     return equal ? "" : fmt::format("volume {} instead of {}", volume, expected);
 }
 
-/// Cells of a fine raster over all the footprints that lie in more than one of them.
+/// Number of cells of a fine raster over all footprints that lie in more than one of them.
 inline int cellsSharedBy(const std::vector<Footprint>& footprints) {
     Box2 box;
     for (const Footprint& footprint : footprints) box.add(bounds(footprint));

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 #include "tests/shared/shared_data.h"
 
 namespace noonmark::tests {
@@ -27,7 +27,7 @@ inline std::vector<RawRing> ringsOf(const nlohmann::json& json) {
     return rings;
 }
 
-/// The 59 polygons of the shared data, in the order of their names; none where it is missing.
+/// The 59 polygons of the shared data, in the order of their names; empty if the data is missing.
 inline std::vector<HostilePolygon> hostilePolygons() {
     std::vector<HostilePolygon> polygons;
     const auto folder = sharedData("hostile/earcut_polygons");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 
 namespace noonmark::tests {
 
@@ -15,7 +15,7 @@ inline TriangleMesh box(glm::vec3 low, glm::vec3 high) {
     return mesh;
 }
 
-/// Every triangle with corners of its own, as many exporters write them.
+/// Gives every triangle its own corners, as many exporters do.
 inline TriangleMesh unshared(const TriangleMesh& mesh) {
     TriangleMesh result;
     for (const glm::uvec3 t : mesh.triangles) {

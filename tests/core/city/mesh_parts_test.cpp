@@ -1,11 +1,11 @@
-#include "core/city/mesh_parts.h"
+#include "core/city/meshes/mesh_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "core/city/mesh_outline.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "tests/core/city/mesh_fixtures.h"
 
 namespace noonmark {
@@ -20,24 +20,25 @@ bool warns(const Warnings& warnings, const std::string& what) {
                        [&](const Warning& w) { return w.what.find(what) != w.what.npos; });
 }
 
-TEST(MeshOutline, ofABoxIsItsBaseWithFourCorners) {
-    const MeshOutline outline = outlineOf(box({1, 2, 3}, {11, 22, 33}), true);
+TEST(MeshOutline, OfABoxIsItsBaseWithFourCorners) {
+    const MeshOutline outline = computeOutline(box({1, 2, 3}, {11, 22, 33}), true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
     EXPECT_NEAR(signedArea(outline.pieces[0].outer), 200, 1e-6);
     EXPECT_FALSE(outline.wallsOnly);
 }
 
-TEST(MeshOutline, farFromTheOriginStaysSimple) {
+TEST(MeshOutline, FarFromTheOriginStaysSimple) {
     const TriangleMesh mesh = box({29000, -31000, 0}, {29010.1F, -30990.3F, 33});
-    const MeshOutline outline = outlineOf(mesh, true);
+    const MeshOutline outline = computeOutline(mesh, true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
     EXPECT_NEAR(area(outline.pieces[0]), 10.1 * 9.7, 0.1);
 }
 
-// A fan of triangles in float32 far out, where their corners fall between millimetres: still one outline.
-TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
+// A fan of triangles in float32 far from the origin, where corners fall between millimetres, still has one
+// outline.
+TEST(MeshOutline, TrianglesThatShareCornersAreNeverParted) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> place(-4000, 4000), radius(10, 20);
     for (int trial = 0; trial < 500; ++trial) {
@@ -49,39 +50,40 @@ TEST(MeshOutline, trianglesThatShareCornersAreNeverParted) {
             roof.vertices.push_back(at + radius(random) * glm::vec3(std::cos(angle), std::sin(angle), 0));
             roof.triangles.emplace_back(0, 1 + i, 1 + (i + 1) % corners);
         }
-        const MeshOutline outline = outlineOf(roof, false);
+        const MeshOutline outline = computeOutline(roof, false);
         ASSERT_EQ(outline.pieces.size(), 1U) << trial;
         EXPECT_TRUE(outline.pieces[0].holes.empty());
     }
 }
 
-TEST(MeshOutline, aHairlineGapDoesNotPartABuilding) {
+TEST(MeshOutline, AHairlineGapDoesNotPartABuilding) {
     const TriangleMesh halves = tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.004F, 0, 0}, {10, 10, 10}));
-    const MeshOutline outline = outlineOf(halves, true);
+    const MeshOutline outline = computeOutline(halves, true);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_NEAR(area(outline.pieces[0]), 100, 0.01);
     EXPECT_EQ(outline.pieces[0].outer.size(), 4U);
-    EXPECT_EQ(outlineOf(tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.1F, 0, 0}, {10, 10, 10})), true)
-                  .pieces.size(),
-              2U);
+    EXPECT_EQ(
+        computeOutline(tests::joined(box({0, 0, 0}, {5, 10, 10}), box({5.1F, 0, 0}, {10, 10, 10})), true)
+            .pieces.size(),
+        2U);
 }
 
-// Without floor and roof.
+// A box without floor and roof.
 TriangleMesh wallsOf(glm::vec3 low, glm::vec3 high) {
     TriangleMesh walls = box(low, high);
     walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 4);
     return walls;
 }
 
-TEST(MeshOutline, ofWallsAloneIsWhatTheyEnclose) {
-    const MeshOutline outline = outlineOf(wallsOf({0, 0, 0}, {10, 10, 10}), false);
+TEST(MeshOutline, OfWallsAloneIsWhatTheyEnclose) {
+    const MeshOutline outline = computeOutline(wallsOf({0, 0, 0}, {10, 10, 10}), false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_TRUE(outline.wallsOnly);
     EXPECT_NEAR(area(outline.pieces[0]), 100, 1e-6);
 }
 
-// An L, which a hull would fill, and a courtyard in a block of 30 m.
-TEST(MeshOutline, wallsAreNoHull) {
+// An L, which a convex hull would fill, and a courtyard in a block of 30 m.
+TEST(MeshOutline, WallsAreNoHull) {
     const Ring corners{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 20}, {0, 20}};
     TriangleMesh walls;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -92,32 +94,34 @@ TEST(MeshOutline, wallsAreNoHull) {
         walls.triangles.insert(walls.triangles.end(),
                                {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
     }
-    const MeshOutline outline = outlineOf(walls, false);
+    const MeshOutline outline = computeOutline(walls, false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_NEAR(area(outline.pieces[0]), 20 * 20 - 12 * 12, 1e-4);
     const TriangleMesh block =
         tests::joined(wallsOf({0, 0, 0}, {30, 30, 12}), wallsOf({10, 10, 0}, {20, 20, 12}));
-    ASSERT_EQ(outlineOf(block, false).pieces.size(), 1U);
-    EXPECT_NEAR(area(outlineOf(block, false).pieces[0]), 800, 1e-4);
+    ASSERT_EQ(computeOutline(block, false).pieces.size(), 1U);
+    EXPECT_NEAR(area(computeOutline(block, false).pieces[0]), 800, 1e-4);
 }
 
-TEST(MeshOutline, aWallThatStandsOutOfARoofIsInItsBounds) {
+TEST(MeshOutline, AWallThatStandsOutOfARoofIsInItsBounds) {
     TriangleMesh house = box({0, 0, 0}, {10, 10, 10});
     append(house, {{{10, 5, 0}, {14, 5, 0}, {14, 5, 3}}, {{0, 1, 2}}});
-    const MeshOutline outline = outlineOf(house, false);
+    const MeshOutline outline = computeOutline(house, false);
     ASSERT_EQ(outline.pieces.size(), 1U);
     EXPECT_NEAR(bounds(outline.pieces[0]).high.x, 14, 0.011);
     EXPECT_NEAR(area(outline.pieces[0]), 100, 0.1);
 }
 
-TEST(MeshOutline, aWallLineIsNoOverlap) {
-    const auto outline = [](glm::vec3 low, glm::vec3 high) { return outlineOf(box(low, high), true).pieces; };
-    const auto groups = overlapGroups({outline({0, 0, 0}, {10, 10, 10}), outline({10, 0, 0}, {20, 10, 10}),
-                                       outline({2, 2, 10}, {8, 8, 20}), outline({7, 7, 20}, {9, 9, 30})});
+TEST(MeshOutline, AWallLineIsNoOverlap) {
+    const auto outline = [](glm::vec3 low, glm::vec3 high) {
+        return computeOutline(box(low, high), true).pieces;
+    };
+    const auto groups = groupOverlapping({outline({0, 0, 0}, {10, 10, 10}), outline({10, 0, 0}, {20, 10, 10}),
+                                          outline({2, 2, 10}, {8, 8, 20}), outline({7, 7, 20}, {9, 9, 30})});
     EXPECT_EQ(groups, (std::vector<std::size_t>{0, 1, 0, 0}));
 }
 
-TEST(MeshParts, aBoxIsOnePart) {
+TEST(MeshParts, ABoxIsOnePart) {
     const MeshParts made = partsOf(tests::unshared(box({0, 0, 1}, {10, 10, 31})), "tower", "file: tower");
     ASSERT_EQ(made.parts.size(), 1U);
     const Part& part = made.parts[0];
@@ -126,12 +130,12 @@ TEST(MeshParts, aBoxIsOnePart) {
     EXPECT_EQ(part.heightSource, HeightSource::mesh);
     EXPECT_EQ(part.bottomM, 1);
     EXPECT_EQ(part.topM, 31);
-    EXPECT_FALSE(part.hangs);
-    EXPECT_EQ(openEdges(*part.mesh), 0U);
+    EXPECT_FALSE(part.isOverhanging);
+    EXPECT_EQ(findOpenEdges(*part.mesh), 0U);
     EXPECT_NEAR(signedVolume(*part.mesh), 3000, 1e-6);
 }
 
-TEST(MeshParts, piecesApartAreParts) {
+TEST(MeshParts, PiecesApartAreParts) {
     const MeshParts made =
         partsOf(tests::joined(box({0, 0, 0}, {1, 1, 5}), box({4, 0, 0}, {6, 2, 9})), "two", "two");
     ASSERT_EQ(made.parts.size(), 2U);
@@ -140,22 +144,22 @@ TEST(MeshParts, piecesApartAreParts) {
         EXPECT_NEAR(signedVolume(*part.mesh), area(part.footprint) * double(part.topM - part.bottomM), 1e-6);
 }
 
-TEST(MeshParts, overhangIsSeenAndCavityIsNot) {
+TEST(MeshParts, OverhangIsSeenAndCavityIsNot) {
     const TriangleMesh table = tests::joined(box({4, 4, 0}, {6, 6, 10}), box({0, 0, 10}, {10, 10, 12}));
     EXPECT_TRUE(hasOpenAirBelow(table));
     TriangleMesh cavity = box({2, 2, 3}, {8, 8, 9});
     turnInsideOut(cavity);
     EXPECT_FALSE(hasOpenAirBelow(tests::joined(box({0, 0, 0}, {10, 10, 12}), cavity)));
-    EXPECT_FALSE(hasOpenAirBelow(box({0, 0, 50}, {10, 10, 60})));  // that is for markHanging
+    EXPECT_FALSE(hasOpenAirBelow(box({0, 0, 50}, {10, 10, 60})));  // markOverhangs handles this case
 }
 
-TEST(MeshParts, leaningWallIsAnOverhang) {
+TEST(MeshParts, LeaningWallIsAnOverhang) {
     TriangleMesh funnel = box({0, 0, 0}, {10, 10, 20});
     for (int i = 4; i < 8; ++i) funnel.vertices[std::size_t(i)].x += i % 2 == 0 ? -5.0F : 5.0F;
     EXPECT_TRUE(hasOpenAirBelow(funnel));
 }
 
-TEST(MeshParts, aLevelSheetIsASlabOfItsOutline) {
+TEST(MeshParts, ALevelSheetIsASlabOfItsOutline) {
     const TriangleMesh sheet{{{0, 0, 7}, {10, 0, 7}, {10, 10, 7}, {0, 10, 7}}, {{0, 1, 2}, {0, 3, 2}}};
     const MeshParts made = partsOf(sheet, "deck", "");
     ASSERT_EQ(made.parts.size(), 1U);
@@ -168,27 +172,28 @@ TEST(MeshParts, aLevelSheetIsASlabOfItsOutline) {
     EXPECT_EQ(part.heightSource, HeightSource::mesh);
 }
 
-TEST(MeshParts, anUprightSheetIsAStrip) {
+TEST(MeshParts, AnUprightSheetIsAStrip) {
     const TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 1, 2}}};
     const MeshParts made = partsOf(sheet, "", "");
     ASSERT_EQ(made.parts.size(), 1U);
     EXPECT_TRUE(made.warnings.empty());
     EXPECT_EQ(made.parts[0].topM, 1);
     EXPECT_EQ(made.parts[0].mesh->triangles.size(), 1U);
-    EXPECT_NEAR(area(made.parts[0].footprint), 1.01 * 0.02, 1e-5);  // narrower it would be a sliver
+    // A narrower one would be dropped as a sliver
+    EXPECT_NEAR(area(made.parts[0].footprint), 1.01 * 0.02, 1e-5);
     EXPECT_EQ(bounds(made.parts[0].footprint).high.x, 1.005F);
 }
 
-TEST(MeshParts, whatHasNoAreaIsReported) {
+TEST(MeshParts, WhatHasNoAreaIsReported) {
     EXPECT_TRUE(partsOf({}, "", "").parts.empty());
     const TriangleMesh line{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
     EXPECT_TRUE(partsOf(line, "", "").parts.empty());
     EXPECT_TRUE(warns(partsOf(line, "", "").warnings, "no area"));
 }
 
-// A roof that looks down and four thin posts: open below, whichever way it looks. Walls along its two long
+// A roof that faces down and four thin posts: open below, whichever way it faces. Walls along its two long
 // sides carry it.
-TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
+TEST(MeshParts, ASheetOnPostsIsAnOverhangAndOnWallsARoof) {
     const TriangleMesh roof{{{0, 0, 4}, {10, 0, 4}, {10, 8, 4.5F}, {0, 8, 4.5F}}, {{0, 2, 1}, {0, 3, 2}}};
     TriangleMesh shelter = roof, house = roof;
     for (const float x : {0.5F, 9.2F})
@@ -197,18 +202,18 @@ TEST(MeshParts, aSheetOnPostsIsAnOverhangAndOnWallsARoof) {
                    {{0, 1, 2}, {0, 2, 3}}});
     append(house, {{{0.1F, 7.9F, 0}, {9.9F, 7.9F, 0}, {9.9F, 7.9F, 4.4F}, {0.1F, 7.9F, 4.4F}},
                    {{0, 1, 2}, {0, 2, 3}}});
-    EXPECT_TRUE(partsOf(shelter, "", "").parts.at(0).hangs);
-    EXPECT_FALSE(partsOf(house, "", "").parts.at(0).hangs);
+    EXPECT_TRUE(partsOf(shelter, "", "").parts.at(0).isOverhanging);
+    EXPECT_FALSE(partsOf(house, "", "").parts.at(0).isOverhanging);
     EXPECT_NEAR(area(partsOf(house, "", "").parts.at(0).footprint), 80, 1e-3);
 }
 
-TEST(MeshParts, openMeshIsUsedAndSaid) {
+TEST(MeshParts, OpenMeshIsUsedAndSaid) {
     TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
     open.triangles.erase(open.triangles.begin(), open.triangles.begin() + 2);
     const MeshParts made = partsOf(open, "", "");
     ASSERT_EQ(made.parts.size(), 1U);
     EXPECT_TRUE(warns(made.warnings, "not closed"));
-    EXPECT_FALSE(made.parts[0].hangs);
+    EXPECT_FALSE(made.parts[0].isOverhanging);
     EXPECT_NEAR(area(made.parts[0].footprint), 100, 1e-6);
 }
 
@@ -216,15 +221,15 @@ Part slab(float x, float side, float bottom, float top) {
     return partsOf(box({x, 0, bottom}, {x + side, side, top}), "", "").parts.at(0);
 }
 
-TEST(MarkHanging, onlyWhatNothingCarries) {
+TEST(MarkHanging, OnlyWhatNothingCarries) {
     std::vector<Part> parts{slab(0, 10, 0, 20), slab(0, 8, 20, 40), slab(6, 10, 20, 30), slab(30, 5, 50, 60),
                             slab(50, 5, 1.5F, 9)};
-    markHanging(parts, flatGround);
-    EXPECT_FALSE(parts[0].hangs);
-    EXPECT_FALSE(parts[1].hangs);
-    EXPECT_TRUE(parts[2].hangs);
-    EXPECT_TRUE(parts[3].hangs);
-    EXPECT_FALSE(parts[4].hangs);
+    markOverhangs(parts, flatGround);
+    EXPECT_FALSE(parts[0].isOverhanging);
+    EXPECT_FALSE(parts[1].isOverhanging);
+    EXPECT_TRUE(parts[2].isOverhanging);
+    EXPECT_TRUE(parts[3].isOverhanging);
+    EXPECT_FALSE(parts[4].isOverhanging);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/city/plan_overlay.h"
+#include "core/city/footprints/plan_overlay.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,44 +17,45 @@ Footprint box(float west, float south, float width, float height) {
             {}};
 }
 
-double areaOf(const std::vector<Footprint>& footprints) {
+double computeArea(const std::vector<Footprint>& footprints) {
     double sum = 0;
     for (const Footprint& footprint : footprints) sum += area(footprint);
     return sum;
 }
 
-TEST(PiecesOutside, areWhatIsNotCovered) {
-    const auto pieces = piecesOutside({box(0, 0, 30, 10)}, {box(10, -5, 10, 20)}, {});
+TEST(PiecesOutside, AreWhatIsNotCovered) {
+    const auto pieces = cutPiecesOutside({box(0, 0, 30, 10)}, {box(10, -5, 10, 20)}, {});
     ASSERT_EQ(pieces.size(), 2U);
-    EXPECT_NEAR(areaOf(pieces), 200, 1e-3);
+    EXPECT_NEAR(computeArea(pieces), 200, 1e-3);
     for (const Footprint& piece : pieces) EXPECT_GT(signedArea(piece.outer), 0);
 }
 
-TEST(PiecesOutside, mayHaveACourtyard) {
-    const auto pieces = piecesOutside({box(0, 0, 30, 30)}, {box(10, 10, 10, 10)}, {});
+TEST(PiecesOutside, MayHaveACourtyard) {
+    const auto pieces = cutPiecesOutside({box(0, 0, 30, 30)}, {box(10, 10, 10, 10)}, {});
     ASSERT_EQ(pieces.size(), 1U);
     ASSERT_EQ(pieces[0].holes.size(), 1U);
     EXPECT_LT(signedArea(pieces[0].holes[0]), 0);
 }
 
-TEST(PiecesOutside, leaveOutWhatIsTooSmallOrTooNarrow) {
-    EXPECT_THAT(piecesOutside({box(0, 0, 100, 10)}, {box(0, 0, 100, 9.5F)}, {}), IsEmpty());
-    EXPECT_THAT(piecesOutside({box(0, 0, 3, 13)}, {box(0, 0, 3, 10)}, {}), IsEmpty());
-    EXPECT_EQ(piecesOutside({box(0, 0, 3, 13)}, {box(0, 0, 3, 10)}, {.areaM2 = 5, .widthM = 1}).size(), 1U);
+TEST(PiecesOutside, LeaveOutWhatIsTooSmallOrTooNarrow) {
+    EXPECT_THAT(cutPiecesOutside({box(0, 0, 100, 10)}, {box(0, 0, 100, 9.5F)}, {}), IsEmpty());
+    EXPECT_THAT(cutPiecesOutside({box(0, 0, 3, 13)}, {box(0, 0, 3, 10)}, {}), IsEmpty());
+    EXPECT_EQ(cutPiecesOutside({box(0, 0, 3, 13)}, {box(0, 0, 3, 10)}, {.areaM2 = 5, .widthM = 1}).size(),
+              1U);
 }
 
-TEST(PiecesOutside, isAllWhereNothingCoversIt) {
-    EXPECT_NEAR(areaOf(piecesOutside({box(0, 0, 5, 5)}, {}, {})), 25, 1e-3);
-    EXPECT_THAT(piecesOutside({box(0, 0, 5, 5)}, {box(-1, -1, 9, 9)}, {}), IsEmpty());
+TEST(PiecesOutside, IsAllWhereNothingCoversIt) {
+    EXPECT_NEAR(computeArea(cutPiecesOutside({box(0, 0, 5, 5)}, {}, {})), 25, 1e-3);
+    EXPECT_THAT(cutPiecesOutside({box(0, 0, 5, 5)}, {box(-1, -1, 9, 9)}, {}), IsEmpty());
 }
 
-TEST(SharedArea, countsWhatBothCover) {
-    EXPECT_NEAR(sharedArea({box(0, 0, 10, 10)}, {box(5, 5, 10, 10)}), 25, 1e-6);
-    EXPECT_DOUBLE_EQ(sharedArea({box(0, 0, 10, 10)}, {box(10, 0, 10, 10)}), 0);
-    EXPECT_DOUBLE_EQ(sharedArea({}, {box(10, 0, 10, 10)}), 0);
+TEST(SharedArea, CountsWhatBothCover) {
+    EXPECT_NEAR(computeSharedArea({box(0, 0, 10, 10)}, {box(5, 5, 10, 10)}), 25, 1e-6);
+    EXPECT_DOUBLE_EQ(computeSharedArea({box(0, 0, 10, 10)}, {box(10, 0, 10, 10)}), 0);
+    EXPECT_DOUBLE_EQ(computeSharedArea({}, {box(10, 0, 10, 10)}), 0);
 }
 
-TEST(MeetingBoxes, areFoundAsByLookingAtAllPairs) {
+TEST(MeetingBoxes, AreFoundAsByLookingAtAllPairs) {
     std::mt19937 random(4);
     std::uniform_real_distribution<float> place(0, 100);
     std::uniform_real_distribution<float> size(0, 12);
@@ -74,14 +75,14 @@ TEST(MeetingBoxes, areFoundAsByLookingAtAllPairs) {
             if (a[i].low.x <= b[j].high.x && b[j].low.x <= a[i].high.x && a[i].low.y <= b[j].high.y &&
                 b[j].low.y <= a[i].high.y)
                 expected.emplace_back(i, j);
-    EXPECT_EQ(meetingBoxes(a, b), expected);
+    EXPECT_EQ(findMeetingBoxes(a, b), expected);
 }
 
-TEST(MeetingBoxes, passOverEmptyOnes) {
+TEST(MeetingBoxes, PassOverEmptyOnes) {
     const Box2 full{{0, 0}, {1, 1}};
-    EXPECT_THAT(meetingBoxes({Box2(), full}, {full, Box2()}), ElementsAre(Pair(1, 0)));
-    EXPECT_THAT(meetingBoxes({}, {full}), IsEmpty());
-    EXPECT_THAT(meetingBoxes({full}, {}), IsEmpty());
+    EXPECT_THAT(findMeetingBoxes({Box2(), full}, {full, Box2()}), ElementsAre(Pair(1, 0)));
+    EXPECT_THAT(findMeetingBoxes({}, {full}), IsEmpty());
+    EXPECT_THAT(findMeetingBoxes({full}, {}), IsEmpty());
 }
 
 }  // namespace

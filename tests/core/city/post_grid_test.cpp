@@ -1,4 +1,4 @@
-#include "core/city/post_grid.h"
+#include "core/city/terrain/post_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -6,12 +6,13 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/city/terrain.h"
+#include "core/city/terrain/terrain.h"
 
 namespace noonmark {
 namespace {
 
-// Turned by 20 degrees, cells of 2 by 3 m that are not quite rectangles, and bent by up to some decimetres.
+// Turned by 20 degrees, with cells of 2 by 3 m that are not quite rectangles, and bent by up to some
+// decimetres.
 PostGrid askew() {
     PostGrid posts;
     posts.columns = 30;
@@ -32,7 +33,7 @@ Terrain roughOn(const PostGrid& posts) {
     return terrain;
 }
 
-TEST(PostGrid, ofAGridAreItsCentres) {
+TEST(PostGrid, OfAGridAreItsCentres) {
     const Grid grid{-30, 20, 5, 7, 6};
     const PostGrid posts = grid;
     EXPECT_FALSE(posts.isBent());
@@ -43,7 +44,7 @@ TEST(PostGrid, ofAGridAreItsCentres) {
         }
 }
 
-TEST(PostGrid, columnsAndRowsOfAPlaceAreFoundAgain) {
+TEST(PostGrid, ColumnsAndRowsOfAPlaceAreFoundAgain) {
     const PostGrid posts = askew();
     for (double row = -3; row <= 23; row += 0.7)
         for (double column = -4; column <= 33; column += 0.9) {
@@ -53,7 +54,7 @@ TEST(PostGrid, columnsAndRowsOfAPlaceAreFoundAgain) {
         }
 }
 
-TEST(PostGrid, stepsAreTheWayToTheNextPost) {
+TEST(PostGrid, StepsAreTheWayToTheNextPost) {
     const PostGrid posts = askew();
     constexpr double little = 1e-5;
     const glm::dvec2 at(7.3, 11.8), here = posts.centre(at.x, at.y);
@@ -62,7 +63,7 @@ TEST(PostGrid, stepsAreTheWayToTheNextPost) {
     EXPECT_LT(glm::distance(steps.row, (posts.centre(at.x, at.y + little) - here) / little), 1e-6);
 }
 
-TEST(PostGrid, boundsHoldEveryPost) {
+TEST(PostGrid, BoundsHoldEveryPost) {
     const PostGrid posts = askew();
     const Box2 box = bounds(posts);
     for (int row = 0; row < posts.rows; ++row)
@@ -73,10 +74,10 @@ TEST(PostGrid, boundsHoldEveryPost) {
         }
 }
 
-TEST(PostGrid, distancesBeyondItCountFromTheOuterPosts) {
+TEST(PostGrid, DistancesBeyondItCountFromTheOuterPosts) {
     const PostGrid posts(0, 0, 10, 5, 4);  // posts from (5, 5) to (45, 35)
     EXPECT_EQ(beyondM(posts, {20, 20}), 0);
-    EXPECT_EQ(beyondM(posts, {49.9, 0.1}), 0);  // half a cell belongs to it
+    EXPECT_EQ(beyondM(posts, {49.9, 0.1}), 0);  // half a cell counts as covered
     EXPECT_DOUBLE_EQ(beyondM(posts, {55, 20}), 10);
     EXPECT_DOUBLE_EQ(beyondM(posts, {75, -35}), 50);
     EXPECT_NEAR(beyondM(askew(), askew().centre(40, 5)),
@@ -84,7 +85,7 @@ TEST(PostGrid, distancesBeyondItCountFromTheOuterPosts) {
     EXPECT_NEAR(beyondM(askew(), {50000, 15}), 50000, 100);
 }
 
-TEST(PostGrid, ofABentTerrainTheGroundIsTheSurfaceOfItsMesh) {
+TEST(PostGrid, OfABentTerrainTheGroundIsTheSurfaceOfItsMesh) {
     const Terrain terrain = roughOn(askew());
     const TriangleMesh mesh = meshOf(terrain);
     std::mt19937 random(3);
@@ -98,7 +99,7 @@ TEST(PostGrid, ofABentTerrainTheGroundIsTheSurfaceOfItsMesh) {
     }
 }
 
-TEST(PostGrid, ofABentTerrainTheNearestValueStandsBeyond) {
+TEST(PostGrid, OfABentTerrainTheNearestValueStandsBeyond) {
     const Terrain terrain = roughOn(askew());
     EXPECT_FLOAT_EQ(elevationAt(terrain, askew().centre(-20, -15)), terrain.elevationM.front());
     EXPECT_FLOAT_EQ(elevationAt(terrain, askew().centre(60, 40)), terrain.elevationM.back());

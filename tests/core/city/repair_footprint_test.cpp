@@ -1,4 +1,4 @@
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ double largestCoordinate(const std::vector<RawRing>& rings) {
     return largest;
 }
 
-// What rounding to float32 may move, and the slivers that may be left out.
+// The area that rounding to float32 may change, plus the slivers that may be dropped.
 double areaTolerance(const std::vector<RawRing>& rings) {
     return perimeter(rings) * largestCoordinate(rings) * 0x1p-23 + 0.011 * double(rings.size());
 }
@@ -73,7 +73,7 @@ std::vector<RawRing> scaledAndMoved(std::vector<RawRing> rings, double sideM, gl
     return rings;
 }
 
-TEST(RepairFootprint, hostilePolygonsAsTheyAre) {
+TEST(RepairFootprint, HostilePolygonsAsTheyAre) {
     const auto polygons = hostilePolygons();
     if (polygons.empty()) GTEST_SKIP() << "shared data is missing: hostile/earcut_polygons";
     EXPECT_EQ(polygons.size(), 59U);
@@ -83,7 +83,7 @@ TEST(RepairFootprint, hostilePolygonsAsTheyAre) {
     }
 }
 
-TEST(RepairFootprint, hostilePolygonsAsBuildingsFarFromTheOrigin) {
+TEST(RepairFootprint, HostilePolygonsAsBuildingsFarFromTheOrigin) {
     const auto polygons = hostilePolygons();
     if (polygons.empty()) GTEST_SKIP() << "shared data is missing: hostile/earcut_polygons";
     for (const auto& [name, rings] : polygons)
@@ -93,7 +93,7 @@ TEST(RepairFootprint, hostilePolygonsAsBuildingsFarFromTheOrigin) {
         }
 }
 
-TEST(RepairFootprint, validPolygonsAreKeptAndOriented) {
+TEST(RepairFootprint, ValidPolygonsAreKeptAndOriented) {
     const auto repaired = repairFootprint({{{0, 0}, {0, 10}, {10, 10}, {10, 0}, {0, 0}}, square(2, 2, 3)});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_EQ(repaired.what, "");
@@ -102,7 +102,7 @@ TEST(RepairFootprint, validPolygonsAreKeptAndOriented) {
     EXPECT_DOUBLE_EQ(signedArea(repaired.pieces[0].holes[0]), -9);
 }
 
-TEST(RepairFootprint, crossedOutlineBecomesItsTwoLobes) {
+TEST(RepairFootprint, CrossedOutlineBecomesItsTwoLobes) {
     const auto repaired = repairFootprint({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}});
     EXPECT_EQ(repaired.pieces.size(), 2U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 50);
@@ -110,20 +110,20 @@ TEST(RepairFootprint, crossedOutlineBecomesItsTwoLobes) {
     EXPECT_EQ(repaired.what, "outline or holes crossed");
 }
 
-TEST(RepairFootprint, holeOutsideBecomesAPieceAndIsSaid) {
+TEST(RepairFootprint, HoleOutsideBecomesAPieceAndIsSaid) {
     const auto repaired = repairFootprint({square(0, 0, 10), square(20, 0, 5)});
     EXPECT_EQ(repaired.pieces.size(), 2U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 125);
     EXPECT_EQ(repaired.what, "a hole lay outside its outline");
 }
 
-TEST(RepairFootprint, holeThatSticksOutCutsOnlyTheInside) {
+TEST(RepairFootprint, HoleThatSticksOutCutsOnlyTheInside) {
     const auto repaired = repairFootprint({square(0, 0, 10), square(8, 2, 5)});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 90);
 }
 
-TEST(RepairFootprint, nothingUsableGivesNoPiecesAndAReason) {
+TEST(RepairFootprint, NothingUsableGivesNoPiecesAndAReason) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double inf = std::numeric_limits<double>::infinity();
     const std::vector<std::vector<RawRing>> useless{
@@ -148,15 +148,15 @@ TEST(RepairFootprint, nothingUsableGivesNoPiecesAndAReason) {
     }
 }
 
-TEST(RepairFootprint, holesThatAreNoneAreLeftOutAndSaid) {
+TEST(RepairFootprint, HolesThatAreNoneAreLeftOutAndSaid) {
     const auto repaired = repairFootprint({square(0, 0, 10), {{1, 1}, {2, 2}}});
     ASSERT_EQ(repaired.pieces.size(), 1U);
     EXPECT_TRUE(repaired.pieces[0].holes.empty());
     EXPECT_EQ(repaired.what, "a hole had fewer than three points");
 }
 
-TEST(RepairFootprint, pointsThatFallTogetherInFloatAreMerged) {
-    // At 10 km float32 steps are 1 mm: the first two points are one, and the slit has no width.
+TEST(RepairFootprint, PointsThatFallTogetherInFloatAreMerged) {
+    // At 10 km float32 steps are 1 mm: the first two points coincide, and the slit has no width.
     const auto repaired = repairFootprint({{{10000, 0},
                                             {10000.0001, 0},
                                             {10010, 0},
@@ -171,7 +171,7 @@ TEST(RepairFootprint, pointsThatFallTogetherInFloatAreMerged) {
     EXPECT_NEAR(area(repaired.pieces[0]), 100, 0.01);
 }
 
-TEST(RepairFootprint, sharedPointsOfNeighboursStayShared) {
+TEST(RepairFootprint, SharedPointsOfNeighboursStayShared) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> place(-12000, 12000);
     for (int i = 0; i < 1000; ++i) {
@@ -186,8 +186,8 @@ TEST(RepairFootprint, sharedPointsOfNeighboursStayShared) {
     }
 }
 
-// Scribbles: every kind of crossing at once.
-TEST(RepairFootprint, randomScribbles) {
+// Random scribbles contain every kind of crossing.
+TEST(RepairFootprint, RandomScribbles) {
     std::mt19937 random(4);
     for (int i = 0; i < 300; ++i) {
         std::vector<RawRing> rings(1 + random() % 3);

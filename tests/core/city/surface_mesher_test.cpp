@@ -1,4 +1,4 @@
-#include "core/city/surface_mesher.h"
+#include "core/city/meshes/surface_mesher.h"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@ glm::dvec3 areaVector(const TriangleMesh& mesh) {
     return sum;
 }
 
-Surface ringOf(std::size_t count) {
+Surface parseRing(std::size_t count) {
     Surface surface(1);
     for (std::size_t i = 0; i < count; ++i) surface[0].push_back(std::uint32_t(i));
     return surface;
 }
 
-TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
+TEST(SurfaceMesher, PolygonsInAnyPlaneKeepAreaAndSide) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-1, 1);
     for (int trial = 0; trial < 300; ++trial) {
@@ -36,7 +36,7 @@ TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
         const glm::dvec3 u = glm::normalize(glm::cross(normal, glm::dvec3(0.3, 0.5, 0.8)));
         const glm::dvec3 v = glm::cross(normal, u);
         const glm::dvec3 at(place(random) * 1000, place(random) * 1000, place(random) * 100);
-        std::vector<glm::dvec3> points;  // a star: concave, and simple
+        std::vector<glm::dvec3> points;  // a star: concave but simple
         const int corners = 4 + trial % 12;
         for (int i = 0; i < corners; ++i) {
             const double angle = 2 * 3.14159265358979 * i / corners;
@@ -47,13 +47,13 @@ TEST(SurfaceMesher, polygonsInAnyPlaneKeepAreaAndSide) {
         for (std::size_t i = 0; i < points.size(); ++i)
             expected += glm::cross(points[i] - at, points[(i + 1) % points.size()] - at) / 2.0;
         SurfaceMesher mesher(points);
-        ASSERT_EQ(mesher.add(ringOf(points.size())), Outcome::added);
+        ASSERT_EQ(mesher.add(parseRing(points.size())), Outcome::added);
         EXPECT_EQ(mesher.mesh().triangles.size(), points.size() - 2);
         EXPECT_NEAR(glm::distance(areaVector(mesher.mesh()), expected), 0, 0.01) << trial;
     }
 }
 
-TEST(SurfaceMesher, aWallWithAWindow) {
+TEST(SurfaceMesher, AWallWithAWindow) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {10, 0, 0}, {10, 0, 10}, {0, 0, 10},
                                          {4, 0, 4}, {4, 0, 6},  {6, 0, 6},   {6, 0, 4}};
     SurfaceMesher mesher(points);
@@ -61,10 +61,10 @@ TEST(SurfaceMesher, aWallWithAWindow) {
     EXPECT_NEAR(areaVector(mesher.mesh()).y, -96, 1e-4);
 }
 
-TEST(SurfaceMesher, bentPolygonsUseTheirOwnPoints) {
+TEST(SurfaceMesher, BentPolygonsUseTheirOwnPoints) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {10, 0, 0.2}, {12, 5, 0}, {10, 10, 0.3}, {0, 10, 0}};
     SurfaceMesher mesher(points);
-    EXPECT_EQ(mesher.add(ringOf(5)), Outcome::added);
+    EXPECT_EQ(mesher.add(parseRing(5)), Outcome::added);
     EXPECT_EQ(mesher.mesh().vertices.size(), 5U);
     for (const glm::vec3 vertex : mesher.mesh().vertices)
         EXPECT_NE(
@@ -72,14 +72,14 @@ TEST(SurfaceMesher, bentPolygonsUseTheirOwnPoints) {
             true);
 }
 
-TEST(SurfaceMesher, crossingPolygonsAreMended) {
+TEST(SurfaceMesher, CrossingPolygonsAreMended) {
     const std::vector<glm::dvec3> points{{0, 0, 5}, {10, 10, 5}, {10, 0, 5}, {0, 11, 5}};
     SurfaceMesher mesher(points);
-    EXPECT_EQ(mesher.add(ringOf(4)), Outcome::mended);
+    EXPECT_EQ(mesher.add(parseRing(4)), Outcome::mended);
     for (const glm::vec3 vertex : mesher.mesh().vertices) EXPECT_NEAR(vertex.z, 5, 1e-5);
 }
 
-TEST(SurfaceMesher, whatHasNoAreaAddsNothing) {
+TEST(SurfaceMesher, WhatHasNoAreaAddsNothing) {
     const std::vector<glm::dvec3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}, {NAN, 0, 0}, {0, 1, 0}};
     SurfaceMesher mesher(points);
     for (const Surface& surface : {Surface{}, Surface{{}}, Surface{{0}}, Surface{{0, 1}}, Surface{{0, 1, 2}},

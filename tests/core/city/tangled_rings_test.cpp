@@ -1,4 +1,4 @@
-#include "core/city/tangled_rings.h"
+#include "core/city/footprints/tangled_rings.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 
 #include "core/city/city.h"
-#include "core/city/surface_mesher.h"
-#include "core/city/triangle_count.h"
-#include "core/city/triangulate.h"
+#include "core/city/footprints/triangulate.h"
+#include "core/city/meshes/surface_mesher.h"
+#include "core/city/meshes/triangle_count.h"
 
 namespace noonmark {
 namespace {
@@ -27,7 +27,7 @@ RawRing randomRing(int points) {
 
 Ring inFloat(const RawRing& ring) { return {ring.begin(), ring.end()}; }
 
-// A ring of teeth, long and close together.
+// A ring with long teeth close together.
 RawRing combRing(int teeth) {
     RawRing ring{{0, 0}};
     for (int i = 0; i < teeth; ++i)
@@ -52,7 +52,7 @@ RawRing turned(RawRing ring) {
     return ring;
 }
 
-TEST(TangledRings, randomPointsAreAndCombsAreNot) {
+TEST(TangledRings, RandomPointsAreAndCombsAreNot) {
     EXPECT_FALSE(areTangled({randomRing(50)}));  // 50 * 47 / 2 pairs of sides at most
     EXPECT_TRUE(areTangled({randomRing(800)}));
     EXPECT_TRUE(areTangled({randomRing(50000)}));
@@ -60,8 +60,8 @@ TEST(TangledRings, randomPointsAreAndCombsAreNot) {
     EXPECT_FALSE(areTangled({turned(combRing(12500))}));
 }
 
-// k bars across k bars, as rings of their own: k by k times four crossings.
-TEST(TangledRings, crossingsAreCounted) {
+// k bars across k bars, each a separate ring: k x k times four crossings.
+TEST(TangledRings, CrossingsAreCounted) {
     const auto bars = [](int count) {
         std::vector<RawRing> rings;
         for (int i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ TEST(TangledRings, crossingsAreCounted) {
     EXPECT_TRUE(areTangled(bars(23)));   // 2116
 }
 
-TEST(TangledRings, areDroppedWithTheLimitStated) {
+TEST(TangledRings, AreDroppedWithTheLimitStated) {
     const RepairedFootprint repaired = repairFootprint({randomRing(3000)});
     EXPECT_TRUE(repaired.pieces.empty());
     EXPECT_EQ(repaired.kind, WarningKind::dropped);
@@ -83,9 +83,9 @@ TEST(TangledRings, areDroppedWithTheLimitStated) {
     EXPECT_FALSE(repairFootprint({randomRing(60)}).pieces.empty());
 }
 
-// Twice the area of the triangles is the footprint's, all run the same way, and there are v + 2 h - 2.
+// The triangles' areas add up to the footprint's, all have the same orientation, and there are v + 2 h - 2.
 void expectTriangulated(const Footprint& footprint) {
-    const Triangulation made = triangulated(footprint);
+    const Triangulation made = triangulate(footprint);
     std::size_t points = footprint.outer.size();
     for (const Ring& hole : footprint.holes) points += hole.size();
     EXPECT_EQ(made.triangles.size(), points + 2 * footprint.holes.size() - 2);
@@ -100,9 +100,9 @@ void expectTriangulated(const Footprint& footprint) {
     EXPECT_NEAR(sum, area(footprint), 1e-6 * area(footprint));
 }
 
-TEST(Triangulated, largeRingsAndManyHoles) {
+TEST(Triangulated, LargeRingsAndManyHoles) {
     expectTriangulated({starRing(50000), {}});
-    expectTriangulated({starRing(200), {}});  // the last that is inserted in its own order
+    expectTriangulated({starRing(200), {}});  // the largest ring that is inserted in its own order
     expectTriangulated({starRing(202), {}});
     Footprint grid{{{-1, -1}, {200, -1}, {200, 200}, {-1, 200}}, {}};
     for (float x = 0; x < 190; x += 3)
@@ -111,8 +111,8 @@ TEST(Triangulated, largeRingsAndManyHoles) {
     expectTriangulated(grid);
 }
 
-TEST(Triangulated, whatCrossesItselfTooOftenIsRefused) {
-    const Triangulation made = triangulated({inFloat(randomRing(3000)), {}});
+TEST(Triangulated, WhatCrossesItselfTooOftenIsRefused) {
+    const Triangulation made = triangulate({inFloat(randomRing(3000)), {}});
     EXPECT_TRUE(made.tangled);
     EXPECT_TRUE(made.triangles.empty());
     std::vector<glm::dvec3> points;
@@ -126,20 +126,20 @@ TEST(Triangulated, whatCrossesItselfTooOftenIsRefused) {
     EXPECT_TRUE(mesher.mesh().triangles.empty());
 }
 
-TEST(TriangleCount, isThatOfTheMesh) {
+TEST(TriangleCount, IsThatOfTheMesh) {
     Part part{.footprint = {starRing(60), {}}, .bottomM = 0, .topM = 10};
-    EXPECT_EQ(triangleCount(part), 2U * 58 + 120);
-    EXPECT_EQ(triangleCount(part), meshOf(part).triangles.size());
+    EXPECT_EQ(countTriangles(part), 2U * 58 + 120);
+    EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());
     // A hole in the middle; then one whose corner touches the middle of a side, and one that touches a
     // corner.
     const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     for (const Ring& hole :
          {Ring{{4, 4}, {4, 6}, {6, 6}, {6, 4}}, Ring{{5, 0}, {4, 3}, {6, 3}}, Ring{{0, 0}, {3, 4}, {4, 3}}}) {
         part.footprint = {square, {hole}};
-        EXPECT_EQ(triangleCount(part), meshOf(part).triangles.size());
+        EXPECT_EQ(countTriangles(part), meshOf(part).triangles.size());
     }
     part.mesh = std::make_shared<const TriangleMesh>(TriangleMesh{{{}, {}, {}}, {{0, 1, 2}}});
-    EXPECT_EQ(triangleCount(part), 1U);
+    EXPECT_EQ(countTriangles(part), 1U);
 }
 
 }  // namespace

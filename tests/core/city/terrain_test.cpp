@@ -1,4 +1,4 @@
-#include "core/city/terrain.h"
+#include "core/city/terrain/terrain.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ Terrain randomTerrain(std::mt19937& random) {
     return terrain;
 }
 
-TEST(Terrain, isItsElevationAtCellCentres) {
+TEST(Terrain, IsItsElevationAtCellCentres) {
     std::mt19937 random(5);
     const Terrain terrain = randomTerrain(random);
     for (int row = 0; row < terrain.grid.rows; ++row)
@@ -26,7 +26,7 @@ TEST(Terrain, isItsElevationAtCellCentres) {
                             terrain.elevationM[terrain.grid.index(column, row)]);
 }
 
-TEST(Terrain, keepsASlopeThatIsPlane) {
+TEST(Terrain, KeepsASlopeThatIsPlane) {
     Terrain terrain{{0, 0, 2, 10, 10}, {}};
     const auto plane = [](glm::dvec2 p) { return 3 + 0.25 * p.x - 0.5 * p.y; };
     for (int row = 0; row < 10; ++row)
@@ -37,7 +37,7 @@ TEST(Terrain, keepsASlopeThatIsPlane) {
         EXPECT_NEAR(elevationAt(terrain, point), plane(point), 1e-5);
 }
 
-TEST(Terrain, beyondTheOuterCentresIsTheNearestValue) {
+TEST(Terrain, BeyondTheOuterCentresIsTheNearestValue) {
     const Terrain terrain{{0, 0, 10, 2, 2}, {1, 2, 3, 4}};
     EXPECT_FLOAT_EQ(elevationAt(terrain, {-1000, -1000}), 1);
     EXPECT_FLOAT_EQ(elevationAt(terrain, {1000, -1000}), 2);
@@ -46,7 +46,7 @@ TEST(Terrain, beyondTheOuterCentresIsTheNearestValue) {
     EXPECT_FLOAT_EQ(elevationAt({{0, 0, 10, 1, 1}, {7}}, {3, 400}), 7);
 }
 
-TEST(Terrain, isTheSurfaceOfItsMesh) {
+TEST(Terrain, IsTheSurfaceOfItsMesh) {
     std::mt19937 random(6);
     const Terrain terrain = randomTerrain(random);
     const TriangleMesh mesh = meshOf(terrain);
@@ -59,7 +59,7 @@ TEST(Terrain, isTheSurfaceOfItsMesh) {
     }
 }
 
-TEST(City, groundIsFlatAtZeroWithoutTerrain) {
+TEST(City, GroundIsFlatAtZeroWithoutTerrain) {
     City city;
     EXPECT_EQ(groundAt(city, {12, 34}), 0);
     city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 1, 1}, {7}});

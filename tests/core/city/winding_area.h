@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/city/repair_footprint.h"
+#include "core/city/footprints/repair_footprint.h"
 
 namespace noonmark::tests {
 
-/// The area of a polygon as it came, whatever it does to itself, by scan lines and winding numbers: inside is
-/// where the outline winds at all and no hole does; a hole that lies wholly outside an outline counts by
-/// itself. Shares no code and no method with what it checks.
+/// The area of a polygon, valid or not, by scan lines and winding numbers: a point is inside if the outline
+/// winds around it and no hole does; a hole that lies wholly outside an outline counts separately. Shares no
+/// code and no method with the code under test.
 class WindingArea {
 public:
     explicit WindingArea(const std::vector<RawRing>& rings)
@@ -59,8 +59,8 @@ private:
         if (a.y > b.y) edges_.push_back({b, a, ring, -1});
     }
 
-    // Between two neighbouring heights no edge ends and no two cross, so that one line there measures
-    // exactly.
+    // Between two neighbouring heights no edge ends and no two edges cross, so that one scan line there
+    // measures exactly.
     void findSlabs() {
         for (std::size_t i = 0; i < edges_.size(); ++i)
             for (std::size_t j = i + 1; j < edges_.size() && edges_[j].low.y < edges_[i].high.y; ++j)
@@ -109,10 +109,10 @@ private:
         }
     }
 
-    std::vector<Edge> edges_;  ///< by their lower end
+    std::vector<Edge> edges_;  ///< sorted by their lower end
     std::vector<double> ys_;
     std::vector<bool> outside_;
-    std::vector<int> winding_;  ///< of the span that is visited, by ring
+    std::vector<int> winding_;  ///< winding numbers of the current span, by ring
 };
 
 }  // namespace noonmark::tests

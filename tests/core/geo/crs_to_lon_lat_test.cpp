@@ -12,7 +12,7 @@ LonLat convert(const std::string& crs, glm::dvec2 point) {
     return CrsToLonLat::of(crs).value().lonLat({&point, 1})[0];
 }
 
-TEST(CrsToLonLat, everySpellingOfTheSameSystem) {
+TEST(CrsToLonLat, EverySpellingOfTheSameSystem) {
     for (const char* crs :
          {"EPSG:32618", "epsg:32618", "urn:ogc:def:crs:EPSG::32618", "urn:ogc:def:crs:EPSG:9.9:32618",
           "http://www.opengis.net/def/crs/EPSG/0/32618", "https://www.opengis.net/def/crs/EPSG/0/32618/"}) {
@@ -22,13 +22,13 @@ TEST(CrsToLonLat, everySpellingOfTheSameSystem) {
     }
 }
 
-TEST(CrsToLonLat, longitudeComesFirst) {
+TEST(CrsToLonLat, LongitudeComesFirst) {
     const LonLat place = convert("EPSG:4326", {-73.98, 40.75});
     EXPECT_NEAR(place.lonDeg, -73.98, 1e-9);
     EXPECT_NEAR(place.latDeg, 40.75, 1e-9);
 }
 
-TEST(CrsToLonLat, unitsOfHeight) {
+TEST(CrsToLonLat, UnitsOfHeight) {
     const auto unit = [](const char* crs) {
         const auto made = CrsToLonLat::of(crs);
         return std::pair(made->metresPerElevationUnit(), made->elevationUnitIsStated());
@@ -43,7 +43,7 @@ TEST(CrsToLonLat, unitsOfHeight) {
     EXPECT_FALSE(unit("EPSG:2263").second);
 }
 
-TEST(CrsToLonLat, whatIsNoPlaceIsNaN) {
+TEST(CrsToLonLat, WhatIsNoPlaceIsNaN) {
     for (const glm::dvec2 point :
          {glm::dvec2(std::numeric_limits<double>::quiet_NaN(), 0), glm::dvec2(1e30, 1e30),
           glm::dvec2(std::numeric_limits<double>::infinity(), 5)})
@@ -51,17 +51,17 @@ TEST(CrsToLonLat, whatIsNoPlaceIsNaN) {
     EXPECT_TRUE(std::isnan(convert("EPSG:4326", {10, 95}).latDeg));
 }
 
-TEST(CrsToLonLat, knowsWhereItIsUsed) {
+TEST(CrsToLonLat, KnowsWhereItIsUsed) {
     const auto dutch = CrsToLonLat::of("EPSG:28992");
     EXPECT_TRUE(dutch->isPlausible({4.9, 52.4}));
     EXPECT_FALSE(dutch->isPlausible({-73.98, 40.75}));
     EXPECT_FALSE(dutch->isPlausible({std::nan(""), std::nan("")}));
     EXPECT_TRUE(CrsToLonLat::of("EPSG:4326")->isPlausible({179, -80}));
-    EXPECT_TRUE(
-        CrsToLonLat::of("EPSG:2193")->isPlausible({-179, -40}));  // New Zealand's crosses the date line
+    // New Zealand's area of use crosses the date line
+    EXPECT_TRUE(CrsToLonLat::of("EPSG:2193")->isPlausible({-179, -40}));
 }
 
-TEST(CrsToLonLat, whatIsNoSystemIsAnError) {
+TEST(CrsToLonLat, WhatIsNoSystemIsAnError) {
     for (const char* crs : {"", "EPSG:0", "EPSG:999999", "hello", "EPSG:5709", "http://example.com/crs"}) {
         const auto made = CrsToLonLat::of(crs);
         ASSERT_FALSE(made) << crs;

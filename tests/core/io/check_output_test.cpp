@@ -1,4 +1,4 @@
-#include "core/io/check_output.h"
+#include "core/io/files/check_output.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,20 +21,20 @@ constexpr std::string_view pngHead = "\x89PNG\r\n\x1a\n....";
 
 class CheckOutput : public testing::Test {
 protected:
-    /// Why a file may not be written; empty where it may.
+    /// Why a file may not be written; empty if it may.
     static std::string why(const fs::path& file, OutputKind kind, const OutputRules& rules = {}) {
         const auto may = checkOutput(file, kind, rules);
         return may ? std::string() : may.error().text();
     }
 
-    /// Why it may not be written, whether files may be replaced or not.
+    /// Why it may not be written, with and without permission to replace files.
     static std::string whyNever(const fs::path& file, OutputKind kind, std::vector<fs::path> inputs = {}) {
         const std::string words = why(file, kind, {inputs, false});
         EXPECT_EQ(why(file, kind, {inputs, true}), words);
         return words;
     }
 
-    /// A database with a table, and the id of a GeoPackage.
+    /// A database with a table and the application id of a GeoPackage.
     fs::path database(const std::string& name, const char* sql) {
         const fs::path file = folder.path(name);
         sqlite3* made = nullptr;
@@ -58,7 +58,7 @@ TEST_F(CheckOutput, WhatIsNotThereMayBeWritten) {
 
 TEST_F(CheckOutput, WhatIsThereOfTheKindNeedsTheWord) {
     const fs::path city = folder.path("city.gpkg");
-    ASSERT_TRUE(writeCityGeoPackage(city, centralParkSouthSample()));
+    ASSERT_TRUE(writeCityGeoPackage(city, makeCentralParkSouthSample()));
     EXPECT_EQ(
         why(city, OutputKind::geoPackage),
         city.string() +
@@ -114,7 +114,7 @@ TEST_F(CheckOutput, ADamagedOrBusyDatabaseIsLeftAlone) {
     fs::resize_file(folder.path("cut.gpkg"), 1000);
     EXPECT_NE(whyNever(folder.path("cut.gpkg"), OutputKind::geoPackage), "");
     (void)folder.file("city.gpkg-journal", "half a transaction");
-    EXPECT_THAT(why(file, OutputKind::geoPackage, {{}, true}), HasSubstr("writes to this file"));
+    EXPECT_THAT(why(file, OutputKind::geoPackage, {{}, true}), HasSubstr("is writing to this file"));
 }
 
 TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
@@ -122,7 +122,7 @@ TEST_F(CheckOutput, AnotherKindIsNeverReplaced) {
     for (const OutputKind kind :
          {OutputKind::geoPackage, OutputKind::geoJson, OutputKind::geoTiff, OutputKind::picture,
           OutputKind::pdf, OutputKind::json, OutputKind::project})
-        EXPECT_THAT(whyNever(words, kind), HasSubstr("it is not " + std::string(wordsOf(kind))));
+        EXPECT_THAT(whyNever(words, kind), HasSubstr("it is not " + std::string(describe(kind))));
     EXPECT_THAT(whyNever(folder.file("one column", "Dear board\n"), OutputKind::table), HasSubstr("CSV"));
     EXPECT_THAT(whyNever(folder.file("markup", "<svg a=\"1,2\">\n"), OutputKind::table), HasSubstr("CSV"));
     EXPECT_THAT(whyNever(folder.file("bytes", "a,b\n\0\0"sv), OutputKind::table), HasSubstr("CSV"));
@@ -154,7 +154,7 @@ TEST_F(CheckOutput, WhatIsNoFileHasItsOwnMessage) {
     EXPECT_THAT(whyNever(folder.path(""), OutputKind::table), HasSubstr("A folder has this name"));
     fs::create_symlink("nowhere", folder.path("link"));
     EXPECT_THAT(whyNever(folder.path("link"), OutputKind::table),
-                HasSubstr("a link to a file that is not there"));
+                HasSubstr("a link to a file that does not exist"));
 }
 
 TEST_F(CheckOutput, OfSeveralTheWorstIsHeardFirst) {
@@ -167,13 +167,13 @@ TEST_F(CheckOutput, OfSeveralTheWorstIsHeardFirst) {
     (void)folder.file("shadow.tif", "II*\0"sv);
     EXPECT_THAT(whyNot({}), HasSubstr("shadow.tif: There is a file of this name already. Add --overwrite"));
     (void)folder.file("shadow.png", pngHead);
-    EXPECT_THAT(whyNot({}), HasSubstr("shadow.tif and 1 more of the files to write are there already"));
+    EXPECT_THAT(whyNot({}), HasSubstr("shadow.tif and 1 more of the files to write exist already"));
     EXPECT_EQ(whyNot({{}, true}), "");
     (void)folder.file("study.json", geoJson);
     EXPECT_THAT(whyNot({}),
                 HasSubstr("study.json: There is a file of this name already, and it is not JSON"));
     EXPECT_EQ(whyNot({{}, true}), whyNot({}));
-    EXPECT_EQ(existingOutputs(folder.path(""), {"shadow.png", "cells.csv"}),
+    EXPECT_EQ(findExistingOutputs(folder.path(""), {"shadow.png", "cells.csv"}),
               std::vector<std::string>{"shadow.png"});
 }
 

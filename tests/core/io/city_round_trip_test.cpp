@@ -24,7 +24,7 @@ double farthest(const Ring& one, const Ring& other) {
 void expectSame(const Part& seen, const Part& meant) {
     EXPECT_NEAR(seen.topM, meant.topM, 1e-3) << meant.sourceId;
     EXPECT_NEAR(seen.bottomM, meant.bottomM, 1e-3) << meant.sourceId;
-    EXPECT_EQ(seen.hangs, meant.hangs) << meant.sourceId;
+    EXPECT_EQ(seen.isOverhanging, meant.isOverhanging) << meant.sourceId;
     EXPECT_EQ(seen.footprint.outer.size(), meant.footprint.outer.size()) << meant.sourceId;
     EXPECT_LT(farthest(meant.footprint.outer, seen.footprint.outer), 1e-3) << meant.sourceId;
     EXPECT_EQ(seen.footprint.holes.size(), meant.footprint.holes.size()) << meant.sourceId;
@@ -50,34 +50,37 @@ Result<CityRead> thereAndBack(const City& city) {
 void expectSameCity(const City& city) {
     const auto read = thereAndBack(city);
     ASSERT_TRUE(read) << read.error().text();
-    EXPECT_TRUE(read->warnings.empty()) << lineOf(grouped(read->warnings).front());
+    EXPECT_TRUE(read->warnings.empty()) << lineOf(groupWarnings(read->warnings).front());
     ASSERT_EQ(read->city.buildings.size(), city.buildings.size());
     for (std::size_t i = 0; i < city.buildings.size(); ++i)
         expectSame(*read->city.buildings[i], *city.buildings[i]);
 }
 
-TEST(CityRoundTrip, centralParkSouth) { expectSameCity(centralParkSouthSample()); }
+TEST(CityRoundTrip, CentralParkSouth) { expectSameCity(makeCentralParkSouthSample()); }
 
-TEST(CityRoundTrip, grid) {
-    const auto city = gridSample({.buildings = 1000, .seed = 5});
+TEST(CityRoundTrip, Grid) {
+    const auto city = makeGridSample({.buildings = 1000, .seed = 5});
     ASSERT_TRUE(city);
     expectSameCity(*city);
 }
 
-TEST(CityRoundTrip, partsThatHang) {
+TEST(CityRoundTrip, PartsThatHang) {
     Building building{.sourceId = "way 1", .name = "Arch", .status = "to be built"};
     const auto square = [](float x, float side) {
         return Ring{{x, 0}, {x + side, 0}, {x + side, side}, {x, side}};
     };
     building.parts.push_back({.sourceId = "leg", .footprint = {square(0, 10), {}}, .bottomM = 0, .topM = 40});
-    building.parts.push_back(
-        {.sourceId = "bridge", .footprint = {square(10, 9), {}}, .bottomM = 30, .topM = 40, .hangs = true});
+    building.parts.push_back({.sourceId = "bridge",
+                              .footprint = {square(10, 9), {}},
+                              .bottomM = 30,
+                              .topM = 40,
+                              .isOverhanging = true});
     expectSameCity({Frame({15.6, 78.2}), {std::make_shared<const Building>(building)}, nullptr});
 }
 
 // Fiji: houses on both sides of 180 degrees, and one across it.
-TEST(CityRoundTrip, acrossTheAntimeridian) {
-    expectSameCity(gridSample({.buildings = 200, .origin = {180, -16.85}}).value());
+TEST(CityRoundTrip, AcrossTheAntimeridian) {
+    expectSameCity(makeGridSample({.buildings = 200, .origin = {180, -16.85}}).value());
 }
 
 }  // namespace

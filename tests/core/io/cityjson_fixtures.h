@@ -15,13 +15,14 @@ using Json = nlohmann::json;
 
 inline const glm::dvec3 amsterdam{121000, 487000, 2};  ///< EPSG:7415, metres
 
-/// Builds CityJSON in whole millimetres from amsterdam on.
+/// Builds CityJSON with coordinates in whole millimetres relative to `amsterdam`.
 class CityJsonMaker {
 public:
     Json vertices = Json::array();
     Json objects = Json::object();
 
-    /// Vertices of a box; returns the first index. Corner i is at high x, y, z where bit 0, 1, 2 of i is set.
+    /// Adds the vertices of a box; returns the first index. Corner i is at high x, y, z if bit 0, 1, 2 of i
+    /// is set.
     int addBox(glm::dvec3 low, glm::dvec3 high) {
         const int first = int(vertices.size());
         for (int i = 0; i < 8; ++i)
@@ -32,7 +33,7 @@ public:
         vertices.push_back({std::llround(at.x * 1000), std::llround(at.y * 1000), std::llround(at.z * 1000)});
         return int(vertices.size()) - 1;
     }
-    /// The six faces of such a box, looking outward.
+    /// The six faces of such a box, facing outward.
     static Json boxShell(int first, bool inward = false) {
         Json shell = Json::array();
         for (const auto& corners : {std::vector{0, 2, 3, 1},
@@ -70,7 +71,7 @@ public:
     }
 };
 
-/// What the reader makes of a file of this text.
+/// The reader's result for a file with this text.
 inline Result<FilePiece> readText(const std::string& text, const ReadSettings& settings = {}) {
     const TemporaryFolder folder;
     NoProgress progress;

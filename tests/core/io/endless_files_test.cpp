@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "core/io/file_kind.h"
-#include "core/io/gdal_calls.h"
-#include "core/io/plain_file.h"
-#include "core/io/read_parcels.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/files/file_kind.h"
+#include "core/io/files/plain_file.h"
+#include "core/io/footprints/read_parcels.h"
 #include "core/io/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/temporary_folder.h"
@@ -17,13 +17,13 @@ bool isRefusedAsPipe(const Error& error) {
     return error.what == "This is a pipe or a device, not a file" && !error.advice.empty();
 }
 
-TEST(EndlessFiles, pipesAndDevicesAreRefusedAtOnce) {
+TEST(EndlessFiles, PipesAndDevicesAreRefusedAtOnce) {
     const tests::TemporaryFolder folder;
     const auto pipe = folder.path("city.geojson");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     const Frame frame({-73.98, 40.75});
     for (const std::filesystem::path& file : {pipe, std::filesystem::path("/dev/zero")}) {
-        EXPECT_TRUE(isRefusedAsPipe(fileKind(file).error()));
+        EXPECT_TRUE(isRefusedAsPipe(detectFileKind(file).error()));
         EXPECT_TRUE(isRefusedAsPipe(readRegion(file.string(), frame).error()));
         EXPECT_TRUE(isRefusedAsPipe(readParcels(file, {}, frame, {}).error()));
     }
@@ -40,7 +40,7 @@ std::string terrainError(const std::filesystem::path& file) {
     return piece ? "" : piece.error().text();
 }
 
-TEST(EndlessFiles, anAsciiGridThatPromisesMoreThanItHoldsIsRefused) {
+TEST(EndlessFiles, AnAsciiGridThatPromisesMoreThanItHoldsIsRefused) {
     const tests::TemporaryFolder folder;
     const auto grid = [](const std::string& columns, const std::string& rows) {
         std::string text = "ncols " + columns + "\nnrows " + rows +
@@ -56,7 +56,7 @@ TEST(EndlessFiles, anAsciiGridThatPromisesMoreThanItHoldsIsRefused) {
               std::string::npos);
 }
 
-TEST(EndlessFiles, aRasterOfTooManyCellsIsRefusedWithItsLimit) {
+TEST(EndlessFiles, ARasterOfTooManyCellsIsRefusedWithItsLimit) {
     const tests::TemporaryFolder folder;
     const auto file = folder.path("sparse.tif");
     {

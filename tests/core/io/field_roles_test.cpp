@@ -1,9 +1,9 @@
-#include "core/io/field_roles.h"
+#include "core/io/footprints/field_roles.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/io/other_tags.h"
+#include "core/io/osm/other_tags.h"
 
 namespace noonmark {
 namespace {
@@ -12,11 +12,11 @@ using testing::ElementsAre;
 using testing::Pair;
 
 std::optional<FieldRole> roleOf(std::string_view name, bool cutShort = false) {
-    const auto meaning = meaningOf(name, cutShort);
+    const auto meaning = findMeaning(name, cutShort);
     return meaning ? std::optional(meaning->role) : std::nullopt;
 }
 
-TEST(FieldRoles, knowsTheUsualNamesInAnyCase) {
+TEST(FieldRoles, KnowsTheUsualNamesInAnyCase) {
     for (const char* name : {"height", "HEIGHT", "building:height", "measuredHeight", "heightroof",
                              "height_roof", "BldgHeight", "Height (m)"})
         EXPECT_EQ(roleOf(name), FieldRole::height) << name;
@@ -30,19 +30,19 @@ TEST(FieldRoles, knowsTheUsualNamesInAnyCase) {
     EXPECT_EQ(roleOf("roof:shape"), FieldRole::roofShape);
 }
 
-TEST(FieldRoles, doesNotTakeOtherNamesForHeights) {
+TEST(FieldRoles, DoesNotTakeOtherNamesForHeights) {
     for (const char* name : {"", "weight", "heightened", "max_height_limit", "m", "ft", "levelsm", "area"})
         EXPECT_EQ(roleOf(name), std::nullopt) << name;
 }
 
-TEST(FieldRoles, readsTheUnitInAName) {
-    EXPECT_EQ(meaningOf("height_ft")->unit, LengthUnit::feet);
-    EXPECT_EQ(meaningOf("Height (feet)")->unit, LengthUnit::feet);
-    EXPECT_EQ(meaningOf("bldg_height_m")->unit, LengthUnit::metres);
-    EXPECT_EQ(meaningOf("height")->unit, std::nullopt);
+TEST(FieldRoles, ReadsTheUnitInAName) {
+    EXPECT_EQ(findMeaning("height_ft")->unit, LengthUnit::feet);
+    EXPECT_EQ(findMeaning("Height (feet)")->unit, LengthUnit::feet);
+    EXPECT_EQ(findMeaning("bldg_height_m")->unit, LengthUnit::metres);
+    EXPECT_EQ(findMeaning("height")->unit, std::nullopt);
 }
 
-TEST(FieldRoles, knowsNamesCutShortUnlessTheyAreAmbiguous) {
+TEST(FieldRoles, KnowsNamesCutShortUnlessTheyAreAmbiguous) {
     EXPECT_EQ(roleOf("ground_ele", true), FieldRole::groundElevation);
     EXPECT_EQ(roleOf("measuredHe", true), FieldRole::height);
     EXPECT_EQ(roleOf("building:l", true), FieldRole::levels);
@@ -51,7 +51,7 @@ TEST(FieldRoles, knowsNamesCutShortUnlessTheyAreAmbiguous) {
     EXPECT_EQ(roleOf("ground", true), std::nullopt);
 }
 
-TEST(FieldRoles, theUsersFieldIsTheOnlyHeight) {
+TEST(FieldRoles, TheUsersFieldIsTheOnlyHeight) {
     const auto fields = knownFields({"height", "Roof_Top", "num_floors"}, {.height = "ROOF_TOP"}, false);
     ASSERT_EQ(fields.size(), 2U);
     EXPECT_EQ(fields[0].name, "Roof_Top");
@@ -59,7 +59,7 @@ TEST(FieldRoles, theUsersFieldIsTheOnlyHeight) {
     EXPECT_EQ(fields[1].meaning.role, FieldRole::levels);
 }
 
-TEST(FieldRoles, theBetterFieldComesFirst) {
+TEST(FieldRoles, TheBetterFieldComesFirst) {
     const auto fields = knownFields({"BLDGHEIGHT", "height"}, {}, false);
     ASSERT_EQ(fields.size(), 2U);
     EXPECT_EQ(fields[0].name, "height");
@@ -71,8 +71,8 @@ struct Published {
     std::optional<LengthUnit> unit;
 };
 
-// As their producers publish them.
-TEST(FieldRoles, knowsThePublishedDatasets) {
+// Field names as their producers publish them.
+TEST(FieldRoles, KnowsThePublishedDatasets) {
     constexpr auto m = LengthUnit::metres;
     const Published fields[] = {
         {"HAUTEUR", FieldRole::height, m},     // France, BD TOPO
@@ -117,29 +117,30 @@ TEST(FieldRoles, knowsThePublishedDatasets) {
         {"kerrosluku", FieldRole::levels, {}},           // Finland
     };
     for (const Published& field : fields) {
-        const auto meaning = meaningOf(field.name);
+        const auto meaning = findMeaning(field.name);
         ASSERT_TRUE(meaning) << field.name;
         EXPECT_EQ(meaning->role, field.role) << field.name;
         EXPECT_EQ(meaning->unit, field.unit) << field.name;
     }
 }
 
-TEST(FieldRoles, falseFriendsAreNotTaken) {
-    // A vehicle's clearance; elevations of the gutter; one storey's height or all; storeys under the ground.
+TEST(FieldRoles, FalseFriendsAreNotTaken) {
+    // A clearance; elevations of the gutter; the height of one storey or of all; storeys below the ground.
     for (const char* name : {"maxheight", "Z_MIN", "Z_MAX", "story_ht_", "numberOfFloorsBelowGround",
                              "heightBelowGround", "hgt_mincm", "b3_h_dak_min", "storeysBelowGround"})
         EXPECT_EQ(roleOf(name), std::nullopt) << name;
-    // Cut short, above and below the ground are the same, and so are metres and centimetres.
+    // Truncated, names for above and below the ground are equal, and so are metres and centimetres.
     EXPECT_EQ(roleOf("numberOfFl", true), std::nullopt);
     EXPECT_EQ(roleOf("hgt_median", true), std::nullopt);
     EXPECT_EQ(roleOf("BLDG_HGT_2", true), FieldRole::height);
-    EXPECT_EQ(meaningOf("BLDG_HGT_2", true)->unit, LengthUnit::feet);
+    EXPECT_EQ(findMeaning("BLDG_HGT_2", true)->unit, LengthUnit::feet);
 }
 
-TEST(FieldRoles, ofTagsOnlyTheirOwnAreHeights) {
-    EXPECT_TRUE(meaningOfTag("building:levels"));
-    EXPECT_TRUE(meaningOfTag("min_height"));
-    for (const char* key : {"maxheight", "floor", "hoogte", "altura"}) EXPECT_FALSE(meaningOfTag(key)) << key;
+TEST(FieldRoles, OfTagsOnlyTheirOwnAreHeights) {
+    EXPECT_TRUE(findTagMeaning("building:levels"));
+    EXPECT_TRUE(findTagMeaning("min_height"));
+    for (const char* key : {"maxheight", "floor", "hoogte", "altura"})
+        EXPECT_FALSE(findTagMeaning(key)) << key;
 }
 
 std::vector<std::string> namesOf(const std::vector<KnownField>& fields, FieldRole role) {
@@ -149,7 +150,7 @@ std::vector<std::string> namesOf(const std::vector<KnownField>& fields, FieldRol
     return names;
 }
 
-TEST(FieldRoles, aTypicalHeightComesBeforeTheHighestPoint) {
+TEST(FieldRoles, ATypicalHeightComesBeforeTheHighestPoint) {
     using enum FieldRole;
     EXPECT_THAT(namesOf(knownFields({"RelHMax", "RelH2"}, {}, false), height),
                 ElementsAre("RelH2", "RelHMax"));
@@ -158,9 +159,9 @@ TEST(FieldRoles, aTypicalHeightComesBeforeTheHighestPoint) {
         ElementsAre("b3_h_dak_50p", "b3_h_dak_max"));
 }
 
-TEST(FieldRoles, neighboursSettleWhatANameMeans) {
+TEST(FieldRoles, NeighboursSettleWhatANameMeans) {
     using enum FieldRole;
-    // Toronto: the lowest roof, not the underside.
+    // Toronto: the lowest point of the roof, not the underside.
     const auto toronto = knownFields({"MIN_HEIGHT", "MAX_HEIGHT", "AVG_HEIGHT"}, {}, false);
     EXPECT_FALSE(hasRole(toronto, minHeight));
     EXPECT_THAT(namesOf(toronto, height), ElementsAre("AVG_HEIGHT", "MAX_HEIGHT"));
@@ -170,11 +171,11 @@ TEST(FieldRoles, neighboursSettleWhatANameMeans) {
     EXPECT_THAT(namesOf(hongKong, groundElevation), ElementsAre("BASEHEIGHT"));
     EXPECT_FALSE(hasRole(hongKong, minHeight));
     EXPECT_TRUE(hasRole(knownFields({"height", "base_height"}, {}, false), minHeight));
-    // An elevation of the roof alone is no height.
+    // An elevation of the roof alone gives no height.
     EXPECT_TRUE(knownFields({"AbsHMax"}, {}, false).empty());
 }
 
-TEST(FieldRoles, aChosenElevationIsTakenOverTheGround) {
+TEST(FieldRoles, AChosenElevationIsTakenOverTheGround) {
     using enum FieldRole;
     const auto fields = knownFields({"RelH2", "AbsHMax", "AbsH2", "AbsHMin"}, {.height = "abshmax"}, false);
     EXPECT_THAT(namesOf(fields, topElevation), ElementsAre("AbsHMax"));
@@ -194,7 +195,7 @@ protected:
     Warnings warnings;
 };
 
-TEST_F(Units, areMetresUnlessSaidOtherwise) {
+TEST_F(Units, AreMetresUnlessSaidOtherwise) {
     EXPECT_EQ(unitOf({"height", "ground_elevation"}, {}), LengthUnit::metres);
     EXPECT_TRUE(warnings.empty());
     EXPECT_EQ(unitOf({"height_ft"}, {}), LengthUnit::feet);
@@ -202,7 +203,7 @@ TEST_F(Units, areMetresUnlessSaidOtherwise) {
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(Units, ofNewYorksFieldsAreFeetAndSaid) {
+TEST_F(Units, OfNewYorksFieldsAreFeetAndSaid) {
     EXPECT_EQ(unitOf({"HEIGHTROOF", "GROUNDELEV"}, {}), LengthUnit::feet);
     EXPECT_EQ(warnings.size(), 2U);
     EXPECT_EQ(unitOf({"height_roof", "ground_elevation"}, {}), LengthUnit::feet);
@@ -213,27 +214,27 @@ TEST_F(Units, ofNewYorksFieldsAreFeetAndSaid) {
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(Units, ofAMapInFeetAreNotSilentlyMetres) {
+TEST_F(Units, OfAMapInFeetAreNotSilentlyMetres) {
     EXPECT_EQ(unitOf({"height"}, {.mapInFeet = true}), LengthUnit::metres);
     EXPECT_EQ(warnings.size(), 1U);
     EXPECT_EQ(unitOf({"heightroof"}, {.mapInFeet = true}), LengthUnit::feet);
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(Units, ofPortlandsFieldsAreFeetOnAMapInFeet) {
+TEST_F(Units, OfPortlandsFieldsAreFeetOnAMapInFeet) {
     EXPECT_EQ(unitOf({"AVG_HEIGHT"}, {.mapInFeet = true}), LengthUnit::feet);
     EXPECT_EQ(warnings.size(), 1U);
     EXPECT_EQ(unitOf({"AVG_HEIGHT"}, {}), LengthUnit::metres);
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST(OtherTags, areReadAsFarAsTheyGo) {
-    EXPECT_THAT(tagsFromText(R"("height"=>"12","name"=>"a \"b\", c")"),
+TEST(OtherTags, AreReadAsFarAsTheyGo) {
+    EXPECT_THAT(parseTags(R"("height"=>"12","name"=>"a \"b\", c")"),
                 ElementsAre(Pair("height", "12"), Pair("name", "a \"b\", c")));
-    EXPECT_THAT(tagsFromText(R"("height"=>"12",broken)"), ElementsAre(Pair("height", "12")));
-    EXPECT_TRUE(tagsFromText("").empty());
-    EXPECT_TRUE(tagsFromText("\"").empty());
-    EXPECT_TRUE(tagsFromText(R"("a"=>"\)").empty());
+    EXPECT_THAT(parseTags(R"("height"=>"12",broken)"), ElementsAre(Pair("height", "12")));
+    EXPECT_TRUE(parseTags("").empty());
+    EXPECT_TRUE(parseTags("\"").empty());
+    EXPECT_TRUE(parseTags(R"("a"=>"\)").empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/io/file_kind.h"
+#include "core/io/files/file_kind.h"
 
 #include <gtest/gtest.h>
 
@@ -10,52 +10,52 @@ namespace {
 
 using namespace std::string_view_literals;
 
-FileKind kindOf(std::string_view content, const std::string& name = "file") {
+FileKind getKind(std::string_view content, const std::string& name = "file") {
     const tests::TemporaryFolder folder;
-    const auto kind = fileKind(folder.file(name, content));
+    const auto kind = detectFileKind(folder.file(name, content));
     EXPECT_TRUE(kind) << (kind ? "" : kind.error().text()) << " for " << content;
     return kind.value_or(FileKind{-1});
 }
 
-TEST(FileKind, jsonIsToldByItsKeysInAnyOrder) {
-    EXPECT_EQ(kindOf(R"({"type":"CityJSON","version":"2.0"})"), FileKind::cityJson);
+TEST(FileKind, JsonIsToldByItsKeysInAnyOrder) {
+    EXPECT_EQ(getKind(R"({"type":"CityJSON","version":"2.0"})"), FileKind::cityJson);
     EXPECT_EQ(
-        kindOf(R"({"version":"1.1","vertices":[[1,2,3]],"metadata":{"type":"Feature"},"type":"CityJSON"})"),
+        getKind(R"({"version":"1.1","vertices":[[1,2,3]],"metadata":{"type":"Feature"},"type":"CityJSON"})"),
         FileKind::cityJson);
-    EXPECT_EQ(kindOf("{\"type\":\"CityJSON\"}\n{\"type\":\"CityJSONFeature\"}\n"), FileKind::cityJson);
-    EXPECT_EQ(kindOf("\xEF\xBB\xBF \n{\"type\":\"FeatureCollection\",\"features\":[]}"),
+    EXPECT_EQ(getKind("{\"type\":\"CityJSON\"}\n{\"type\":\"CityJSONFeature\"}\n"), FileKind::cityJson);
+    EXPECT_EQ(getKind("\xEF\xBB\xBF \n{\"type\":\"FeatureCollection\",\"features\":[]}"),
               FileKind::footprints);
-    EXPECT_EQ(kindOf(R"({"name":"x","crs":{"type":"name"},"features":[)"), FileKind::footprints);
-    EXPECT_EQ(kindOf(R"({"scenes":[],"asset":{"version":"2.0"}})"), FileKind::mesh);
+    EXPECT_EQ(getKind(R"({"name":"x","crs":{"type":"name"},"features":[)"), FileKind::footprints);
+    EXPECT_EQ(getKind(R"({"scenes":[],"asset":{"version":"2.0"}})"), FileKind::mesh);
 }
 
-TEST(FileKind, contentCountsNotTheName) {
-    EXPECT_EQ(kindOf("ply\nformat ascii 1.0\n", "city.geojson"), FileKind::mesh);
-    EXPECT_EQ(kindOf("# made by hand\n\nmtllib x.mtl\nv 0 0 0\n", "city.txt"), FileKind::mesh);
-    EXPECT_EQ(kindOf("glTF\2\0\0\0"sv, "x"), FileKind::mesh);
-    EXPECT_EQ(kindOf("II*\0\10\0\0\0"sv, "x"), FileKind::terrain);
-    EXPECT_EQ(kindOf("\0\0\x27\x0a\0\0"sv, "x"), FileKind::footprints);
-    EXPECT_EQ(kindOf("<?xml version='1.0'?>\n<osm version='0.6'>", "x"), FileKind::footprints);
-    EXPECT_EQ(kindOf("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", "dem.asc"),
+TEST(FileKind, ContentCountsNotTheName) {
+    EXPECT_EQ(getKind("ply\nformat ascii 1.0\n", "city.geojson"), FileKind::mesh);
+    EXPECT_EQ(getKind("# made by hand\n\nmtllib x.mtl\nv 0 0 0\n", "city.txt"), FileKind::mesh);
+    EXPECT_EQ(getKind("glTF\2\0\0\0"sv, "x"), FileKind::mesh);
+    EXPECT_EQ(getKind("II*\0\10\0\0\0"sv, "x"), FileKind::terrain);
+    EXPECT_EQ(getKind("\0\0\x27\x0a\0\0"sv, "x"), FileKind::footprints);
+    EXPECT_EQ(getKind("<?xml version='1.0'?>\n<osm version='0.6'>", "x"), FileKind::footprints);
+    EXPECT_EQ(getKind("ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n", "dem.asc"),
               FileKind::terrain);
 }
 
-TEST(FileKind, whatIsNoCityIsAnErrorWithAdvice) {
+TEST(FileKind, WhatIsNoCityIsAnErrorWithAdvice) {
     const tests::TemporaryFolder folder;
-    EXPECT_EQ(fileKind(folder.path("missing.json")).error().what, "There is no such file");
-    EXPECT_EQ(fileKind(folder.file("empty.json", "")).error().what, "The file is empty");
+    EXPECT_EQ(detectFileKind(folder.path("missing.json")).error().what, "There is no such file");
+    EXPECT_EQ(detectFileKind(folder.file("empty.json", "")).error().what, "The file is empty");
     for (const std::string_view content :
          {"{}"sv, "{"sv, "hello"sv, "{\"type\":"sv, "[1,2]"sv, "\0\0\0\0"sv, "\x89PNG"sv}) {
-        const auto kind = fileKind(folder.file("some.dat", content));
+        const auto kind = detectFileKind(folder.file("some.dat", content));
         ASSERT_FALSE(kind) << content;
         EXPECT_NE(kind.error().advice.find("CityJSON"), std::string::npos);
     }
 }
 
-TEST(FileKind, openStreetMapPbf) {
+TEST(FileKind, OpenStreetMapPbf) {
     const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "shared data is missing";
-    EXPECT_EQ(fileKind(*file).value(), FileKind::footprints);
+    EXPECT_EQ(detectFileKind(*file).value(), FileKind::footprints);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/io/height_reading.h"
+#include "core/io/heights/height_reading.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,33 +23,33 @@ protected:
     Warnings warnings;
 };
 
-TEST_F(HeightReadingTest, takesTheHeightBeforeTheStoreys) {
+TEST_F(HeightReadingTest, TakesTheHeightBeforeTheStoreys) {
     const auto reading = read({value(height, "86m"), value(levels, "10")});
     EXPECT_DOUBLE_EQ(reading.topM, 86);
     EXPECT_EQ(reading.source, HeightSource::measured);
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(HeightReadingTest, storeysAndRoofMakeAHeight) {
+TEST_F(HeightReadingTest, StoreysAndRoofMakeAHeight) {
     EXPECT_DOUBLE_EQ(read({value(levels, "10")}).topM, 32);
     EXPECT_DOUBLE_EQ(read({value(levels, "10"), value(roofHeight, "4")}).topM, 36);
     EXPECT_DOUBLE_EQ(read({value(levels, "10"), value(roofLevels, "2")}).topM, 38.4);
     EXPECT_EQ(read({value(levels, "10")}).source, HeightSource::levels);
 }
 
-TEST_F(HeightReadingTest, elseTheDefaultWhichIsMarked) {
+TEST_F(HeightReadingTest, ElseTheDefaultWhichIsMarked) {
     const auto reading = read({});
     EXPECT_DOUBLE_EQ(reading.topM, 9.6);
     EXPECT_EQ(reading.source, HeightSource::assumed);
     EXPECT_TRUE(reading.byDefault);
 }
 
-TEST_F(HeightReadingTest, numbersTakeTheirFieldsUnit) {
+TEST_F(HeightReadingTest, NumbersTakeTheirFieldsUnit) {
     FeatureValue feet{height, "HEIGHTROOF", "100", 100.0, LengthUnit::feet};
     EXPECT_DOUBLE_EQ(read({feet}).topM, 30.48);
 }
 
-TEST_F(HeightReadingTest, unreadableTextIsSaidWithFeatureFieldAndText) {
+TEST_F(HeightReadingTest, UnreadableTextIsSaidWithFeatureFieldAndText) {
     const auto reading =
         read({value(height, "237;16", "height"), value(levels, "concrete", "building:levels")});
     EXPECT_DOUBLE_EQ(reading.topM, 9.6);
@@ -58,12 +58,12 @@ TEST_F(HeightReadingTest, unreadableTextIsSaidWithFeatureFieldAndText) {
     EXPECT_EQ(warnings[1].where, "way 7: height = \"237;16\"");
 }
 
-TEST_F(HeightReadingTest, aBadHeightGivesWayToTheNextField) {
+TEST_F(HeightReadingTest, ABadHeightGivesWayToTheNextField) {
     EXPECT_DOUBLE_EQ(read({value(height, "unknown"), value(height, "20")}).topM, 20);
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(HeightReadingTest, zeroNegativeAndAbsurdHeightsAreNone) {
+TEST_F(HeightReadingTest, ZeroNegativeAndAbsurdHeightsAreNone) {
     for (const char* text : {"0", "-1", "5000", "0.00001"}) {
         EXPECT_DOUBLE_EQ(read({value(height, text), value(levels, "2")}).topM, 6.4) << text;
         ASSERT_EQ(warnings.size(), 1U) << text;
@@ -71,12 +71,12 @@ TEST_F(HeightReadingTest, zeroNegativeAndAbsurdHeightsAreNone) {
     }
 }
 
-TEST_F(HeightReadingTest, storeysThatAreNotReadAreSaidEvenBesideAHeight) {
+TEST_F(HeightReadingTest, StoreysThatAreNotReadAreSaidEvenBesideAHeight) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(levels, "concrete")}).topM, 20);
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(HeightReadingTest, minHeightLifts) {
+TEST_F(HeightReadingTest, MinHeightLifts) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "5")}).bottomM, 5);
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minLevel, "2")}).bottomM, 6.4);
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "5;5.5"), value(minLevel, "2")}).bottomM,
@@ -84,7 +84,7 @@ TEST_F(HeightReadingTest, minHeightLifts) {
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(HeightReadingTest, anUndersideAboveTheTopIsSaid) {
+TEST_F(HeightReadingTest, AnUndersideAboveTheTopIsSaid) {
     const auto measured = read({value(height, "48"), value(minHeight, "51")});
     EXPECT_DOUBLE_EQ(measured.bottomM, 0);
     EXPECT_DOUBLE_EQ(measured.topM, 48);
@@ -95,26 +95,26 @@ TEST_F(HeightReadingTest, anUndersideAboveTheTopIsSaid) {
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-// Where the ground is high, float32 would take top and underside for the same.
-TEST_F(HeightReadingTest, hardlyAnyHeightIsNone) {
+// On high ground, top and underside would be equal in float32.
+TEST_F(HeightReadingTest, HardlyAnyHeightIsNone) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "19.9999999")}).bottomM, 0);
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "0.0000001")}).bottomM, 0);
     EXPECT_DOUBLE_EQ(read({value(levels, "0.0000001")}).topM, 9.6);
     EXPECT_DOUBLE_EQ(read({value(groundElevation, "20"), value(topElevation, "20.0000001")}).topM, 9.6);
 }
 
-TEST_F(HeightReadingTest, minHeightBelowTheGroundIsLeftOutAndSaid) {
+TEST_F(HeightReadingTest, MinHeightBelowTheGroundIsLeftOutAndSaid) {
     EXPECT_DOUBLE_EQ(read({value(height, "20"), value(minHeight, "-3")}).bottomM, 0);
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(HeightReadingTest, groundMustBeOnEarth) {
+TEST_F(HeightReadingTest, GroundMustBeOnEarth) {
     EXPECT_EQ(read({value(groundElevation, "12.5"), value(height, "9")}).groundElevationM, 12.5);
     EXPECT_EQ(read({value(groundElevation, "-99999"), value(height, "9")}).groundElevationM, std::nullopt);
     EXPECT_EQ(warnings.size(), 1U);
 }
 
-TEST_F(HeightReadingTest, aCanopyIsASlabUnderItsTop) {
+TEST_F(HeightReadingTest, ACanopyIsASlabUnderItsTop) {
     const auto slab = read({value(height, "5")}, true);
     EXPECT_DOUBLE_EQ(slab.bottomM, 4.5);
     EXPECT_TRUE(slab.slab);

@@ -1,4 +1,4 @@
-#include "core/io/height_text.h"
+#include "core/io/heights/height_text.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ std::vector<Row> rowsOfFile(const std::filesystem::path& file) {
 }
 
 void expectMetres(const Row& row) {
-    const auto metres = metresFromText(row.text);
+    const auto metres = parseMetres(row.text);
     if (row.metres.empty()) {
         EXPECT_FALSE(metres) << row.text << " gave " << *metres;
     } else {
@@ -57,7 +57,7 @@ void expectMetres(const Row& row) {
     }
 }
 
-TEST(HeightText, hostileStringsOfMappers) {
+TEST(HeightText, HostileStringsOfMappers) {
     const auto file = tests::sharedData("hostile/osm/height_strings.csv");
     if (!file) GTEST_SKIP() << "shared data is missing: hostile/osm/height_strings.csv";
     const auto rows = rowsOfFile(*file);
@@ -65,7 +65,7 @@ TEST(HeightText, hostileStringsOfMappers) {
     for (const Row& row : rows) expectMetres(row);
 }
 
-TEST(HeightText, whatPeopleWrite) {
+TEST(HeightText, WhatPeopleWrite) {
     const std::vector<Row> rows{
         {"12", "12"},
         {"0", "0"},
@@ -97,42 +97,70 @@ TEST(HeightText, whatPeopleWrite) {
     for (const Row& row : rows) expectMetres(row);
 }
 
-TEST(HeightText, whatIsNotOneHeight) {
-    for (const char* text :
-         {"",       " ",       "237;16",        "concrete", "7-7", "1,2 m",  "1,490 ft", "nan",
-          "inf",    "-inf",    "1e3",           "0x10",     ".",   ".m",     "-",        "--3",
-          "1.2.3",  "m",       "12 furlongs",   "12 m 13",  "5'6", "5'13\"", "5 ft 6 m", "10 m (50 ft)",
-          "10 m (", "10 m ()", "10 m (10 m) x", "~12",      "12?", "5 \xFF", "\xE2\x80", "3\xC0\x80", "\xE0\x80\xB9"})
+TEST(HeightText, WhatIsNotOneHeight) {
+    for (const char* text : {"",
+                             " ",
+                             "237;16",
+                             "concrete",
+                             "7-7",
+                             "1,2 m",
+                             "1,490 ft",
+                             "nan",
+                             "inf",
+                             "-inf",
+                             "1e3",
+                             "0x10",
+                             ".",
+                             ".m",
+                             "-",
+                             "--3",
+                             "1.2.3",
+                             "m",
+                             "12 furlongs",
+                             "12 m 13",
+                             "5'6",
+                             "5'13\"",
+                             "5 ft 6 m",
+                             "10 m (50 ft)",
+                             "10 m (",
+                             "10 m ()",
+                             "10 m (10 m) x",
+                             "~12",
+                             "12?",
+                             "5 \xFF",
+                             "\xE2\x80",
+                             "3\xC0\x80",
+                             "\xE0\x80\xB9"})
         expectMetres({text, ""});
     expectMetres({std::string("12\0", 3), ""});
     expectMetres({std::string(400, '9'), ""});
 }
 
-TEST(HeightText, bareNumbersAreInTheStatedUnitAndOthersInTheirOwn) {
-    EXPECT_NEAR(metresFromText("1000", LengthUnit::feet).value(), 304.8, 1e-9);
-    EXPECT_NEAR(metresFromText("3937", LengthUnit::usSurveyFeet).value(), 1200, 1e-9);
-    EXPECT_NEAR(metresFromText("1000 m", LengthUnit::feet).value(), 1000, 1e-9);
-    EXPECT_NEAR(metresFromText("10 ft").value(), 3.048, 1e-12);
+TEST(HeightText, BareNumbersAreInTheStatedUnitAndOthersInTheirOwn) {
+    EXPECT_NEAR(parseMetres("1000", LengthUnit::feet).value(), 304.8, 1e-9);
+    EXPECT_NEAR(parseMetres("3937", LengthUnit::usSurveyFeet).value(), 1200, 1e-9);
+    EXPECT_NEAR(parseMetres("1000 m", LengthUnit::feet).value(), 1000, 1e-9);
+    EXPECT_NEAR(parseMetres("10 ft").value(), 3.048, 1e-12);
 }
 
-TEST(HeightText, levels) {
-    EXPECT_EQ(levelsFromText("12"), 12);
-    EXPECT_EQ(levelsFromText(" 3.5 "), 3.5);
-    EXPECT_EQ(levelsFromText("\uFF14"), 4);
-    EXPECT_EQ(levelsFromText("0"), 0);
+TEST(HeightText, Levels) {
+    EXPECT_EQ(parseLevels("12"), 12);
+    EXPECT_EQ(parseLevels(" 3.5 "), 3.5);
+    EXPECT_EQ(parseLevels("\uFF14"), 4);
+    EXPECT_EQ(parseLevels("0"), 0);
     for (const char* text : {"", "concrete", "7-7", "3;4", "-1", "2 m", "nan", "1e2", "5+", "3,5"})
-        EXPECT_FALSE(levelsFromText(text)) << text;
+        EXPECT_FALSE(parseLevels(text)) << text;
 }
 
-// Bytes of height texts in random order reach deeper than random bytes do.
-TEST(HeightText, anyBytesGiveAFiniteNumberOrNothing) {
+// Bytes of height texts in random order get further into the parser than random bytes.
+TEST(HeightText, AnyBytesGiveAFiniteNumberOrNothing) {
     const std::string_view likely = "0123456789..'\"'\" -+()mcftinse,;\xE2\x80\x99\xEF\xBC\x94\xC2\xA0\0\xFF";
     std::mt19937 random(20260321);
     for (int i = 0; i < 200000; ++i) {
         std::string text(random() % 24, ' ');
         for (char& c : text) c = i % 2 == 0 ? char(random() % 256) : likely[random() % likely.size()];
-        const double metres = metresFromText(text).value_or(0);
-        const double levels = levelsFromText(text).value_or(0);
+        const double metres = parseMetres(text).value_or(0);
+        const double levels = parseLevels(text).value_or(0);
         ASSERT_TRUE(std::isfinite(metres) && std::isfinite(levels) && levels >= 0)
             << testing::PrintToString(text);
     }

@@ -1,5 +1,6 @@
-// Files from strangers that try to reach the network, other files, or the folder they lie in. Each is read in
-// every way that this program reads files; each must be an error or harmless, and leave no trace.
+// Untrusted files that try to reach the network, other files, or the folder they lie in. Each is read in
+// every way that this program reads files; the result must be an error or harmless, and nothing may be
+// written.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -12,9 +13,9 @@
 #include <map>
 #include <sstream>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
+#include "core/io/footprints/read_parcels.h"
 #include "core/io/read_city.h"
-#include "core/io/read_parcels.h"
 #include "core/io/read_part.h"
 #include "core/io/read_region.h"
 #include "tests/core/io/local_listener.h"
@@ -32,7 +33,7 @@ std::string bytesIn(const fs::path& file) {
     return bytes.str();
 }
 
-// What lies in a folder, with content; pipes without.
+// The files in a folder with their content; for pipes without content.
 std::map<std::string, std::string> contentOf(const fs::path& folder) {
     std::map<std::string, std::string> content;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -40,7 +41,7 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
     return content;
 }
 
-// An SQLite file from statements; an empty one where they are wrong.
+// Makes an SQLite file from statements; an empty one if they are wrong.
 void runSql(const fs::path& file, const std::string& statements) {
     sqlite3* database = nullptr;
     sqlite3_open(file.c_str(), &database);
@@ -65,7 +66,7 @@ protected:
         return folder.path("canary/" + name).string();
     }
 
-    /// Reads the file in every way and returns the errors, one a line; "read" for a way that worked.
+    /// Reads the file in every way and returns the errors, one per line; "read" for a way that succeeded.
     static std::string readEveryWay(const fs::path& file) {
         NoProgress quiet;
         const ReadSettings settings{.crs = "EPSG:4326"};
@@ -82,7 +83,7 @@ protected:
         return said;
     }
 
-    /// Nothing was asked of the network, nothing written; returns what readEveryWay() does.
+    /// Expects that no network request was made and nothing written; returns what readEveryWay() does.
     std::string expectNothingHappens(const fs::path& file) const {
         const auto before = contentOf(folder.path(""));
         const auto start = std::chrono::steady_clock::now();
@@ -98,7 +99,7 @@ protected:
         return said;
     }
 
-    /// And no way worked.
+    /// Expects in addition that no way succeeded.
     void expectRefused(const fs::path& file) const {
         EXPECT_EQ(expectNothingHappens(file).find("read\n"), std::string::npos) << file;
     }
@@ -107,7 +108,7 @@ protected:
     const tests::TemporaryFolder folder;
 };
 
-TEST_F(HostileFile, aVirtualVectorDatasetFetchesNothing) {
+TEST_F(HostileFile, AVirtualVectorDatasetFetchesNothing) {
     for (const char* name : {"city.geojson", "city.gpkg", "city.shp", "city.vrt", "city"})
         expectRefused(
             folder.file(name, fmt::format("<OGRVRTDataSource><OGRVRTLayer name='a'><SrcDataSource>{}/"
@@ -115,7 +116,7 @@ TEST_F(HostileFile, aVirtualVectorDatasetFetchesNothing) {
                                           listener.address())));
 }
 
-TEST_F(HostileFile, aVirtualVectorDatasetRunsNoSql) {
+TEST_F(HostileFile, AVirtualVectorDatasetRunsNoSql) {
     expectRefused(
         folder.file("city.geojson",
                     fmt::format("<OGRVRTDataSource><OGRVRTLayer name='a'><SrcDataSource>{}</SrcDataSource>"
@@ -123,7 +124,7 @@ TEST_F(HostileFile, aVirtualVectorDatasetRunsNoSql) {
                                 canary("database.sqlite"), canary("written.sqlite"))));
 }
 
-TEST_F(HostileFile, aVirtualVectorDatasetOpensNoOtherFile) {
+TEST_F(HostileFile, AVirtualVectorDatasetOpensNoOtherFile) {
     const std::string said = expectNothingHappens(folder.file(
         "city.geojson",
         fmt::format("<OGRVRTDataSource><OGRVRTLayer name='names'><SrcDataSource>{}</SrcDataSource>"
@@ -141,7 +142,7 @@ std::string virtualRaster(const std::string& source) {
         source);
 }
 
-TEST_F(HostileFile, aVirtualRasterFetchesNothing) {
+TEST_F(HostileFile, AVirtualRasterFetchesNothing) {
     for (const char* name : {"dem.tif", "dem.vrt", "dem.asc"})
         for (const char* scheme : {"/vsicurl/", "/vsicurl_streaming/", ""})
             expectRefused(folder.file(
@@ -150,7 +151,7 @@ TEST_F(HostileFile, aVirtualRasterFetchesNothing) {
                           scheme, listener.address()))));
 }
 
-TEST_F(HostileFile, aRawVirtualRasterReadsNoFile) {
+TEST_F(HostileFile, ARawVirtualRasterReadsNoFile) {
     for (const int relative : {0, 1})
         expectRefused(folder.file(
             "dem.tif", fmt::format("<VRTDataset rasterXSize='10' rasterYSize='10'><SRS>EPSG:32618</SRS>"
@@ -163,7 +164,7 @@ TEST_F(HostileFile, aRawVirtualRasterReadsNoFile) {
                                    relative, relative != 0 ? "canary/raw.bin" : canary("raw.bin"))));
 }
 
-TEST_F(HostileFile, webServicesAreNotAsked) {
+TEST_F(HostileFile, WebServicesAreNotAsked) {
     const std::string at = listener.address();
     const std::vector<std::string> services{
         fmt::format("<GDAL_WMS><Service name='WMS'><ServerUrl>{}/wms?</ServerUrl><Layers>a</Layers></Service>"
@@ -183,7 +184,7 @@ TEST_F(HostileFile, webServicesAreNotAsked) {
             expectRefused(folder.file(name, service));
 }
 
-TEST_F(HostileFile, aNameIsNoConnection) {
+TEST_F(HostileFile, ANameIsNoConnection) {
     const fs::path home = fs::current_path();
     fs::current_path(folder.path(""));
     const std::string port = listener.port();
@@ -200,7 +201,7 @@ TEST_F(HostileFile, aNameIsNoConnection) {
         expectRefused(name);
 }
 
-TEST_F(HostileFile, aGeoPackageRunsNoSqlOfItsMaker) {
+TEST_F(HostileFile, AGeoPackageRunsNoSqlOfItsMaker) {
     const auto geoPackage = [&](const std::string& name, const std::string& more) {
         const fs::path file = folder.path(name);
         fs::remove(file);
@@ -251,7 +252,7 @@ constexpr const char* gml =
     "<ogr:part xlink:href='{0}/part.gml#p1'/><ogr:height>12</ogr:height></ogr:city></gml:featureMember>"
     "</ogr:FeatureCollection>";
 
-TEST_F(HostileFile, gmlFetchesNoSchemaAndLeavesNothingBeside) {
+TEST_F(HostileFile, GmlFetchesNoSchemaAndLeavesNothingBeside) {
     const std::string said =
         expectNothingHappens(folder.file("city.gml", fmt::format(gml, listener.address())));
     EXPECT_EQ(said.substr(0, 5), "read\n") << said;
@@ -264,7 +265,7 @@ TEST_F(HostileFile, gmlFetchesNoSchemaAndLeavesNothingBeside) {
     (void)expectNothingHappens(folder.file("wfs.gml", service));
 }
 
-TEST_F(HostileFile, geoJsonFetchesNoReferenceSystem) {
+TEST_F(HostileFile, GeoJsonFetchesNoReferenceSystem) {
     for (const char* link : {"link", "url"})
         (void)expectNothingHappens(folder.file(
             "city.geojson",
@@ -276,7 +277,7 @@ TEST_F(HostileFile, geoJsonFetchesNoReferenceSystem) {
                 link, listener.address())));
 }
 
-TEST_F(HostileFile, kmlFollowsNoLink) {
+TEST_F(HostileFile, KmlFollowsNoLink) {
     (void)expectNothingHappens(folder.file(
         "city.kml",
         fmt::format("<kml xmlns='http://www.opengis.net/kml/2.2'><Document><NetworkLink><Link><href>{}/a.kml"
@@ -300,7 +301,7 @@ fs::path elevations(const tests::TemporaryFolder& folder, const std::string& ove
     return file;
 }
 
-TEST_F(HostileFile, overviewsAreTakenFromTheRasterItselfOnly) {
+TEST_F(HostileFile, OverviewsAreTakenFromTheRasterItselfOnly) {
     for (const std::string& overview :
          {"/vsicurl/" + listener.address() + "/dem.ovr", "WMS:" + listener.address() + "/wms?",
           "/vsizip//vsicurl/" + listener.address() + "/a.zip/dem.tif"}) {
@@ -319,7 +320,7 @@ TEST_F(HostileFile, overviewsAreTakenFromTheRasterItselfOnly) {
     EXPECT_EQ(expectNothingHappens(file).substr(0, 5), "read\n");
 }
 
-TEST_F(HostileFile, terrainLeavesNothingBeside) {
+TEST_F(HostileFile, TerrainLeavesNothingBeside) {
     std::string rows;
     for (int i = 0; i < 40 * 40; ++i) rows += std::to_string(i % 17) + (i % 40 == 39 ? "\n" : " ");
     const std::string head =
@@ -328,7 +329,7 @@ TEST_F(HostileFile, terrainLeavesNothingBeside) {
     EXPECT_EQ(said.substr(0, 5), "read\n") << said;
 }
 
-TEST_F(HostileFile, pipesAndDevicesAreRefusedAtOnce) {
+TEST_F(HostileFile, PipesAndDevicesAreRefusedAtOnce) {
     for (const char* name : {"pipe.geojson", "pipe.tif", "pipe.obj"}) {
         ASSERT_EQ(::mkfifo(folder.path(name).c_str(), 0600), 0);
         expectRefused(folder.path(name));

@@ -10,7 +10,7 @@
 #include <random>
 #include <thread>
 
-#include "core/io/mesh_reader_process.h"
+#include "core/io/meshes/mesh_reader_process.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"
@@ -26,7 +26,7 @@ Result<FilePiece> readMeshFile(const std::filesystem::path& file) {
     return readMesh(file, settings, progress, {});
 }
 
-// The error of a mesh file that cannot be read; empty where it can.
+// The error of a mesh file that cannot be read; empty if it can.
 std::string meshError(const std::filesystem::path& file) {
     const auto piece = readMeshFile(file);
     return piece ? "" : piece.error().text();
@@ -38,7 +38,7 @@ std::string gltfText(const std::string& accessor, const std::string& more = "") 
            accessor + "]" + more + "}";
 }
 
-// A glTF whose points lie in another file.
+// A glTF whose points are in another file.
 std::string gltfWithUri(const std::string& uri) {
     return gltfText(R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"})",
                     R"(,"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36}],)"
@@ -51,8 +51,7 @@ void put(std::string& bytes, std::initializer_list<T> values) {
     for (const T value : values) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// One upright triangle; its count of corners is of the type `countType`, and follows the header's end as
-// given.
+// One upright triangle; its corner count has the type `countType`. `headerEnd` is used unchanged.
 std::string binaryPly(const std::string& headerEnd, const std::string& countType, const std::string& count) {
     std::string bytes =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -79,7 +78,7 @@ std::string objOfBoxes(int boxes) {
 
 bool hasNoChild() { return ::waitpid(-1, nullptr, WNOHANG) < 0 && errno == ECHILD; }
 
-TEST(HostileMesh, emptySparseAccessorsEndTheReaderOnly) {
+TEST(HostileMesh, EmptySparseAccessorsEndTheReaderOnly) {
     const tests::TemporaryFolder folder;
     for (const char* sparse : {"{}", R"({"count":3,"indices":{},"values":{}})"}) {
         const std::string error = meshError(
@@ -90,7 +89,7 @@ TEST(HostileMesh, emptySparseAccessorsEndTheReaderOnly) {
     EXPECT_TRUE(hasNoChild());
 }
 
-TEST(HostileMesh, plyHeadersThatEndOtherwiseAreErrorsOrRead) {
+TEST(HostileMesh, PlyHeadersThatEndOtherwiseAreErrorsOrRead) {
     const tests::TemporaryFolder folder;
     for (const char* end :
          {"end_header", "end_header\r", "end_headerx\n", "comment end_header\n", "END_HEADER\n"}) {
@@ -100,7 +99,7 @@ TEST(HostileMesh, plyHeadersThatEndOtherwiseAreErrorsOrRead) {
     EXPECT_EQ(meshError(folder.file("a.ply", binaryPly("end_header\n", "uchar", "\3"))), "");
 }
 
-TEST(HostileMesh, aListOfTwoBillionCornersIsOutOfMemoryForTheReaderOnly) {
+TEST(HostileMesh, AListOfTwoBillionCornersIsOutOfMemoryForTheReaderOnly) {
     const tests::TemporaryFolder folder;
     for (const char* count : {"\0\0\0\x80", "\xff\xff\xff\x7f"}) {
         const std::string error =
@@ -109,7 +108,7 @@ TEST(HostileMesh, aListOfTwoBillionCornersIsOutOfMemoryForTheReaderOnly) {
     }
 }
 
-TEST(HostileMesh, deepAndEndlessTreesOfNodesEndTheReaderOnly) {
+TEST(HostileMesh, DeepAndEndlessTreesOfNodesEndTheReaderOnly) {
     const tests::TemporaryFolder folder;
     const std::string start = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
     std::string chain, twins;
@@ -126,7 +125,7 @@ TEST(HostileMesh, deepAndEndlessTreesOfNodesEndTheReaderOnly) {
     }
 }
 
-TEST(HostileMesh, aGltfNamesOnlyPlainFilesInItsOwnFolder) {
+TEST(HostileMesh, AGltfNamesOnlyPlainFilesInItsOwnFolder) {
     const tests::TemporaryFolder folder;
     const tests::TemporaryFolder elsewhere;
     std::string points;
@@ -148,7 +147,7 @@ TEST(HostileMesh, aGltfNamesOnlyPlainFilesInItsOwnFolder) {
         EXPECT_EQ(meshError(folder.file("a.gltf", gltfWithUri(uri))), "") << uri;
 }
 
-TEST(HostileMesh, materialsOfAnObjElsewhereAreNotOpened) {
+TEST(HostileMesh, MaterialsOfAnObjElsewhereAreNotOpened) {
     const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
     for (const char* library : {"pipe", "/dev/zero", "../../../../etc/passwd"})
@@ -157,7 +156,7 @@ TEST(HostileMesh, materialsOfAnObjElsewhereAreNotOpened) {
                   "");
 }
 
-TEST(HostileMesh, pipesAndFoldersAreNoMeshes) {
+TEST(HostileMesh, PipesAndFoldersAreNoMeshes) {
     const tests::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo(folder.path("a.obj").c_str(), 0600), 0);
     EXPECT_NE(meshError(folder.path("a.obj")), "");
@@ -165,8 +164,8 @@ TEST(HostileMesh, pipesAndFoldersAreNoMeshes) {
     EXPECT_NE(meshError("/dev/zero"), "");
 }
 
-// Another format by content or name, of the fifty that the library knows: COLLADA, STL, a zip.
-TEST(HostileMesh, otherFormatsOfTheLibraryAreNotRead) {
+// Formats that the library supports but Noonmark does not, by content or name: COLLADA, STL, a zip.
+TEST(HostileMesh, OtherFormatsOfTheLibraryAreNotRead) {
     const tests::TemporaryFolder folder;
     const std::string stl =
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 "
@@ -178,7 +177,7 @@ TEST(HostileMesh, otherFormatsOfTheLibraryAreNotRead) {
         EXPECT_NE(meshError(folder.file(name, content)).find("The mesh cannot be read ("), std::string::npos);
 }
 
-TEST(MeshReaderProcess, saysWhichLimitEndedIt) {
+TEST(MeshReaderProcess, SaysWhichLimitEndedIt) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("a.obj", objOfBoxes(20000));
     MeshReaderLimits late;
@@ -201,7 +200,7 @@ TEST(MeshReaderProcess, saysWhichLimitEndedIt) {
     EXPECT_TRUE(hasNoChild());
 }
 
-// The process that this one started, by looking through all of them.
+// The child process of this one, found by searching all processes.
 pid_t meshReaderChild() {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         std::ifstream stat(entry.path() / "stat");
@@ -214,7 +213,7 @@ pid_t meshReaderChild() {
     return 0;
 }
 
-TEST(MeshReaderProcess, whichIsKilledIsAnError) {
+TEST(MeshReaderProcess, WhichIsKilledIsAnError) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("a.obj", objOfBoxes(60000));
     std::atomic<bool> killed = false;
@@ -225,11 +224,11 @@ TEST(MeshReaderProcess, whichIsKilledIsAnError) {
     const auto scene = readMeshScene(file, {}, {});
     ASSERT_FALSE(scene);
     EXPECT_TRUE(killed);
-    EXPECT_NE(scene.error().what.find("its reader was ended"), std::string::npos) << scene.error().text();
+    EXPECT_NE(scene.error().what.find("its reader was stopped"), std::string::npos) << scene.error().text();
     EXPECT_TRUE(hasNoChild());
 }
 
-TEST(MeshReaderProcess, endsWhenReadingIsCancelled) {
+TEST(MeshReaderProcess, EndsWhenReadingIsCancelled) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file("a.obj", objOfBoxes(60000));
     std::stop_source stop;
@@ -244,7 +243,7 @@ TEST(MeshReaderProcess, endsWhenReadingIsCancelled) {
     EXPECT_TRUE(hasNoChild());
 }
 
-TEST(MeshReaderProcess, handsOverWhatTheFileHoldsToTheBit) {
+TEST(MeshReaderProcess, HandsOverWhatTheFileHoldsToTheBit) {
     const tests::TemporaryFolder folder;
     std::mt19937 random(3);
     std::uniform_real_distribution<float> number(-500, 500);
@@ -271,7 +270,7 @@ TEST(MeshReaderProcess, handsOverWhatTheFileHoldsToTheBit) {
     EXPECT_EQ(scene->front().pieces.front(), expected);
 }
 
-// --- What the reader process writes is not trusted either.
+// --- The output of the reader process is untrusted too.
 
 std::string sceneBytes(const MeshScene& scene) {
     std::string bytes;
@@ -284,39 +283,39 @@ std::string sceneBytes(const MeshScene& scene) {
 const MeshScene twoObjects{
     {"a", {{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {0, 0, 1}}, {3, 4}, {0, 1, 2, 0, 1, 2, 3}}}}, {"b", {}}};
 
-TEST(MeshScene, comesBackAsItWasWritten) {
+TEST(MeshScene, ComesBackAsItWasWritten) {
     bool complete = false;
-    const auto scene = sceneFromBytes(sceneBytes(twoObjects), complete);
+    const auto scene = parseScene(sceneBytes(twoObjects), complete);
     ASSERT_TRUE(scene && complete);
     EXPECT_EQ(*scene, twoObjects);
     std::string bytes;
     appendSceneHead(bytes);
     appendError(bytes, {"what", "where", "advice"});
-    const auto error = sceneFromBytes(bytes, complete);
+    const auto error = parseScene(bytes, complete);
     ASSERT_FALSE(error);
     EXPECT_TRUE(complete);
     EXPECT_EQ(error.error().text(), "where: what. advice");
 }
 
-TEST(MeshScene, cutShortOrTooLongIsNotComplete) {
+TEST(MeshScene, CutShortOrTooLongIsNotComplete) {
     const std::string bytes = sceneBytes(twoObjects);
     bool complete = true;
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-        EXPECT_FALSE(sceneFromBytes(bytes.substr(0, length), complete));
+        EXPECT_FALSE(parseScene(bytes.substr(0, length), complete));
         EXPECT_FALSE(complete) << length;
     }
-    EXPECT_FALSE(sceneFromBytes(bytes + "z", complete));
+    EXPECT_FALSE(parseScene(bytes + "z", complete));
     EXPECT_FALSE(complete);
 }
 
-TEST(MeshScene, spoiledBytesNeverCrash) {
+TEST(MeshScene, SpoiledBytesNeverCrash) {
     const std::string bytes = sceneBytes(twoObjects);
     std::mt19937 random(11);
     for (int i = 0; i < 20000; ++i) {
         std::string spoiled = bytes;
         for (int j = 0; j < 2; ++j) spoiled[random() % spoiled.size()] = char(random() % 256);
         bool complete = false;
-        const auto scene = sceneFromBytes(spoiled, complete);
+        const auto scene = parseScene(spoiled, complete);
         if (!scene) continue;
         for (const MeshObject& object : *scene)
             for (const MeshPiece& piece : object.pieces) {

@@ -12,7 +12,7 @@
 
 namespace noonmark::tests {
 
-/// Listens on a free port of this computer and counts who connects; answers with nothing.
+/// Listens on a free port of this computer and counts connections; sends no answers.
 class LocalListener {
 public:
     LocalListener() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {

@@ -1,4 +1,4 @@
-#include "core/io/map_remarks.h"
+#include "core/io/footprints/map_remarks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,16 +11,16 @@
 namespace noonmark {
 namespace {
 
-TEST(MapRemarks, areInAPlannersWords) {
-    EXPECT_THAT(mapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
-                testing::HasSubstr("did not close"));
-    EXPECT_THAT(mapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
-                testing::HasSubstr("could not be told apart"));
+TEST(MapRemarks, AreInAPlannersWords) {
+    EXPECT_THAT(makeMapRemark("Non closed ring detected. To avoid accepting it, set ... to NO"),
+                testing::HasSubstr("were not closed"));
+    EXPECT_THAT(makeMapRemark("organizePolygons() received an unexpected geometry.  Either a polygon ..."),
+                testing::HasSubstr("could not be distinguished"));
     EXPECT_EQ(
-        mapRemark("organizePolygons() received a polygon with more than 100 parts. The processing may be "
-                  "really slow."),
+        makeMapRemark("organizePolygons() received a polygon with more than 100 parts. The processing may be "
+                      "really slow."),
         "");
-    EXPECT_THAT(mapRemark("Something new"), testing::HasSubstr("Something new"));
+    EXPECT_THAT(makeMapRemark("Something new"), testing::HasSubstr("Something new"));
 }
 
 constexpr std::string_view oneClosedOneOpen =
@@ -30,7 +30,7 @@ constexpr std::string_view oneClosedOneOpen =
 {"type":"Feature","properties":{"id":"open","height":30},"geometry":{"type":"Polygon","coordinates":
 [[[-73.98,40.751],[-73.9799,40.751],[-73.9799,40.7511],[-73.98,40.7511]]]}}]})";
 
-TEST(MapRemarks, anOutlineThatDoesNotCloseIsReadAndSaid) {
+TEST(MapRemarks, AnOutlineThatDoesNotCloseIsReadAndSaid) {
     const tests::TemporaryFolder folder;
     NoProgress quiet;
     const auto piece = readFootprints(folder.file("a.geojson", oneClosedOneOpen), {}, quiet, {});
@@ -39,7 +39,7 @@ TEST(MapRemarks, anOutlineThatDoesNotCloseIsReadAndSaid) {
     const auto said = std::ranges::find(piece->warnings, "a.geojson (1)", &Warning::where);
     ASSERT_NE(said, piece->warnings.end());
     EXPECT_EQ(said->kind, WarningKind::mended);
-    EXPECT_THAT(said->what, testing::HasSubstr("did not close"));
+    EXPECT_THAT(said->what, testing::HasSubstr("were not closed"));
 }
 
 }  // namespace

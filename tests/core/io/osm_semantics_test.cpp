@@ -1,4 +1,4 @@
-#include "core/io/osm_semantics.h"
+#include "core/io/osm/osm_semantics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,21 +50,21 @@ std::vector<std::string> idsOf(const Building& building) {
     return ids;
 }
 
-const Part& partOf(const Building& building, const std::string& id) {
+const Part& cutInterval(const Building& building, const std::string& id) {
     static const Part none;
     const auto found = std::ranges::find(building.parts, id, &Part::sourceId);
     EXPECT_NE(found, building.parts.end()) << id;
     return found == building.parts.end() ? none : *found;
 }
 
-double areaOf(const Building& building, const std::string& id) {
+double computeArea(const Building& building, const std::string& id) {
     double sum = 0;
     for (const Part& part : building.parts)
         if (part.sourceId == id) sum += area(part.footprint);
     return sum;
 }
 
-TEST_F(OsmSemantics, aBuildingIsItsOutline) {
+TEST_F(OsmSemantics, ABuildingIsItsOutline) {
     const auto way =
         osm.way(sizedRectangle(0, 0, 20, 10), {{"building", "yes"}, {"height", "30 ft"}, {"name", "Shed"}});
     const Building building = only();
@@ -74,13 +74,13 @@ TEST_F(OsmSemantics, aBuildingIsItsOutline) {
     EXPECT_NEAR(building.parts[0].topM, 9.144, 1e-4);
     EXPECT_NEAR(area(building.parts[0].footprint), 200, 0.1);
     EXPECT_EQ(building.parts[0].heightSource, HeightSource::measured);
-    EXPECT_FALSE(building.parts[0].hangs);
+    EXPECT_FALSE(building.parts[0].isOverhanging);
     EXPECT_TRUE(piece.warnings.empty());
     EXPECT_THAT(piece.attribution, HasSubstr("OpenStreetMap contributors"));
     EXPECT_EQ(piece.format, "OpenStreetMap XML");
 }
 
-TEST_F(OsmSemantics, courtyardsStayOpen) {
+TEST_F(OsmSemantics, CourtyardsStayOpen) {
     const auto id =
         osm.relation(sizedRectangle(0, 0, 40, 40), {sizedRectangle(10, 10, 20, 20)}, {{"building", "yes"}});
     const Building building = only();
@@ -88,64 +88,64 @@ TEST_F(OsmSemantics, courtyardsStayOpen) {
     EXPECT_NEAR(area(building.parts[0].footprint), 1200, 0.5);
 }
 
-TEST_F(OsmSemantics, partsReplaceTheirOutline) {
+TEST_F(OsmSemantics, PartsReplaceTheirOutline) {
     const auto outline = osm.way(sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
     const auto low = osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "20"}});
     const auto high = osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "90"}});
     const Building building = only();
     EXPECT_EQ(building.sourceId, outline);
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(low, high));
-    EXPECT_FLOAT_EQ(partOf(building, low).topM, 20);
-    EXPECT_FLOAT_EQ(partOf(building, high).topM, 90);
+    EXPECT_FLOAT_EQ(cutInterval(building, low).topM, 20);
+    EXPECT_FLOAT_EQ(cutInterval(building, high).topM, 90);
 }
 
-TEST_F(OsmSemantics, partsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
+TEST_F(OsmSemantics, PartsOfATallerBuildingLeaveTheRestAsHighAsTheLowest) {
     const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "200"}});
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "200"}});
     osm.way(sizedRectangle(20, 0, 20, 20), {{"building:part", "yes"}, {"height", "25"}});
     const Building building = only();
-    EXPECT_NEAR(areaOf(building, outline), 400, 0.5);
-    EXPECT_FLOAT_EQ(partOf(building, outline).topM, 25);
-    EXPECT_EQ(partOf(building, outline).heightSource, HeightSource::assumed);
+    EXPECT_NEAR(computeArea(building, outline), 400, 0.5);
+    EXPECT_FLOAT_EQ(cutInterval(building, outline).topM, 25);
+    EXPECT_EQ(cutInterval(building, outline).heightSource, HeightSource::assumed);
     EXPECT_THAT(placesOf("leave some of its outline uncovered"), ElementsAre(outline));
 }
 
-TEST_F(OsmSemantics, anOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
+TEST_F(OsmSemantics, AnOutlineLowerThanItsPartsKeepsItsHeightWhereUncovered) {
     const auto outline = osm.way(sizedRectangle(0, 0, 60, 20), {{"building", "yes"}, {"height", "20"}});
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building:part", "yes"}, {"height", "120"}});
     const Building building = only();
-    EXPECT_NEAR(areaOf(building, outline), 800, 0.5);
-    EXPECT_FLOAT_EQ(partOf(building, outline).topM, 20);
-    EXPECT_EQ(partOf(building, outline).heightSource, HeightSource::measured);
+    EXPECT_NEAR(computeArea(building, outline), 800, 0.5);
+    EXPECT_FLOAT_EQ(cutInterval(building, outline).topM, 20);
+    EXPECT_EQ(cutInterval(building, outline).heightSource, HeightSource::measured);
     EXPECT_TRUE(placesOf("uncovered").empty());
 }
 
-TEST_F(OsmSemantics, aPartThatBeginsAboveTheOutlineReplacesNothing) {
+TEST_F(OsmSemantics, APartThatBeginsAboveTheOutlineReplacesNothing) {
     const auto podium = osm.way(sizedRectangle(0, 0, 40, 40), {{"building", "yes"}, {"height", "20"}});
     const auto tower = osm.way(sizedRectangle(10, 10, 20, 20),
                                {{"building:part", "yes"}, {"height", "100"}, {"min_height", "20"}});
     const Building building = only();
-    EXPECT_NEAR(areaOf(building, podium), 1600, 0.5);
-    EXPECT_FALSE(partOf(building, tower).hangs);
-    EXPECT_FLOAT_EQ(partOf(building, tower).bottomM, 20);
+    EXPECT_NEAR(computeArea(building, podium), 1600, 0.5);
+    EXPECT_FALSE(cutInterval(building, tower).isOverhanging);
+    EXPECT_FLOAT_EQ(cutInterval(building, tower).bottomM, 20);
 }
 
-TEST_F(OsmSemantics, sliversOfOutlineAreNoBuilding) {
+TEST_F(OsmSemantics, SliversOfOutlineAreNoBuilding) {
     osm.way(sizedRectangle(0, 0, 40, 20), {{"building", "yes"}, {"height", "90"}});
     const auto part = osm.way(sizedRectangle(0, 0, 39.5F, 20), {{"building:part", "yes"}, {"height", "90"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(part));
 }
 
-TEST_F(OsmSemantics, anOutlineThatIsItselfAPartStands) {
+TEST_F(OsmSemantics, AnOutlineThatIsItselfAPartStands) {
     const auto both = osm.way(sizedRectangle(0, 0, 40, 40),
                               {{"building", "yes"}, {"building:part", "yes"}, {"height", "20"}});
     const auto tower = osm.way(sizedRectangle(10, 10, 10, 10), {{"building:part", "yes"}, {"height", "80"}});
     const Building building = only();
     EXPECT_THAT(idsOf(building), UnorderedElementsAre(both, tower));
-    EXPECT_NEAR(areaOf(building, both), 1600, 0.5);
+    EXPECT_NEAR(computeArea(building, both), 1600, 0.5);
 }
 
-TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
+TEST_F(OsmSemantics, PartsWithoutAnOutlineStandForThemselves) {
     const auto base = osm.way(sizedRectangle(0, 0, 60, 60), {{"building:part", "yes"}, {"height", "320"}});
     const auto middle = osm.way(sizedRectangle(10, 10, 40, 40),
                                 {{"building:part", "yes"}, {"min_height", "320"}, {"height", "390"}});
@@ -158,11 +158,11 @@ TEST_F(OsmSemantics, partsWithoutAnOutlineStandForThemselves) {
     EXPECT_EQ(piece.buildings[0]->sourceId, base);
     EXPECT_THAT(idsOf(*piece.buildings[0]), ElementsAre(base, middle, mast));
     EXPECT_FLOAT_EQ(topM(*piece.buildings[0]), 443.2F);
-    for (const Part& part : piece.buildings[0]->parts) EXPECT_FALSE(part.hangs);
+    for (const Part& part : piece.buildings[0]->parts) EXPECT_FALSE(part.isOverhanging);
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(elsewhere));
 }
 
-TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
+TEST_F(OsmSemantics, BuildingsThatShareAPartyWallStayTwo) {
     const auto west = osm.way(sizedRectangle(0, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
     const auto east = osm.way(sizedRectangle(10, 0, 10, 20), {{"building", "yes"}, {"height", "90"}});
     const auto westPart =
@@ -177,7 +177,7 @@ TEST_F(OsmSemantics, buildingsThatShareAPartyWallStayTwo) {
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(eastPart));
 }
 
-TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
+TEST_F(OsmSemantics, APartBelongsToTheSmallestOutlineAroundIt) {
     osm.way(sizedRectangle(0, 0, 100, 100), {{"building", "yes"}, {"height", "9"}});
     const auto inner = osm.way(sizedRectangle(20, 20, 30, 30), {{"building", "yes"}, {"height", "40"}});
     const auto part = osm.way(sizedRectangle(20, 20, 30, 30), {{"building:part", "yes"}, {"height", "50"}});
@@ -187,39 +187,39 @@ TEST_F(OsmSemantics, aPartBelongsToTheSmallestOutlineAroundIt) {
     EXPECT_THAT(idsOf(*piece.buildings[1]), ElementsAre(part));
 }
 
-TEST_F(OsmSemantics, minHeightLiftsAndWhatIsOpenBelowHangs) {
+TEST_F(OsmSemantics, MinHeightLiftsAndWhatIsOpenBelowHangs) {
     osm.way(sizedRectangle(0, 0, 30, 10), {{"building", "yes"}, {"height", "30"}});
     const auto leg = osm.way(sizedRectangle(0, 0, 10, 10), {{"building:part", "yes"}, {"height", "30"}});
     const auto bridge = osm.way(sizedRectangle(10, 0, 20, 10),
                                 {{"building:part", "yes"}, {"height", "30"}, {"building:min_level", "4"}});
     const Building building = only();
-    EXPECT_FALSE(partOf(building, leg).hangs);
-    EXPECT_TRUE(partOf(building, bridge).hangs);
-    EXPECT_FLOAT_EQ(partOf(building, bridge).bottomM, 12.8F);
+    EXPECT_FALSE(cutInterval(building, leg).isOverhanging);
+    EXPECT_TRUE(cutInterval(building, bridge).isOverhanging);
+    EXPECT_FLOAT_EQ(cutInterval(building, bridge).bottomM, 12.8F);
 }
 
-TEST_F(OsmSemantics, whatStandsOnSomethingThatHangsHangs) {
+TEST_F(OsmSemantics, WhatStandsOnSomethingThatHangsHangs) {
     const auto slab = osm.way(sizedRectangle(0, 0, 30, 10),
                               {{"building:part", "yes"}, {"height", "30"}, {"min_height", "20"}});
     const auto top = osm.way(sizedRectangle(5, 0, 20, 10),
                              {{"building:part", "yes"}, {"height", "50"}, {"min_height", "30"}});
     const Building building = only();
-    EXPECT_TRUE(partOf(building, slab).hangs);
-    EXPECT_TRUE(partOf(building, top).hangs);
+    EXPECT_TRUE(cutInterval(building, slab).isOverhanging);
+    EXPECT_TRUE(cutInterval(building, top).isOverhanging);
 }
 
-TEST_F(OsmSemantics, aSlitOfLessThanAStoreyIsClosedAndSaid) {
+TEST_F(OsmSemantics, ASlitOfLessThanAStoreyIsClosedAndSaid) {
     osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"}, {"height", "17"}});
     const auto upper = osm.way(sizedRectangle(5, 5, 20, 20),
                                {{"building:part", "yes"}, {"height", "75"}, {"min_height", "20"}});
     const Building building = only();
-    EXPECT_FLOAT_EQ(partOf(building, upper).bottomM, 17);
-    EXPECT_FALSE(partOf(building, upper).hangs);
+    EXPECT_FLOAT_EQ(cutInterval(building, upper).bottomM, 17);
+    EXPECT_FALSE(cutInterval(building, upper).isOverhanging);
     EXPECT_THAT(placesOf("low gap"), ElementsAre(upper));
 }
 
-// Chicago's Marina City stands on a deck, and its towers are mapped below the street's layer.
-TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
+// Chicago's Marina City stands on a deck, and its towers are mapped below the layer of the street.
+TEST_F(OsmSemantics, ALayerBelow0DoesNotBuryATower) {
     const auto marinaCity = osm.way(sizedRectangle(0, 0, 30, 30), {{"building:part", "yes"},
                                                                    {"building:levels", "61"},
                                                                    {"height", "167"},
@@ -252,7 +252,7 @@ TEST_F(OsmSemantics, aLayerBelow0DoesNotBuryATower) {
     EXPECT_EQ((*tower)->parts[0].bottomM, 55);
 }
 
-TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
+TEST_F(OsmSemantics, UndergroundIsLeftOutAndSaid) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}});
     const auto station =
         osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "train_station"}, {"location", "underground"}});
@@ -261,7 +261,7 @@ TEST_F(OsmSemantics, undergroundIsLeftOutAndSaid) {
     EXPECT_THAT(placesOf("underground"), ElementsAre(station, cellar));
 }
 
-TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
+TEST_F(OsmSemantics, ACanopyHangsAsAThinSlab) {
     const auto canopy =
         osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "roof"}, {"height", "5"}, {"layer", "1"}});
     const auto bare = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "roof"}});
@@ -269,23 +269,23 @@ TEST_F(OsmSemantics, aCanopyHangsAsAThinSlab) {
         osm.way(sizedRectangle(40, 0, 10, 10), {{"building", "roof"}, {"height", "4"}, {"min_height", "3"}});
     piece = read();
     ASSERT_EQ(piece.buildings.size(), 3U);
-    for (const auto& building : piece.buildings) EXPECT_TRUE(building->parts[0].hangs);
+    for (const auto& building : piece.buildings) EXPECT_TRUE(building->parts[0].isOverhanging);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].bottomM, 4.5F);
     EXPECT_FLOAT_EQ(piece.buildings[1]->parts[0].topM, 3.2F);
     EXPECT_FLOAT_EQ(piece.buildings[2]->parts[0].bottomM, 3);
     EXPECT_THAT(placesOf("slab"), ElementsAre(canopy, bare));
 }
 
-TEST_F(OsmSemantics, noMeansNo) {
+TEST_F(OsmSemantics, NoMeansNo) {
     const auto yes = osm.way(sizedRectangle(0, 0, 10, 10),
                              {{"building", "yes"}, {"building:part", "no"}, {"height", "9"}});
     const auto no = osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "no"}});
     const auto noPart = osm.way(sizedRectangle(40, 0, 10, 10), {{"building:part", "no"}});
     EXPECT_THAT(idsOf(only()), ElementsAre(yes));
-    EXPECT_THAT(placesOf("no building"), ElementsAre(no, noPart));
+    EXPECT_THAT(placesOf("not tagged as a building"), ElementsAre(no, noPart));
 }
 
-TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
+TEST_F(OsmSemantics, ShapedRoofsAreFlatAndCounted) {
     const auto gabled = osm.way(sizedRectangle(0, 0, 10, 10),
                                 {{"building", "yes"}, {"height", "9"}, {"roof:shape", "gabled"}});
     osm.way(sizedRectangle(20, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"roof:shape", "flat"}});
@@ -294,14 +294,14 @@ TEST_F(OsmSemantics, shapedRoofsAreFlatAndCounted) {
     EXPECT_THAT(placesOf("roof is not flat"), ElementsAre(gabled));
 }
 
-TEST_F(OsmSemantics, anyTagMayBeTheUsersHeight) {
+TEST_F(OsmSemantics, AnyTagMayBeTheUsersHeight) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"height", "9"}, {"est:eaves", "70"}});
     settings.heightField = "est:eaves";
     settings.heightUnit = LengthUnit::feet;
     EXPECT_NEAR(only().parts[0].topM, 21.336, 1e-4);
 }
 
-TEST_F(OsmSemantics, aBuildingInTheMakingSaysSo) {
+TEST_F(OsmSemantics, ABuildingInTheMakingSaysSo) {
     osm.way(sizedRectangle(0, 0, 10, 10), {{"building", "construction"}, {"height", "9"}});
     EXPECT_EQ(only().status, "under construction");
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/city/footprint.h"
+#include "core/city/footprints/footprint.h"
 #include "core/geo/frame.h"
 
 namespace noonmark::tests {
@@ -22,7 +22,7 @@ inline Ring sizedRectangle(float west, float south, float width, float height) {
 /// relations too.
 class OsmText {
 public:
-    /// Returns the id that readers give it.
+    /// Returns the id that readers give the feature.
     std::string way(const Ring& ring, const Tags& tags) {
         std::string members;
         for (const glm::vec2 point : ring)

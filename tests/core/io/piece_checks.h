@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "core/io/read_part.h"
 
 namespace noonmark::tests {
@@ -15,12 +15,12 @@ inline bool warns(const FilePiece& piece, std::string_view what) {
                        [&](const Warning& warning) { return warning.what.find(what) != std::string::npos; });
 }
 
-/// The part has a closed mesh with outward faces and this volume, m3, and its footprint and heights bound it.
+/// Expects a closed mesh with outward faces and this volume, m3, bounded by the part's footprint and heights.
 inline void expectClosedSolid(const Part& part, double volume) {
     ASSERT_NE(part.mesh, nullptr);
-    EXPECT_EQ(openEdges(*part.mesh), 0U);
+    EXPECT_EQ(findOpenEdges(*part.mesh), 0U);
     EXPECT_NEAR(signedVolume(*part.mesh), volume, 1e-3 * volume);
-    const noonmark::Box3 box = boxOf(*part.mesh);
+    const noonmark::Box3 box = computeBox(*part.mesh);
     EXPECT_EQ(part.bottomM, box.low.z);
     EXPECT_EQ(part.topM, box.high.z);
     const Box2 outline = bounds(part.footprint);

@@ -14,7 +14,7 @@ using tests::read;
 using tests::readText;
 using tests::warns;
 
-TEST(ReadCityJson, oneBadObjectIsAWarning) {
+TEST(ReadCityJson, OneBadObjectIsAWarning) {
     CityJsonMaker maker;
     maker.addBuilding("good", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     Json bad = maker.boxSolid({20, 0, 0}, {30, 10, 10});
@@ -30,12 +30,12 @@ TEST(ReadCityJson, oneBadObjectIsAWarning) {
     document["vertices"].push_back({"a", nullptr, 1});
     const auto piece = read(document);
     ASSERT_TRUE(piece) << piece.error().text();
-    EXPECT_EQ(piece->buildings.size(), 8U);  // the bad ones lost one face
-    EXPECT_TRUE(warns(*piece, "vertices that are not there"));
+    EXPECT_EQ(piece->buildings.size(), 8U);  // the broken ones lost one face
+    EXPECT_TRUE(warns(*piece, "surfaces with missing vertices"));
     EXPECT_TRUE(warns(*piece, "not closed"));
 }
 
-TEST(ReadCityJson, parentsThatGoRoundEnd) {
+TEST(ReadCityJson, ParentsThatGoRoundEnd) {
     CityJsonMaker maker;
     maker.addBuilding("a", maker.boxSolid({0, 0, 0}, {10, 10, 10}), "BuildingPart");
     maker.addBuilding("b", maker.boxSolid({20, 0, 0}, {30, 10, 10}), "BuildingPart");
@@ -48,7 +48,7 @@ TEST(ReadCityJson, parentsThatGoRoundEnd) {
     EXPECT_EQ(parts, 2U);
 }
 
-TEST(ReadCityJson, filesWithoutAPlaceAreErrors) {
+TEST(ReadCityJson, FilesWithoutAPlaceAreErrors) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     const auto none = read(maker.document("2.0", ""));
@@ -60,11 +60,11 @@ TEST(ReadCityJson, filesWithoutAPlaceAreErrors) {
     EXPECT_FALSE(read(maker.document("2.0", "EPSG:999999")));
     const auto elsewhere = read(maker.document("2.0", "EPSG:2193"));  // New Zealand
     ASSERT_FALSE(elsewhere);
-    EXPECT_NE(elsewhere.error().what.find("cannot be of"), std::string::npos);
+    EXPECT_NE(elsewhere.error().what.find("cannot belong to"), std::string::npos);
     EXPECT_FALSE(read(maker.document("2.0", "EPSG:4326")));
 }
 
-TEST(ReadCityJson, filesWithNothingAreErrors) {
+TEST(ReadCityJson, FilesWithNothingAreErrors) {
     for (const char* text : {"", "{}", "[]", "5", "{\"type\":\"CityJSON\"}", "{\"type\":\"CityJSONFeature\"}",
                              "\xff\xfe", "{\"type\":\"CityJSON\",\"vertices\":[[1e999,0,0]]}"}) {
         const auto piece = readText(text);
@@ -76,7 +76,7 @@ TEST(ReadCityJson, filesWithNothingAreErrors) {
     EXPECT_FALSE(readCityJson("/nowhere/city.json", {}, progress, {}));
 }
 
-TEST(ReadCityJson, truncatedAnywhereNeverCrashes) {
+TEST(ReadCityJson, TruncatedAnywhereNeverCrashes) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     const std::string whole = maker.document().dump();
@@ -84,7 +84,7 @@ TEST(ReadCityJson, truncatedAnywhereNeverCrashes) {
         EXPECT_FALSE(readText(whole.substr(0, length))) << length;
 }
 
-TEST(ReadCityJson, stops) {
+TEST(ReadCityJson, Stops) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     const tests::TemporaryFolder folder;

@@ -13,7 +13,7 @@
 namespace noonmark {
 namespace {
 
-// Whatever a file holds, reading it ends with a city or with an error that says something.
+// Whatever a file holds, reading it gives a city or an error with a message.
 void readAndJudge(const std::filesystem::path& file) {
     NoProgress quiet;
     const auto result = readFootprints(file, {}, quiet, {});
@@ -43,7 +43,7 @@ constexpr std::string_view geoJson =
     R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"height":"12 m","num_floors":3},)"
     R"("geometry":{"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.9799,40.75],[-73.9799,40.7501],[-73.98,40.75]]]}}]})";
 
-TEST(ReadBrokenFootprints, cutShortAtEveryLength) {
+TEST(ReadBrokenFootprints, CutShortAtEveryLength) {
     const tests::TemporaryFolder folder;
     for (std::size_t length = 0; length <= geoJson.size(); ++length)
         readAndJudge(folder.file("cut.geojson", geoJson.substr(0, length)));
@@ -52,7 +52,7 @@ TEST(ReadBrokenFootprints, cutShortAtEveryLength) {
         readAndJudge(folder.file("cut.osm", osm.substr(0, length)));
 }
 
-TEST(ReadBrokenFootprints, trueIsNoHeight) {
+TEST(ReadBrokenFootprints, TrueIsNoHeight) {
     const tests::TemporaryFolder folder;
     std::string text(geoJson);
     text.replace(text.find(R"("12 m")"), 6, "true");
@@ -66,7 +66,7 @@ TEST(ReadBrokenFootprints, trueIsNoHeight) {
     EXPECT_TRUE(said);
 }
 
-TEST(ReadBrokenFootprints, withBytesChanged) {
+TEST(ReadBrokenFootprints, WithBytesChanged) {
     const tests::TemporaryFolder folder;
     std::mt19937 random(20260321);
     for (int round = 0; round < 200; ++round) {
@@ -76,7 +76,7 @@ TEST(ReadBrokenFootprints, withBytesChanged) {
     }
 }
 
-TEST(ReadBrokenFootprints, aPbfCutShortAtManyLengths) {
+TEST(ReadBrokenFootprints, APbfCutShortAtManyLengths) {
     const auto whole = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!whole) GTEST_SKIP() << "the shared Midtown extract is missing";
     const tests::TemporaryFolder folder;
@@ -89,7 +89,7 @@ TEST(ReadBrokenFootprints, aPbfCutShortAtManyLengths) {
         readAndJudge(folder.file("cut.osm.pbf", content.substr(0, random() % (content.size() / 4))));
 }
 
-TEST(ReadBrokenFootprints, aPbfThatBreaksOffIsAnError) {
+TEST(ReadBrokenFootprints, APbfThatBreaksOffIsAnError) {
     const auto whole = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!whole) GTEST_SKIP() << "the shared Midtown extract is missing";
     const tests::TemporaryFolder folder;

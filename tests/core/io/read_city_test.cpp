@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/city/building_ground.h"
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/io/write_city.h"
 #include "tests/core/io/cityjson_fixtures.h"
 #include "tests/core/io/osm_text.h"
@@ -40,7 +40,7 @@ protected:
         osm.way(sizedRectangle(west, 0, 20, 20), {{"building", "yes"}, {"height", "30"}});
         return folder.file(name, osm.xml());
     }
-    // Ground that lies 5 m high in the west and 25 m in the east of 40.75 N 73.98 W.
+    // Ground at 5 m in the west and 25 m in the east of 40.75 N 73.98 W.
     std::filesystem::path terrainFile() {
         const GdalCalls calls;
         auto path = folder.path("ground.tif");
@@ -63,7 +63,7 @@ protected:
     ReadSettings settings;
 };
 
-TEST_F(ReadCity, oneFileIsACity) {
+TEST_F(ReadCity, OneFileIsACity) {
     const CityRead read = this->read({osmFile("a.osm", 0)});
     EXPECT_EQ(read.city.buildings.size(), 1U);
     EXPECT_EQ(read.city.terrain, nullptr);
@@ -72,7 +72,7 @@ TEST_F(ReadCity, oneFileIsACity) {
     EXPECT_EQ(read.features, 1U);
 }
 
-TEST_F(ReadCity, theFirstFileFixesTheFrameForAll) {
+TEST_F(ReadCity, TheFirstFileFixesTheFrameForAll) {
     const auto first = osmFile("a.osm", 0);
     const CityRead both = read({first, osmFile("b.osm", 1000)});
     ASSERT_EQ(both.city.buildings.size(), 2U);
@@ -82,7 +82,7 @@ TEST_F(ReadCity, theFirstFileFixesTheFrameForAll) {
     EXPECT_EQ(both.features, 2U);
 }
 
-TEST_F(ReadCity, buildingsStandOnTheTerrainWhereverItIsNamed) {
+TEST_F(ReadCity, BuildingsStandOnTheTerrainWhereverItIsNamed) {
     const auto west = osmFile("a.osm", -300);
     const auto east = osmFile("b.osm", 300);
     const auto ground = terrainFile();
@@ -93,12 +93,12 @@ TEST_F(ReadCity, buildingsStandOnTheTerrainWhereverItIsNamed) {
         const float low = read.city.buildings[0]->parts[0].bottomM;
         EXPECT_NEAR(read.city.frame.originElevationM() + double(low), 5, 0.01);
         EXPECT_NEAR(read.city.buildings[0]->parts[0].topM - low, 30, 0.01);
-        // 600 m on, the earth's curvature has lowered the ground by 2.5 cm.
+        // 600 m away, the earth's curvature has lowered the ground by 2.5 cm.
         EXPECT_NEAR(read.city.buildings[1]->parts[0].bottomM - low, 20 - 0.025, 0.01);
     }
 }
 
-TEST_F(ReadCity, groundElevationsWithoutTerrainAreTakenOffAndSaid) {
+TEST_F(ReadCity, GroundElevationsWithoutTerrainAreTakenOffAndSaid) {
     const auto file = folder.file(
         "a.geojson",
         R"({"type":"FeatureCollection","features":[)"
@@ -113,7 +113,7 @@ TEST_F(ReadCity, groundElevationsWithoutTerrainAreTakenOffAndSaid) {
     EXPECT_THAT(read.warnings[0].what, HasSubstr("there is no terrain"));
 }
 
-TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
+TEST_F(ReadCity, OurOwnGeoPackageGivesTheSameCityBack) {
     tests::OsmText osm;
     osm.way(sizedRectangle(0, 0, 60, 60), {{"building", "yes"}, {"height", "40"}, {"name", "Hall"}});
     osm.way(sizedRectangle(0, 0, 60, 30), {{"building:part", "yes"}, {"height", "10"}});
@@ -128,7 +128,7 @@ TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
     settings.frame = city.frame;
     const CityRead back = read({folder.path("a.gpkg")});
     EXPECT_EQ(back.format, "GeoPackage");
-    EXPECT_TRUE(back.warnings.empty()) << lineOf(grouped(back.warnings)[0]);
+    EXPECT_TRUE(back.warnings.empty()) << lineOf(groupWarnings(back.warnings)[0]);
     ASSERT_EQ(back.city.buildings.size(), city.buildings.size());
     for (std::size_t i = 0; i < city.buildings.size(); ++i) {
         const Building& before = *city.buildings[i];
@@ -142,14 +142,14 @@ TEST_F(ReadCity, ourOwnGeoPackageGivesTheSameCityBack) {
             EXPECT_NEAR(after.parts[p].bottomM, before.parts[p].bottomM, 1e-4);
             EXPECT_NEAR(after.parts[p].topM, before.parts[p].topM, 1e-4);
             EXPECT_EQ(after.parts[p].heightSource, before.parts[p].heightSource);
-            EXPECT_EQ(after.parts[p].hangs, before.parts[p].hangs);
+            EXPECT_EQ(after.parts[p].isOverhanging, before.parts[p].isOverhanging);
             EXPECT_NEAR(area(after.parts[p].footprint), area(before.parts[p].footprint), 0.05);
             EXPECT_EQ(after.parts[p].footprint.holes.size(), before.parts[p].footprint.holes.size());
         }
     }
 }
 
-TEST_F(ReadCity, midtownSurvivesItsGeoPackage) {
+TEST_F(ReadCity, MidtownSurvivesItsGeoPackage) {
     const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
     if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";
     const City city = read({*file}).city;
@@ -162,11 +162,11 @@ TEST_F(ReadCity, midtownSurvivesItsGeoPackage) {
             << city.buildings[i]->sourceId;
         EXPECT_NEAR(topM(*back.buildings[i]), topM(*city.buildings[i]), 1e-3) << city.buildings[i]->sourceId;
         for (std::size_t p = 0; p < city.buildings[i]->parts.size(); ++p)
-            EXPECT_EQ(back.buildings[i]->parts[p].hangs, city.buildings[i]->parts[p].hangs);
+            EXPECT_EQ(back.buildings[i]->parts[p].isOverhanging, city.buildings[i]->parts[p].isOverhanging);
     }
 }
 
-TEST_F(ReadCity, warningsSayWhoseTheyAreAmongSeveralFiles) {
+TEST_F(ReadCity, WarningsSayWhoseTheyAreAmongSeveralFiles) {
     tests::OsmText osm;
     osm.way(sizedRectangle(0, 0, 20, 20), {{"building", "yes"}});
     const CityRead read = this->read({osmFile("a.osm", 50), folder.file("b.osm", osm.xml())});
@@ -174,20 +174,20 @@ TEST_F(ReadCity, warningsSayWhoseTheyAreAmongSeveralFiles) {
     EXPECT_EQ(read.warnings[0].where, "b.osm: way 1");
 }
 
-TEST_F(ReadCity, aFileThatCannotBeReadNamesItself) {
+TEST_F(ReadCity, AFileThatCannotBeReadNamesItself) {
     EXPECT_THAT(errorOf({osmFile("a.osm", 0), folder.file("b.geojson", "{}")}), HasSubstr("b.geojson"));
     EXPECT_THAT(errorOf({folder.path("missing.osm")}), HasSubstr("missing.osm"));
     EXPECT_FALSE(errorOf({}).empty());
 }
 
-TEST_F(ReadCity, progressOfSeveralFilesOnlyGrows) {
+TEST_F(ReadCity, ProgressOfSeveralFilesOnlyGrows) {
     tests::GrowingProgress progress;
     ASSERT_TRUE(readCity({osmFile("a.osm", 0), osmFile("b.osm", 100)}, settings, progress, {}));
     EXPECT_TRUE(progress.grew);
     EXPECT_DOUBLE_EQ(progress.last, 1);
 }
 
-TEST_F(ReadCity, canBeStopped) {
+TEST_F(ReadCity, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress quiet;
@@ -196,7 +196,7 @@ TEST_F(ReadCity, canBeStopped) {
     EXPECT_TRUE(isCancelled(result.error()));
 }
 
-// One limit for what has a shape of its own, whatever file it comes in.
+// The same limits apply to meshes of every file format.
 TEST_F(ReadCity, LeavesOutShapesThatNoBuildingCanHave) {
     tests::CityJsonMaker maker;
     maker.addBuilding("tower", maker.boxSolid({0, 0, 0}, {30, 30, 1990}));

@@ -28,7 +28,7 @@ Part onlyPart(const Result<FilePiece>& piece) {
     return piece->buildings[0]->parts[0];
 }
 
-TEST(ReadCityJson, aCubeInEveryVersion) {
+TEST(ReadCityJson, ACubeInEveryVersion) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
     for (const char* version : {"1.0", "1.1", "2.0"})
@@ -43,8 +43,8 @@ TEST(ReadCityJson, aCubeInEveryVersion) {
             EXPECT_NEAR(area(part.footprint), 200, 0.1);
             EXPECT_EQ(part.footprint.outer.size(), 4U);
             EXPECT_EQ(part.heightSource, HeightSource::mesh);
-            EXPECT_FALSE(part.hangs);
-            // By the approximation of Schreutelkamp and Strang van Hees, good to a metre.
+            EXPECT_FALSE(part.isOverhanging);
+            // By the approximation of Schreutelkamp and Strang van Hees, accurate to a metre.
             EXPECT_NEAR(piece->frame->origin().lonDeg, 4.888046, 2e-5);
             EXPECT_NEAR(piece->frame->origin().latDeg, 52.369918, 2e-5);
             EXPECT_NEAR(piece->frame->originElevationM(), 2, 1e-6);
@@ -53,7 +53,7 @@ TEST(ReadCityJson, aCubeInEveryVersion) {
         }
 }
 
-TEST(ReadCityJson, oldVersionWithoutTransform) {
+TEST(ReadCityJson, OldVersionWithoutTransform) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
     Json document = maker.document("1.0", "urn:ogc:def:crs:EPSG::7415");
@@ -65,9 +65,9 @@ TEST(ReadCityJson, oldVersionWithoutTransform) {
     expectClosedSolid(onlyPart(read(document)), 6000);
 }
 
-TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
-    // On a hillside: without terrain readCity() takes these elevations off, or light would shine through
-    // under the buildings.
+TEST(ReadCityJson, SaysWhatGroundABuildingStandsOn) {
+    // On a hillside: without terrain readCity() subtracts these elevations, otherwise light would pass under
+    // the buildings.
     CityJsonMaker maker;
     maker.addBuilding("low", maker.boxSolid({0, 0, 0}, {10, 20, 30}));
     maker.addBuilding("high", maker.boxSolid({50, 0, 12}, {60, 20, 40}));
@@ -78,9 +78,9 @@ TEST(ReadCityJson, saysWhatGroundABuildingStandsOn) {
     EXPECT_NEAR(std::abs(*piece->groundM[0] - *piece->groundM[1]), 12, 1e-3);
 }
 
-TEST(ReadCityJson, trueNorthIsUpAndMetresAreMetres) {
-    // RD's north is 24' east of true north at Amsterdam's longitude west of the centre: a wall along it leans
-    // by that much.
+TEST(ReadCityJson, TrueNorthIsUpAndMetresAreMetres) {
+    // RD's north is 24' east of true north at Amsterdam's longitude west of the centre: a wall along it
+    // deviates by that angle.
     CityJsonMaker maker;
     maker.addBuilding("wall", maker.boxSolid({0, 0, 0}, {1, 1000, 30}));
     const Part part = onlyPart(read(maker.document()));
@@ -90,13 +90,13 @@ TEST(ReadCityJson, trueNorthIsUpAndMetresAreMetres) {
     EXPECT_NEAR(leanDeg, 0.40, 0.05);
 }
 
-TEST(ReadCityJson, aShaftThroughATower) {
+TEST(ReadCityJson, AShaftThroughATower) {
     CityJsonMaker maker;
     const int outer = maker.addBox({0, 0, 0}, {10, 10, 30});
     const int inner = maker.addBox({3, 3, 0}, {7, 7, 30});
     Json shell = CityJsonMaker::boxShell(outer);
     const Json hole = CityJsonMaker::boxShell(inner, true);
-    shell[0].push_back(hole[0][0]);  // the bottom and the top have holes; the shaft's walls look inward
+    shell[0].push_back(hole[0][0]);  // the bottom and the top have holes; the shaft's walls face inward
     shell[1].push_back(hole[1][0]);
     for (std::size_t i = 2; i < 6; ++i) shell.push_back(hole[i]);
     maker.addBuilding("shaft", CityJsonMaker::solid(Json::array({shell})));
@@ -106,7 +106,7 @@ TEST(ReadCityJson, aShaftThroughATower) {
     EXPECT_NEAR(area(part.footprint), 84, 0.1);
 }
 
-TEST(ReadCityJson, anLShapeKeepsItsNotch) {
+TEST(ReadCityJson, AnLShapeKeepsItsNotch) {
     CityJsonMaker maker;
     const std::vector<glm::dvec2> corners{{0, 0}, {20, 0}, {20, 5}, {5, 5}, {5, 20}, {0, 20}};
     Json top = Json::array();
@@ -126,8 +126,8 @@ TEST(ReadCityJson, anLShapeKeepsItsNotch) {
     EXPECT_NEAR(area(part.footprint), 175, 0.1);
 }
 
-TEST(ReadCityJson, aCavityIsHollowButDoesNotHang) {
-    for (const bool inward : {true, false}) {  // some files turn inner shells the wrong way
+TEST(ReadCityJson, ACavityIsHollowButDoesNotHang) {
+    for (const bool inward : {true, false}) {  // some files orient inner shells the wrong way
         CityJsonMaker maker;
         const int outer = maker.addBox({0, 0, 0}, {10, 10, 30});
         const int inner = maker.addBox({2, 2, 5}, {8, 8, 25});
@@ -136,12 +136,12 @@ TEST(ReadCityJson, aCavityIsHollowButDoesNotHang) {
                               {CityJsonMaker::boxShell(outer), CityJsonMaker::boxShell(inner, inward)})));
         const Part part = onlyPart(read(maker.document()));
         expectClosedSolid(part, 3000 - 36 * 20);
-        EXPECT_FALSE(part.hangs);
+        EXPECT_FALSE(part.isOverhanging);
         EXPECT_TRUE(part.footprint.holes.empty());
     }
 }
 
-TEST(ReadCityJson, partsOfABuildingAreOneBuilding) {
+TEST(ReadCityJson, PartsOfABuildingAreOneBuilding) {
     CityJsonMaker maker;
     maker.objects["house"] = {{"type", "Building"},
                               {"attributes", {{"name", "Town hall"}, {"status", "built"}}},
@@ -158,10 +158,11 @@ TEST(ReadCityJson, partsOfABuildingAreOneBuilding) {
     EXPECT_EQ(building.name, "Town hall");
     EXPECT_EQ(building.status, "built");
     ASSERT_EQ(building.parts.size(), 3U);
-    for (const Part& part : building.parts) EXPECT_EQ(part.hangs, part.sourceId == "bridge") << part.sourceId;
+    for (const Part& part : building.parts)
+        EXPECT_EQ(part.isOverhanging, part.sourceId == "bridge") << part.sourceId;
 }
 
-TEST(ReadCityJson, multiSolidsAndSurfaces) {
+TEST(ReadCityJson, MultiSolidsAndSurfaces) {
     CityJsonMaker maker;
     const int a = maker.addBox({0, 0, 0}, {10, 10, 10});
     const int b = maker.addBox({20, 0, 0}, {30, 10, 20});
@@ -187,7 +188,7 @@ TEST(ReadCityJson, multiSolidsAndSurfaces) {
     }
 }
 
-TEST(ReadCityJson, levelOfDetail) {
+TEST(ReadCityJson, LevelOfDetail) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}, "1.2"));
     maker.objects["cube"]["geometry"].push_back(maker.boxSolid({0, 0, 0}, {10, 10, 22}, "2.2"));
@@ -205,7 +206,7 @@ TEST(ReadCityJson, levelOfDetail) {
     EXPECT_FALSE(read(document, settings));
 }
 
-TEST(ReadCityJson, footprintsAreExtruded) {
+TEST(ReadCityJson, FootprintsAreExtruded) {
     CityJsonMaker maker;
     const int first = maker.addBox({0, 0, 0}, {10, 10, 1});
     const Json flat{
@@ -230,11 +231,11 @@ TEST(ReadCityJson, footprintsAreExtruded) {
         EXPECT_NEAR(area(part.footprint), 100, 0.1);
     }
     EXPECT_TRUE(warns(*piece, "a height of zero or less"));
-    EXPECT_TRUE(warns(*piece, "the default was taken"));
+    EXPECT_TRUE(warns(*piece, "the default is used"));
 }
 
-// The elevations of 3DBAG's LoD 0 lie above NAP: the height is what is left over the ground.
-TEST(ReadCityJson, heightsOverTheGroundsElevation) {
+// The elevations of 3DBAG's LoD 0 are above NAP: the height is the difference from the ground.
+TEST(ReadCityJson, HeightsOverTheGroundsElevation) {
     CityJsonMaker maker;
     const int first = maker.addBox({0, 0, 0}, {10, 10, 1});
     const Json flat{
@@ -254,7 +255,7 @@ TEST(ReadCityJson, heightsOverTheGroundsElevation) {
     EXPECT_EQ(piece->heights.fields[0].meaning, "70th percentile of the roof");
 }
 
-TEST(ReadCityJson, aTinBecomesTheTerrain) {
+TEST(ReadCityJson, ATinBecomesTheTerrain) {
     CityJsonMaker maker;
     Json triangles = Json::array();
     constexpr int side = 21;
@@ -275,15 +276,15 @@ TEST(ReadCityJson, aTinBecomesTheTerrain) {
     EXPECT_EQ(piece->buildings.size(), 1U);
     EXPECT_NEAR(piece->terrain->grid.cellM, 2.4, 0.2);
     for (const float z : piece->terrain->elevationM) EXPECT_TRUE(std::isfinite(z));
-    // The slope is 1 in 10 along x; local z is 0 where the only building begins.
+    // The slope is 1 in 10 along x; local z is 0 at the base of the only building.
     const glm::dvec2 middle =
         (glm::dvec2(bounds(*piece->buildings[0]).low) + glm::dvec2(bounds(*piece->buildings[0]).high)) / 2.0;
     EXPECT_NEAR(elevationAt(*piece->terrain, middle), 0.5, 0.1);
     EXPECT_NEAR(elevationAt(*piece->terrain, middle + glm::dvec2(20, 0)), 2.5, 0.1);
-    EXPECT_FALSE(piece->buildings[0]->parts[0].hangs);
+    EXPECT_FALSE(piece->buildings[0]->parts[0].isOverhanging);
 }
 
-TEST(ReadCityJson, sequence) {
+TEST(ReadCityJson, Sequence) {
     CityJsonMaker maker;
     Json header = maker.document();
     std::string text = header.dump() + "\n";
@@ -305,12 +306,12 @@ TEST(ReadCityJson, sequence) {
     ASSERT_EQ(piece->buildings.size(), 3U);
     for (int i = 0; i < 3; ++i)
         expectClosedSolid(piece->buildings[std::size_t(i)]->parts.at(0), 100 * (10 + i));
-    const auto groups = grouped(piece->warnings);
+    const auto groups = groupWarnings(piece->warnings);
     ASSERT_EQ(groups.size(), 1U);
     EXPECT_EQ(groups[0].where, (std::vector<std::string>{"city.json: line 5", "city.json: line 7"}));
 }
 
-TEST(ReadCityJson, feetByTheVerticalSystem) {
+TEST(ReadCityJson, FeetByTheVerticalSystem) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {100, 100, 1000}));
     Json document = maker.document("2.0", "EPSG:2263+6360");
@@ -324,7 +325,7 @@ TEST(ReadCityJson, feetByTheVerticalSystem) {
     EXPECT_TRUE(warns(*assumed, "no unit"));
 }
 
-TEST(ReadCityJson, whatIsLeftOutIsSaid) {
+TEST(ReadCityJson, WhatIsLeftOutIsSaid) {
     CityJsonMaker maker;
     maker.addBuilding("cube", maker.boxSolid({0, 0, 0}, {10, 10, 10}));
     maker.addBuilding("cube2", maker.boxSolid({30, 0, 0}, {40, 10, 10}));
@@ -338,7 +339,7 @@ TEST(ReadCityJson, whatIsLeftOutIsSaid) {
     EXPECT_EQ(piece->buildings.size(), 2U);
     EXPECT_EQ(piece->features, 7U);
     for (const char* what : {"far from the middle", "SolitaryVegetationObject", "geometry templates",
-                             "no geometry that can be used", "without type"})
+                             "no usable geometry", "without a type"})
         EXPECT_TRUE(warns(*piece, what)) << what;
 }
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/osm_text.h"
 #include "tests/core/io/temporary_folder.h"
@@ -71,7 +71,7 @@ std::vector<std::string> whats(const Warnings& warnings) {
     return texts;
 }
 
-// Writes one rectangle in a system of its own, as a driver does it.
+// Writes one rectangle in the given system with a GDAL driver.
 void writeRectangle(const std::filesystem::path& file, const char* driver, const char* crs,
                     const std::vector<std::pair<std::string, double>>& fields) {
     const GdalCalls calls;
@@ -106,7 +106,7 @@ void writeRectangle(const std::filesystem::path& file, const char* driver, const
     ASSERT_EQ(layer->CreateFeature(&made), OGRERR_NONE);
 }
 
-TEST_F(ReadFootprints, geoJsonInDegrees) {
+TEST_F(ReadFootprints, GeoJsonInDegrees) {
     const FilePiece piece = readGeoJson(
         feature(tests::sizedRectangle(-20, -10, 40, 20), R"("id":"tower","name":"A","height":"30 m")"));
     ASSERT_EQ(piece.buildings.size(), 1U);
@@ -126,7 +126,7 @@ double heightOf(const Building& building) {
     return double(building.parts[0].topM) - double(building.parts[0].bottomM);
 }
 
-TEST_F(ReadFootprints, frenchHeightsAreRead) {
+TEST_F(ReadFootprints, FrenchHeightsAreRead) {
     const FilePiece piece =
         readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("HAUTEUR":17.3,"NB_ETAGES":5)") + "," +
                     feature(tests::sizedRectangle(20, 0, 10, 10),
@@ -143,13 +143,13 @@ TEST_F(ReadFootprints, frenchHeightsAreRead) {
     EXPECT_TRUE(piece.heights.unknown.empty());
 }
 
-TEST_F(ReadFootprints, bostonsHeightsAreFeet) {
+TEST_F(ReadFootprints, BostonsHeightsAreFeet) {
     const FilePiece piece = readGeoJson(feature(
         tests::sizedRectangle(0, 0, 10, 10), R"("BLDG_HGT_2010":"788.19","GRND_ELEV_2010":"14","FLOOR":60)"));
     EXPECT_NEAR(heightOf(*piece.buildings.at(0)), 788.19 * 0.3048, 1e-3);
 }
 
-TEST_F(ReadFootprints, textWithADecimalCommaIsANumber) {
+TEST_F(ReadFootprints, TextWithADecimalCommaIsANumber) {
     const FilePiece piece =
         readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("altezza":"12,5")") + "," +
                     feature(tests::sizedRectangle(20, 0, 10, 10), R"("altezza":"7,25 m")") + "," +
@@ -159,7 +159,7 @@ TEST_F(ReadFootprints, textWithADecimalCommaIsANumber) {
     EXPECT_NEAR(heightOf(*piece.buildings.at(2)), 9.6, 1e-4) << "a thousand?";
 }
 
-TEST_F(ReadFootprints, fieldsThatCouldBeHeightsAreListed) {
+TEST_F(ReadFootprints, FieldsThatCouldBeHeightsAreListed) {
     std::string features;
     for (int i = 0; i < 20; ++i) {
         if (i > 0) features += ',';
@@ -184,7 +184,7 @@ TEST_F(ReadFootprints, fieldsThatCouldBeHeightsAreListed) {
     EXPECT_THAT(errorOf(geoJson(features)), HasSubstr("There is no field \"NIVEAU\""));
 }
 
-TEST_F(ReadFootprints, aCityOnBothSidesOf180DegreesStaysTogether) {
+TEST_F(ReadFootprints, ACityOnBothSidesOf180DegreesStaysTogether) {
     const LonLat taveuni{179.9999, -16.85};
     const FilePiece piece =
         readGeoJson(feature(tests::sizedRectangle(-200, 0, 10, 10), R"("height":5)", taveuni) + "," +
@@ -197,19 +197,19 @@ TEST_F(ReadFootprints, aCityOnBothSidesOf180DegreesStaysTogether) {
     EXPECT_NEAR(bounds(*piece.buildings[2]).low.x - west, 400, 0.01);
 }
 
-TEST_F(ReadFootprints, everySystemIsReprojected) {
+TEST_F(ReadFootprints, EverySystemIsReprojected) {
     for (const char* crs : {"EPSG:2263", "EPSG:3857", "EPSG:32618", "EPSG:4269"}) {
         const auto file = folder.path(std::string("a_") + (crs + 5) + ".gpkg");
         writeRectangle(file, "GPKG", crs, {{"height", 12}});
         const FilePiece piece = read(file);
         ASSERT_EQ(piece.buildings.size(), 1U) << crs;
-        // Never measured in Web Mercator, where this would be 1,394 m2, nor in feet.
+        // The area must not be measured in Web Mercator, where it would be 1,394 m2, or in feet.
         EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 800, 0.1) << crs;
         EXPECT_NEAR(piece.frame->origin().latDeg, manhattan.latDeg, 2e-5) << crs;
     }
 }
 
-TEST_F(ReadFootprints, newYorksShapefileIsInFeet) {
+TEST_F(ReadFootprints, NewYorksShapefileIsInFeet) {
     const auto file = folder.path("nyc.shp");
     writeRectangle(file, "ESRI Shapefile", "EPSG:2263",
                    {{"HEIGHTROOF", 100}, {"GROUNDELEV", 50}, {"BIN", 1}});
@@ -218,10 +218,11 @@ TEST_F(ReadFootprints, newYorksShapefileIsInFeet) {
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_NEAR(piece.buildings[0]->parts[0].topM, 30.48, 1e-3);
     EXPECT_NEAR(piece.frame->originElevationM(), 15.24, 1e-3);
-    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("taken as feet"), HasSubstr("taken as feet")));
+    EXPECT_THAT(whats(piece.warnings),
+                ElementsAre(HasSubstr("feet are assumed"), HasSubstr("feet are assumed")));
 }
 
-TEST_F(ReadFootprints, theUserNamesFieldAndUnit) {
+TEST_F(ReadFootprints, TheUserNamesFieldAndUnit) {
     const auto file =
         geoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":5,"eaves":100)") + "," +
                 feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":5,"eaves":"20 m")"));
@@ -234,7 +235,7 @@ TEST_F(ReadFootprints, theUserNamesFieldAndUnit) {
     EXPECT_THAT(errorOf(file), testing::AllOf(HasSubstr("roof_top"), HasSubstr("eaves")));
 }
 
-TEST_F(ReadFootprints, multipolygonsAreOneBuilding) {
+TEST_F(ReadFootprints, MultipolygonsAreOneBuilding) {
     const FilePiece piece = readGeoJson(
         R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"MultiPolygon","coordinates":[)"
         R"([[[0,0],[0.0002,0],[0.0002,0.0002],[0,0.0002],[0,0]]],[[[0.0003,0],[0.0005,0],[0.0005,0.0002],[0.0003,0.0002],[0.0003,0]]]]}})");
@@ -242,7 +243,7 @@ TEST_F(ReadFootprints, multipolygonsAreOneBuilding) {
     EXPECT_EQ(piece.buildings[0]->parts.size(), 2U);
 }
 
-TEST_F(ReadFootprints, polygonsOfOneFeatureThatOverlapAreJoinedAndSaid) {
+TEST_F(ReadFootprints, PolygonsOfOneFeatureThatOverlapAreJoinedAndSaid) {
     const FilePiece piece = readGeoJson(
         R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"MultiPolygon","coordinates":[)"
         R"([[[0,0],[0.0002,0],[0.0002,0.0002],[0,0.0002],[0,0]]],[[[0.0001,0],[0.0005,0],[0.0005,0.0002],[0.0001,0.0002],[0.0001,0]]]]}})");
@@ -250,7 +251,7 @@ TEST_F(ReadFootprints, polygonsOfOneFeatureThatOverlapAreJoinedAndSaid) {
     EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("were joined")));
 }
 
-TEST_F(ReadFootprints, elevationsInPolygonsAreNotTakenAndSaid) {
+TEST_F(ReadFootprints, ElevationsInPolygonsAreNotTakenAndSaid) {
     const FilePiece piece = readGeoJson(
         R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon","coordinates":)"
         R"([[[0,0,50],[0.0002,0,50],[0.0002,0.0002,50],[0,0.0002,50],[0,0,50]]]}})");
@@ -259,7 +260,7 @@ TEST_F(ReadFootprints, elevationsInPolygonsAreNotTakenAndSaid) {
     EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("elevations in its polygons")));
 }
 
-TEST_F(ReadFootprints, tagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
+TEST_F(ReadFootprints, TagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     const FilePiece piece = readGeoJson(
         feature(tests::sizedRectangle(0, 0, 40, 20), R"("@id":"way/5","building":"yes","height":"90")") +
         "," +
@@ -268,10 +269,10 @@ TEST_F(ReadFootprints, tagsInGeoJsonMeanWhatTheyMeanInOpenStreetMap) {
     ASSERT_EQ(piece.buildings.size(), 1U);
     EXPECT_EQ(piece.buildings[0]->parts.size(), 1U);
     EXPECT_FLOAT_EQ(piece.buildings[0]->parts[0].topM, 20);
-    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("no building")));
+    EXPECT_THAT(whats(piece.warnings), ElementsAre(HasSubstr("not tagged as a building")));
 }
 
-TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {
+TEST_F(ReadFootprints, ShipsFarAwayDoNotStretchTheScene) {
     const LonLat sea{-77.0, 38.0};
     std::string features;
     for (int i = 0; i < 9; ++i)
@@ -287,7 +288,7 @@ TEST_F(ReadFootprints, shipsFarAwayDoNotStretchTheScene) {
     EXPECT_EQ(piece.warnings[0].where, "ship");
 }
 
-TEST_F(ReadFootprints, theOtherSideOfTheEarthIsFarAway) {
+TEST_F(ReadFootprints, TheOtherSideOfTheEarthIsFarAway) {
     const LonLat antipode{106.02, -40.75};
     std::string features = feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)") + "," +
                            feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":9)") + ",";
@@ -296,7 +297,7 @@ TEST_F(ReadFootprints, theOtherSideOfTheEarthIsFarAway) {
     EXPECT_EQ(piece.buildings.size(), 2U);
 }
 
-TEST_F(ReadFootprints, dataOnBothSidesOfTheDateLineStaysTogether) {
+TEST_F(ReadFootprints, DataOnBothSidesOfTheDateLineStaysTogether) {
     const LonLat fiji{180, -17};
     std::string features;
     for (int i = -3; i <= 3; ++i)
@@ -307,7 +308,7 @@ TEST_F(ReadFootprints, dataOnBothSidesOfTheDateLineStaysTogether) {
     EXPECT_NEAR(std::abs(piece.frame->origin().lonDeg), 180, 0.01);
 }
 
-TEST_F(ReadFootprints, joinsTheFrameOfAProject) {
+TEST_F(ReadFootprints, JoinsTheFrameOfAProject) {
     settings.frame = Frame({-73.97, 40.75}, 10);
     const FilePiece piece =
         readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9,"ground_elevation":25)"));
@@ -318,7 +319,7 @@ TEST_F(ReadFootprints, joinsTheFrameOfAProject) {
     EXPECT_FLOAT_EQ(piece.groundM[0].value(), 15);
 }
 
-TEST_F(ReadFootprints, featuresOfOneBuildingIdAreOneBuilding) {
+TEST_F(ReadFootprints, FeaturesOfOneBuildingIdAreOneBuilding) {
     const FilePiece piece =
         readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10),
                             R"("building_id":"b1","source_id":"low","height":9,"hangs":0)") +
@@ -332,23 +333,23 @@ TEST_F(ReadFootprints, featuresOfOneBuildingIdAreOneBuilding) {
     EXPECT_EQ(piece.buildings[0]->sourceId, "b1");
     ASSERT_EQ(piece.buildings[0]->parts.size(), 2U);
     EXPECT_EQ(piece.buildings[0]->parts[1].sourceId, "high");
-    EXPECT_TRUE(piece.buildings[0]->parts[1].hangs);
+    EXPECT_TRUE(piece.buildings[0]->parts[1].isOverhanging);
 }
 
-TEST_F(ReadFootprints, aPlaceholderIsNoBuildingId) {
+TEST_F(ReadFootprints, APlaceholderIsNoBuildingId) {
     const FilePiece piece =
         readGeoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("building_id":0,"height":9)") + "," +
                     feature(tests::sizedRectangle(50, 0, 10, 10), R"("building_id":0,"height":9)"));
     EXPECT_EQ(piece.buildings.size(), 2U);
 }
 
-TEST_F(ReadFootprints, aDrawingsLayersAreNotStoreysOfTheEarth) {
+TEST_F(ReadFootprints, ADrawingsLayersAreNotStoreysOfTheEarth) {
     const FilePiece piece = readGeoJson(
         feature(tests::sizedRectangle(0, 0, 10, 10), R"("layer":"-1","location":"underground","height":9)"));
     EXPECT_EQ(piece.buildings.size(), 1U);
 }
 
-TEST_F(ReadFootprints, oneBadFeatureIsAWarning) {
+TEST_F(ReadFootprints, OneBadFeatureIsAWarning) {
     const FilePiece piece = readGeoJson(
         feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)") + "," +
         feature(tests::sizedRectangle(20, 0, 10, 10), R"("height":9)") + "," +
@@ -362,7 +363,7 @@ TEST_F(ReadFootprints, oneBadFeatureIsAWarning) {
     EXPECT_THAT(places, testing::UnorderedElementsAre("lost", "none", "line"));
 }
 
-TEST_F(ReadFootprints, aLayerMayBeChosen) {
+TEST_F(ReadFootprints, ALayerMayBeChosen) {
     const auto file = folder.path("two.gpkg");
     writeRectangle(file, "GPKG", "EPSG:4326", {{"height", 12}});
     settings.layer = "houses";
@@ -371,7 +372,7 @@ TEST_F(ReadFootprints, aLayerMayBeChosen) {
     EXPECT_THAT(errorOf(file), testing::AllOf(HasSubstr("lots"), HasSubstr("houses")));
 }
 
-TEST_F(ReadFootprints, withoutASystemTheUserMustStateIt) {
+TEST_F(ReadFootprints, WithoutASystemTheUserMustStateIt) {
     const auto file = folder.path("a.shp");
     writeRectangle(file, "ESRI Shapefile", "EPSG:2263", {{"height_m", 12}});
     std::filesystem::remove(folder.path("a.prj"));
@@ -383,7 +384,7 @@ TEST_F(ReadFootprints, withoutASystemTheUserMustStateIt) {
     EXPECT_THAT(errorOf(file), HasSubstr("EPSG:999999"));
 }
 
-TEST_F(ReadFootprints, coordinatesThatCannotBeDegreesAreAnError) {
+TEST_F(ReadFootprints, CoordinatesThatCannotBeDegreesAreAnError) {
     const auto file =
         geoJson(R"({"type":"Feature","properties":{"height":9},"geometry":{"type":"Polygon","coordinates":)"
                 R"([[[980000,210000],[980100,210000],[980100,210100],[980000,210000]]]}})");
@@ -392,7 +393,7 @@ TEST_F(ReadFootprints, coordinatesThatCannotBeDegreesAreAnError) {
     EXPECT_EQ(read(file).buildings.size(), 1U);
 }
 
-TEST_F(ReadFootprints, degreesThatCallThemselvesFeetAreAnError) {
+TEST_F(ReadFootprints, DegreesThatCallThemselvesFeetAreAnError) {
     const auto file = geoJson(feature(tests::sizedRectangle(0, 0, 10, 10), R"("height":9)"));
     for (const char* crs : {"EPSG:2263", "EPSG:3857", "EPSG:32618"}) {
         settings.crs = crs;
@@ -400,7 +401,7 @@ TEST_F(ReadFootprints, degreesThatCallThemselvesFeetAreAnError) {
     }
 }
 
-TEST_F(ReadFootprints, filesThatCannotBeUsedAreOneClearError) {
+TEST_F(ReadFootprints, FilesThatCannotBeUsedAreOneClearError) {
     using testing::Not;
     const auto expectClear = [&](const std::filesystem::path& file) {
         const std::string text = errorOf(file);
@@ -418,13 +419,13 @@ TEST_F(ReadFootprints, filesThatCannotBeUsedAreOneClearError) {
     expectClear(folder.file("none.osm", "<osm version=\"0.6\"></osm>"));
 }
 
-TEST_F(ReadFootprints, aMapWithoutBuildingsIsAnError) {
+TEST_F(ReadFootprints, AMapWithoutBuildingsIsAnError) {
     tests::OsmText osm;
     osm.way(tests::sizedRectangle(0, 0, 10, 10), {{"building", "yes"}, {"location", "underground"}});
     EXPECT_THAT(errorOf(folder.file("cellar.osm", osm.xml())), HasSubstr("underground"));
 }
 
-TEST_F(ReadFootprints, canBeStopped) {
+TEST_F(ReadFootprints, CanBeStopped) {
     std::string features;
     for (int i = 0; i < 2000; ++i)
         features +=
@@ -437,7 +438,7 @@ TEST_F(ReadFootprints, canBeStopped) {
     EXPECT_TRUE(isCancelled(result.error()));
 }
 
-TEST_F(ReadFootprints, progressOnlyGrowsAndEndsAtOne) {
+TEST_F(ReadFootprints, ProgressOnlyGrowsAndEndsAtOne) {
     tests::GrowingProgress progress;
     std::string features;
     for (int i = 0; i < 1000; ++i)

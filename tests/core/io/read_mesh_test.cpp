@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/city/mesh_topology.h"
+#include "core/city/meshes/mesh_topology.h"
 #include "core/io/read_part.h"
 #include "tests/core/city/mesh_fixtures.h"
 #include "tests/core/io/piece_checks.h"
@@ -51,7 +51,7 @@ std::string chunk(std::string content, const char* type, char padding) {
     return bytesOf(&length, 1) + std::string(type, 4) + content;
 }
 
-// Binary glTF: a node that lifts the mesh by 5 along y, its up axis.
+// Binary glTF with a node that lifts the mesh by 5 along y, its up axis.
 std::string glbBytes(const TriangleMesh& mesh) {
     const std::string points = bytesOf(mesh.vertices.data(), mesh.vertices.size());
     const std::string faces = bytesOf(mesh.triangles.data(), mesh.triangles.size());
@@ -88,7 +88,7 @@ Result<FilePiece> read(const std::string& name, const std::string& content, cons
     return read(folder.file(name, content), settings);
 }
 
-TEST(ReadMesh, objInFeetYUpTurnedToTrueNorth) {
+TEST(ReadMesh, ObjInFeetYUpTurnedToTrueNorth) {
     ReadSettings settings = placed(UpAxis::y);
     settings.meshUnit = LengthUnit::feet;
     settings.meshNorthDeg = 90;  // the mesh's north, -z of a y-up mesh, points east
@@ -108,7 +108,7 @@ TEST(ReadMesh, objInFeetYUpTurnedToTrueNorth) {
     EXPECT_TRUE(piece->warnings.empty());
 }
 
-TEST(ReadMesh, northIsAnAzimuth) {
+TEST(ReadMesh, NorthIsAnAzimuth) {
     ReadSettings settings = placed();
     settings.meshNorthDeg = 29;
     const auto piece = read("cube.obj", objText(box({-1, 0, 0}, {1, 100, 10})), settings);
@@ -119,7 +119,7 @@ TEST(ReadMesh, northIsAnAzimuth) {
     EXPECT_NEAR(bounds2.high.y, 100 * std::cos(azimuth) + std::sin(azimuth), 1e-3);
 }
 
-TEST(ReadMesh, aCityInOneObjectBecomesBuildings) {
+TEST(ReadMesh, ACityInOneObjectBecomesBuildings) {
     TriangleMesh city = box({0, 0, 0}, {10, 10, 20});              // a podium
     append(city, box({2, 2, 20}, {8, 8, 60}));                     // its tower, not welded to it
     append(city, tests::unshared(box({12, 0, 0}, {20, 10, 15})));  // loose triangles
@@ -140,7 +140,7 @@ TEST(ReadMesh, aCityInOneObjectBecomesBuildings) {
     EXPECT_NEAR(volume, 2000 + 36 * 40 + 1200 + 9.5 * 150, 1e-2);
 }
 
-TEST(ReadMesh, polygonFacesAndNegativeIndices) {
+TEST(ReadMesh, PolygonFacesAndNegativeIndices) {
     const auto piece = read("quads.obj",
                             "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 0 0 9\nv 4 0 9\nv 4 4 9\nv 0 4 9\n"
                             "f -5 -6 -7 -8\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n",
@@ -149,14 +149,14 @@ TEST(ReadMesh, polygonFacesAndNegativeIndices) {
     tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 144);
 }
 
-TEST(ReadMesh, ply) {
+TEST(ReadMesh, Ply) {
     const auto piece = read("box.ply", plyText(box({0, 0, 0}, {10, 20, 30})), placed());
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_EQ(piece->format, "PLY");
     tests::expectClosedSolid(piece->buildings.at(0)->parts.at(0), 6000);
 }
 
-TEST(ReadMesh, glbWithANodeTransform) {
+TEST(ReadMesh, GlbWithANodeTransform) {
     const auto piece = read("box.glb", glbBytes(box({0, 0, 0}, {10, 30, 20})), placed(UpAxis::y));
     ASSERT_TRUE(piece) << piece.error().text();
     EXPECT_EQ(piece->format, "glTF");
@@ -164,11 +164,11 @@ TEST(ReadMesh, glbWithANodeTransform) {
     const Part& part = piece->buildings[0]->parts.at(0);
     EXPECT_NEAR(part.bottomM, 5, 1e-5);
     EXPECT_NEAR(part.topM, 35, 1e-5);
-    EXPECT_TRUE(part.hangs);  // 5 m above the ground, and nothing carries it
+    EXPECT_TRUE(part.isOverhanging);  // 5 m above the ground, not carried
     tests::expectClosedSolid(part, 6000);
 }
 
-TEST(ReadMesh, openMeshIsUsedAndSaid) {
+TEST(ReadMesh, OpenMeshIsUsedAndSaid) {
     TriangleMesh open = box({0, 0, 0}, {10, 10, 10});
     open.triangles.pop_back();
     const auto piece = read("open.obj", objText(open), placed());
@@ -177,7 +177,7 @@ TEST(ReadMesh, openMeshIsUsedAndSaid) {
     EXPECT_TRUE(warns(*piece, "not closed"));
 }
 
-TEST(ReadMesh, joinsAProject) {
+TEST(ReadMesh, JoinsAProject) {
     ReadSettings settings = placed();
     settings.frame = Frame({anchor.lonDeg - 0.01, anchor.latDeg});
     const auto piece = read("cube.obj", objText(box({0, 0, 0}, {10, 10, 10})), settings);
@@ -191,19 +191,19 @@ TEST(ReadMesh, joinsAProject) {
     EXPECT_TRUE(warns(*atOrigin, "project's origin"));
 }
 
-TEST(ReadMesh, noPlaceIsAnErrorThatSaysWhatToGive) {
+TEST(ReadMesh, NoPlaceIsAnErrorThatSaysWhatToGive) {
     const auto piece = read("cube.obj", objText(box({0, 0, 0}, {1, 1, 1})), {});
     ASSERT_FALSE(piece);
     EXPECT_NE(piece.error().advice.find("longitude and latitude"), std::string::npos);
 }
 
-TEST(ReadMesh, mapCoordinatesAreRefused) {
+TEST(ReadMesh, MapCoordinatesAreRefused) {
     const auto piece = read("utm.obj", objText(box({585000, 4511000, 0}, {585010, 4511010, 10})), placed());
     ASSERT_FALSE(piece);
     EXPECT_NE(piece.error().what.find("from its own origin"), std::string::npos);
 }
 
-TEST(ReadMesh, trianglesFarBeyondTheCityAreDropped) {
+TEST(ReadMesh, TrianglesFarBeyondTheCityAreDropped) {
     const std::string text = objText(box({0, 0, 0}, {10, 20, 30})) + "v 4e25 0 5\nf 1 2 9\nf 2 3 9\n";
     const FilePiece piece = read("far.obj", text, placed()).value();
     ASSERT_EQ(piece.buildings.size(), 1U);
@@ -211,26 +211,26 @@ TEST(ReadMesh, trianglesFarBeyondTheCityAreDropped) {
     EXPECT_TRUE(warns(piece, "more than 1,000 km away"));
 }
 
-TEST(ReadMesh, brokenFilesAreErrors) {
+TEST(ReadMesh, BrokenFilesAreErrors) {
     for (const char* name : {"a.obj", "a.ply", "a.glb", "a.gltf"})
         for (const char* content : {"", "v", "{}", "ply\n", "glTF", "f 1 2 3\n", "v 1 2 3\n", "\xff\xfe\xfd"})
             EXPECT_FALSE(read(name, content, placed())) << name << ' ' << content;
 }
 
-TEST(ReadMesh, wrongIndicesAndNumbersNeverCrash) {
+TEST(ReadMesh, WrongIndicesAndNumbersNeverCrash) {
     const std::string good = objText(box({0, 0, 0}, {10, 10, 10}));
     for (const char* bad :
          {"f 1 2 99\n", "f 0 1 2\n", "f -99 1 2\n", "f 1 1 1\n", "f 1\n", "f 1 2\n", "f a b c\n",
           "v nan nan nan\nf 9 1 2\n", "v 1e99 0 0\nf 9 1 2\n", "o\n", "f 99999999999999999999 1 2\n"}) {
         SCOPED_TRACE(bad);
         const auto piece = read("bad.obj", good + bad, placed());
-        if (!piece) continue;  // the library may refuse the file; it must say so
+        if (!piece) continue;  // the library may refuse the file, with an error
         for (const auto& building : piece->buildings)
             for (const Part& part : building->parts) EXPECT_LE(part.topM, 1e6F) << bad;
     }
 }
 
-TEST(ReadMesh, spoiledBytesNeverCrash) {
+TEST(ReadMesh, SpoiledBytesNeverCrash) {
     const TriangleMesh mesh = box({0, 0, 0}, {10, 30, 20});
     const std::pair<const char*, std::string> files[] = {
         {"a.obj", objText(mesh)}, {"a.ply", plyText(mesh)}, {"a.glb", glbBytes(mesh)}};
@@ -245,7 +245,7 @@ TEST(ReadMesh, spoiledBytesNeverCrash) {
         }
 }
 
-TEST(ReadMesh, truncatedAnywhereNeverCrashes) {
+TEST(ReadMesh, TruncatedAnywhereNeverCrashes) {
     const TriangleMesh mesh = box({0, 0, 0}, {10, 30, 20});
     const std::pair<const char*, std::string> files[] = {
         {"a.obj", objText(mesh)}, {"a.ply", plyText(mesh)}, {"a.glb", glbBytes(mesh)}};

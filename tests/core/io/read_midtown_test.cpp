@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "core/city/building_ground.h"
+#include "core/city/terrain/building_ground.h"
 #include "core/io/read_part.h"
 #include "tests/shared/shared_data.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The known facts of the shared extract of Midtown Manhattan; read once for all tests.
+// Known facts about the shared extract of Midtown Manhattan, which is read once for all tests.
 class ReadMidtown : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -50,7 +50,7 @@ protected:
 std::unique_ptr<FilePiece> ReadMidtown::piece;
 
 // 7,989 features are buildings, 5,674 parts, 161 both: 13,502 in all.
-TEST_F(ReadMidtown, everyFeatureIsDrawnReplacedOrSaid) {
+TEST_F(ReadMidtown, EveryFeatureIsDrawnReplacedOrSaid) {
     EXPECT_EQ(piece->format, "OpenStreetMap PBF");
     std::set<std::string> seen;
     for (const auto& building : piece->buildings) {
@@ -63,7 +63,7 @@ TEST_F(ReadMidtown, everyFeatureIsDrawnReplacedOrSaid) {
     EXPECT_EQ(seen.size(), 13502U);
 }
 
-TEST_F(ReadMidtown, knowsItsTallest) {
+TEST_F(ReadMidtown, KnowsItsTallest) {
     const Building* empireState = buildingWith("way 137425145");
     ASSERT_NE(empireState, nullptr);
     EXPECT_FLOAT_EQ(topM(*empireState), 443.2F);
@@ -77,7 +77,7 @@ TEST_F(ReadMidtown, knowsItsTallest) {
     for (const auto& building : piece->buildings) EXPECT_LE(topM(*building), 443.2F);
 }
 
-TEST_F(ReadMidtown, everyInvalidMultipolygonIsReported) {
+TEST_F(ReadMidtown, EveryInvalidMultipolygonIsReported) {
     std::set<std::string> reported;
     for (const Warning& warning : piece->warnings)
         if (warning.kind == WarningKind::dropped || warning.kind == WarningKind::mended)
@@ -90,7 +90,7 @@ TEST_F(ReadMidtown, everyInvalidMultipolygonIsReported) {
     EXPECT_TRUE(reported.contains("relation 1860567"));
 }
 
-TEST_F(ReadMidtown, oddTagsAreSaidWithTheirText) {
+TEST_F(ReadMidtown, OddTagsAreSaidWithTheirText) {
     EXPECT_THAT(placesOf("lies underground"), testing::SizeIs(4));
     // A canopy of 5.1 m and a glass tower part of 30 m, both in layer -1.
     EXPECT_THAT(placesOf("its layer lies below the ground"),
@@ -102,15 +102,15 @@ TEST_F(ReadMidtown, oddTagsAreSaidWithTheirText) {
     EXPECT_TRUE(placesOf("km from the middle").empty());
 }
 
-TEST_F(ReadMidtown, courtyardsAreOpen) {
+TEST_F(ReadMidtown, CourtyardsAreOpen) {
     std::set<std::string> open;
     for (const auto& building : piece->buildings)
         for (const Part& part : building->parts)
             if (!part.footprint.holes.empty()) open.insert(part.sourceId);
-    EXPECT_GE(open.size(), 30U);  // of the 39 with holes some are outlines that their parts replace
+    EXPECT_GE(open.size(), 30U);  // of the 39 with holes some are outlines that were replaced by their parts
 }
 
-TEST_F(ReadMidtown, heightsSayWhereTheyComeFrom) {
+TEST_F(ReadMidtown, HeightsSayWhereTheyComeFrom) {
     std::map<HeightSource, int> count;
     for (const auto& building : piece->buildings)
         for (const Part& part : building->parts) ++count[part.heightSource];
@@ -121,12 +121,12 @@ TEST_F(ReadMidtown, heightsSayWhereTheyComeFrom) {
 }
 
 // 57 are tagged building=roof, one of them in layer -1.
-TEST_F(ReadMidtown, canopiesHang) {
+TEST_F(ReadMidtown, CanopiesHang) {
     EXPECT_GE(placesOf("a roof without walls").size(), 50U);
     for (const std::string& id : placesOf("a roof without walls")) {
         const Building* building = buildingWith(id);
         ASSERT_NE(building, nullptr) << id;
-        EXPECT_TRUE(std::ranges::find(building->parts, id, &Part::sourceId)->hangs) << id;
+        EXPECT_TRUE(std::ranges::find(building->parts, id, &Part::sourceId)->isOverhanging) << id;
     }
 }
 

@@ -1,4 +1,4 @@
-#include "core/io/read_parcels.h"
+#include "core/io/footprints/read_parcels.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 
 #include "tests/core/io/temporary_folder.h"
 
@@ -44,23 +44,23 @@ protected:
                     squareAt(13.4, R"("lot":9,"owner":"c")")}));
 };
 
-TEST_F(ReadParcels, namesComeFromAUsualFieldOrTheOneAsked) {
-    const Region here = regionFromLocalBox({{-1000, -1000}, {1000, 1000}});
+TEST_F(ReadParcels, NamesComeFromAUsualFieldOrTheOneAsked) {
+    const Region here = makeRegionFromLocalBox({{-1000, -1000}, {1000, 1000}});
     const auto usual = read({.within = here}).value();
-    ASSERT_EQ(usual.size(), 2U);  // the third lies in another city
+    ASSERT_EQ(usual.size(), 2U);  // the third is in another city
     EXPECT_EQ(usual[0].name, "7");
     EXPECT_NEAR(area(usual[0].polygons[0]), 84.45 * 111.04, 20);
     EXPECT_EQ(read({.nameField = "OWNER", .within = here}).value()[1].name, "b");
 }
 
-TEST_F(ReadParcels, thoseAskedForAlone) {
+TEST_F(ReadParcels, ThoseAskedForAlone) {
     EXPECT_EQ(read({.names = {"8"}}).value().size(), 1U);
-    const auto east = read({.within = regionFromLocalBox({{90, 0}, {200, 200}})}).value();
+    const auto east = read({.within = makeRegionFromLocalBox({{90, 0}, {200, 200}})}).value();
     ASSERT_EQ(east.size(), 1U);
     EXPECT_EQ(east[0].name, "8");
 }
 
-TEST_F(ReadParcels, whatIsWrongIsSaid) {
+TEST_F(ReadParcels, WhatIsWrongIsSaid) {
     EXPECT_THAT(read({}).error().text(), HasSubstr("km from the city"));
     EXPECT_THAT(read({.nameField = "street"}).error().text(), HasSubstr("lot, owner"));
     EXPECT_THAT(read({.layer = "roads"}).error().text(), HasSubstr("plots"));
@@ -71,7 +71,7 @@ TEST_F(ReadParcels, whatIsWrongIsSaid) {
     EXPECT_THAT(read({}).error().text(), HasSubstr("gone.gpkg"));
 }
 
-TEST_F(ReadParcels, aRegisterOfAWholeCityIsRefusedAndStops) {
+TEST_F(ReadParcels, ARegisterOfAWholeCityIsRefusedAndStops) {
     std::vector<std::string> many;
     for (std::size_t i = 0; i <= ParcelSettings::mostParcels; ++i)
         many.push_back(squareAt(-73.98, fmt::format(R"("lot":{})", i)));
@@ -82,7 +82,7 @@ TEST_F(ReadParcels, aRegisterOfAWholeCityIsRefusedAndStops) {
     EXPECT_TRUE(isCancelled(read({}).error()));
 }
 
-// As New York's register comes: NAD83, Long Island, US survey feet.
+// In the system of New York's register: NAD83, Long Island, US survey feet.
 void writeFeetShapefile(const std::filesystem::path& file, double eastFt, double northFt, double sideFt) {
     const GdalCalls calls;
     const GDALDatasetUniquePtr made(GetGDALDriverManager()
@@ -104,7 +104,7 @@ void writeFeetShapefile(const std::filesystem::path& file, double eastFt, double
     ASSERT_EQ(layer->CreateFeature(feature.get()), OGRERR_NONE);
 }
 
-TEST_F(ReadParcels, aShapefileInFeetIsInMetres) {
+TEST_F(ReadParcels, AShapefileInFeetIsInMetres) {
     file_ = folder_.path("plots.shp");
     writeFeetShapefile(file_, 990'000, 217'000, 200);
     const auto plots = read({}).value();
@@ -112,7 +112,7 @@ TEST_F(ReadParcels, aShapefileInFeetIsInMetres) {
     EXPECT_EQ(plots[0].name, "1010290027");
     EXPECT_NEAR(area(plots[0].polygons[0]), 200 * 200 * 0.3048 * 0.3048, 0.5)
         << "scale of the projection: 1e-4";
-    // As gdaltransform has the corner.
+    // The corner as computed by gdaltransform.
     const Box2 box = bounds(plots[0].polygons[0]);
     const LonLat corner = frame.lonLatFromLocal(glm::dvec2(box.low));
     EXPECT_NEAR(corner.lonDeg, -73.9792435, 1e-6);

@@ -1,4 +1,4 @@
-#include "core/io/read_settings_text.h"
+#include "core/io/heights/read_settings_text.h"
 
 #include <gtest/gtest.h>
 
@@ -25,16 +25,16 @@ ReadSettings everySetting() {
 }
 
 TEST(ReadSettingsText, ComesBackToTheLastBit) {
-    const ReadSettings back = readSettingsFrom(textOf(everySetting())).value();
-    EXPECT_EQ(textOf(back), textOf(everySetting()));
+    const ReadSettings back = readSettingsFrom(formatText(everySetting())).value();
+    EXPECT_EQ(formatText(back), formatText(everySetting()));
     EXPECT_EQ(back.farAwayM, 12345.678);
     EXPECT_EQ(back.meshAnchor, (LonLat{-73.98, 40.76}));
     EXPECT_EQ(back.heightField, "roof \"height\"");
     EXPECT_EQ(back.heightUnit, LengthUnit::usSurveyFeet);
-    EXPECT_EQ(textOf(readSettingsFrom("").value()), "");
+    EXPECT_EQ(formatText(readSettingsFrom("").value()), "");
 }
 
-TEST(ReadSettingsText, DefaultsAreLeftOut) { EXPECT_EQ(textOf(ReadSettings{}), ""); }
+TEST(ReadSettingsText, DefaultsAreLeftOut) { EXPECT_EQ(formatText(ReadSettings{}), ""); }
 
 TEST(ReadSettingsText, OtherTextIsNoSettings) {
     for (const char* text :

@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
+#include "core/base/gdal_calls.h"
 #include "core/geo/earth_drop.h"
-#include "core/io/gdal_calls.h"
 #include "core/io/read_part.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/core/io/temporary_folder.h"
@@ -17,8 +17,8 @@ namespace {
 
 using tests::warns;
 
-// A raster in UTM zone 18 north around Midtown Manhattan, whose values are a function of the easting and
-// northing there.
+// A raster in UTM zone 18 north around Midtown Manhattan with values that are a function of easting and
+// northing.
 struct Raster {
     int size = 60;
     double pixelM = 10;
@@ -75,7 +75,7 @@ Result<FilePiece> read(const Raster& raster, const ReadSettings& settings = {}) 
     return readTerrain(written(folder, raster), settings, progress, {});
 }
 
-// Easting and northing in the raster's system of a local point, by PROJ alone.
+// Easting and northing of a local point in the raster's system, by PROJ alone.
 class ToUtm {
 public:
     ToUtm() {
@@ -96,7 +96,7 @@ private:
     std::unique_ptr<OGRCoordinateTransformation> transformation_;
 };
 
-// Differences in metres between the terrain and the raster's plane, over cells well inside.
+// Largest difference in metres between the terrain and the raster's plane, over cells well inside.
 double worstError(const FilePiece& piece, const Frame& frame, const Raster& raster,
                   double metresPerValue = 1) {
     const ToUtm toUtm;
@@ -113,8 +113,8 @@ double worstError(const FilePiece& piece, const Frame& frame, const Raster& rast
     return worst;
 }
 
-TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
-    const Raster raster;  // as steep as 1.1 : 1, so that an error of place is one of height
+TEST(ReadTerrain, AKnownSlopeComesBackWithinADecimetreOfItsPlace) {
+    const Raster raster;  // steep, 1.1 : 1, so that an error of position shows as an error of height
     const auto piece = read(raster);
     ASSERT_TRUE(piece) << piece.error().text();
     ASSERT_TRUE(piece->frame && piece->terrain);
@@ -126,11 +126,11 @@ TEST(ReadTerrain, aKnownSlopeComesBackWithinADecimetreOfItsPlace) {
     EXPECT_LT(worstError(*piece, *piece->frame, raster), 0.1);
     const auto lowest =
         std::min_element(piece->terrain->elevationM.begin(), piece->terrain->elevationM.end());
-    EXPECT_NEAR(*lowest, 0, 0.02);  // it lies in a corner, so far below the plane
+    EXPECT_NEAR(*lowest, 0, 0.02);  // in a corner, far below the middle of the plane
     EXPECT_TRUE(piece->warnings.empty()) << piece->warnings[0].what;
 }
 
-TEST(ReadTerrain, joinsAProject) {
+TEST(ReadTerrain, JoinsAProject) {
     const Raster raster;
     ReadSettings settings;
     settings.frame = Frame({-73.95, 40.75}, 12.5);
@@ -140,19 +140,19 @@ TEST(ReadTerrain, joinsAProject) {
     EXPECT_LT(worstError(*piece, *settings.frame, raster), 0.1);
 }
 
-TEST(ReadTerrain, largePixelsKeepTheirPlace) {
+TEST(ReadTerrain, LargePixelsKeepTheirPlace) {
     Raster raster;
     raster.pixelM = 500;  // 30 km
     const auto piece = read(raster);
     ASSERT_TRUE(piece) << piece.error().text();
-    EXPECT_TRUE(warns(*piece, "impossible"));  // the slope goes below the sea and above the mountains
+    EXPECT_TRUE(warns(*piece, "impossible"));  // the slope extends below and above all possible elevations
     raster.value = [](double e, double n) { return 2000 + 0.02 * ((e - 600000) + 0.5 * (n - 4497000)); };
     const auto gentle = read(raster);
     ASSERT_TRUE(gentle);
     EXPECT_LT(worstError(*gentle, *gentle->frame, raster), 0.1);
 }
 
-TEST(ReadTerrain, noDataIsFilledFromTheNearestAndCounted) {
+TEST(ReadTerrain, NoDataIsFilledFromTheNearestAndCounted) {
     Raster raster;
     raster.noData = -9999;
     raster.value = [](double e, double n) { return std::hypot(e - 585300, n - 4511700) < 60 ? -9999 : 25; };
@@ -167,7 +167,7 @@ TEST(ReadTerrain, noDataIsFilledFromTheNearestAndCounted) {
         for (const float z : piece->terrain->elevationM) EXPECT_NEAR(z, 0, 0.02);
 }
 
-TEST(ReadTerrain, unitScaleAndOffset) {
+TEST(ReadTerrain, UnitScaleAndOffset) {
     Raster raster;
     raster.unit = "ft";
     EXPECT_LT(worstError(read(raster).value(), read(raster)->frame.value(), raster, 0.3048), 0.1);
@@ -185,7 +185,7 @@ TEST(ReadTerrain, unitScaleAndOffset) {
     EXPECT_LT(worstError(*scaled, *settings.frame, expected), 0.1);
 }
 
-TEST(ReadTerrain, feetOfTheMapAreAssumedAndSaid) {
+TEST(ReadTerrain, FeetOfTheMapAreAssumedAndSaid) {
     Raster raster;
     raster.epsg = 2263;  // New York, US survey feet
     raster.west = 985000;
@@ -203,7 +203,7 @@ TEST(ReadTerrain, feetOfTheMapAreAssumedAndSaid) {
     EXPECT_NEAR(read(raster, settings)->terrain->elevationM[0], 100 - drop, 0.01);
 }
 
-TEST(ReadTerrain, firstOfSeveralBands) {
+TEST(ReadTerrain, FirstOfSeveralBands) {
     Raster raster;
     raster.bands = 2;
     const auto piece = read(raster);
@@ -212,7 +212,7 @@ TEST(ReadTerrain, firstOfSeveralBands) {
     EXPECT_TRUE(warns(*piece, "several bands"));
 }
 
-TEST(ReadTerrain, farAwayIsCut) {
+TEST(ReadTerrain, FarAwayIsCut) {
     Raster raster;
     raster.pixelM = 1000;
     raster.value = [](double, double) { return 7; };
@@ -228,7 +228,7 @@ TEST(ReadTerrain, farAwayIsCut) {
     EXPECT_FALSE(read(raster, settings));
 }
 
-TEST(ReadTerrain, aFlatSeaSinksWithTheEarth) {
+TEST(ReadTerrain, AFlatSeaSinksWithTheEarth) {
     Raster raster;
     raster.pixelM = 1000;
     raster.value = [](double, double) { return 7; };
@@ -242,7 +242,7 @@ TEST(ReadTerrain, aFlatSeaSinksWithTheEarth) {
     }
 }
 
-TEST(ReadTerrain, whatCannotBeTerrainIsAnError) {
+TEST(ReadTerrain, WhatCannotBeTerrainIsAnError) {
     Raster raster;
     raster.epsg = 0;
     const auto noCrs = read(raster);
@@ -263,7 +263,7 @@ TEST(ReadTerrain, whatCannotBeTerrainIsAnError) {
     EXPECT_NE(read(empty).error().what.find("no elevation"), std::string::npos);
 }
 
-TEST(ReadTerrain, truncatedAnywhereNeverCrashes) {
+TEST(ReadTerrain, TruncatedAnywhereNeverCrashes) {
     const tests::TemporaryFolder folder;
     const auto whole = written(folder, Raster{.size = 12});
     std::string content(std::filesystem::file_size(whole), '\0');
@@ -275,7 +275,7 @@ TEST(ReadTerrain, truncatedAnywhereNeverCrashes) {
     }
 }
 
-TEST(ReadTerrain, stops) {
+TEST(ReadTerrain, Stops) {
     std::stop_source source;
     source.request_stop();
     const tests::TemporaryFolder folder;

@@ -16,7 +16,7 @@
 
 namespace noonmark::tests {
 
-/// Metres east, north and up of an origin, by the formulas of the WGS84 ellipsoid alone.
+/// Transforms to metres east, north and up of an origin, by the formulas of the WGS84 ellipsoid alone.
 class EastNorthUp {
 public:
     EastNorthUp(double lonDeg, double latDeg)
@@ -40,9 +40,9 @@ private:
     glm::dvec3 at_;
 };
 
-/// A raster's own surface: two triangles between the centres of four neighbouring pixels, the diagonal from
-/// the south-west to the north-east, all in double precision. It shares nothing with the engines, nor with
-/// what reads terrain for them, but GDAL's reading of the file.
+/// The surface of a raster itself: two triangles between the centres of four neighbouring pixels, with the
+/// diagonal from south-west to north-east, all in double precision. Independent of the engines and of the
+/// terrain reader, except that GDAL reads the file.
 class SourceSurface {
 public:
     SourceSurface(const std::filesystem::path& file, double originLonDeg, double originLatDeg,
@@ -74,7 +74,7 @@ public:
         return std::nullopt;
     }
 
-    /// Whether a ray that starts on the ground meets the surface again.
+    /// Whether a ray that starts on the ground hits the surface again.
     [[nodiscard]] bool blocks(glm::dvec3 from, glm::dvec3 direction) const {
         const glm::dvec2 way = glm::normalize(glm::dvec2(direction));
         const double rising = direction.z / glm::length(glm::dvec2(direction));
@@ -146,7 +146,7 @@ private:
         return sorted_[std::size_t(bin.y) * std::size_t(bins_.x) + std::size_t(bin.x)];
     }
 
-    // The distance in lengths of `direction`; -1 where there is none. A shared side belongs to both.
+    // The distance in lengths of `direction`; -1 if there is no hit. A shared side belongs to both triangles.
     static double hit(const Triangle& t, glm::dvec3 from, glm::dvec3 direction) {
         const glm::dvec3 a = t[1] - t[0], b = t[2] - t[0], p = glm::cross(direction, b);
         const double det = glm::dot(a, p);

@@ -5,12 +5,12 @@
 #include <memory>
 #include <random>
 
-#include "core/city/fill_gaps.h"
+#include "core/city/terrain/fill_gaps.h"
 #include "core/geo/earth_drop.h"
 #include "core/io/read_part.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
-#include "tests/core/accumulate/sweep_scenes.h"
+#include "tests/core/engines/sweep_scenes.h"
 #include "tests/core/io/source_surface.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/shared/shared_data.h"
@@ -18,10 +18,10 @@
 namespace noonmark::tests {
 namespace {
 
-// How a terrain that was read compares with the surface of its raster: receivers spread over it, a whole day.
+// Comparison of a terrain as read with the surface of its raster: receivers spread over it, a whole day.
 struct Compared {
-    double heightRmsM = 0, heightMaxM = 0;        ///< of the ground
-    double rayBias = 0, rayMean = 0, rayMax = 0;  ///< minutes a day
+    double heightRmsM = 0, heightMaxM = 0;        ///< of the ground's elevation
+    double rayBias = 0, rayMean = 0, rayMax = 0;  ///< minutes per day
     double sweepBias = 0, sweepMean = 0, sweepMax = 0;
     std::size_t cells = 0;
 };
@@ -31,7 +31,7 @@ SunSteps equinoxAt(const Frame& frame) {
     period.from = std::chrono::hours(4);
     period.hours = 16;
     period.stepMinutes = 3;
-    return sunSteps(period, {frame.origin(), 0, 1010, 10}, {}).value();
+    return computeSunSteps(period, {frame.origin(), 0, 1010, 10}, {}).value();
 }
 
 Compared comparedWith(const SourceSurface& surface, const City& city, glm::dvec2 halfM, std::size_t cells) {
@@ -76,8 +76,8 @@ void print(const char* name, const Compared& c) {
         c.heightMaxM);
 }
 
-// What this program made of a raster before it kept its posts: squares as large as its pixels in line with
-// true north, bilinearly between the pixels.
+// The terrain that older versions made of a raster: squares as large as its pixels, aligned with true north,
+// resampled bilinearly.
 std::shared_ptr<const Terrain> resampledBilinearly(const std::filesystem::path& file, const Frame& frame,
                                                    const PostGrid& posts) {
     const Box2 box = bounds(posts);
@@ -164,34 +164,35 @@ std::filesystem::path hillsIn(const TemporaryFolder& folder, int epsg, glm::dvec
     return path;
 }
 
-TEST(SourceTerrain, hillsInAGridTurnedFromTrueNorthKeepTheirShadows) {
+TEST(SourceTerrain, HillsInAGridTurnedFromTrueNorthKeepTheirShadows) {
     const TemporaryFolder folder;
-    // UTM zone 33 in Gotland's longitude, 4 degrees from its middle: turned by 3.4 degrees.
+    // UTM zone 33 at Gotland's longitude, 4 degrees from its middle: turned by 3.4 degrees.
     expectTheSameSurface("UTM",
                          comparedFile(hillsIn(folder, 32633, {735000, 6400000}, 2, 160), {110, 110}, 300));
 }
 
-TEST(SourceTerrain, pixelsOfLongitudeAndLatitudeKeepTheirShadows) {
+TEST(SourceTerrain, PixelsOfLongitudeAndLatitudeKeepTheirShadows) {
     const TemporaryFolder folder;
     // 2.2 by 1.1 m.
     expectTheSameSurface("degrees",
                          comparedFile(hillsIn(folder, 4326, {18.3, 60.5}, 2e-5, 160), {60, 110}, 300));
 }
 
-TEST(SourceTerrain, goteborgsGroundKeepsItsShadows) {
+TEST(SourceTerrain, GoteborgsGroundKeepsItsShadows) {
     const auto file = sharedData("goteborg/DEM_KRbig.tif");
     if (!file) GTEST_SKIP() << "shared data is missing";
     expectTheSameSurface("Goteborg, ground", comparedFile(*file, {100, 95}, 300));
 }
 
-TEST(SourceTerrain, goteborgsRoofsKeepTheirShadows) {
+TEST(SourceTerrain, GoteborgsRoofsKeepTheirShadows) {
     const auto file = sharedData("goteborg/DSM_KRbig.tif");
     if (!file) GTEST_SKIP() << "shared data is missing";
     const Compared compared = comparedFile(*file, {100, 95}, 120);
-    // Walls of one pixel's width are steeper than a float's grain of place forgives: a millimetre on a wall.
+    // On walls of one pixel's width, float32's rounding of position, a millimetre, changes the height by more
+    // than the tolerance.
     EXPECT_LE(compared.heightMaxM, 0.05);
-    // The sweep is off by nothing; the rays, which start 1 mm above the ground in float32, by 75 min in one cell of 120, on the
-    // face of such a wall.
+    // The sweep has no error; the rays, which start 1 mm above the ground in float32, differ by 75 min in one
+    // cell of 120, on the face of such a wall.
     EXPECT_LE(compared.sweepMean, 0.05);
     EXPECT_LE(compared.rayMean, 1);
 }

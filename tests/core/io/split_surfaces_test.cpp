@@ -1,4 +1,4 @@
-// Walls and roofs as meshes of their own: one building each, as if they were joined.
+// Walls and roofs as separate meshes must give one building each, as if they were joined.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,14 +7,14 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "core/accumulate/engine_list.h"
-#include "core/city/mesh_topology.h"
-#include "core/io/mesh_buildings.h"
+#include "core/city/meshes/mesh_topology.h"
+#include "core/engines/api/engine_registry.h"
+#include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/surface_names.h"
 #include "core/io/read_city.h"
-#include "core/io/surface_names.h"
 #include "core/receivers/roof_receivers.h"
-#include "tests/core/accumulate/scenes.h"
 #include "tests/core/city/mesh_fixtures.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/piece_checks.h"
 #include "tests/shared/shared_data.h"
 
@@ -30,7 +30,7 @@ FilePiece pieceOf(const std::vector<NamedMesh>& objects) {
 
 enum class Surface { wall, roof, floor };
 
-// By their slopes; `lowM`: of the building.
+// The surface of a triangle by its slope; `lowM`: bottom of the building.
 Surface surfaceOf(const TriangleMesh& mesh, glm::uvec3 t, float lowM) {
     const glm::dvec3 a(mesh.vertices[t.x]), b(mesh.vertices[t.y]), c(mesh.vertices[t.z]);
     const glm::dvec3 doubled = glm::cross(b - a, c - a);
@@ -44,7 +44,7 @@ struct SplitMesh {
 
 SplitMesh split(const TriangleMesh& mesh) {
     SplitMesh parts{{mesh.vertices, {}}, {mesh.vertices, {}}, {mesh.vertices, {}}};
-    const float lowM = boxOf(mesh).low.z;
+    const float lowM = computeBox(mesh).low.z;
     for (const glm::uvec3 t : mesh.triangles) {
         const Surface surface = surfaceOf(mesh, t, lowM);
         TriangleMesh& to =
@@ -54,7 +54,7 @@ SplitMesh split(const TriangleMesh& mesh) {
     return parts;
 }
 
-// A house of 8 m depth from `west` to `east` with walls of 6 m and a ridge along x at 9 m: closed.
+// A closed house, 8 m deep, from `west` to `east`, with walls of 6 m and a ridge along x at 9 m.
 TriangleMesh house(float west, float east) {
     TriangleMesh mesh{{{west, 0, 0},
                        {east, 0, 0},
@@ -82,7 +82,7 @@ TriangleMesh house(float west, float east) {
                        {4, 9, 8},
                        {6, 7, 8},
                        {6, 8, 9}}};
-    EXPECT_EQ(openEdges(mesh), 0U);
+    EXPECT_EQ(findOpenEdges(mesh), 0U);
     return mesh;
 }
 
@@ -91,13 +91,13 @@ void expectHouse(const Building& building, float west, float east) {
     const Part& part = building.parts[0];
     EXPECT_EQ(part.bottomM, 0);
     EXPECT_EQ(part.topM, 9);
-    EXPECT_FALSE(part.hangs);
+    EXPECT_FALSE(part.isOverhanging);
     EXPECT_NEAR(area(part.footprint), 8 * double(east - west), 1e-3);
     EXPECT_NEAR(bounds(part.footprint).low.x, west, 0.011);
     EXPECT_NEAR(bounds(part.footprint).high.x, east, 0.011);
 }
 
-TEST(SplitSurfaces, namesOfOneStemAreOneBuilding) {
+TEST(SplitSurfaces, NamesOfOneStemAreOneBuilding) {
     const SplitMesh parts = split(house(0, 10));
     const FilePiece piece = pieceOf({{"building_12_WallSurface", parts.walls},
                                      {"building_12_RoofSurface", parts.roof},
@@ -109,7 +109,7 @@ TEST(SplitSurfaces, namesOfOneStemAreOneBuilding) {
     EXPECT_NEAR(signedVolume(*piece.buildings[0]->parts[0].mesh), 8 * 10 * 7.5, 1e-3);
 }
 
-TEST(SplitSurfaces, aParentNamesItsSurfaces) {
+TEST(SplitSurfaces, AParentNamesItsSurfaces) {
     const SplitMesh parts = split(house(0, 10)), next = split(house(10, 18));
     const FilePiece piece = pieceOf({{"WallSurface", parts.walls, "House 1"},
                                      {"RoofSurface", parts.roof, "House 1"},
@@ -121,8 +121,8 @@ TEST(SplitSurfaces, aParentNamesItsSurfaces) {
     expectHouse(*piece.buildings[1], 10, 18);
 }
 
-// Without names that help: by geometry. Three houses in a row whose party walls are there twice.
-TEST(SplitSurfaces, neighboursWithAPartyWallStayThemselves) {
+// By geometry, without helpful names. Three houses in a row whose party walls exist twice.
+TEST(SplitSurfaces, NeighboursWithAPartyWallStayThemselves) {
     const std::vector<std::pair<float, float>> row{{0, 10}, {10, 18}, {18, 30}};
     std::vector<NamedMesh> each, layers{{"mesh_0", {}}, {"mesh_1", {}}};
     for (const auto& [west, east] : row) {
@@ -139,8 +139,8 @@ TEST(SplitSurfaces, neighboursWithAPartyWallStayThemselves) {
     }
 }
 
-// Two planes of one roof, each an object: their ridge stands on no wall.
-TEST(SplitSurfaces, roofsThatMeetInARidgeAreOneBuilding) {
+// Two planes of one roof, each an object: no wall is under their ridge.
+TEST(SplitSurfaces, RoofsThatMeetInARidgeAreOneBuilding) {
     const SplitMesh parts = split(house(0, 10));
     NamedMesh south{"a", {parts.roof.vertices, {}}}, north{"b", {parts.roof.vertices, {}}};
     for (const glm::uvec3 t : parts.roof.triangles)
@@ -154,8 +154,8 @@ TEST(SplitSurfaces, roofsThatMeetInARidgeAreOneBuilding) {
     expectHouse(*piece.buildings[0], 0, 10);
 }
 
-// A roof of 20 x 20 m at 6 m, and out of its middle a house of 8 x 8 m to 12 m. `halved`: its walls are in
-// halves, so that their edges are not those of the roof.
+// A roof of 20 x 20 m at 6 m, with a house of 8 x 8 m rising from its middle to 12 m. `halved`: its walls are
+// divided into halves, so that their edges are not those of the roof.
 std::vector<NamedMesh> penthouse(bool halved) {
     NamedMesh roofs{"mesh_0", {}}, walls{"mesh_1", {}};
     const auto corner = [](float half, std::uint32_t i, float z) {
@@ -177,18 +177,18 @@ std::vector<NamedMesh> penthouse(bool halved) {
     return {roofs, walls};
 }
 
-TEST(SplitSurfaces, whatStepsUpFromARoofBelongsToIt) {
+TEST(SplitSurfaces, WhatStepsUpFromARoofBelongsToIt) {
     for (const bool halved : {false, true}) {
         const FilePiece piece = pieceOf(penthouse(halved));
         ASSERT_EQ(piece.buildings.size(), 1U) << halved;
         ASSERT_EQ(piece.buildings[0]->parts.size(), 1U) << halved;
-        EXPECT_FALSE(piece.buildings[0]->parts[0].hangs) << halved;
+        EXPECT_FALSE(piece.buildings[0]->parts[0].isOverhanging) << halved;
         EXPECT_NEAR(area(piece.buildings[0]->parts[0].footprint), 400, 0.1) << halved;
         EXPECT_EQ(topM(*piece.buildings[0]), 12);
     }
 }
 
-TEST(SurfaceNames, whatIsLeftNamesTheBuilding) {
+TEST(SurfaceNames, WhatIsLeftNamesTheBuilding) {
     EXPECT_EQ(stemOfSurfaceName("building_12_WallSurface"), "building_12");
     EXPECT_EQ(stemOfSurfaceName("Wall building_12 3"), "building_12_3");
     EXPECT_EQ(stemOfSurfaceName("building_12_RoofSurface.003"), "building_12");
@@ -203,43 +203,43 @@ TEST(SurfaceNames, whatIsLeftNamesTheBuilding) {
     EXPECT_FALSE(isOnlySurfaceName(""));
 }
 
-TEST(SplitSurfaces, aFlatRoofLiesOnItsWalls) {
+TEST(SplitSurfaces, AFlatRoofLiesOnItsWalls) {
     const SplitMesh parts = split(tests::box({0, 0, 0}, {12, 9, 7}));
     const FilePiece piece = pieceOf({{"flat", parts.roof}, {"ring", parts.walls}});
     ASSERT_EQ(piece.buildings.size(), 1U);
     const Part& part = piece.buildings[0]->parts.at(0);
-    EXPECT_FALSE(part.hangs);
+    EXPECT_FALSE(part.isOverhanging);
     EXPECT_EQ(part.bottomM, 0);
     EXPECT_EQ(part.topM, 7);
     EXPECT_NEAR(area(part.footprint), 108, 1e-3);
 }
 
-TEST(SplitSurfaces, aCanopyAloneIsABuildingInTheAir) {
+TEST(SplitSurfaces, ACanopyAloneIsABuildingInTheAir) {
     const SplitMesh parts = split(tests::box({0, 0, 4}, {12, 9, 5}));
     const FilePiece piece = pieceOf({{"canopy", parts.roof}});
     ASSERT_EQ(piece.buildings.size(), 1U);
-    EXPECT_TRUE(piece.buildings[0]->parts.at(0).hangs);
+    EXPECT_TRUE(piece.buildings[0]->parts.at(0).isOverhanging);
     EXPECT_EQ(topM(*piece.buildings[0]), 5);
     EXPECT_FALSE(tests::warns(piece, "casts no shadow"));
 }
 
-TEST(SplitSurfaces, aDeckIsSolidAndPavementIsGround) {
+TEST(SplitSurfaces, ADeckIsSolidAndPavementIsGround) {
     const auto level = [](float z) { return split(tests::box({0, 0, z - 1}, {12, 9, z})).roof; };
     const FilePiece deck = pieceOf({{"deck", level(1.2F)}});
     ASSERT_EQ(deck.buildings.size(), 1U);
-    EXPECT_FALSE(deck.buildings[0]->parts.at(0).hangs);
+    EXPECT_FALSE(deck.buildings[0]->parts.at(0).isOverhanging);
     EXPECT_EQ(deck.buildings[0]->parts.at(0).bottomM, 0);
     const FilePiece pavement = pieceOf({{"street", level(0.05F)}, {"house", house(20, 30)}});
     EXPECT_EQ(pavement.buildings.size(), 1U);
     EXPECT_TRUE(tests::warns(pavement, "flat ground"));
-    // At elevations above the sea: what two houses stand on is ground.
+    // At elevations above sea level the surface under two houses is ground.
     TriangleMesh houses = tests::joined(house(1, 4), house(6, 9)), plane = level(0);
     for (TriangleMesh* mesh : {&houses, &plane})
         for (glm::vec3& vertex : mesh->vertices) vertex.z += 515;
     EXPECT_EQ(pieceOf({{"plane", plane}, {"houses", houses}}).buildings.size(), 2U);
 }
 
-// Delfshaven's CityJSON, and the same with walls and roofs apart.
+// Delfshaven's CityJSON, as it is and with separate walls and roofs.
 class SplitDelfshaven : public testing::Test {
 protected:
     void SetUp() override {
@@ -251,7 +251,7 @@ protected:
         joined = std::move(read->city);
     }
 
-    // `key`: the names of objects by building and surface; the same name: one object.
+    // `key`: the name of an object by building and surface; equal names: one object.
     City splitBy(const std::function<std::string(std::size_t building, Surface)>& key) const {
         std::map<std::string, NamedMesh> objects;
         for (std::size_t i = 0; i < joined.buildings.size(); ++i)
@@ -274,16 +274,16 @@ protected:
     }
 
     static Receivers over(const City& city, ReceiverPlaces places) {
-        return receiversIn(city, regionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
+        return placeReceivers(city, makeRegionFromLocalBox({{-200, -200}, {200, 200}}), {1, places}).value();
     }
 
-    // Cells of another kind, per cent; and roofs that lie elsewhere by more than 1 cm.
+    // Cells of another kind, per cent; and roofs whose height differs by more than 1 cm.
     struct Difference {
         double kindPercent = 0;
         double roofPercent = 0;
         std::size_t roofs = 0;
     };
-    Difference differenceOf(const City& city) const {
+    Difference computeDifference(const City& city) const {
         const Receivers a = over(joined, ReceiverPlaces::both), b = over(city, ReceiverPlaces::both);
         Difference difference;
         double kinds = 0, roofs = 0;
@@ -301,7 +301,7 @@ protected:
     void expectSameField(const City& city, const char* engine, double mostMeanMin) const {
         const SunSteps sun = tests::oneDay(tests::arc(270, 41), 2);
         NoProgress progress;
-        const auto made = makeAccumulator(engine).value();
+        const auto made = makeEngine(engine).value();
         const Receivers receivers = over(joined, ReceiverPlaces::ground);
         const ShadowField a = made->accumulate(joined, receivers, sun, progress, {}).value();
         const ShadowField b = made->accumulate(city, receivers, sun, progress, {}).value();
@@ -313,7 +313,7 @@ protected:
     }
 
     void expectSame(const City& city, double mostKindPercent) const {
-        const Difference difference = differenceOf(city);
+        const Difference difference = computeDifference(city);
         EXPECT_GT(difference.roofs, 10'000U);
         EXPECT_LE(difference.kindPercent, mostKindPercent);
         EXPECT_LE(difference.roofPercent, 0.1);
@@ -325,7 +325,7 @@ protected:
     City joined;
 };
 
-TEST_F(SplitDelfshaven, byNamesIsTheSameCity) {
+TEST_F(SplitDelfshaven, ByNamesIsTheSameCity) {
     const City city = splitBy([](std::size_t i, Surface surface) {
         constexpr const char* names[] = {"WallSurface", "RoofSurface", "GroundSurface"};
         return "building_" + std::to_string(i) + "_" + names[int(surface)];
@@ -334,12 +334,12 @@ TEST_F(SplitDelfshaven, byNamesIsTheSameCity) {
     expectSame(city, 0.1);
 }
 
-TEST_F(SplitDelfshaven, byMaterialIsTheSameCity) {
+TEST_F(SplitDelfshaven, ByMaterialIsTheSameCity) {
     const City city = splitBy([](std::size_t, Surface surface) {
         constexpr const char* names[] = {"mesh_0", "mesh_1", "mesh_2"};
         return std::string(names[int(surface)]);
     });
-    // Roofs of one house at several heights, which nothing but names could join, are buildings of their own.
+    // Roofs of one house at several heights, which only names could join, are separate buildings.
     EXPECT_GT(city.buildings.size(), joined.buildings.size());
     expectSame(city, 0.7);
 }

@@ -10,8 +10,8 @@
 
 namespace noonmark::tests {
 
-/// A folder of its own for a test that writes files, also when two programs run the same test; gone with the
-/// test.
+/// A separate folder for each test that writes files, also when two programs run the same test; removed after
+/// the test.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -27,13 +27,13 @@ public:
 
     [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
 
-    /// Writes a file and says where it is.
+    /// Writes a file and returns its path.
     [[nodiscard]] std::filesystem::path file(const std::string& name, std::string_view content) const {
         std::ofstream(path(name), std::ios::binary).write(content.data(), std::streamsize(content.size()));
         return path(name);
     }
 
-    /// The names of what lies in it, sorted; hidden ones too.
+    /// Sorted names of the files in it, including hidden ones.
     [[nodiscard]] std::vector<std::string> names() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::directory_iterator(folder_))

@@ -1,4 +1,4 @@
-#include "core/io/terrain_from_bases.h"
+#include "core/io/terrain/terrain_from_bases.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include "core/geo/earth_drop.h"
 #include "core/io/read_city.h"
 #include "core/sun/sun_steps.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/cityjson_fixtures.h"
 
 namespace noonmark::tests {
@@ -22,7 +22,7 @@ constexpr double spacingM = 30, houseM = 12;
 // The ground of the town: it rises by 1 in 8 to the east and falls by 1 in 20 to the north.
 double hillside(double x, double y) { return 400 + x / 8 - y / 20; }
 
-// Houses in rows, each on a flat base at the height of the ground under its middle, 9 m high.
+// Houses in rows, 9 m high, each on a flat base at the height of the ground under its middle.
 Json town(double (*ground)(double, double)) {
     CityJsonMaker maker;
     for (int row = 0; row < side; ++row)
@@ -52,13 +52,13 @@ const Building& buildingOf(const CityRead& read, const std::string& id) {
     return **std::ranges::find_if(read.city.buildings, [&](const auto& one) { return one->sourceId == id; });
 }
 
-// The ground half way between a house and its neighbour in the east is half way between their bases.
-TEST(TerrainFromBases, aHillTownGetsItsGround) {
+// Halfway between a house and its eastern neighbour, the ground's height is the mean of their bases.
+TEST(TerrainFromBases, AHillTownGetsItsGround) {
     const CityRead read = readTown(hillside);
     ASSERT_TRUE(read.city.terrain);
     EXPECT_EQ(read.city.terrain->source.method, TerrainMethod::fromBases);
     EXPECT_EQ(read.city.terrain->source.sourcePoints, std::size_t(4 * side * side));
-    EXPECT_TRUE(warns(read, "made from their bases"));
+    EXPECT_TRUE(warns(read, "interpolated from their bases"));
     EXPECT_FALSE(warns(read, "the ground is flat"));
     for (int row = 0; row < side; ++row)
         for (int column = 0; column + 1 < side; ++column) {
@@ -75,7 +75,7 @@ TEST(TerrainFromBases, aHillTownGetsItsGround) {
         }
 }
 
-TEST(TerrainFromBases, theUserMayWantItFlat) {
+TEST(TerrainFromBases, TheUserMayWantItFlat) {
     const CityRead read = readTown(hillside, TerrainFromBases::never);
     EXPECT_FALSE(read.city.terrain);
     EXPECT_TRUE(warns(read, "the ground is flat"));
@@ -85,17 +85,18 @@ TEST(TerrainFromBases, theUserMayWantItFlat) {
 // Bases that differ by half a metre, as surveyed kerbs do.
 double nearlyFlat(double x, double y) { return 400 + 0.25 * (std::sin(x) + std::cos(y)); }
 
-TEST(TerrainFromBases, aFlatTownStaysFlatUnlessAskedFor) {
+TEST(TerrainFromBases, AFlatTownStaysFlatUnlessAskedFor) {
     EXPECT_FALSE(readTown(nearlyFlat).city.terrain);
     const CityRead asked = readTown(nearlyFlat, TerrainFromBases::always);
     ASSERT_TRUE(asked.city.terrain);
-    EXPECT_TRUE(warns(asked, "made from their bases"));
+    EXPECT_TRUE(warns(asked, "interpolated from their bases"));
 }
 
-TEST(TerrainFromBases, reliefIsThatOfNeighbours) {
+TEST(TerrainFromBases, ReliefIsThatOfNeighbours) {
     std::vector<std::shared_ptr<const Building>> houses;
     std::vector<BasedBuilding> based;
-    // Two rows of five, 60 m apart; the last column 3 m higher, and one house alone 500 m away, 50 m higher.
+    // Two rows of five, 60 m apart; the last column 3 m higher, and one separate house 500 m away, 50 m
+    // higher.
     const auto add = [&](float x, float y, float groundM) {
         houses.push_back(tests::buildingOf({rectangle(x, y, x + 10, y + 10), {}}, groundM, groundM + 8));
         based.push_back({houses.back().get(), groundM});
@@ -104,17 +105,18 @@ TEST(TerrainFromBases, reliefIsThatOfNeighbours) {
         for (int row = 0; row < 2; ++row)
             add(float(column) * 60, float(row) * 60 + float(column % 2) * 0.01F, column == 4 ? 3 : 0);
     add(2000, 0, 50);
-    const BaseRelief relief = reliefOf(based);
-    EXPECT_EQ(relief.pairs, 5U + 2U * 4U + 4U);  // upright, along the rows, and one diagonal a square
+    const BaseRelief relief = measureRelief(based);
+    // Across the rows, along the rows, and one diagonal per square
+    EXPECT_EQ(relief.pairs, 5U + 2U * 4U + 4U);
     EXPECT_EQ(relief.uneven, 3U);
     EXPECT_DOUBLE_EQ(relief.mostM, 3);
     EXPECT_TRUE(relief.matters());
-    EXPECT_FALSE(reliefOf({}).matters());
-    EXPECT_FALSE(terrainFromBases({}));
+    EXPECT_FALSE(measureRelief({}).matters());
+    EXPECT_FALSE(interpolateBases({}));
 }
 
-// Against the hillside itself: the flat town's streets have other shadows.
-TEST(TerrainFromBases, theTownsShadowsAreThoseOfTheHillside) {
+// Compared with the hillside itself: the streets of a flat town have other shadows.
+TEST(TerrainFromBases, TheTownsShadowsAreThoseOfTheHillside) {
     const CityRead made = readTown(hillside), flat = readTown(hillside, TerrainFromBases::never);
     ASSERT_TRUE(made.city.terrain);
     City truth = made.city;
@@ -132,7 +134,7 @@ TEST(TerrainFromBases, theTownsShadowsAreThoseOfTheHillside) {
     period.from = std::chrono::hours(6);
     period.hours = 12;
     period.stepMinutes = 5;
-    const SunSteps sun = sunSteps(period, {truth.frame.origin(), 0, 1010, 10}, {}).value();
+    const SunSteps sun = computeSunSteps(period, {truth.frame.origin(), 0, 1010, 10}, {}).value();
     const Receivers onTruth = receiversOver(truth, -100, -100, 100, 100, 3),
                     onMade = receiversOver(made.city, -100, -100, 100, 100, 3),
                     onFlat = receiversOver(flat.city, -100, -100, 100, 100, 3);

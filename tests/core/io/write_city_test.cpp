@@ -1,5 +1,5 @@
 #include "core/io/write_city.h"
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ std::shared_ptr<const Building> towerOnPodium() {
                               .bottomM = 8,
                               .topM = 9,
                               .heightSource = HeightSource::levels,
-                              .hangs = true});
+                              .isOverhanging = true});
     return std::make_shared<const Building>(std::move(building));
 }
 
@@ -59,7 +59,7 @@ protected:
     Warnings warnings;
 };
 
-TEST_F(WriteCity, everyPartIsAFeatureWithHeightsAboveTheGround) {
+TEST_F(WriteCity, EveryPartIsAFeatureWithHeightsAboveTheGround) {
     write({Frame({-73.98, 40.75}, 20), {towerOnPodium()}, nullptr});
     ASSERT_EQ(layer->GetFeatureCount(), 3);
     const auto tower = feature(2);
@@ -77,8 +77,8 @@ TEST_F(WriteCity, everyPartIsAFeatureWithHeightsAboveTheGround) {
     EXPECT_TRUE(warnings.empty());
 }
 
-TEST_F(WriteCity, aCityThatKnowsNoElevationStatesNone) {
-    // A stated 0 would bury the buildings of a flat sample when a terrain is opened beside it.
+TEST_F(WriteCity, ACityThatKnowsNoElevationStatesNone) {
+    // A stated 0 would bury the buildings of a flat sample when a terrain is opened with it.
     City city{Frame({-73.98, 40.75}), {towerOnPodium()}, nullptr};
     Building onGround = *city.buildings[0];
     for (Part& part : onGround.parts) part.bottomM -= 3, part.topM -= 3;
@@ -88,7 +88,7 @@ TEST_F(WriteCity, aCityThatKnowsNoElevationStatesNone) {
     EXPECT_DOUBLE_EQ(feature(2)->GetFieldAsDouble("height"), 100);
 }
 
-TEST_F(WriteCity, outlinesKeepTheirPlaceTo1Millimetre) {
+TEST_F(WriteCity, OutlinesKeepTheirPlaceTo1Millimetre) {
     const City city{Frame({15.6, 78.2}), {towerOnPodium()}, nullptr};
     write(city);
     const auto podium = feature(1);
@@ -107,19 +107,19 @@ TEST_F(WriteCity, outlinesKeepTheirPlaceTo1Millimetre) {
     expectSame(*polygon->getInteriorRing(0), footprint.holes[0]);
 }
 
-TEST_F(WriteCity, crsIsWgs84) {
+TEST_F(WriteCity, CrsIsWgs84) {
     write({Frame({0, 0}), {towerOnPodium()}, nullptr});
     ASSERT_NE(layer->GetSpatialRef(), nullptr);
     EXPECT_STREQ(layer->GetSpatialRef()->GetAuthorityCode(nullptr), "4326");
 }
 
-TEST_F(WriteCity, buildingsOfOneSourceIdStayTwo) {
+TEST_F(WriteCity, BuildingsOfOneSourceIdStayTwo) {
     write({Frame({0, 0}), {towerOnPodium(), towerOnPodium()}, nullptr});
     EXPECT_STREQ(feature(3)->GetFieldAsString("building_id"), "way 1");
     EXPECT_STREQ(feature(4)->GetFieldAsString("building_id"), "way 1 (2)");
 }
 
-TEST_F(WriteCity, aMeshIsWrittenAsAPrismAndSaid) {
+TEST_F(WriteCity, AMeshIsWrittenAsAPrismAndSaid) {
     Building building{.sourceId = "dome"};
     building.parts.push_back({.sourceId = "dome 1",
                               .footprint = {square(0, 0, 4), {}},
@@ -135,14 +135,14 @@ TEST_F(WriteCity, aMeshIsWrittenAsAPrismAndSaid) {
     EXPECT_EQ(warnings[0].where, "dome 1");
 }
 
-TEST_F(WriteCity, terrainIsLeftOutAndSaid) {
+TEST_F(WriteCity, TerrainIsLeftOutAndSaid) {
     const Terrain flat{{-1000, -1000, 1000, 3, 3}, std::vector<float>(9, 3)};
     write({Frame({0, 0}), {towerOnPodium()}, std::make_shared<const Terrain>(flat)});
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_THAT(warnings[0].what, HasSubstr("terrain"));
 }
 
-TEST_F(WriteCity, replacesAnOldFileAndLeavesNothingElse) {
+TEST_F(WriteCity, ReplacesAnOldFileAndLeavesNothingElse) {
     write({Frame({0, 0}), {towerOnPodium(), towerOnPodium()}, nullptr});
     dataset.reset();
     write({Frame({0, 0}), {towerOnPodium()}, nullptr});
@@ -151,12 +151,12 @@ TEST_F(WriteCity, replacesAnOldFileAndLeavesNothingElse) {
     EXPECT_THAT(folder.names(), ElementsAre("city.gpkg"));
 }
 
-TEST_F(WriteCity, anEmptyCityIsAnEmptyLayer) {
+TEST_F(WriteCity, AnEmptyCityIsAnEmptyLayer) {
     write({Frame({0, 0}), {}, nullptr});
     EXPECT_EQ(layer->GetFeatureCount(), 0);
 }
 
-TEST_F(WriteCity, saysWhereItCannotWrite) {
+TEST_F(WriteCity, SaysWhereItCannotWrite) {
     const auto written =
         writeCityGeoPackage(folder.path("no/such/city.gpkg"), {Frame({0, 0}), {towerOnPodium()}, nullptr});
     ASSERT_FALSE(written);

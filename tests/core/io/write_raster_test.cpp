@@ -1,5 +1,5 @@
 #include "core/io/write_raster.h"
-#include "core/io/gdal_calls.h"
+#include "core/base/gdal_calls.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -38,7 +38,7 @@ protected:
     tests::TemporaryFolder folder;
 };
 
-TEST_F(WriteRaster, firstRowOfTheFileIsTheNorthernmost) {
+TEST_F(WriteRaster, FirstRowOfTheFileIsTheNorthernmost) {
     const Grid grid{-30, 50, 2, 3, 2};
     const std::vector<float> gross{1, 2, 3, 4, nothing, 6};
     const std::vector<float> longest{10, 20, 30, 40, 50, 60};
@@ -57,7 +57,7 @@ TEST_F(WriteRaster, firstRowOfTheFileIsTheNorthernmost) {
     EXPECT_EQ(valueAt(*dataset->GetRasterBand(2), 2, 1), 30);
 }
 
-TEST_F(WriteRaster, theFileCarriesItsTags) {
+TEST_F(WriteRaster, TheFileCarriesItsTags) {
     const std::vector<float> values{1, 2, 3, 4};
     ASSERT_TRUE(writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2},
                              {{"gross shadow", "min/day", &values}},
@@ -67,7 +67,7 @@ TEST_F(WriteRaster, theFileCarriesItsTags) {
     EXPECT_STREQ(dataset->GetMetadataItem("NOONMARK_EDITS"), "one\ntwo");
 }
 
-TEST_F(WriteRaster, bandsCarryNameUnitAndNoData) {
+TEST_F(WriteRaster, BandsCarryNameUnitAndNoData) {
     const Grid grid{0, 0, 1, 2, 2};
     const std::vector<float> values{1, 2, 3, 4};
     ASSERT_TRUE(
@@ -82,7 +82,7 @@ TEST_F(WriteRaster, bandsCarryNameUnitAndNoData) {
     EXPECT_TRUE(hasNoData);
 }
 
-TEST_F(WriteRaster, isTiledCompressedAndHasOverviews) {
+TEST_F(WriteRaster, IsTiledCompressedAndHasOverviews) {
     const Grid grid{0, 0, 1, 700, 1100};
     const std::vector<float> values(grid.size(), 5);
     ASSERT_TRUE(
@@ -101,10 +101,10 @@ TEST_F(WriteRaster, isTiledCompressedAndHasOverviews) {
     EXPECT_EQ(valueAt(*band.GetOverview(2), 40, 60), 5);
 }
 
-// What GIS programs make of the file's CRS against the house's own frame.
+// The file's CRS, as GIS programs interpret it, against the project's own frame.
 class WriteRasterCrs : public WriteRaster, public testing::WithParamInterface<LonLat> {};
 
-TEST_P(WriteRasterCrs, pixelsLieWhereTheFrameSaysTo1Centimetre) {
+TEST_P(WriteRasterCrs, PixelsLieWhereTheFrameSaysTo1Centimetre) {
     const Frame frame(GetParam());
     const Grid grid{-5000, -5000, 10, 1000, 1000};
     const std::vector<float> values(grid.size(), 1);
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Origins, WriteRasterCrs,
                          testing::Values(LonLat{-73.98, 40.75}, LonLat{15.6, 78.2}, LonLat{179.99, -16.8},
                                          LonLat{0, 0}, LonLat{30, -77.8}, LonLat{-58.123456789, -34.6}));
 
-TEST_F(WriteRaster, leavesNothingElseInTheFolder) {
+TEST_F(WriteRaster, LeavesNothingElseInTheFolder) {
     const Grid grid{0, 0, 1, 1000, 1000};
     const std::vector<float> values(grid.size(), 5);
     ASSERT_TRUE(writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), grid, {{"a", "b", &values}}));
@@ -143,7 +143,7 @@ TEST_F(WriteRaster, leavesNothingElseInTheFolder) {
     EXPECT_THAT(folder.names(), ElementsAre("map.tif"));
 }
 
-TEST_F(WriteRaster, aFailureKeepsTheOldFile) {
+TEST_F(WriteRaster, AFailureKeepsTheOldFile) {
     std::filesystem::create_directory(folder.path("map.tif"));
     (void)folder.file("map.tif/keep", "old");
     const Grid grid{0, 0, 1, 2, 2};
@@ -155,7 +155,7 @@ TEST_F(WriteRaster, aFailureKeepsTheOldFile) {
     EXPECT_TRUE(std::filesystem::exists(folder.path("map.tif/keep")));
 }
 
-TEST_F(WriteRaster, saysWhereItCannotWrite) {
+TEST_F(WriteRaster, SaysWhereItCannotWrite) {
     const Grid grid{0, 0, 1, 2, 2};
     const std::vector<float> values(grid.size(), 5);
     const auto written =
@@ -164,7 +164,7 @@ TEST_F(WriteRaster, saysWhereItCannotWrite) {
     EXPECT_THAT(written.error().text(), HasSubstr("no/such/map.tif"));
 }
 
-TEST_F(WriteRaster, refusesABandOfAnotherSize) {
+TEST_F(WriteRaster, RefusesABandOfAnotherSize) {
     const std::vector<float> values(3, 5);
     EXPECT_FALSE(
         writeGeoTiff(folder.path("map.tif"), Frame({0, 0}), Grid{0, 0, 1, 2, 2}, {{"a", "b", &values}}));
@@ -173,7 +173,7 @@ TEST_F(WriteRaster, refusesABandOfAnotherSize) {
     EXPECT_TRUE(folder.names().empty());
 }
 
-TEST_F(WriteRaster, pieceByPieceIsTheSameAsAtOnce) {
+TEST_F(WriteRaster, PieceByPieceIsTheSameAsAtOnce) {
     const Grid grid{-30, 50, 1, 700, 610};
     std::vector<float> gross(grid.size()), longest(grid.size());
     for (std::size_t i = 0; i < grid.size(); ++i) {

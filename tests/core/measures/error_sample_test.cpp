@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/accumulate/partial_field.h"
-#include "tests/core/accumulate/scenes.h"
+#include "core/engines/api/partial_field.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
@@ -15,7 +15,7 @@ using namespace tests;
 
 City fewBoxes() { return cityOf({{{0, 0, 0}, {20, 20, 30}}, {{40, 10, 0}, {60, 30, 50}}}); }
 
-TEST(ErrorSample, spreadsEvenlyOverTheRegion) {
+TEST(ErrorSample, SpreadsEvenlyOverTheRegion) {
     const City city;
     const Receivers receivers = receiversOver(city, 0, 0, 400, 400);
     const auto cells = spreadReceivers(receivers, 320, 5);
@@ -27,7 +27,7 @@ TEST(ErrorSample, spreadsEvenlyOverTheRegion) {
     EXPECT_LE(*std::ranges::max_element(inSquare), 23);
 }
 
-TEST(ErrorSample, takesReceiversOnlyAndTheSameOnesForASeed) {
+TEST(ErrorSample, TakesReceiversOnlyAndTheSameOnesForASeed) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -20, -20, 80, 80);
     const auto cells = spreadReceivers(receivers, 100, 1);
@@ -37,13 +37,13 @@ TEST(ErrorSample, takesReceiversOnlyAndTheSameOnesForASeed) {
     EXPECT_NE(spreadReceivers(receivers, 100, 2), cells);
 }
 
-TEST(ErrorSample, ofFewReceiversTakesAll) {
+TEST(ErrorSample, OfFewReceiversTakesAll) {
     const City city;
     const Receivers receivers = receiversOver(city, 0, 0, 5, 4);
     EXPECT_EQ(spreadReceivers(receivers, 300, 1), receivers.cells);
 }
 
-TEST(ErrorSample, longPeriodsAreComparedOnFewerReceivers) {
+TEST(ErrorSample, LongPeriodsAreComparedOnFewerReceivers) {
     EXPECT_EQ(sampleSize({}, 360), 300U);
     EXPECT_EQ(sampleSize({}, 175'200), 300U);
     EXPECT_EQ(sampleSize({}, 1'000'000), 60U);
@@ -52,12 +52,12 @@ TEST(ErrorSample, longPeriodsAreComparedOnFewerReceivers) {
     EXPECT_EQ(sampleSize({.receivers = 0}, 360), 0U);
 }
 
-TEST(ErrorSample, theReferenceHasNoErrorAgainstItself) {
+TEST(ErrorSample, TheReferenceHasNoErrorAgainstItself) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
     NoProgress progress;
-    const auto error = sampledError(city, receivers, sun, traced(city, receivers, sun), {}, progress, {});
+    const auto error = sampleError(city, receivers, sun, traced(city, receivers, sun), {}, progress, {});
     ASSERT_TRUE(error);
     EXPECT_EQ(error->receivers, 300U);
     EXPECT_EQ(error->gross.maxMin, 0);
@@ -65,7 +65,7 @@ TEST(ErrorSample, theReferenceHasNoErrorAgainstItself) {
     EXPECT_EQ(error->continuous.wholeMin, 60);
 }
 
-TEST(ErrorSample, findsAKnownError) {
+TEST(ErrorSample, FindsAKnownError) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
@@ -73,7 +73,7 @@ TEST(ErrorSample, findsAKnownError) {
     for (float& minutes : field.grossMin) minutes += 3;
     for (float& minutes : field.continuousMin) minutes -= 6;
     NoProgress progress;
-    const auto error = sampledError(city, receivers, sun, field, {}, progress, {});
+    const auto error = sampleError(city, receivers, sun, field, {}, progress, {});
     ASSERT_TRUE(error);
     EXPECT_NEAR(error->areaPct, 5, 1e-5);
     EXPECT_NEAR(error->areaStandardErrorPct, 0, 1e-5);
@@ -81,7 +81,7 @@ TEST(ErrorSample, findsAKnownError) {
     EXPECT_NEAR(error->continuous.percent(error->continuous.meanMin), 10, 1e-5);
 }
 
-TEST(ErrorSample, stopsWhenAsked) {
+TEST(ErrorSample, StopsWhenAsked) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
@@ -89,12 +89,12 @@ TEST(ErrorSample, stopsWhenAsked) {
     stop.request_stop();
     NoProgress progress;
     const auto error =
-        sampledError(city, receivers, sun, traced(city, receivers, sun), {}, progress, stop.get_token());
+        sampleError(city, receivers, sun, traced(city, receivers, sun), {}, progress, stop.get_token());
     ASSERT_FALSE(error);
     EXPECT_TRUE(isCancelled(error.error()));
 }
 
-/// Would show every running result.
+/// A viewer that accepts every partial result.
 struct Onlooker final : Progress, PartialSink {
     void report(double, std::string_view) override {}
     PartialSink* partials() override { return this; }
@@ -103,12 +103,12 @@ struct Onlooker final : Progress, PartialSink {
     int taken = 0;
 };
 
-TEST(ErrorSample, isNoRunningResult) {
+TEST(ErrorSample, IsNoRunningResult) {
     const City city = fewBoxes();
     const Receivers receivers = receiversOver(city, -50, -50, 100, 100);
     const SunSteps sun = oneDay(arc(60, 50));
     Onlooker onlooker;
-    ASSERT_TRUE(sampledError(city, receivers, sun, traced(city, receivers, sun), {}, onlooker, {}));
+    ASSERT_TRUE(sampleError(city, receivers, sun, traced(city, receivers, sun), {}, onlooker, {}));
     EXPECT_EQ(onlooker.taken, 0);
 }
 

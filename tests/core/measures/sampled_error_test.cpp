@@ -10,7 +10,8 @@
 namespace noonmark {
 namespace {
 
-// A hundred cells: cell i is i minutes of gross too high, cell 7 is an hour of continuous too low.
+// A hundred cells: in cell i gross shadow is i minutes too high, in cell 7 continuous shadow is an hour too
+// low.
 std::vector<ComparedCell> hundredCells() {
     std::vector<ComparedCell> cells;
     for (int i = 1; i <= 100; ++i)
@@ -18,7 +19,7 @@ std::vector<ComparedCell> hundredCells() {
     return cells;
 }
 
-TEST(SampledError, knownFigures) {
+TEST(SampledError, KnownFigures) {
     const SampledError error = errorOf(hundredCells(), 1000, 600);
     EXPECT_EQ(error.receivers, 100U);
     EXPECT_DOUBLE_EQ(error.gross.meanMin, 50.5);
@@ -27,7 +28,7 @@ TEST(SampledError, knownFigures) {
     EXPECT_EQ(error.gross.worstM, glm::dvec2(100, 0.5));
     EXPECT_DOUBLE_EQ(error.gross.percent(error.gross.maxMin), 10);
     EXPECT_NEAR(error.areaPct, 5.05, 1e-12);
-    // Spread of 1 .. 100 minutes: sqrt(101 * 100 / 12) = 29.01; over sqrt(100), of 1000.
+    // Standard deviation of 1 .. 100 minutes: sqrt(101 * 100 / 12) = 29.01; over sqrt(100), of 1000.
     EXPECT_NEAR(error.areaStandardErrorPct, 0.290115, 1e-6);
     EXPECT_DOUBLE_EQ(error.continuous.meanMin, 0.6);
     EXPECT_DOUBLE_EQ(error.continuous.p99Min, 0);
@@ -35,7 +36,7 @@ TEST(SampledError, knownFigures) {
     EXPECT_EQ(error.continuous.worstM, glm::dvec2(7, 0.5));
 }
 
-TEST(SampledError, withoutRunsNothingIsSaidOfThem) {
+TEST(SampledError, WithoutRunsNothingIsSaidOfThem) {
     std::vector<ComparedCell> cells = hundredCells();
     cells[50].continuousMin = std::nan("");
     const SampledError error = errorOf(cells, 1000, 600);
@@ -43,18 +44,18 @@ TEST(SampledError, withoutRunsNothingIsSaidOfThem) {
     EXPECT_DOUBLE_EQ(error.gross.meanMin, 50.5);
 }
 
-TEST(SampledError, differencesThatCancelAreNoAreaErrorButCellError) {
+TEST(SampledError, DifferencesThatCancelAreNoAreaErrorButCellError) {
     const std::vector<ComparedCell> cells{{{0, 0}, 110, 100, 5, 5}, {{1, 0}, 90, 100, 5, 5}};
     const SampledError error = errorOf(cells, 200, 200);
     EXPECT_DOUBLE_EQ(error.areaPct, 0);
     EXPECT_DOUBLE_EQ(error.gross.percent(error.gross.meanMin), 5);
 }
 
-TEST(SampledError, tooLittleShadowIsANegativeArea) {
+TEST(SampledError, TooLittleShadowIsANegativeArea) {
     EXPECT_DOUBLE_EQ(errorOf(std::vector<ComparedCell>{{{0, 0}, 90, 100, 5, 5}}, 200, 200).areaPct, -5);
 }
 
-TEST(SampledError, ofNothingIsZero) {
+TEST(SampledError, OfNothingIsZero) {
     const SampledError error = errorOf({}, 0, 0);
     EXPECT_EQ(error.receivers, 0U);
     EXPECT_EQ(error.gross.percent(error.gross.maxMin), 0);

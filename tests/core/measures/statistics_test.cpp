@@ -20,9 +20,9 @@ ShadowField threeReceivers() {
     return field;
 }
 
-TEST(Statistics, ofAFieldByHand) {
+TEST(Statistics, OfAFieldByHand) {
     EXPECT_TRUE(hasRuns(threeReceivers()));
-    const ShadowStatistics figures = statisticsOf(threeReceivers());
+    const ShadowStatistics figures = computeStatistics(threeReceivers());
     EXPECT_EQ(figures.receivers, 3U);
     EXPECT_EQ(figures.shadowAreaM2, 4);
     EXPECT_EQ(figures.meanGrossMin, 30);
@@ -31,24 +31,24 @@ TEST(Statistics, ofAFieldByHand) {
     EXPECT_EQ(figures.maxContinuousMin, 20);
 }
 
-TEST(Statistics, withoutRunsTheirFiguresAreNoNumbers) {
+TEST(Statistics, WithoutRunsTheirFiguresAreNoNumbers) {
     ShadowField field = threeReceivers();
     field.continuousMin.assign(4, nan);
     EXPECT_FALSE(hasRuns(field));
-    const ShadowStatistics figures = statisticsOf(field);
+    const ShadowStatistics figures = computeStatistics(field);
     EXPECT_FALSE(hasRuns(figures));
     EXPECT_TRUE(std::isnan(figures.maxContinuousMin)) << "0 would say that there is no shadow";
     EXPECT_EQ(figures.meanGrossMin, 30);
     EXPECT_EQ(figures.maxGrossMin, 60);
 }
 
-TEST(Statistics, onePieceWithoutRunsLeavesThemUnknownInAll) {
+TEST(Statistics, OnePieceWithoutRunsLeavesThemUnknownInAll) {
     ShadowField field = threeReceivers();
-    ShadowSums sums = sumsOf(field);
+    ShadowSums sums = computeSums(field);
     field.continuousMin.assign(4, nan);
-    sums.add(sumsOf(field));
+    sums.add(computeSums(field));
     sums.add({});  // a piece without receivers
-    const ShadowStatistics figures = statisticsOf(sums, 90, 4);
+    const ShadowStatistics figures = computeStatistics(sums, 90, 4);
     EXPECT_EQ(figures.receivers, 6U);
     EXPECT_EQ(figures.maxGrossMin, 60);
     EXPECT_FALSE(hasRuns(figures));

@@ -17,7 +17,7 @@ std::vector<int> coversOf(const std::vector<Footprint>& footprints, const Grid& 
     return covers;
 }
 
-// Steps of a half put points and whole edges exactly on cell centres and on cell edges.
+// Steps of one half place points and whole edges exactly on cell centres and cell edges.
 glm::vec2 randomPoint(std::mt19937& random, float step) {
     return {float(random() % 60) * step - 5, float(random() % 60) * step - 5};
 }
@@ -36,7 +36,7 @@ void expectAgreement(const Footprint& footprint, const Grid& grid) {
                 << column << ' ' << row;
 }
 
-TEST(Rasterize, agreesWithContainsForAnyRings) {
+TEST(Rasterize, AgreesWithContainsForAnyRings) {
     std::mt19937 random(1);
     for (int i = 0; i < 600; ++i) {
         const float step = i % 3 == 0 ? 0.5F : i % 3 == 1 ? 1.0F : 0.37F;
@@ -48,7 +48,7 @@ TEST(Rasterize, agreesWithContainsForAnyRings) {
     }
 }
 
-TEST(Rasterize, agreesWithContainsFarFromTheOrigin) {
+TEST(Rasterize, AgreesWithContainsFarFromTheOrigin) {
     std::mt19937 random(2);
     for (int i = 0; i < 100; ++i) {
         Ring ring = randomRing(random, 0.5F);
@@ -57,8 +57,8 @@ TEST(Rasterize, agreesWithContainsFarFromTheOrigin) {
     }
 }
 
-// A jittered net of four-sided lots fills a block: every cell belongs to exactly one of them.
-TEST(Rasterize, partyWallsShareNoCellAndLeaveNoneOut) {
+// An irregular net of four-sided lots fills a block: every cell belongs to exactly one of them.
+TEST(Rasterize, PartyWallsShareNoCellAndLeaveNoneOut) {
     constexpr int lots = 12;
     std::mt19937 random(3);
     for (int round = 0; round < 20; ++round) {
@@ -84,7 +84,7 @@ TEST(Rasterize, partyWallsShareNoCellAndLeaveNoneOut) {
     }
 }
 
-TEST(Rasterize, footprintsOutsideTheGridFillNothing) {
+TEST(Rasterize, FootprintsOutsideTheGridFillNothing) {
     const Grid grid{0, 0, 1, 4, 4};
     for (const glm::vec2 to : {glm::vec2(-50, 0), glm::vec2(50, 0), glm::vec2(0, -50), glm::vec2(0, 50)}) {
         const Footprint far{{to, to + glm::vec2(4, 0), to + glm::vec2(0, 4)}, {}};

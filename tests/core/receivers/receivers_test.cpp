@@ -13,14 +13,14 @@ Footprint rectangle(float west, float south, float east, float north) {
     return {{{west, south}, {east, south}, {east, north}, {west, north}}, {}};
 }
 
-std::shared_ptr<const Building> building(const Footprint& footprint, bool hangs = false) {
+std::shared_ptr<const Building> building(const Footprint& footprint, bool isOverhanging = false) {
     Building made;
-    made.parts.push_back({.footprint = footprint, .topM = 20, .hangs = hangs});
+    made.parts.push_back({.footprint = footprint, .topM = 20, .isOverhanging = isOverhanging});
     return std::make_shared<const Building>(made);
 }
 
 Receivers receiversOf(const City& city, const Region& region, double cellM = 1) {
-    auto receivers = receiversOnGround(city, region, {.cellM = cellM});
+    auto receivers = placeReceiversOnGround(city, region, {.cellM = cellM});
     EXPECT_TRUE(receivers.has_value());
     return receivers.value_or(Receivers{});
 }
@@ -29,7 +29,7 @@ std::ptrdiff_t countOf(const Receivers& receivers, CellKind kind) {
     return std::count(receivers.kind.begin(), receivers.kind.end(), kind);
 }
 
-TEST(Receivers, cellsOutsideTheRegionAndUnderBuildingsAreNone) {
+TEST(Receivers, CellsOutsideTheRegionAndUnderBuildingsAreNone) {
     City city;
     city.buildings = {building(rectangle(2, 2, 5, 4)), building(rectangle(-5, 0, -1, 9))};
     const Region triangle{"lawn", {Footprint{{{0, 0}, {10, 0}, {0, 10}}, {}}}};
@@ -44,8 +44,8 @@ TEST(Receivers, cellsOutsideTheRegionAndUnderBuildingsAreNone) {
     EXPECT_EQ(receivers.kind[receivers.grid.index(2, 3)], CellKind::building);
 }
 
-TEST(Receivers, rowsGoNorthAndColumnsEast) {
-    const Receivers receivers = receiversOf({}, regionFromLocalBox({{-3, 10}, {2, 14}}), 0.5);
+TEST(Receivers, RowsGoNorthAndColumnsEast) {
+    const Receivers receivers = receiversOf({}, makeRegionFromLocalBox({{-3, 10}, {2, 14}}), 0.5);
     EXPECT_EQ(receivers.grid, (Grid{-3, 10, 0.5, 10, 8}));
     EXPECT_EQ(receivers.position(0), glm::vec3(-2.75F, 10.25F, 0));
     EXPECT_EQ(receivers.position(9), glm::vec3(1.75F, 10.25F, 0));
@@ -53,27 +53,27 @@ TEST(Receivers, rowsGoNorthAndColumnsEast) {
     EXPECT_TRUE(receivers.flat());
 }
 
-TEST(Receivers, hangingPartsLeaveTheGroundBelow) {
+TEST(Receivers, HangingPartsLeaveTheGroundBelow) {
     City city;
     city.buildings = {building(rectangle(0, 0, 4, 4), true)};
-    const Region region = regionFromLocalBox({{0, 0}, {8, 8}});
+    const Region region = makeRegionFromLocalBox({{0, 0}, {8, 8}});
     EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 0);
     city.buildings.push_back(building(rectangle(2, 2, 6, 6)));
     EXPECT_EQ(countOf(receiversOf(city, region), CellKind::building), 16);
 }
 
-TEST(Receivers, courtyardsAreGround) {
+TEST(Receivers, CourtyardsAreGround) {
     Footprint court = rectangle(0, 0, 8, 8);
     court.holes = {{{2, 2}, {2, 5}, {5, 5}, {5, 2}}};
     City city;
     city.buildings = {building(court)};
-    EXPECT_EQ(receiversOf(city, regionFromLocalBox({{0, 0}, {8, 8}})).cells.size(), 9U);
+    EXPECT_EQ(receiversOf(city, makeRegionFromLocalBox({{0, 0}, {8, 8}})).cells.size(), 9U);
 }
 
-TEST(Receivers, overlappingRegionsShareTheirCells) {
+TEST(Receivers, OverlappingRegionsShareTheirCells) {
     for (const double cellM : {0.25, 0.3, 1.0, 7.0}) {
-        const Grid one = receiversOf({}, regionFromLocalBox({{-10.3F, 4.1F}, {30, 30}}), cellM).grid;
-        const Grid other = receiversOf({}, regionFromLocalBox({{3.9F, -20.7F}, {40, 12}}), cellM).grid;
+        const Grid one = receiversOf({}, makeRegionFromLocalBox({{-10.3F, 4.1F}, {30, 30}}), cellM).grid;
+        const Grid other = receiversOf({}, makeRegionFromLocalBox({{3.9F, -20.7F}, {40, 12}}), cellM).grid;
         for (const double apart : {(one.westM - other.westM) / cellM, (one.southM - other.southM) / cellM})
             EXPECT_NEAR(apart, std::round(apart), 1e-9) << cellM;
         EXPECT_LE(one.westM, -10.3);
@@ -81,33 +81,33 @@ TEST(Receivers, overlappingRegionsShareTheirCells) {
     }
 }
 
-TEST(Receivers, standOnTheTerrain) {
+TEST(Receivers, StandOnTheTerrain) {
     City city;
     city.terrain = std::make_shared<const Terrain>(Terrain{{0, 0, 10, 2, 2}, {0, 10, 0, 10}});
-    const Receivers receivers = receiversOf(city, regionFromLocalBox({{0, 0}, {20, 20}}));
+    const Receivers receivers = receiversOf(city, makeRegionFromLocalBox({{0, 0}, {20, 20}}));
     EXPECT_FALSE(receivers.flat());
     EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(0, 3))).z, 0);
     EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(10, 3))).z, 5.5);
     EXPECT_FLOAT_EQ(receivers.position(std::uint32_t(receivers.grid.index(19, 3))).z, 10);
 }
 
-TEST(Receivers, whatCannotBeIsRefusedInWords) {
-    const Region region = regionFromLocalBox({{0, 0}, {8, 8}});
+TEST(Receivers, WhatCannotBeIsRefusedInWords) {
+    const Region region = makeRegionFromLocalBox({{0, 0}, {8, 8}});
     for (const double cellM : {0.0, -1.0, 0.2, 10.5, std::nan("")})
-        EXPECT_THAT(receiversOnGround({}, region, {.cellM = cellM}).error().text(),
+        EXPECT_THAT(placeReceiversOnGround({}, region, {.cellM = cellM}).error().text(),
                     testing::HasSubstr("0.25 to 10"));
-    EXPECT_THAT(receiversOnGround({}, {"empty", {}}, {}).error().text(), testing::HasSubstr("no area"));
-    const Region huge = regionFromLocalBox({{0, 0}, {60000, 60000}});
-    EXPECT_THAT(receiversOnGround({}, huge, {}).error().text(), testing::HasSubstr("3.6 billion cells"));
-    const Region absurd = regionFromLocalBox({{-1e20F, -1e20F}, {1e20F, 1e20F}});
-    EXPECT_FALSE(receiversOnGround({}, absurd, {}).has_value());
+    EXPECT_THAT(placeReceiversOnGround({}, {"empty", {}}, {}).error().text(), testing::HasSubstr("no area"));
+    const Region huge = makeRegionFromLocalBox({{0, 0}, {60000, 60000}});
+    EXPECT_THAT(placeReceiversOnGround({}, huge, {}).error().text(), testing::HasSubstr("3.6 billion cells"));
+    const Region absurd = makeRegionFromLocalBox({{-1e20F, -1e20F}, {1e20F, 1e20F}});
+    EXPECT_FALSE(placeReceiversOnGround({}, absurd, {}).has_value());
 }
 
-TEST(Receivers, canBeStopped) {
+TEST(Receivers, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
     const auto receivers =
-        receiversOnGround({}, regionFromLocalBox({{0, 0}, {10, 10}}), {}, stop.get_token());
+        placeReceiversOnGround({}, makeRegionFromLocalBox({{0, 0}, {10, 10}}), {}, stop.get_token());
     ASSERT_FALSE(receivers);
     EXPECT_TRUE(isCancelled(receivers.error()));
 }

@@ -5,19 +5,19 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/study/region_text.h"
+#include "core/study/text/region_text.h"
 
 namespace noonmark {
 namespace {
 
-TEST(Region, lonLatBoxFollowsTheParallels) {
+TEST(Region, LonLatBoxFollowsTheParallels) {
     const Frame frame({-73.98, 40.75});
-    const auto region = regionFromLonLatBox(frame, -74.0, 40.74, -73.96, 40.76);
+    const auto region = makeRegionFromLonLatBox(frame, -74.0, 40.74, -73.96, 40.76);
     ASSERT_TRUE(region.has_value());
     ASSERT_EQ(region->polygons.size(), 1U);
     const Footprint& polygon = region->polygons[0];
     EXPECT_GT(signedArea(polygon.outer), 0);
-    // Known lengths at 40.75 N: 111,049 m a degree of latitude, 84,443 m a degree of longitude.
+    // Known lengths at 40.75 N: 111,049 m per degree of latitude, 84,443 m per degree of longitude.
     EXPECT_NEAR(area(polygon), 0.02 * 111049 * 0.04 * 84443, 0.02 * 111049 * 0.04 * 84443 * 1e-3);
     EXPECT_TRUE(contains(polygon, {0, 0}));
     for (const glm::vec2 point : polygon.outer) {
@@ -28,29 +28,29 @@ TEST(Region, lonLatBoxFollowsTheParallels) {
     }
 }
 
-// Taveuni, Fiji: the meridian of 180 degrees runs through its middle.
-TEST(Region, aBoxMayLieAcrossTheAntimeridian) {
+// Taveuni, Fiji: the 180th meridian runs through its middle.
+TEST(Region, ABoxMayLieAcrossTheAntimeridian) {
     const Frame taveuni({180, -16.85});
-    const Region across = regionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();
+    const Region across = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, -179.97, -16.84).value();
     const Frame samePlace({10, -16.85});
-    const Region elsewhere = regionFromLonLatBox(samePlace, 9.98, -16.86, 10.03, -16.84).value();
+    const Region elsewhere = makeRegionFromLonLatBox(samePlace, 9.98, -16.86, 10.03, -16.84).value();
     ASSERT_EQ(across.polygons[0].outer.size(), elsewhere.polygons[0].outer.size());
     for (std::size_t i = 0; i < across.polygons[0].outer.size(); ++i)
         EXPECT_NEAR(glm::distance(across.polygons[0].outer[i], elsewhere.polygons[0].outer[i]), 0, 1e-3);
-    EXPECT_EQ(boxTextOf(across, taveuni), "179.98,-16.86,-179.97,-16.84");
-    EXPECT_EQ(boxTextOf(elsewhere, samePlace), "9.98,-16.86,10.03,-16.84");
-    const Region toIt = regionFromLonLatBox(taveuni, 179.98, -16.86, 180, -16.84).value();
-    EXPECT_EQ(boxTextOf(toIt, taveuni), "179.98,-16.86,180,-16.84");
+    EXPECT_EQ(formatBox(across, taveuni), "179.98,-16.86,-179.97,-16.84");
+    EXPECT_EQ(formatBox(elsewhere, samePlace), "9.98,-16.86,10.03,-16.84");
+    const Region toIt = makeRegionFromLonLatBox(taveuni, 179.98, -16.86, 180, -16.84).value();
+    EXPECT_EQ(formatBox(toIt, taveuni), "179.98,-16.86,180,-16.84");
 }
 
-TEST(Region, boxesThatAreNoneAreRefused) {
+TEST(Region, BoxesThatAreNoneAreRefused) {
     const Frame frame({-73.98, 40.75});
-    EXPECT_FALSE(regionFromLonLatBox(frame, -73.96, 40.74, -74.0, 40.76).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.76, -73.96, 40.74).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.74, -74.0, 40.76).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -74.0, 40.74, -73.96, 90.1).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, -181, 40.74, -73.96, 40.76).has_value());
-    EXPECT_FALSE(regionFromLonLatBox(frame, std::nan(""), 40.74, -73.96, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -73.96, 40.74, -74.0, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.76, -73.96, 40.74).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.74, -74.0, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -74.0, 40.74, -73.96, 90.1).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, -181, 40.74, -73.96, 40.76).has_value());
+    EXPECT_FALSE(makeRegionFromLonLatBox(frame, std::nan(""), 40.74, -73.96, 40.76).has_value());
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "tests/core/accumulate/terrain_scenes.h"
+#include "tests/core/engines/terrain_scenes.h"
 
 namespace noonmark::tests {
 namespace {
 
-Receivers receiversAt(const City& city, ReceiverPlaces places) {
-    return receiversIn(city, regionFromLocalBox({{-20, -20}, {60, 60}}), {1, places}).value();
+Receivers placeReceiversAt(const City& city, ReceiverPlaces places) {
+    return placeReceivers(city, makeRegionFromLocalBox({{-20, -20}, {60, 60}}), {1, places}).value();
 }
 
 City tiered() {
@@ -21,8 +21,8 @@ City tiered() {
     return city;
 }
 
-TEST(RoofReceivers, aRoofIsTheHighestPartAtACell) {
-    const Receivers roofs = receiversAt(tiered(), ReceiverPlaces::roofs);
+TEST(RoofReceivers, ARoofIsTheHighestPartAtACell) {
+    const Receivers roofs = placeReceiversAt(tiered(), ReceiverPlaces::roofs);
     EXPECT_EQ(roofs.cells.size(), 40 * 40);  // the deck over open ground has none
     for (const std::uint32_t cell : roofs.cells) {
         const glm::vec3 at = roofs.position(cell);
@@ -33,17 +33,17 @@ TEST(RoofReceivers, aRoofIsTheHighestPartAtACell) {
     EXPECT_EQ(std::ranges::count(roofs.kind, CellKind::ground), 0);
 }
 
-TEST(RoofReceivers, everyPlaceIsFoundByItsName) {
-    for (const ReceiverPlaces places : allReceiverPlaces) EXPECT_EQ(placesNamed(nameOf(places)), places);
-    EXPECT_EQ(placesNamed("Roofs"), std::nullopt);
-    EXPECT_EQ(placesNamed(""), std::nullopt);
+TEST(RoofReceivers, EveryPlaceIsFoundByItsName) {
+    for (const ReceiverPlaces places : allReceiverPlaces) EXPECT_EQ(parsePlaces(nameOf(places)), places);
+    EXPECT_EQ(parsePlaces("Roofs"), std::nullopt);
+    EXPECT_EQ(parsePlaces(""), std::nullopt);
 }
 
-TEST(RoofReceivers, bothAreTheGroundAndTheRoofs) {
+TEST(RoofReceivers, BothAreTheGroundAndTheRoofs) {
     const City city = tiered();
-    const Receivers ground = receiversAt(city, ReceiverPlaces::ground),
-                    roofs = receiversAt(city, ReceiverPlaces::roofs),
-                    both = receiversAt(city, ReceiverPlaces::both);
+    const Receivers ground = placeReceiversAt(city, ReceiverPlaces::ground),
+                    roofs = placeReceiversAt(city, ReceiverPlaces::roofs),
+                    both = placeReceiversAt(city, ReceiverPlaces::both);
     EXPECT_TRUE(ground.flat());
     EXPECT_EQ(both.cells.size(), ground.cells.size() + roofs.cells.size());
     EXPECT_TRUE(std::ranges::is_sorted(both.cells));
@@ -51,10 +51,10 @@ TEST(RoofReceivers, bothAreTheGroundAndTheRoofs) {
     for (const std::uint32_t cell : roofs.cells) EXPECT_EQ(both.position(cell), roofs.position(cell));
 }
 
-TEST(RoofReceivers, aPitchedRoofRisesToItsRidge) {
+TEST(RoofReceivers, APitchedRoofRisesToItsRidge) {
     City city;
     city.buildings.push_back(gabledHouse(0, 0, 12, 40, 8, 14));
-    const Receivers roofs = receiversAt(city, ReceiverPlaces::roofs);
+    const Receivers roofs = placeReceiversAt(city, ReceiverPlaces::roofs);
     EXPECT_EQ(roofs.cells.size(), 12 * 40);
     for (const std::uint32_t cell : roofs.cells) {
         const glm::vec3 at = roofs.position(cell);
@@ -62,10 +62,10 @@ TEST(RoofReceivers, aPitchedRoofRisesToItsRidge) {
     }
 }
 
-TEST(RoofReceivers, theGroundBesideRoofsKeepsTheTerrainsElevation) {
+TEST(RoofReceivers, TheGroundBesideRoofsKeepsTheTerrainsElevation) {
     City city = groundOf(20, [](glm::dvec2 place) { return 50 + 0.1 * place.y; });
     city.buildings.push_back(standingBox(city, 0, 0, 10, 10, 20));
-    const Receivers both = receiversAt(city, ReceiverPlaces::both);
+    const Receivers both = placeReceiversAt(city, ReceiverPlaces::both);
     for (const std::uint32_t cell : both.cells) {
         const glm::vec3 at = both.position(cell);
         EXPECT_NEAR(at.z, both.kind[cell] == CellKind::roof ? 70 : 50 + 0.1F * at.y, 1e-3);

@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "core/measures/error_sample.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
 
 using namespace tests;
 
-/// Where a tile's cells lie in the whole, by its own coordinates.
+/// The index in the whole grid of a tile's cell.
 std::size_t cellOfWhole(const TilePlan& plan, const Grid& tile, int column, int row) {
     const glm::dvec2 centre = tile.centre(column, row);
     return plan.whole.index(int((centre.x - plan.whole.westM) / plan.whole.cellM),
                             int((centre.y - plan.whole.southM) / plan.whole.cellM));
 }
 
-TEST(TilePlan, everyCellIsInOneTile) {
+TEST(TilePlan, EveryCellIsInOneTile) {
     const TilePlan plan{{-10, 20, 0.5, 150, 97}, 64};
     EXPECT_EQ(plan.columns(), 3);
     EXPECT_EQ(plan.rows(), 2);
@@ -33,21 +33,21 @@ TEST(TilePlan, everyCellIsInOneTile) {
     EXPECT_EQ(seen, std::vector<int>(plan.whole.size(), 1));
 }
 
-TEST(TilePlan, theFirstTileIsTheNorthWesternOneAndWhole) {
+TEST(TilePlan, TheFirstTileIsTheNorthWesternOneAndWhole) {
     const TilePlan plan{{0, 0, 1, 150, 97}, 64};
     EXPECT_EQ(plan.tile(0), (Grid{0, 33, 1, 64, 64}));
     EXPECT_EQ(plan.tile(5), (Grid{128, 0, 1, 22, 33}));
 }
 
-TEST(TilePlan, receiversOfTilesAreThoseOfTheWhole) {
+TEST(TilePlan, ReceiversOfTilesAreThoseOfTheWhole) {
     const City city = cityOf(randomBoxes(3, 8));
     const Region region{"cut", {{{{-10, -10}, {150, 0}, {140, 170}, {20, 120}}, {}}}};
-    const Receivers whole = receiversOnGround(city, region, {}).value();
+    const Receivers whole = placeReceiversOnGround(city, region, {}).value();
     const TilePlan plan{*gridOver(region, {}), 64};
     EXPECT_EQ(plan.whole, whole.grid);
     std::size_t receivers = 0;
     for (std::size_t number = 0; number < plan.count(); ++number) {
-        const Receivers part = receiversInPart(city, region, plan.tile(number)).value();
+        const Receivers part = placeReceiversInPart(city, region, plan.tile(number)).value();
         receivers += part.cells.size();
         for (int row = 0; row < part.grid.rows; ++row)
             for (int column = 0; column < part.grid.columns; ++column)
@@ -57,14 +57,15 @@ TEST(TilePlan, receiversOfTilesAreThoseOfTheWhole) {
     EXPECT_EQ(receivers, whole.cells.size());
 }
 
-TEST(TilePlan, errorSamplesOfTilesAreSpreadOverTheWhole) {
+TEST(TilePlan, ErrorSamplesOfTilesAreSpreadOverTheWhole) {
     const City city = cityOf(randomBoxes(3, 8));
     const Receivers whole = receiversOver(city, -20, -20, 180, 180);
     const TilePlan plan{whole.grid, 64};
     std::size_t count = 0;
     for (std::size_t number = 0; number < plan.count(); ++number) {
         const Receivers part =
-            receiversInPart(city, regionFromLocalBox({{-20, -20}, {180, 180}}), plan.tile(number)).value();
+            placeReceiversInPart(city, makeRegionFromLocalBox({{-20, -20}, {180, 180}}), plan.tile(number))
+                .value();
         const auto cells = spreadReceivers(part, plan.whole, 600, 1);
         for (const std::uint32_t cell : cells) EXPECT_EQ(part.kind[cell], CellKind::ground);
         count += cells.size();

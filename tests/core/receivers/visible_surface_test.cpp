@@ -1,10 +1,10 @@
-#include "core/receivers/visible_surface.h"
+#include "core/engines/ray/visible_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 
 namespace noonmark {
 namespace {
@@ -16,11 +16,11 @@ constexpr int width = 64, height = 48;
 // One box of 20 m on a plane, seen from the south and above.
 struct View {
     City city = cityOf({{{-10, -10, 0}, {10, 10, 20}}});
-    PixelCamera camera = cameraLooking({0, -100, 60}, {0, 0, 10}, 40, width, height);
-    VisibleSurface surface = visibleSurface(RayScene::over(city).value(), true, camera).value();
+    PixelCamera camera = makeCamera({0, -100, 60}, {0, 0, 10}, 40, width, height);
+    VisibleSurface surface = findVisibleSurface(RayScene::over(city).value(), true, camera).value();
 };
 
-TEST(VisibleSurface, pointsLieOnTheirPixelsRaysAndFaceTheEye) {
+TEST(VisibleSurface, PointsLieOnTheirPixelsRaysAndFaceTheEye) {
     const View view;
     for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
         const glm::dvec3 way = glm::dvec3(view.surface.points.positions[i]) - view.camera.eye;
@@ -32,7 +32,7 @@ TEST(VisibleSurface, pointsLieOnTheirPixelsRaysAndFaceTheEye) {
     }
 }
 
-TEST(VisibleSurface, seesRoofFacadeAndGround) {
+TEST(VisibleSurface, SeesRoofFacadeAndGround) {
     const View view;
     int roof = 0, facade = 0, ground = 0;
     for (std::size_t i = 0; i < view.surface.points.size(); ++i) {
@@ -47,21 +47,21 @@ TEST(VisibleSurface, seesRoofFacadeAndGround) {
     EXPECT_EQ(std::size_t(roof + facade + ground), view.surface.points.size());
 }
 
-TEST(VisibleSurface, skyHasNoPoint) {
+TEST(VisibleSurface, SkyHasNoPoint) {
     const View view;
-    const PixelCamera level = cameraLooking({0, -100, 5}, {0, 0, 5}, 40, width, height);
-    const auto surface = visibleSurface(RayScene::over(view.city).value(), true, level).value();
+    const PixelCamera level = makeCamera({0, -100, 5}, {0, 0, 5}, 40, width, height);
+    const auto surface = findVisibleSurface(RayScene::over(view.city).value(), true, level).value();
     EXPECT_LT(surface.points.size(), std::size_t(width * height) * 3 / 4);
     EXPECT_GT(surface.points.size(), std::size_t(width * height) / 3);
-    const auto nothing = visibleSurface(RayScene::over(view.city).value(), false,
-                                        cameraLooking({0, -100, 5}, {0, -200, 5}, 40, width, height));
+    const auto nothing = findVisibleSurface(RayScene::over(view.city).value(), false,
+                                            makeCamera({0, -100, 5}, {0, -200, 5}, 40, width, height));
     EXPECT_EQ(nothing->points.size(), 0U);
 }
 
-TEST(VisibleSurface, refusesPicturesOutOfRange) {
+TEST(VisibleSurface, RefusesPicturesOutOfRange) {
     const RayScene scene = RayScene::over(City{}).value();
-    EXPECT_FALSE(visibleSurface(scene, true, cameraLooking({0, 0, 9}, {0, 0, 0}, 40, 0, 10)));
-    EXPECT_FALSE(visibleSurface(scene, true, cameraLooking({0, 0, 9}, {0, 0, 0}, 180, 10, 10)));
+    EXPECT_FALSE(findVisibleSurface(scene, true, makeCamera({0, 0, 9}, {0, 0, 0}, 40, 0, 10)));
+    EXPECT_FALSE(findVisibleSurface(scene, true, makeCamera({0, 0, 9}, {0, 0, 0}, 180, 10, 10)));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/city/mesh_outline.h"
+#include "core/city/meshes/mesh_outline.h"
 #include "core/samples/sample_city.h"
 #include "tests/core/samples/sample_checks.h"
 
@@ -19,7 +19,7 @@ const Building* named(const City& city, const std::string& name) {
     return nullptr;
 }
 
-glm::dvec2 middleOf(const Box2& box) { return (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0; }
+glm::dvec2 findMiddle(const Box2& box) { return (glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0; }
 
 struct Known {
     const char* name;
@@ -29,7 +29,7 @@ struct Known {
     LonLat place;
 };
 
-// Public figures, written here once more.
+// Published figures, repeated here independently.
 const std::vector<Known> known{
     {"432 Park Avenue", "built", 425.7, 28.5 * 28.5, {-73.9719, 40.7616}},
     {"One57", "built", 306, 1000, {-73.9791, 40.7655}},
@@ -41,8 +41,8 @@ const std::vector<Known> known{
     {"Time Warner Center", "built", 229, 12825, {-73.9830, 40.7685}},
 };
 
-TEST(CentralParkSouth, namedTowersHaveTheirHeightSizeAndPlace) {
-    const City city = centralParkSouthSample();
+TEST(CentralParkSouth, NamedTowersHaveTheirHeightSizeAndPlace) {
+    const City city = makeCentralParkSouthSample();
     for (const Known& tower : known) {
         SCOPED_TRACE(tower.name);
         const Building* building = named(city, tower.name);
@@ -50,13 +50,13 @@ TEST(CentralParkSouth, namedTowersHaveTheirHeightSizeAndPlace) {
         EXPECT_EQ(building->status, tower.status);
         EXPECT_NEAR(topM(*building), tower.heightM, 0.6);
         EXPECT_NEAR(area(building->parts[0].footprint), tower.footprintM2, 0.07 * tower.footprintM2);
-        EXPECT_LT(glm::distance(middleOf(bounds(*building)), city.frame.localFromLonLat(tower.place)), 30);
+        EXPECT_LT(glm::distance(findMiddle(bounds(*building)), city.frame.localFromLonLat(tower.place)), 30);
     }
     EXPECT_EQ(named(city, "Time Warner Center")->parts.size(), 3U);
 }
 
-TEST(CentralParkSouth, otherBuildingsHaveNoNameAndPlausibleHeights) {
-    const City city = centralParkSouthSample();
+TEST(CentralParkSouth, OtherBuildingsHaveNoNameAndPlausibleHeights) {
+    const City city = makeCentralParkSouthSample();
     EXPECT_GT(city.buildings.size(), 2500U);
     EXPECT_LT(city.buildings.size(), 4000U);
     std::size_t nameless = 0;
@@ -70,14 +70,14 @@ TEST(CentralParkSouth, otherBuildingsHaveNoNameAndPlausibleHeights) {
     EXPECT_EQ(nameless + known.size(), city.buildings.size());
 }
 
-TEST(CentralParkSouth, everyBuildingIsAValidSolidAndStandsApart) {
-    const City city = centralParkSouthSample();
+TEST(CentralParkSouth, EveryBuildingIsAValidSolidAndStandsApart) {
+    const City city = makeCentralParkSouthSample();
     for (const auto& building : city.buildings) EXPECT_EQ(troubleOf(*building), "") << building->sourceId;
     EXPECT_EQ(cellsInTwoBuildings(city, bounds(city), 0.5), 0U);
 }
 
-TEST(CentralParkSouth, theParkIsAParkOfItsSize) {
-    const City city = centralParkSouthSample();
+TEST(CentralParkSouth, TheParkIsAParkOfItsSize) {
+    const City city = makeCentralParkSouthSample();
     const Region park = centralParkRegion(city);
     ASSERT_EQ(park.polygons.size(), 1U);
     EXPECT_EQ(tests::troubleOf(park.polygons[0]), "");
@@ -97,10 +97,10 @@ TEST(CentralParkSouth, theParkIsAParkOfItsSize) {
     }
 }
 
-TEST(CentralParkSouth, theParkFollowsTheFrame) {
+TEST(CentralParkSouth, TheParkFollowsTheFrame) {
     City moved;
     moved.frame = Frame({-73.99, 40.75});
-    const City city = centralParkSouthSample();
+    const City city = makeCentralParkSouthSample();
     const Ring here = centralParkRegion(city).polygons[0].outer;
     const Ring there = centralParkRegion(moved).polygons[0].outer;
     for (std::size_t i = 0; i < here.size(); ++i) {
@@ -109,23 +109,23 @@ TEST(CentralParkSouth, theParkFollowsTheFrame) {
     }
 }
 
-TEST(CentralParkSouth, isAlwaysTheSame) {
-    EXPECT_EQ(fingerprintOf(centralParkSouthSample()), fingerprintOf(centralParkSouthSample()));
+TEST(CentralParkSouth, IsAlwaysTheSame) {
+    EXPECT_EQ(fingerprintOf(makeCentralParkSouthSample()), fingerprintOf(makeCentralParkSouthSample()));
 }
 
 TEST(CentralParkSouth, EveryCaseStudyTowerHasALotOfItsOwn) {
-    const City city = centralParkSouthSample();
-    const std::vector<CaseStudyLot> lots = caseStudyLots(city);
+    const City city = makeCentralParkSouthSample();
+    const std::vector<CaseStudyLot> lots = listCaseStudyLots(city);
     ASSERT_EQ(lots.size(), 7U);
     for (std::size_t i = 0; i < lots.size(); ++i) {
         const Footprint& tower = city.buildings[i]->parts[0].footprint;
         EXPECT_EQ(lots[i].tower, city.buildings[i]->name);
-        EXPECT_LT(areaOutside(tower, {lots[i].ground}), 0.1) << lots[i].tower;
+        EXPECT_LT(computeAreaOutside(tower, {lots[i].ground}), 0.1) << lots[i].tower;
         EXPECT_GT(area(lots[i].ground), 1.2 * area(tower)) << lots[i].tower;
         for (std::size_t b = 0; b < city.buildings.size(); ++b) {
             if (b == i) continue;
             for (const Part& part : city.buildings[b]->parts)
-                EXPECT_LT(area(part.footprint) - areaOutside(part.footprint, {lots[i].ground}), 0.5)
+                EXPECT_LT(area(part.footprint) - computeAreaOutside(part.footprint, {lots[i].ground}), 0.5)
                     << lots[i].tower << ", " << city.buildings[b]->sourceId;
         }
     }

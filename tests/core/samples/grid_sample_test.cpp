@@ -13,44 +13,44 @@ namespace {
 
 using namespace tests;
 
-City grid(const GridSampleSettings& settings) { return gridSample(settings).value(); }
+City grid(const GridSampleSettings& settings) { return makeGridSample(settings).value(); }
 
 std::size_t trianglesOf(const City& city) { return meshOf(city).mesh.triangles.size(); }
 
-TEST(GridSample, hasExactlyTheNumberAskedFor) {
+TEST(GridSample, HasExactlyTheNumberAskedFor) {
     for (const int count : {100, 101, 1234, 50000})
         EXPECT_EQ(grid({.buildings = count}).buildings.size(), std::size_t(count));
 }
 
-TEST(GridSample, isTheSameForASeedAndAnotherForAnother) {
+TEST(GridSample, IsTheSameForASeedAndAnotherForAnother) {
     const auto fingerprint = fingerprintOf(grid({.buildings = 300, .seed = 7, .roundness = 3}));
     EXPECT_EQ(fingerprint, fingerprintOf(grid({.buildings = 300, .seed = 7, .roundness = 3})));
     EXPECT_NE(fingerprint, fingerprintOf(grid({.buildings = 300, .seed = 8, .roundness = 3})));
 }
 
-// A number from another machine. It changes when the sample does, and published figures that use it are then
-// of another city.
-TEST(GridSample, isTheSameOnEveryMachine) {
+// A fingerprint computed on another machine. It changes when the sample does; published results that use the
+// sample are then for another city.
+TEST(GridSample, IsTheSameOnEveryMachine) {
     EXPECT_EQ(fingerprintOf(grid({.buildings = 300, .seed = 7, .roundness = 3})), 3856521339984108734ULL);
 }
 
-TEST(GridSample, everyBuildingIsAValidSolid) {
+TEST(GridSample, EveryBuildingIsAValidSolid) {
     for (const auto& building : grid({.buildings = 3000, .seed = 3, .roundness = 5}).buildings)
         EXPECT_EQ(troubleOf(*building), "") << building->sourceId;
 }
 
-TEST(GridSample, noHeightOfItIsMeasured) {
-    for (const City& city : {grid({.buildings = 300}), centralParkSouthSample()})
+TEST(GridSample, NoHeightOfItIsMeasured) {
+    for (const City& city : {grid({.buildings = 300}), makeCentralParkSouthSample()})
         for (const auto& building : city.buildings)
             for (const Part& part : building->parts) ASSERT_EQ(nameOf(part.heightSource), "made up");
 }
 
-TEST(GridSample, buildingsStandApart) {
+TEST(GridSample, BuildingsStandApart) {
     const City city = grid({.buildings = 2000, .roundness = 9});
     EXPECT_EQ(cellsInTwoBuildings(city, bounds(city), 0.5), 0U);
 }
 
-TEST(GridSample, streetsAndTheSkewedAvenueAreFree) {
+TEST(GridSample, StreetsAndTheSkewedAvenueAreFree) {
     const City city = grid({.buildings = 600});
     for (double along = -300; along <= 300; along += 7) {
         EXPECT_FALSE(anyContains(city, StreetAxes{}.localFromStreet({-0.27 * along, along})));
@@ -59,7 +59,7 @@ TEST(GridSample, streetsAndTheSkewedAvenueAreFree) {
     }
 }
 
-TEST(GridSample, hasCourtyardsSetbacksAndCurves) {
+TEST(GridSample, HasCourtyardsSetbacksAndCurves) {
     const City city = grid({.buildings = 2000, .roundness = 20});
     std::size_t courts = 0, setbacks = 0, curved = 0;
     for (const auto& building : city.buildings) {
@@ -74,7 +74,7 @@ TEST(GridSample, hasCourtyardsSetbacksAndCurves) {
     EXPECT_GT(curved, 150U);
 }
 
-TEST(GridSample, isTallerInItsMiddle) {
+TEST(GridSample, IsTallerInItsMiddle) {
     const City city = grid({.buildings = 20000});
     std::vector<float> middle, edge;
     for (const auto& building : city.buildings) {
@@ -92,14 +92,14 @@ TEST(GridSample, isTallerInItsMiddle) {
     EXPECT_GT(*std::max_element(middle.begin(), middle.end()), 150);
 }
 
-TEST(GridSample, trianglesGrowWithRoundness) {
+TEST(GridSample, TrianglesGrowWithRoundness) {
     EXPECT_NEAR(double(trianglesOf(grid({.buildings = 43000, .roundness = 7}))), 1.01e6, 0.02e6);
     EXPECT_NEAR(double(trianglesOf(grid({.buildings = 43000, .roundness = 25}))), 1.52e6, 0.02e6);
 }
 
-TEST(GridSample, settingsOutOfRangeAreRefusedInWords) {
+TEST(GridSample, SettingsOutOfRangeAreRefusedInWords) {
     const auto textOf = [](const GridSampleSettings& settings) {
-        return gridSample(settings).error().text();
+        return makeGridSample(settings).error().text();
     };
     EXPECT_THAT(textOf({.buildings = 99}), testing::HasSubstr("100 to 50,000"));
     EXPECT_THAT(textOf({.buildings = 50001}), testing::HasSubstr("100 to 50,000"));

@@ -11,7 +11,7 @@
 
 namespace noonmark::tests {
 
-/// Cells of a fine raster over a box that lie in more than one building.
+/// Number of cells of a fine raster over a box that lie in more than one building.
 inline std::size_t cellsInTwoBuildings(const City& city, const Box2& box, double cellM) {
     const Grid grid{box.low.x, box.low.y, cellM, int((box.high.x - box.low.x) / cellM),
                     int((box.high.y - box.low.y) / cellM)};
@@ -29,7 +29,7 @@ inline std::size_t cellsInTwoBuildings(const City& city, const Box2& box, double
     return twice;
 }
 
-/// The first thing wrong with a building; empty when all is well.
+/// The first defect of a building; empty if there is none.
 inline std::string troubleOf(const Building& building) {
     if (building.parts.empty()) return "no parts";
     for (const Part& part : building.parts) {
@@ -47,7 +47,7 @@ inline bool anyContains(const City& city, glm::dvec2 point) {
     return false;
 }
 
-/// FNV-1a over the bits of every vertex: two cities with the same number are the same to the last bit.
+/// FNV-1a over the bits of every vertex: equal fingerprints mean cities that are equal to the last bit.
 inline std::uint64_t fingerprintOf(const City& city) {
     std::uint64_t hash = 14695981039346656037ULL;
     for (const glm::vec3 vertex : meshOf(city).mesh.vertices)

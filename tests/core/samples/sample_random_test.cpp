@@ -10,7 +10,7 @@
 namespace noonmark {
 namespace {
 
-TEST(SampleRandom, functionsAreTrueToTwelveDigits) {
+TEST(SampleRandom, FunctionsAreTrueToTwelveDigits) {
     for (double x = -20; x <= 20; x += 0.037) EXPECT_NEAR(sameExp(x) / std::exp(x), 1, 1e-12) << x;
     for (double turns = -1; turns <= 1; turns += 0.0013) {
         EXPECT_NEAR(sameSineCosine(turns).sine, std::sin(2 * std::numbers::pi * turns), 1e-12) << turns;
@@ -18,13 +18,13 @@ TEST(SampleRandom, functionsAreTrueToTwelveDigits) {
     }
 }
 
-TEST(SampleRandom, streamsAreTheirOwn) {
+TEST(SampleRandom, StreamsAreTheirOwn) {
     EXPECT_EQ(SampleRandom(1, 2, 3).uniform(), SampleRandom(1, 2, 3).uniform());
     EXPECT_NE(SampleRandom(1, 2, 3).uniform(), SampleRandom(1, 3, 2).uniform());
     EXPECT_NE(SampleRandom(1, 2, 3).uniform(), SampleRandom(2, 2, 3).uniform());
 }
 
-TEST(SampleRandom, logNormalHasItsMedianAndSpread) {
+TEST(SampleRandom, LogNormalHasItsMedianAndSpread) {
     SampleRandom random(5, 0, 0);
     std::vector<double> values(20001);
     for (double& value : values) value = random.logNormal(20, 0.45);

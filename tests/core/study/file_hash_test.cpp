@@ -9,36 +9,36 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(FileHash, knownSums) {
+TEST(FileHash, KnownSums) {
     const tests::TemporaryFolder folder;
-    const auto empty = inputFile(folder.file("empty", ""));
+    const auto empty = describeInputFile(folder.file("empty", ""));
     ASSERT_TRUE(empty);
     EXPECT_EQ(empty->bytes, 0U);
     EXPECT_EQ(empty->sha256, "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-    const auto abc = inputFile(folder.file("abc", "abc"));
+    const auto abc = describeInputFile(folder.file("abc", "abc"));
     ASSERT_TRUE(abc);
     EXPECT_EQ(abc->bytes, 3U);
     EXPECT_EQ(abc->sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-    const auto million = inputFile(folder.file("million", std::string(1000000, 'a')));
+    const auto million = describeInputFile(folder.file("million", std::string(1000000, 'a')));
     EXPECT_EQ(million->sha256, "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(FileHash, longerThanOnePieceDependsOnEveryByte) {
+TEST(FileHash, LongerThanOnePieceDependsOnEveryByte) {
     const tests::TemporaryFolder folder;
     std::string bytes(3'000'000, 'x');
-    const auto before = inputFile(folder.file("long", bytes));
+    const auto before = describeInputFile(folder.file("long", bytes));
     bytes.back() = 'y';
-    const auto after = inputFile(folder.file("long", bytes));
+    const auto after = describeInputFile(folder.file("long", bytes));
     ASSERT_TRUE(before && after);
     EXPECT_NE(before->sha256, after->sha256);
 }
 
-TEST(FileHash, aShapefileIsSeveralFiles) {
+TEST(FileHash, AShapefileIsSeveralFiles) {
     const tests::TemporaryFolder folder;
     (void)folder.file("lots.dbf", "heights");
     (void)folder.file("lots.prj", "plane");
     (void)folder.file("lots.txt", "not part of it");
-    const auto files = inputFiles(folder.file("lots.shp", "outlines"));
+    const auto files = describeInputFiles(folder.file("lots.shp", "outlines"));
     ASSERT_TRUE(files);
     ASSERT_EQ(files->size(), 3U);
     EXPECT_EQ((*files)[0].path.filename(), "lots.shp");
@@ -46,14 +46,14 @@ TEST(FileHash, aShapefileIsSeveralFiles) {
     EXPECT_EQ((*files)[2].path.filename(), "lots.prj");
 }
 
-TEST(FileHash, whatCannotBeReadIsAnError) {
+TEST(FileHash, WhatCannotBeReadIsAnError) {
     const tests::TemporaryFolder folder;
-    const auto missing = inputFile(folder.path("missing.gpkg"));
+    const auto missing = describeInputFile(folder.path("missing.gpkg"));
     ASSERT_FALSE(missing);
     EXPECT_THAT(missing.error().text(), HasSubstr("missing.gpkg"));
     std::filesystem::create_directory(folder.path("folder"));
-    EXPECT_FALSE(inputFile(folder.path("folder")));
-    EXPECT_FALSE(inputFiles(folder.path("missing.shp")));
+    EXPECT_FALSE(describeInputFile(folder.path("folder")));
+    EXPECT_FALSE(describeInputFiles(folder.path("missing.shp")));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ glm::dvec3 upAt(double lonDeg, double latDeg) {
     return {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)};
 }
 
-// Of a point of the ellipsoid: the gradient of its equation.
+// The vertical at a point of the ellipsoid: the gradient of its equation.
 glm::dvec3 upAt(glm::dvec3 ground) {
     return glm::normalize(ground / glm::dvec3(equatorM * equatorM, equatorM * equatorM, poleM * poleM));
 }
@@ -37,7 +37,7 @@ struct Triangle {
     glm::dvec3 a, b, c;
 };
 
-// Moeller and Trumbore.
+// Intersection of a ray and a triangle by Moeller and Trumbore.
 bool meets(glm::dvec3 from, glm::dvec3 towards, const Triangle& triangle) {
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const glm::dvec3 p = glm::cross(towards, ac);
@@ -50,7 +50,7 @@ bool meets(glm::dvec3 from, glm::dvec3 towards, const Triangle& triangle) {
     return u >= 0 && v >= 0 && u + v <= 1 && glm::dot(ac, q) / scale > 0;
 }
 
-// Walls only: who stands outside and sees the sun through a box looks through one.
+// Walls only: from outside, every line of sight through a box passes through a wall.
 std::vector<Triangle> wallsOf(const std::vector<GeoBox>& boxes, glm::dvec3 from) {
     std::vector<Triangle> walls;
     for (const GeoBox& box : boxes)

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/base/progress.h"
 #include "core/geo/earth_drop.h"
-#include "core/progress.h"
 #include "core/study/study.h"
 #include "tests/core/study/geocentric_reference_erfa.h"
 
-/// Districts far from the middle of their city, held against shadow worked out on the ellipsoid.
+/// Compares districts far from the middle of their city with shadow computed on the ellipsoid.
 namespace noonmark::tests {
 namespace {
 
@@ -20,8 +20,8 @@ constexpr double sideM = 240, cellM = 10, stepMinutes = 2;
 
 struct Place {
     const char* name;
-    Geodetic origin;  ///< of the city: the middle between its districts
-    double eastM;     ///< of the district
+    Geodetic origin;  ///< origin of the city: the middle between its districts
+    double eastM;     ///< position of the district
     double northM;
     sys_days date;
     int fromHour;  ///< UTC
@@ -47,9 +47,9 @@ std::vector<GeoBox> blocksAround(Geodetic middle) {
 
 float dropAt(const Place& place, glm::dvec2 local) { return place.terrain ? -float(earthDropM(local)) : 0; }
 
-// Roofs level in the frame of the city, as those of footprints are: 45 km off on terrain they lean by 0.35
-// deg against the local level, 0.1 m at the edge of a block. Near noon, when a shadow's end stands still,
-// single cells at that end are off by half an hour for it.
+// Makes roofs level in the frame of the city, as those of footprints are: 45 km away on terrain they are
+// inclined by 0.35 deg to the local level, 0.1 m at the edge of a block. Near noon, when the end of a shadow
+// stands still, this changes single cells at that end by half an hour.
 std::vector<GeoBox> levelInFrame(const Place& place, std::vector<GeoBox> blocks) {
     const Frame frame({place.origin.lonDeg, place.origin.latDeg});
     for (GeoBox& block : blocks) {
@@ -72,7 +72,7 @@ std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& fram
         part.footprint.outer.push_back(glm::vec2(local));
         middle += local / 4.0;
     }
-    constexpr float intoTheGround = 1;  // the sea slopes against the frame
+    constexpr float intoTheGround = 1;  // the sea slopes in the frame
     part.topM = dropAt(place, middle) + float(box.heightsM[0]);
     part.bottomM = dropAt(place, middle) - (place.terrain ? intoTheGround : 0);
     Building building;
@@ -80,7 +80,8 @@ std::shared_ptr<const Building> buildingOf(const Place& place, const Frame& fram
     return std::make_shared<const Building>(std::move(building));
 }
 
-// The sea around the origin as far as both districts, in squares so small that none sags by a millimetre.
+// The sea around the origin, including both districts, in squares so small that none deviates by a
+// millimetre.
 std::shared_ptr<const Terrain> seaOf(const Place& place) {
     constexpr int cells = 880;
     constexpr double cellM = 125;
@@ -102,7 +103,7 @@ Study studyOf(const Place& place, const City& city, const std::string& engine) {
     const Geodetic middle = districtOf(place);
     const glm::vec2 centre(city.frame.localFromLonLat({middle.lonDeg, middle.latDeg}));
     StudySettings settings;
-    settings.region = regionFromLocalBox({centre - float(sideM / 2), centre + float(sideM / 2)});
+    settings.region = makeRegionFromLocalBox({centre - float(sideM / 2), centre + float(sideM / 2)});
     settings.receivers.cellM = cellM;
     settings.period.start = place.date;
     settings.period.from = hours(place.fromHour);
@@ -147,7 +148,7 @@ Differences differencesOf(const Study& study, const std::vector<GeoMinutes>& tru
     return found;
 }
 
-std::string textOf(const Differences& d) {
+std::string formatText(const Differences& d) {
     return fmt::format(
         "of {} cells, {:.1f} min in shadow: gross off by {:.3f} min in the mean, {:.1f} at most, {} by more "
         "than "
@@ -155,8 +156,8 @@ std::string textOf(const Differences& d) {
         d.cells, d.shaded, d.grossMean, d.grossMost, d.grossOff, d.longestMean, d.longestMost, d.longestOff);
 }
 
-std::vector<GeoMinutes> truthOf(const Place& place, const Receivers& receivers,
-                                const std::vector<GeoBox>& blocks) {
+std::vector<GeoMinutes> computeTruth(const Place& place, const Receivers& receivers,
+                                     const std::vector<GeoBox>& blocks) {
     const std::vector<glm::dvec3> suns = sunsOf(place);
     std::vector<GeoMinutes> truth;
     for (const std::uint32_t cell : receivers.cells) {
@@ -169,9 +170,9 @@ std::vector<GeoMinutes> truthOf(const Place& place, const Receivers& receivers,
 
 class Geocentric : public testing::TestWithParam<Place> {};
 
-// Tolerance: a step, for the moment that an edge passes falls on either side of one; a few cells see a corner
-// graze the sun.
-TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
+// Tolerance: a step, since the moment that an edge passes falls on either side of one; in a few cells the sun
+// grazes a corner.
+TEST_P(Geocentric, ShadowOfADistrictFarFromTheMiddleOfItsCity) {
     const Place& place = GetParam();
     const std::vector<GeoBox> blocks = blocksAround(districtOf(place));
     const City city = cityOf(place, blocks);
@@ -179,9 +180,9 @@ TEST_P(Geocentric, shadowOfADistrictFarFromTheMiddleOfItsCity) {
     for (const char* engine : {"ray", "horizon", "projected"}) {
         if (place.terrain && engine == std::string("projected")) continue;  // level ground only
         const Study study = studyOf(place, city, engine);
-        if (truth.empty()) truth = truthOf(place, study.receivers, levelInFrame(place, blocks));
+        if (truth.empty()) truth = computeTruth(place, study.receivers, levelInFrame(place, blocks));
         const Differences found = differencesOf(study, truth);
-        std::cout << place.name << ", " << engine << ": " << textOf(found) << '\n';
+        std::cout << place.name << ", " << engine << ": " << formatText(found) << '\n';
         EXPECT_GT(found.shaded, 30);
         EXPECT_LE(found.grossOff, place.terrain ? found.cells / 200 : 0) << engine;
         EXPECT_LE(found.longestOff, found.cells / 100) << engine;
@@ -202,8 +203,8 @@ INSTANTIATE_TEST_SUITE_P(Places, Geocentric,
                                          Place{"before_180_degrees", fiji, -27e3, 5e3, fijiMarch, 18, 11}),
                          [](const auto& place) { return std::string(place.param.name); });
 
-// Open sea from sunrise to sunset, rising and setting behind the sea's own curve.
-TEST(GeocentricSea, liesInTheSunAllDayFarFromTheMiddleOfTheTerrain) {
+// Open sea from sunrise to sunset; the sun rises and sets at the horizon of the curved sea.
+TEST(GeocentricSea, LiesInTheSunAllDayFarFromTheMiddleOfTheTerrain) {
     for (const glm::dvec2 off : {glm::dvec2(45e3, 0), glm::dvec2(-45e3, 0), glm::dvec2(0, 45e3)}) {
         const Place place{"sea", north62, off.x, off.y, march, 0, 24, true};
         const City city = cityOf(place, {});

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/study/height_words.h"
 #include "core/study/study.h"
+#include "core/study/text/height_words.h"
 
 namespace noonmark {
 namespace {
@@ -27,7 +27,7 @@ CityRead twoBuildings() {
                            .bottomM = 35,
                            .topM = 40,
                            .heightSource = HeightSource::measured,
-                           .hangs = true});
+                           .isOverhanging = true});
     CityRead read;
     read.city.frame = Frame({-73.98, 40.75});
     read.city.buildings = {std::make_shared<const Building>(house), std::make_shared<const Building>(tower)};
@@ -38,7 +38,7 @@ CityRead twoBuildings() {
     return read;
 }
 
-TEST(InfoJson, countsWhatIsThere) {
+TEST(InfoJson, CountsWhatIsThere) {
     const auto info = nlohmann::json::parse(infoJson(twoBuildings()));
     EXPECT_EQ(info["buildings"], 2);
     EXPECT_EQ(info["parts"], 3);
@@ -48,14 +48,14 @@ TEST(InfoJson, countsWhatIsThere) {
         info["height_sources"],
         (nlohmann::json{
             {"measured", 2}, {"levels", 1}, {"assumed", 0}, {"mesh", 0}, {"designed", 0}, {"made up", 0}}));
-    EXPECT_EQ(info["tallest_m"], 40.0);  // above its own ground
+    EXPECT_EQ(info["tallest_m"], 40.0);  // above the building's own ground
     EXPECT_EQ(info["features"], 5);
     ASSERT_EQ(info["warnings"].size(), 1U);
     EXPECT_EQ(info["warnings"][0]["count"], 2);
     EXPECT_EQ(info["warnings"][0]["where"], (nlohmann::json{"way 2", "way 9"}));
 }
 
-TEST(InfoJson, bytesThatAreNoTextDoNotBreakIt) {
+TEST(InfoJson, BytesThatAreNoTextDoNotBreakIt) {
     const auto info = nlohmann::json::parse(infoJson(twoBuildings()));
     EXPECT_EQ(info["tallest"], "Bad \xEF\xBF\xBD name");
 }
@@ -71,18 +71,18 @@ City ofHeights(std::size_t assumed, std::size_t measured, float topM = 9.6F) {
     return city;
 }
 
-TEST(AssumedHeights, areAHeadlineAboveATenth) {
-    EXPECT_EQ(assumedHeadline(countHeights(ofHeights(10, 90))), std::nullopt);
-    EXPECT_EQ(assumedHeadline(countHeights(ofHeights(11, 89))), "11 of 100 heights are assumed (9.6 m)");
-    EXPECT_EQ(assumedHeadline(countHeights(ofHeights(2133, 0))),
+TEST(AssumedHeights, AreAHeadlineAboveATenth) {
+    EXPECT_EQ(makeAssumedHeadline(countHeights(ofHeights(10, 90))), std::nullopt);
+    EXPECT_EQ(makeAssumedHeadline(countHeights(ofHeights(11, 89))), "11 of 100 heights are assumed (9.6 m)");
+    EXPECT_EQ(makeAssumedHeadline(countHeights(ofHeights(2133, 0))),
               "2,133 of 2,133 heights are assumed (9.6 m)");
-    EXPECT_EQ(assumedHeadline(countHeights(City{})), std::nullopt);
+    EXPECT_EQ(makeAssumedHeadline(countHeights(City{})), std::nullopt);
     City mixed = ofHeights(3, 0);
     mixed.buildings.push_back(ofHeights(1, 0, 3.2F).buildings[0]);
-    EXPECT_EQ(assumedHeadline(countHeights(mixed)), "4 of 4 heights are assumed (most of them 9.6 m)");
+    EXPECT_EQ(makeAssumedHeadline(countHeights(mixed)), "4 of 4 heights are assumed (most of them 9.6 m)");
 }
 
-TEST(AssumedHeights, areCountedInJsonWithTheFieldsOfTheOthers) {
+TEST(AssumedHeights, AreCountedInJsonWithTheFieldsOfTheOthers) {
     CityRead read;
     read.city = ofHeights(1, 3);
     read.heights.fields = {{"a.shp", "RelH2", "base of the roof", "m", 3}};
@@ -96,12 +96,12 @@ TEST(AssumedHeights, areCountedInJsonWithTheFieldsOfTheOthers) {
     EXPECT_EQ(heights["fields"][0]["unit"], "m");
     EXPECT_EQ(heights["could_be"][0]["high"], 41);
     EXPECT_EQ(
-        assumedHeightsMessage(countHeights(read.city), read.heights),
+        makeAssumedHeightsMessage(countHeights(read.city), read.heights),
         "1 of 4 heights are assumed (9.6 m). Fields that could hold heights or storeys: H_BAT (2.5 to 41 "
         "in 4 features)");
 }
 
-TEST(InfoJson, anEmptyCity) {
+TEST(InfoJson, AnEmptyCity) {
     const auto info = nlohmann::json::parse(infoJson({}));
     EXPECT_EQ(info["buildings"], 0);
     EXPECT_EQ(info["tallest_m"], 0.0);

@@ -13,38 +13,38 @@ using testing::HasSubstr;
 StudySettings over(float sideM, double cellM) {
     StudySettings settings;
     settings.engine = "ray";
-    settings.region = regionFromLocalBox({{0, 0}, {sideM, sideM}});
+    settings.region = makeRegionFromLocalBox({{0, 0}, {sideM, sideM}});
     settings.receivers.cellM = cellM;
     return settings;
 }
 
-TEST(MemoryNeed, growsWithTheCells) {
-    const double coarse = double(memoryNeed({}, over(10000, 2)));
-    const double fine = double(memoryNeed({}, over(10000, 1)));
+TEST(MemoryNeed, GrowsWithTheCells) {
+    const double coarse = double(estimateMemory({}, over(10000, 2)));
+    const double fine = double(estimateMemory({}, over(10000, 1)));
     EXPECT_NEAR(fine / coarse, 4, 0.01);
-    EXPECT_GT(fine, 1e8 * 21);  // what Receivers and ShadowField hold of 10^8 cells
+    EXPECT_GT(fine, 1e8 * 21);  // size of Receivers and ShadowField for 10^8 cells
 }
 
-TEST(MemoryNeed, anEnginesOwnMemoryCounts) {
+TEST(MemoryNeed, AnEnginesOwnMemoryCounts) {
     StudySettings settings = over(10000, 1);
-    const auto rays = memoryNeed({}, settings);
+    const auto rays = estimateMemory({}, settings);
     settings.engine = "iam";
-    EXPECT_GT(memoryNeed({}, settings), 3 * rays);
+    EXPECT_GT(estimateMemory({}, settings), 3 * rays);
 }
 
-TEST(MemoryNeed, countsTrianglesAndSteps) {
+TEST(MemoryNeed, CountsTrianglesAndSteps) {
     City city;
     Building building;
     building.parts.push_back({.footprint = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}, .topM = 3});
     city.buildings.assign(1000, std::make_shared<const Building>(building));
-    const auto empty = memoryNeed({}, over(100, 1));
-    EXPECT_GT(memoryNeed(city, over(100, 1)), empty + 1000 * 12 * 100);
+    const auto empty = estimateMemory({}, over(100, 1));
+    EXPECT_GT(estimateMemory(city, over(100, 1)), empty + 1000 * 12 * 100);
     StudySettings year = over(100, 1);
     year.period.days = 365;
-    EXPECT_GT(memoryNeed({}, year), empty + 364 * 360 * sizeof(SunStep));
+    EXPECT_GT(estimateMemory({}, year), empty + 364 * 360 * sizeof(SunStep));
 }
 
-TEST(MemoryNeed, tooLargeIsRefusedWithItsSize) {
+TEST(MemoryNeed, TooLargeIsRefusedWithItsSize) {
     StudySettings settings = over(10000, 1);
     settings.memoryLimit = 1'000'000'000;
     const auto fits = checkMemory({}, settings);
@@ -55,18 +55,18 @@ TEST(MemoryNeed, tooLargeIsRefusedWithItsSize) {
     EXPECT_TRUE(checkMemory({}, settings));
 }
 
-TEST(MemoryNeed, absurdRegionsDoNotOverflow) {
+TEST(MemoryNeed, AbsurdRegionsDoNotOverflow) {
     StudySettings settings = over(1e15F, 0.25);
     EXPECT_FALSE(checkMemory({}, settings));
 }
 
-TEST(AvailableMemory, isReadFromTheSystem) {
+TEST(AvailableMemory, IsReadFromTheSystem) {
     const tests::TemporaryFolder folder;
     const auto file = folder.file(
         "meminfo", "MemTotal:       24000000 kB\nMemFree: 7 kB\nMemAvailable:    2048 kB\nBuffers: 1 kB\n");
-    EXPECT_EQ(availableMemory(file), 2048U * 1024U);
-    EXPECT_EQ(availableMemory(folder.file("old", "MemTotal: 5 kB\n")), std::nullopt);
-    EXPECT_EQ(availableMemory(folder.path("missing")), std::nullopt);
+    EXPECT_EQ(measureAvailableMemory(file), 2048U * 1024U);
+    EXPECT_EQ(measureAvailableMemory(folder.file("old", "MemTotal: 5 kB\n")), std::nullopt);
+    EXPECT_EQ(measureAvailableMemory(folder.path("missing")), std::nullopt);
 }
 
 }  // namespace

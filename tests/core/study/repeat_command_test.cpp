@@ -1,4 +1,4 @@
-#include "core/study/repeat_command.h"
+#include "core/study/provenance/repeat_command.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/read_region.h"
-#include "core/study/region_text.h"
+#include "core/study/text/region_text.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 Study aStudy() {
     Study study;
     study.city.frame = Frame(LonLat{-73.984, 40.754});
-    study.settings.region = regionFromLocalBox({{0, 0}, {120, 80}});
+    study.settings.region = makeRegionFromLocalBox({{0, 0}, {120, 80}});
     study.settings.period.zone = "America/New_York";
     study.settings.engine = "ray";
     study.provenance.inputs = {{"city.gpkg", 10, "ab"}};
@@ -26,39 +26,38 @@ Study aStudy() {
 
 TEST(RegionText, ABoxComesBackAsItsFourNumbers) {
     const Frame frame(LonLat{-73.99, 40.74});
-    const auto region = regionFromLonLatBox(frame, -73.9873, 40.7510, -73.9790, 40.7570);
+    const auto region = makeRegionFromLonLatBox(frame, -73.9873, 40.7510, -73.9790, 40.7570);
     ASSERT_TRUE(region);
-    EXPECT_EQ(boxTextOf(*region, frame), "-73.9873,40.751,-73.979,40.757");
+    EXPECT_EQ(formatBox(*region, frame), "-73.9873,40.751,-73.979,40.757");
 }
 
 TEST(RegionText, WhatIsNoBoxIsNotCalledOne) {
     const Frame frame(LonLat{0, 0});
     const Ring cut{{0, 0}, {100, 0}, {100, 60}, {60, 100}, {0, 100}};
-    EXPECT_FALSE(boxTextOf({"cut corner", {{cut, {}}}}, frame));
+    EXPECT_FALSE(formatBox({"cut corner", {{cut, {}}}}, frame));
     const Ring triangle{{0, 0}, {100, 0}, {100, 100}};
-    EXPECT_FALSE(boxTextOf({"triangle", {{triangle, {}}}}, frame));
+    EXPECT_FALSE(formatBox({"triangle", {{triangle, {}}}}, frame));
     const Ring square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
-    EXPECT_FALSE(boxTextOf({"square", {{square, {}}}}, frame)) << "parallels and meridians bend";
-    EXPECT_FALSE(boxTextOf({"two", {{square, {}}, {square, {}}}}, frame));
-    EXPECT_FALSE(boxTextOf({"none", {}}, frame));
+    EXPECT_FALSE(formatBox({"square", {{square, {}}}}, frame)) << "parallels and meridians bend";
+    EXPECT_FALSE(formatBox({"two", {{square, {}}, {square, {}}}}, frame));
+    EXPECT_FALSE(formatBox({"none", {}}, frame));
     const Ring hole{{20, 20}, {20, 40}, {40, 40}, {40, 20}};
-    EXPECT_FALSE(boxTextOf({"holed", {{square, {hole}}}}, frame));
+    EXPECT_FALSE(formatBox({"holed", {{square, {hole}}}}, frame));
 }
 
-// Down to a millimetre: finer digits may be lost in the corners' float32, and then the region has a file.
+// Down to a millimetre: finer digits may be lost in the corners' float32; the region then needs a file.
 TEST(RegionText, ABoxIsStatedWithAsManyDigitsAsItTakes) {
     const Frame frame(LonLat{-73.99, 40.74});
     for (const double west : {-73.9873, -73.98731234, -74.00000001}) {
-        const auto region = regionFromLonLatBox(frame, west, 40.75, -73.979, 40.757);
-        const auto back = readRegion(boxTextOf(*region, frame).value(), frame);
+        const auto region = makeRegionFromLonLatBox(frame, west, 40.75, -73.979, 40.757);
+        const auto back = readRegion(formatBox(*region, frame).value(), frame);
         EXPECT_EQ(back->polygons, region->polygons) << west;
     }
-    EXPECT_EQ(boxTextOf(*regionFromLonLatBox(frame, -73.99, 40.7, -73.9, 40.757), frame),
+    EXPECT_EQ(formatBox(*makeRegionFromLonLatBox(frame, -73.99, 40.7, -73.9, 40.757), frame),
               "-73.99,40.7,-73.9,40.757");
 }
 
-// Corners a few kilometres off, sides of more than 500 m: as they are drawn in the window and read from a
-// file.
+// Corners a few kilometres away, sides of more than 500 m: as drawn in the window and as read from a file.
 TEST(RegionText, AnOutlineComesBackFromItsFileToTheLastBit) {
     const tests::TemporaryFolder folder;
     const Frame frame(LonLat{7.4216, 43.7333}, 61.5);
@@ -92,9 +91,9 @@ TEST(RegionText, GeoJsonClosesItsRings) {
 TEST(RepeatCommand, SaysWhatWasAsked) {
     Study study = aStudy();
     study.provenance.inputs = {{"/data/my city.osm.pbf", 10, "ab"}};
-    study.settings.region = *regionFromLonLatBox(study.city.frame, -73.985, 40.753, -73.983, 40.755);
+    study.settings.region = *makeRegionFromLonLatBox(study.city.frame, -73.985, 40.753, -73.983, 40.755);
     EXPECT_EQ(
-        repeatCommand(study, 1000).value(),
+        makeRepeatCommand(study, 1000).value(),
         "noonmark-cli study 'my city.osm.pbf' --start 2026-03-21 --days 1 --from 09:00 --hours 6 --step 1 "
         "--zone America/New_York --region -73.985,40.753,-73.983,40.755 --cell 1 --engine ray --out "
         "repeated");
@@ -115,7 +114,7 @@ TEST(RepeatCommand, NamesWhatDiffersFromTheDefault) {
     study.provenance.reading->heightField = "roof height";
     study.provenance.reading->heightUnit = LengthUnit::feet;
     EXPECT_EQ(
-        repeatCommand(study, 1000).value(),
+        makeRepeatCommand(study, 1000).value(),
         "noonmark-cli study 'it'\\''s.gpkg' ./-x.shp sample:grid --height-field 'roof height' --height-unit "
         "ft --start 2026-03-21 "
         "--days 1 --window sunrise+90m..sunset-30m --step 1 --zone America/New_York --no-refraction --region "
@@ -132,7 +131,7 @@ TEST(RepeatCommand, AProjectIsNamedWithItsScenario) {
     study.provenance.project = aProject("-my plan.noonmark.gpkg", "ab");
     study.provenance.region = "--odd name";
     EXPECT_EQ(
-        repeatCommand(study, 1000).value(),
+        makeRepeatCommand(study, 1000).value(),
         "noonmark-cli study './-my plan.noonmark.gpkg' --scenario 'It'\\''s taller' --start 2026-03-21 "
         "--days 1 --from 09:00 --hours 6 --step 1 --zone America/New_York --region='--odd name' --cell 1 "
         "--engine ray --out repeated");
@@ -142,32 +141,32 @@ TEST(RepeatCommand, AnUnsavedScenarioHasNone) {
     Study study = aStudy();
     for (const auto& project : {aProject("", ""), aProject("plan.noonmark.gpkg", "")}) {
         study.provenance.project = project;
-        const auto repeat = repeatCommand(study);
+        const auto repeat = makeRepeatCommand(study);
         ASSERT_FALSE(repeat) << *repeat;
         EXPECT_NE(repeat.error().text().find("Save the project"), std::string::npos);
         EXPECT_EQ(repeat.error().text().find("city.gpkg"), std::string::npos);
     }
     study.provenance.project = aProject("", "");
     study.provenance.project->scenario = {"Existing", {}, "dd"};
-    EXPECT_EQ(repeatCommand(study).value().rfind("noonmark-cli study city.gpkg", 0), 0U)
+    EXPECT_EQ(makeRepeatCommand(study).value().rfind("noonmark-cli study city.gpkg", 0), 0U)
         << "the city as it stands is that of its files";
     study.provenance.reading.reset();
-    EXPECT_FALSE(repeatCommand(study)) << "how they were read is not known";
+    EXPECT_FALSE(makeRepeatCommand(study)) << "how they were read is not known";
     study.provenance = {};
-    EXPECT_FALSE(repeatCommand(study)) << "nor which they are";
+    EXPECT_FALSE(makeRepeatCommand(study)) << "nor which they are";
 }
 
 TEST(RepeatCommand, FilesOfOneNameAreToldApart) {
     Study study = aStudy();
     study.provenance.inputs = {{"/a/city.gpkg", 10, "ab"}, {"/b/city.gpkg", 10, "cd"}};
-    EXPECT_EQ(repeatCommand(study, 1000).value().rfind("noonmark-cli study /a/city.gpkg /b/city.gpkg", 0),
+    EXPECT_EQ(makeRepeatCommand(study, 1000).value().rfind("noonmark-cli study /a/city.gpkg /b/city.gpkg", 0),
               0U);
 }
 
 TEST(RepeatCommand, LongLinesGoOnAfterABackslash) {
     Study study = aStudy();
-    const std::string whole = repeatCommand(study, 1000).value();
-    std::string wrapped = repeatCommand(study, 60).value();
+    const std::string whole = makeRepeatCommand(study, 1000).value();
+    std::string wrapped = makeRepeatCommand(study, 60).value();
     std::size_t lines = 1;
     for (std::size_t at = wrapped.find(" \\\n    "); at != std::string::npos;
          at = wrapped.find(" \\\n    ")) {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/study/error_words.h"
+#include "core/study/text/error_words.h"
 
 namespace noonmark {
 namespace {
@@ -16,7 +16,7 @@ Ring square(float x, float y, float side) {
     return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
-// One tower of 30 m and, 5 km to the north, one that cannot matter.
+// One tower of 30 m and, 5 km to the north, one that cannot affect the result.
 City towers() {
     City city{.frame = Frame({-73.98, 40.75})};
     Building near{.sourceId = "near"};
@@ -29,7 +29,7 @@ City towers() {
 
 StudySettings aroundTheTower() {
     StudySettings settings;
-    settings.region = regionFromLocalBox({{-50, -50}, {60, 60}});
+    settings.region = makeRegionFromLocalBox({{-50, -50}, {60, 60}});
     settings.receivers.cellM = 2;
     settings.engine = "ray";
     settings.period.zone = "America/New_York";
@@ -44,7 +44,7 @@ Result<Study> run(const StudySettings& settings) {
 
 std::string errorOf(const Result<Study>& study) { return study ? "no error" : study.error().text(); }
 
-TEST(RunStudy, fillsEveryPart) {
+TEST(RunStudy, FillsEveryPart) {
     const auto study = run(aroundTheTower());
     ASSERT_TRUE(study) << errorOf(study);
     EXPECT_EQ(study->receivers.cells.size(), 55U * 55U - 25U);
@@ -57,7 +57,7 @@ TEST(RunStudy, fillsEveryPart) {
         EXPECT_TRUE(study->seconds.contains(stage)) << stage;
 }
 
-TEST(RunStudy, picksAnEngineByItself) {
+TEST(RunStudy, PicksAnEngineByItself) {
     StudySettings settings = aroundTheTower();
     settings.engine = StudySettings().engine;
     auto study = run(settings);
@@ -72,27 +72,27 @@ TEST(RunStudy, picksAnEngineByItself) {
     EXPECT_THAT(json["repeat"].get<std::string>(), HasSubstr("--engine projected"));
 }
 
-TEST(RunStudy, theSunIsSeenFromTheMiddleOfTheRegion) {
+TEST(RunStudy, TheSunIsSeenFromTheMiddleOfTheRegion) {
     StudySettings settings = aroundTheTower();
-    settings.region = regionFromLocalBox({{20000, 0}, {20100, 100}});
-    const Observer observer = observerOf({.city = towers(), .settings = settings});
+    settings.region = makeRegionFromLocalBox({{20000, 0}, {20100, 100}});
+    const Observer observer = makeObserver({.city = towers(), .settings = settings});
     const glm::dvec2 local = Frame({-73.98, 40.75}).localFromLonLat(observer.place);
     EXPECT_NEAR(local.x, 20050, 0.1);
     EXPECT_NEAR(local.y, 50, 0.1);
 }
 
-TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
+TEST(RunStudy, StatesHowTheSunLiesInTheFrame) {
     City city = towers();
     Building farOff{.sourceId = "far off"};
     farOff.parts.push_back({.footprint = {square(20000, 10, 20), {}}, .topM = 40});
     city.buildings = {std::make_shared<const Building>(farOff)};
     StudySettings settings = aroundTheTower();
-    settings.region = regionFromLocalBox({{19970, 0}, {20050, 60}});
+    settings.region = makeRegionFromLocalBox({{19970, 0}, {20050, 60}});
     NoProgress progress;
     const auto study = runStudy(city, settings, progress, {});
     ASSERT_TRUE(study) << study.error().text();
     const auto json = nlohmann::json::parse(studyJson(*study))["sun_frame"];
-    // East of the origin north leans to the west, by d_lon sin(lat): 20.01 km at 40.75 deg north.
+    // East of the origin, north turns to the west by d_lon sin(lat): 20.01 km at 40.75 deg north.
     const double convergence = 20010 / (6378137 * std::cos(40.75 / 57.29578)) * std::sin(40.75 / 57.29578);
     EXPECT_NEAR(json["north_turned_deg"], -convergence * 57.29578, 0.001);
     EXPECT_EQ(json["vertical_turned_deg"], 0);
@@ -101,7 +101,7 @@ TEST(RunStudy, statesHowTheSunLiesInTheFrame) {
     EXPECT_EQ(json["steps_levelled"], 0);
 }
 
-TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
+TEST(RunStudy, SaysWhatIsWrongWithTheSettings) {
     StudySettings settings = aroundTheTower();
     settings.engine = "magic";
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("magic"));
@@ -116,9 +116,9 @@ TEST(RunStudy, saysWhatIsWrongWithTheSettings) {
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("0.25 to 10"));
 }
 
-TEST(RunStudy, refusesWhatHasNoAnswer) {
+TEST(RunStudy, RefusesWhatHasNoAnswer) {
     StudySettings settings = aroundTheTower();
-    settings.region = regionFromLocalBox({{2, 2}, {8, 8}});
+    settings.region = makeRegionFromLocalBox({{2, 2}, {8, 8}});
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("open ground"));
     settings = aroundTheTower();
     settings.period.from = std::chrono::hours(0);
@@ -126,13 +126,13 @@ TEST(RunStudy, refusesWhatHasNoAnswer) {
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("below the horizon"));
 }
 
-TEST(RunStudy, refusesWhatDoesNotFit) {
+TEST(RunStudy, RefusesWhatDoesNotFit) {
     StudySettings settings = aroundTheTower();
     settings.memoryLimit = 1000;
     EXPECT_THAT(errorOf(run(settings)), HasSubstr("would need"));
 }
 
-TEST(RunStudy, stopsWhenAsked) {
+TEST(RunStudy, StopsWhenAsked) {
     std::stop_source stop;
     stop.request_stop();
     NoProgress progress;
@@ -141,7 +141,7 @@ TEST(RunStudy, stopsWhenAsked) {
     EXPECT_TRUE(isCancelled(study.error()));
 }
 
-TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
+TEST(StudyJson, HasTheKeysThatScriptsRelyOn) {
     auto study = run(aroundTheTower());
     ASSERT_TRUE(study) << errorOf(study);
     study->provenance.inputs = {{"city.gpkg", 7, "abc"}, {"sample:grid", 0, ""}};
@@ -168,7 +168,7 @@ TEST(StudyJson, hasTheKeysThatScriptsRelyOn) {
     EXPECT_THAT(json["definitions"]["fraction_of_time"].get<std::string>(), HasSubstr("above the horizon"));
 }
 
-TEST(RunStudy, measuresTheErrorOfEveryEngineButTheReference) {
+TEST(RunStudy, MeasuresTheErrorOfEveryEngineButTheReference) {
     StudySettings settings = aroundTheTower();
     EXPECT_FALSE(run(settings)->error);
     settings.engine = "iam";
@@ -185,7 +185,7 @@ TEST(RunStudy, measuresTheErrorOfEveryEngineButTheReference) {
     EXPECT_FALSE(run(settings)->error);
 }
 
-TEST(StudyJson, theErrorsKeysAreThereMeasuredOrNot) {
+TEST(StudyJson, TheErrorsKeysAreThereMeasuredOrNot) {
     StudySettings settings = aroundTheTower();
     settings.engine = "projected";
     const auto measured = nlohmann::json::parse(studyJson(*run(settings)))["error"];
@@ -203,17 +203,17 @@ TEST(StudyJson, theErrorsKeysAreThereMeasuredOrNot) {
     EXPECT_THAT(left["why_not"].get<std::string>(), HasSubstr("switched off"));
 }
 
-TEST(ErrorLines, sayWhatWasMeasuredOrWhyNot) {
+TEST(ErrorLines, SayWhatWasMeasuredOrWhyNot) {
     StudySettings settings = aroundTheTower();
-    EXPECT_THAT(errorLines(*run(settings)).front().value, HasSubstr("reference itself"));
+    EXPECT_THAT(makeErrorLines(*run(settings)).front().value, HasSubstr("reference itself"));
     settings.engine = "projected";
-    const auto lines = errorLines(*run(settings));
+    const auto lines = makeErrorLines(*run(settings));
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0].name, "area error");
     EXPECT_THAT(lines[3].value, HasSubstr("300 of 3000 receivers"));
 }
 
-TEST(StudyJson, aSolarWindowReplacesTheHours) {
+TEST(StudyJson, ASolarWindowReplacesTheHours) {
     StudySettings settings = aroundTheTower();
     settings.period.window = SolarWindow{std::chrono::minutes(90), std::chrono::minutes(60)};
     const auto study = run(settings);

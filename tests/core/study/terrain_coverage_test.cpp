@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/study.h"
-#include "core/study/terrain_text.h"
-#include "core/study/tiled_study.h"
-#include "tests/core/accumulate/scenes.h"
+#include "core/study/text/terrain_text.h"
+#include "core/study/tiles/tiled_study.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark::tests {
@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A terrain from -50 to 50 to each side, and houses along y = 0 every 40 m from x = -40 to 760.
+// A terrain from -50 to 50 on each axis, and houses along y = 0 every 40 m from x = -40 to 760.
 City halfCovered() {
     City city{.frame = Frame({11.96, 57.7})};
     city.terrain = std::make_shared<const Terrain>(
@@ -29,7 +29,7 @@ City halfCovered() {
 
 StudySettings over(float east) {
     StudySettings settings;
-    settings.region = regionFromLocalBox({{-50, -50}, {east, 50}});
+    settings.region = makeRegionFromLocalBox({{-50, -50}, {east, 50}});
     settings.region.name = "park";
     settings.receivers.cellM = 1;
     settings.engine = "ray";
@@ -46,16 +46,16 @@ Result<Study> studied(float east) {
     return runStudy(halfCovered(), over(east), progress, {});
 }
 
-TEST(TerrainCoverage, aRegionOnTheTerrainHasNothingToState) {
+TEST(TerrainCoverage, ARegionOnTheTerrainHasNothingToState) {
     const Study study = studied(40).value();
     EXPECT_EQ(study.terrainCoverage.receivers.all, study.receivers.cells.size());
     EXPECT_EQ(study.terrainCoverage.receivers.off, 0U);
-    EXPECT_TRUE(warningsOf(study.terrainCoverage).empty() || study.terrainCoverage.casters.off > 0);
+    EXPECT_TRUE(makeWarnings(study.terrainCoverage).empty() || study.terrainCoverage.casters.off > 0);
     EXPECT_EQ(nlohmann::json::parse(studyJson(study))["beyond_terrain"]["receivers"]["off"], 0);
 }
 
-// 180 m wide, 80 of them beyond.
-TEST(TerrainCoverage, whatLiesBeyondIsCountedAndStated) {
+// The region is 180 m wide; 80 m of it are beyond the terrain.
+TEST(TerrainCoverage, WhatLiesBeyondIsCountedAndStated) {
     const Study study = studied(130).value();
     const auto& share = study.terrainCoverage.receivers;
     std::size_t off = 0;
@@ -70,10 +70,10 @@ TEST(TerrainCoverage, whatLiesBeyondIsCountedAndStated) {
     const auto json = nlohmann::json::parse(text);
     EXPECT_EQ(json["beyond_terrain"]["receivers"]["off"], share.off);
     EXPECT_EQ(json["terrain"]["file"], "ground.tif");
-    EXPECT_THAT(textOf(study.terrainCoverage), HasSubstr("Beyond the terrain"));
+    EXPECT_THAT(formatText(study.terrainCoverage), HasSubstr("Beyond the terrain"));
 }
 
-TEST(TerrainCoverage, aRegionMostlyBeyondItIsRefused) {
+TEST(TerrainCoverage, ARegionMostlyBeyondItIsRefused) {
     const auto study = studied(160);
     ASSERT_FALSE(study);
     EXPECT_THAT(study.error().text(), HasSubstr("receivers lie beyond the terrain"));
@@ -86,7 +86,7 @@ TEST(TerrainCoverage, aRegionMostlyBeyondItIsRefused) {
     EXPECT_THAT(tiled.error().text(), HasSubstr("receivers lie beyond the terrain"));
 }
 
-TEST(TerrainCoverage, tilesCountTheRegionsCells) {
+TEST(TerrainCoverage, TilesCountTheRegionsCells) {
     const TemporaryFolder folder;
     NoProgress progress;
     const TiledStudy tiled = runTiledStudy(halfCovered(), {.study = over(130), .tileCells = 64},
@@ -97,8 +97,9 @@ TEST(TerrainCoverage, tilesCountTheRegionsCells) {
     EXPECT_FALSE(tiled.study.warnings.empty());
 }
 
-// Low suns from the east reach far: most houses that can shade lie farther away than the terrain is wide.
-TEST(TerrainCoverage, housesInReachFarFromItAreRefused) {
+// Low suns from the east: most houses whose shadow can reach the region are farther away than the terrain is
+// wide.
+TEST(TerrainCoverage, HousesInReachFarFromItAreRefused) {
     StudySettings settings = over(40);
     settings.period.from = std::chrono::minutes(5 * 60 + 10);
     settings.period.stepMinutes = 2;
@@ -108,7 +109,7 @@ TEST(TerrainCoverage, housesInReachFarFromItAreRefused) {
     EXPECT_THAT(study.error().text(), HasSubstr("buildings whose shadow can reach the region lie far"));
 }
 
-TEST(TerrainSource, comesBackFromItsText) {
+TEST(TerrainSource, ComesBackFromItsText) {
     TerrainSource source{.method = TerrainMethod::averaged,
                          .file = "dem \"2\".tif",
                          .sourceColumns = 12000,

@@ -1,4 +1,4 @@
-#include "core/study/tile_journal.h"
+#include "core/study/tiles/tile_journal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ protected:
     std::filesystem::path path = folder.path("made/shadow.tif.tiles");
 };
 
-TEST_F(TileJournalTest, whatWasFinishedComesBackToTheLastBit) {
+TEST_F(TileJournalTest, WhatWasFinishedComesBackToTheLastBit) {
     {
         auto journal = opened();
         ASSERT_TRUE(journal) << journal.error().text();
@@ -61,7 +61,7 @@ TEST_F(TileJournalTest, whatWasFinishedComesBackToTheLastBit) {
     EXPECT_TRUE(again->finished().at(5).empty());
 }
 
-TEST_F(TileJournalTest, runsThatWereNotCountedComeBackAsSuch) {
+TEST_F(TileJournalTest, RunsThatWereNotCountedComeBackAsSuch) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     {
         auto journal = opened();
@@ -77,7 +77,7 @@ TEST_F(TileJournalTest, runsThatWereNotCountedComeBackAsSuch) {
     EXPECT_EQ(again->finished().at(1).compared.at(0).referenceContinuousMin, 4);
 }
 
-TEST_F(TileJournalTest, aLineThatWasCutOffIsNotThereAndDoesNoHarm) {
+TEST_F(TileJournalTest, ALineThatWasCutOffIsNotThereAndDoesNoHarm) {
     {
         auto journal = opened();
         finish(*journal, 1);
@@ -93,7 +93,7 @@ TEST_F(TileJournalTest, aLineThatWasCutOffIsNotThereAndDoesNoHarm) {
     EXPECT_THAT(opened()->finished(), ElementsAre(Key(1), Key(2)));
 }
 
-TEST_F(TileJournalTest, aTileWithoutItsFileIsNotFinished) {
+TEST_F(TileJournalTest, ATileWithoutItsFileIsNotFinished) {
     {
         auto journal = opened();
         finish(*journal, 1);
@@ -103,7 +103,7 @@ TEST_F(TileJournalTest, aTileWithoutItsFileIsNotFinished) {
     EXPECT_THAT(opened()->finished(), ElementsAre(Key(1)));
 }
 
-TEST_F(TileJournalTest, tilesOfAnotherStudyAreRefused) {
+TEST_F(TileJournalTest, TilesOfAnotherStudyAreRefused) {
     { auto journal = opened("abc"); }
     const auto other = opened("def");
     ASSERT_FALSE(other);
@@ -112,21 +112,21 @@ TEST_F(TileJournalTest, tilesOfAnotherStudyAreRefused) {
     EXPECT_TRUE(opened("abc"));
 }
 
-TEST_F(TileJournalTest, oneProcessAtATime) {
+TEST_F(TileJournalTest, OneProcessAtATime) {
     const auto first = opened();
     const auto second = opened();
     ASSERT_FALSE(second);
-    EXPECT_THAT(second.error().text(), HasSubstr("at work"));
+    EXPECT_THAT(second.error().text(), HasSubstr("is working"));
 }
 
-TEST_F(TileJournalTest, isGoneWhenRemoved) {
+TEST_F(TileJournalTest, IsGoneWhenRemoved) {
     auto journal = opened();
     finish(*journal, 1);
     journal->remove();
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST_F(TileJournalTest, aFolderThatCannotBeMadeIsAnError) {
+TEST_F(TileJournalTest, AFolderThatCannotBeMadeIsAnError) {
     path = folder.file("in the way", "a file") / "tiles";
     const auto journal = opened();
     ASSERT_FALSE(journal);

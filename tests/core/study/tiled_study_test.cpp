@@ -1,4 +1,4 @@
-#include "core/study/tiled_study.h"
+#include "core/study/tiles/tiled_study.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,9 +11,9 @@
 #include "core/io/write_raster.h"
 #include "core/measures/has_runs.h"
 #include "core/study/memory_need.h"
+#include "core/study/provenance/study_hash.h"
 #include "core/study/remaining_time.h"
-#include "core/study/study_hash.h"
-#include "tests/core/accumulate/scenes.h"
+#include "tests/core/engines/scenes.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace noonmark {
@@ -78,7 +78,7 @@ protected:
     std::filesystem::path file = folder.path("shadow.tif");
 };
 
-TEST_F(TiledStudyTest, isTheSameAsInOnePiece) {
+TEST_F(TiledStudyTest, IsTheSameAsInOnePiece) {
     const Study whole = inOnePiece(city, question("ray"));
     const auto tiled = run(question("ray"));
     ASSERT_TRUE(tiled) << tiled.error().text();
@@ -94,7 +94,7 @@ TEST_F(TiledStudyTest, isTheSameAsInOnePiece) {
     EXPECT_EQ(folder.names(), std::vector<std::string>{"shadow.tif"});
 }
 
-TEST_F(TiledStudyTest, projectedShadowsAndTheSweepTooButForCellsAtAnEdge) {
+TEST_F(TiledStudyTest, ProjectedShadowsAndTheSweepTooButForCellsAtAnEdge) {
     for (std::string engine : {"projected", "horizon"}) {
         if (engine == "horizon") city = cityOf({{{0, 0, 0}, {90, 40, 60}}, {{130, 90, 0}, {190, 150, 45}}});
         const Study whole = inOnePiece(city, question(engine));
@@ -109,7 +109,7 @@ TEST_F(TiledStudyTest, projectedShadowsAndTheSweepTooButForCellsAtAnEdge) {
     }
 }
 
-TEST_F(TiledStudyTest, grossShadowOnlyHasOneBandAndNoFiguresOfRuns) {
+TEST_F(TiledStudyTest, GrossShadowOnlyHasOneBandAndNoFiguresOfRuns) {
     StudySettings settings = question("horizon");
     settings.engineSettings["runs"] = 0;
     const auto tiled = run(settings);
@@ -124,7 +124,7 @@ TEST_F(TiledStudyTest, grossShadowOnlyHasOneBandAndNoFiguresOfRuns) {
     EXPECT_TRUE(json["error"]["gross"]["mean_pct"].is_number());
 }
 
-TEST_F(TiledStudyTest, jsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
+TEST_F(TiledStudyTest, JsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
     const auto whole = nlohmann::json::parse(studyJson(inOnePiece(city, question("ray"))));
     auto inTiles = run(question("ray"));
     inTiles->study.provenance.inputs = {{"city.gpkg", 7, "abc"}};
@@ -136,10 +136,10 @@ TEST_F(TiledStudyTest, jsonSaysWhatTheWholeSaysAndWhatTheTilesDid) {
     EXPECT_EQ(tiled["tiles"]["count"], 20);
     EXPECT_EQ(tiled["engine_used"], "ray");
     EXPECT_THAT(tiled["repeat"].get<std::string>(), HasSubstr("noonmark-cli city-study city.gpkg"));
-    EXPECT_EQ(whole["repeat_note"].get<std::string>().rfind("No command repeats it", 0), 0U);
+    EXPECT_EQ(whole["repeat_note"].get<std::string>().rfind("No command can repeat this result", 0), 0U);
 }
 
-/// Asks for a stop when so many tiles have been begun, and keeps what it was told.
+/// Requests a stop when a number of tiles have begun, and records the progress.
 struct StopAtTile final : Progress {
     explicit StopAtTile(int tile) : name(fmt::format("tile {} of", tile)) {}
     void report(double fraction, std::string_view stage) override {
@@ -151,7 +151,7 @@ struct StopAtTile final : Progress {
     std::stop_source stop;
 };
 
-TEST_F(TiledStudyTest, goesOnWhereItWasStoppedAndGivesTheSame) {
+TEST_F(TiledStudyTest, GoesOnWhereItWasStoppedAndGivesTheSame) {
     const StudySettings settings = question("iam");
     const auto unbroken = run(settings);
     ASSERT_TRUE(unbroken) << unbroken.error().text();
@@ -177,7 +177,7 @@ TEST_F(TiledStudyTest, goesOnWhereItWasStoppedAndGivesTheSame) {
     }
 }
 
-TEST_F(TiledStudyTest, grossShadowOnlyGoesOnWhereItWasStopped) {
+TEST_F(TiledStudyTest, GrossShadowOnlyGoesOnWhereItWasStopped) {
     StudySettings settings = question("horizon");
     settings.engineSettings["runs"] = 0;
     StopAtTile watcher(11);
@@ -188,7 +188,7 @@ TEST_F(TiledStudyTest, grossShadowOnlyGoesOnWhereItWasStopped) {
     EXPECT_FALSE(hasRuns(resumed->study.statistics));
 }
 
-TEST_F(TiledStudyTest, aBrokenTileIsSaidAndTheMapIsNotMade) {
+TEST_F(TiledStudyTest, ABrokenTileIsSaidAndTheMapIsNotMade) {
     StopAtTile watcher(13);
     ASSERT_FALSE(run(question("ray"), watcher, watcher.stop.get_token()));
     for (const auto& entry : std::filesystem::directory_iterator(file.string() + ".tiles"))
@@ -199,7 +199,7 @@ TEST_F(TiledStudyTest, aBrokenTileIsSaidAndTheMapIsNotMade) {
     EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-TEST_F(TiledStudyTest, finishedTilesOfOtherSettingsAreNotMixedIn) {
+TEST_F(TiledStudyTest, FinishedTilesOfOtherSettingsAreNotMixedIn) {
     StopAtTile watcher(9);
     ASSERT_FALSE(run(question("ray"), watcher, watcher.stop.get_token()));
     StudySettings other = question("ray");
@@ -210,7 +210,7 @@ TEST_F(TiledStudyTest, finishedTilesOfOtherSettingsAreNotMixedIn) {
     EXPECT_TRUE(run(question("ray")));
 }
 
-TEST_F(TiledStudyTest, refusesWhatRunStudyRefuses) {
+TEST_F(TiledStudyTest, RefusesWhatRunStudyRefuses) {
     StudySettings settings = question("ray");
     settings.period.from = std::chrono::hours(0);
     settings.period.hours = 2;
@@ -226,21 +226,21 @@ TEST_F(TiledStudyTest, refusesWhatRunStudyRefuses) {
     EXPECT_THAT(run(question("ray")).error().text(), HasSubstr("open ground"));
 }
 
-TEST_F(TiledStudyTest, memoryIsThatOfATileNotOfTheRegion) {
+TEST_F(TiledStudyTest, MemoryIsThatOfATileNotOfTheRegion) {
     StudySettings settings = question("ray");
-    settings.region = regionFromLocalBox({{-30, -30}, {220, 230}});
-    settings.memoryLimit = memoryNeed(city, settings) - 500'000;
+    settings.region = makeRegionFromLocalBox({{-30, -30}, {220, 230}});
+    settings.memoryLimit = estimateMemory(city, settings) - 500'000;
     NoProgress progress;
     EXPECT_FALSE(runStudy(city, settings, progress, {}));
     EXPECT_TRUE(run(settings));
 }
 
-TEST(StudyHash, everySettingAndEveryPointCounts) {
+TEST(StudyHash, EverySettingAndEveryPointCounts) {
     const City city = town();
     const StudySettings settings = question("ray");
-    const std::string hash = studyHash(city, settings);
+    const std::string hash = hashStudy(city, settings);
     EXPECT_EQ(hash.size(), 64U);
-    EXPECT_EQ(studyHash(town(), question("ray")), hash);
+    EXPECT_EQ(hashStudy(town(), question("ray")), hash);
     std::vector<StudySettings> others(8, settings);
     others[0].period.hours = 5;
     others[1].period.refraction = false;
@@ -250,23 +250,23 @@ TEST(StudyHash, everySettingAndEveryPointCounts) {
     others[5].region.polygons.front().outer.front().x += 1;
     others[6].errorSample.receivers = 299;
     others[7].temperatureC = 11;
-    for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(studyHash(city, others[i]), hash) << i;
+    for (std::size_t i = 0; i < others.size(); ++i) EXPECT_NE(hashStudy(city, others[i]), hash) << i;
     City higher = city;
     Building building = *city.buildings[40];
     building.parts.front().topM += 0.01F;
     higher.buildings[40] = std::make_shared<const Building>(building);
-    EXPECT_NE(studyHash(higher, settings), hash);
+    EXPECT_NE(hashStudy(higher, settings), hash);
     building = *city.buildings[40];
     building.name = "Renamed";
     higher.buildings[40] = std::make_shared<const Building>(building);
-    EXPECT_EQ(studyHash(higher, settings), hash);
+    EXPECT_EQ(hashStudy(higher, settings), hash);
 }
 
-TEST(RemainingTime, inWords) {
-    EXPECT_EQ(remainingWords(3), "about 10 s left");
-    EXPECT_EQ(remainingWords(41), "about 50 s left");
-    EXPECT_EQ(remainingWords(1500), "about 25 min left");
-    EXPECT_EQ(remainingWords(9000), "about 2.5 h left");
+TEST(RemainingTime, InWords) {
+    EXPECT_EQ(describeRemaining(3), "about 10 s left");
+    EXPECT_EQ(describeRemaining(41), "about 50 s left");
+    EXPECT_EQ(describeRemaining(1500), "about 25 min left");
+    EXPECT_EQ(describeRemaining(9000), "about 2.5 h left");
 }
 
 }  // namespace

@@ -17,17 +17,17 @@ Period newYork() {
     return period;
 }
 
-/// The field that `checked` complains of; empty if it doesn't.
+/// The field that `checked` reports; empty if it accepts the period.
 template <class Change>
 std::string fieldOfError(Change change) {
     Period period = newYork();
     change(period);
-    const auto result = checked(period);
+    const auto result = validate(period);
     return result ? "" : result.error().where;
 }
 
-TEST(Period, isTakenAsItIsWhereItIsInRange) {
-    const auto period = checked(newYork());
+TEST(Period, IsTakenAsItIsWhereItIsInRange) {
+    const auto period = validate(newYork());
     ASSERT_TRUE(period);
     EXPECT_EQ(*period, newYork());
     EXPECT_EQ(fieldOfError([](Period& p) { p.hours = 0; }), "");
@@ -37,7 +37,7 @@ TEST(Period, isTakenAsItIsWhereItIsInRange) {
     EXPECT_EQ(fieldOfError([](Period& p) { p.window = SolarWindow{-12h, -12h}; }), "");
 }
 
-TEST(Period, saysWhichFieldIsOutOfRange) {
+TEST(Period, SaysWhichFieldIsOutOfRange) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(fieldOfError([](Period& p) { p.start = 2026y / February / 30; }), "start");
     EXPECT_EQ(fieldOfError([](Period& p) { p.start = 1899y / December / 31; }), "start");
@@ -58,21 +58,21 @@ TEST(Period, saysWhichFieldIsOutOfRange) {
     EXPECT_EQ(fieldOfError([](Period& p) { p.zone = "America/Gotham"; }), "zone");
 }
 
-TEST(PeriodText, saysItInOneLine) {
+TEST(PeriodText, SaysItInOneLine) {
     Period period = newYork();
-    EXPECT_EQ(textOf(period), "2026-03-21, 1 day, 09:00 for 6 h, every 1 min, America/New_York");
+    EXPECT_EQ(formatText(period), "2026-03-21, 1 day, 09:00 for 6 h, every 1 min, America/New_York");
     period.days = 365;
     period.hours = 0;
     period.refraction = false;
-    EXPECT_EQ(textOf(period), "2026-03-21, 365 days, at 09:00, America/New_York, no refraction");
+    EXPECT_EQ(formatText(period), "2026-03-21, 365 days, at 09:00, America/New_York, no refraction");
     period.window = SolarWindow{90min, 90min};
     period.stepMinutes = 0.5;
     EXPECT_EQ(
-        textOf(period),
+        formatText(period),
         "2026-03-21, 365 days, sunrise+1.5h..sunset-1.5h, every 0.5 min, America/New_York, no refraction");
 }
 
-TEST(SolarWindowText, isReadInItsForms) {
+TEST(SolarWindowText, IsReadInItsForms) {
     const auto read = [](const char* text) { return parseSolarWindow(text).value(); };
     EXPECT_EQ(read("sunrise+1.5h..sunset-1.5h"), (SolarWindow{90min, 90min}));
     EXPECT_EQ(read("sunrise-30m..sunset+30m"), (SolarWindow{-30min, -30min}));
@@ -84,16 +84,16 @@ TEST(SolarWindowText, isReadInItsForms) {
     EXPECT_EQ(read(".."), (SolarWindow{}));
 }
 
-TEST(SolarWindowText, roundTrips) {
+TEST(SolarWindowText, RoundTrips) {
     for (int after = -720; after <= 720; after += 45) {
         for (int before = -720; before <= 720; before += 31) {
             const SolarWindow window{minutes{after}, minutes{before}};
-            EXPECT_EQ(parseSolarWindow(textOf(window)).value(), window) << textOf(window);
+            EXPECT_EQ(parseSolarWindow(formatText(window)).value(), window) << formatText(window);
         }
     }
 }
 
-TEST(SolarWindowText, saysWhatItCannotRead) {
+TEST(SolarWindowText, SaysWhatItCannotRead) {
     for (const char* text :
          {"", "sunrise", "sunset..sunrise", "sunrise+1.5..sunset", "sunrise+h..sunset",
           "sunrise+1.5.5h..sunset", "sunrise+13h..sunset", "sunrise+1h..sunset-1h..", "09:00..15:00",

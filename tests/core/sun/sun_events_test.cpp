@@ -17,16 +17,18 @@ const Observer longyearbyen = observerAt(78.22, 15.65);
 const Observer tromso = observerAt(69.65, 18.96);
 
 SunEvents eventsAt(const Observer& observer, Instant localMidnight) {
-    return sunEvents(observer, localMidnight, SunriseRule::upperLimb);
+    return computeSunEvents(observer, localMidnight, SunriseRule::upperLimb);
 }
 
-double altitudeAt(const Observer& observer, Instant at) { return solarPosition(observer, at).altitude.value; }
+double altitudeAt(const Observer& observer, Instant at) {
+    return computeSolarPosition(observer, at).altitude.value;
+}
 
-TEST(SunEvents, crossTheThresholdOfTheirRule) {
+TEST(SunEvents, CrossTheThresholdOfTheirRule) {
     const Observer newYork = observerAt(40.75, -73.98);
     for (const auto& [rule, altitude] :
          {std::pair{SunriseRule::upperLimb, -0.8357}, std::pair{SunriseRule::centre, 0.0}}) {
-        const SunEvents events = sunEvents(newYork, utc(2026, 3, 21, 4), rule);
+        const SunEvents events = computeSunEvents(newYork, utc(2026, 3, 21, 4), rule);
         ASSERT_TRUE(events.sunrise && events.sunset);
         EXPECT_NEAR(altitudeAt(newYork, *events.sunrise), altitude, 1e-4);
         EXPECT_NEAR(altitudeAt(newYork, *events.sunset), altitude, 1e-4);
@@ -35,14 +37,14 @@ TEST(SunEvents, crossTheThresholdOfTheirRule) {
     }
 }
 
-TEST(SunEvents, upperLimbRisesBeforeTheCentre) {
+TEST(SunEvents, UpperLimbRisesBeforeTheCentre) {
     const Observer quito = observerAt(-0.18, -78.47);
-    const auto limb = sunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::upperLimb);
-    const auto centre = sunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::centre);
+    const auto limb = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::upperLimb);
+    const auto centre = computeSunEvents(quito, utc(2026, 3, 20, 5), SunriseRule::centre);
     EXPECT_NEAR(secondsBetween(*limb.sunrise, *centre.sunrise), 0.8357 / 15 * 3600, 1);
 }
 
-TEST(SunEvents, transitIsTheHighestPointButForSeconds) {
+TEST(SunEvents, TransitIsTheHighestPointButForSeconds) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> latitude(-60, 60);
     std::uniform_real_distribution<double> longitude(-180, 180);
@@ -55,7 +57,7 @@ TEST(SunEvents, transitIsTheHighestPointButForSeconds) {
     }
 }
 
-TEST(SunEvents, transitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
+TEST(SunEvents, TransitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> latitude(-89, 89);
     std::uniform_real_distribution<double> longitude(-180, 180);
@@ -65,14 +67,14 @@ TEST(SunEvents, transitIsTheOneNearestToNoonAtAnyLongitudeAndMidnight) {
         const Instant midnight = utc(2026, 1, 1) + std::chrono::minutes{minute(random)};
         const SunEvents events = eventsAt(observer, midnight);
         EXPECT_LE(secondsBetween(events.transit, midnight + 12h), 43200 + 1100);
-        const double azimuth = solarPosition(observer, events.transit).azimuth.value;
+        const double azimuth = computeSolarPosition(observer, events.transit).azimuth.value;
         EXPECT_LT(std::abs(std::remainder(azimuth, 180.0)), 0.02);
         EXPECT_LE(secondsBetween(events.sunrise.value_or(events.transit), events.transit), 43200);
         EXPECT_LE(secondsBetween(events.sunset.value_or(events.transit), events.transit), 43200);
     }
 }
 
-TEST(SunEvents, bothSidesOfTheDateLineAgree) {
+TEST(SunEvents, BothSidesOfTheDateLineAgree) {
     const Instant midnight = utc(2026, 5, 5, 12);
     const SunEvents west = eventsAt(observerAt(-16.8, 180), midnight);
     const SunEvents east = eventsAt(observerAt(-16.8, -180), midnight);
@@ -81,7 +83,7 @@ TEST(SunEvents, bothSidesOfTheDateLineAgree) {
     EXPECT_EQ(west.sunset, east.sunset);
 }
 
-TEST(SunEvents, polarDayAndNight) {
+TEST(SunEvents, PolarDayAndNight) {
     const SunEvents summer = eventsAt(longyearbyen, utc(2026, 6, 20, 22));
     EXPECT_EQ(summer.kind, DayKind::polarDay);
     EXPECT_FALSE(summer.sunrise || summer.sunset);
@@ -92,9 +94,9 @@ TEST(SunEvents, polarDayAndNight) {
     EXPECT_EQ(eventsAt(observerAt(-78, 166.7), utc(2026, 6, 20, 12)).kind, DayKind::polarNight);
 }
 
-// From the first sunrise after midnight sun begins to its end, the days go: rises and sets, perhaps one half,
-// then neither.
-TEST(SunEvents, kindsChangeInOrderThroughThePolarYear) {
+// The kinds of day in order from the first sunrise after midnight sun: days with sunrise and sunset, perhaps
+// one with only one of them, then neither.
+TEST(SunEvents, KindsChangeInOrderThroughThePolarYear) {
     int changes = 0;
     DayKind last = eventsAt(tromso, utc(2026, 1, 1)).kind;
     EXPECT_EQ(last, DayKind::polarNight);
@@ -106,13 +108,14 @@ TEST(SunEvents, kindsChangeInOrderThroughThePolarYear) {
     EXPECT_EQ(changes, 4);  // night, ordinary, day, ordinary, night
 }
 
-TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
+TEST(SunEvents, SunThatRisesAndStaysUpHasNoSunset) {
     int half = 0;
     for (double latitude = 66; latitude < 80; latitude += 0.1) {
         const auto ephemeris = Ephemeris::over(observerAt(latitude, 0), utc(2026, 3, 30), utc(2026, 6, 30));
         ASSERT_TRUE(ephemeris);
         for (int day = 90; day < 175; ++day) {
-            const auto events = sunEvents(*ephemeris, utc(2026, 1, 1) + days{day}, SunriseRule::upperLimb);
+            const auto events =
+                computeSunEvents(*ephemeris, utc(2026, 1, 1) + days{day}, SunriseRule::upperLimb);
             if (events.sunrise.has_value() == events.sunset.has_value()) continue;
             EXPECT_EQ(events.kind, DayKind::ordinary);
             EXPECT_FALSE(events.sunset) << "in spring the sun rises before it stays up";
@@ -123,7 +126,7 @@ TEST(SunEvents, sunThatRisesAndStaysUpHasNoSunset) {
     EXPECT_GT(half, 5);
 }
 
-TEST(SunEvents, survivesThePolesAndFarYears) {
+TEST(SunEvents, SurvivesThePolesAndFarYears) {
     for (const double latitude : {90.0, -90.0, 89.999}) {
         EXPECT_EQ(eventsAt(observerAt(latitude, 0), utc(2026, 6, 21)).kind,
                   latitude > 0 ? DayKind::polarDay : DayKind::polarNight);
@@ -133,13 +136,13 @@ TEST(SunEvents, survivesThePolesAndFarYears) {
     eventsAt(observerAt(40, 0), utc(2500, 1, 1));
 }
 
-TEST(SunEvents, fromAnEphemerisAreTheSame) {
+TEST(SunEvents, FromAnEphemerisAreTheSame) {
     const Observer newYork = observerAt(40.75, -73.98);
     const Instant first = utc(2026, 1, 1, 5);
     const auto ephemeris = Ephemeris::over(newYork, first - days{1}, first + days{366});
     ASSERT_TRUE(ephemeris);
     for (int day = 0; day < 365; day += 9) {
-        const SunEvents fromYear = sunEvents(*ephemeris, first + days{day}, SunriseRule::upperLimb);
+        const SunEvents fromYear = computeSunEvents(*ephemeris, first + days{day}, SunriseRule::upperLimb);
         const SunEvents alone = eventsAt(newYork, first + days{day});
         EXPECT_LE(secondsBetween(*fromYear.sunrise, *alone.sunrise), 0.01);
         EXPECT_LE(secondsBetween(fromYear.transit, alone.transit), 0.01);

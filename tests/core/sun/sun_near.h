@@ -22,15 +22,15 @@ inline Observer observerAt(double latDeg, double lonDeg) {
     return observer;
 }
 
-/// Difference of two azimuths, degrees, whichever side of north they lie.
+/// Difference of two azimuths, degrees, also across north.
 inline double azimuthDifference(Degrees a, Degrees b) {
     return std::abs(std::remainder(a.value - b.value, 360.0));
 }
 
 /// Angle on the sky between two directions, degrees.
 inline double separation(Degrees azimuthA, Degrees altitudeA, Degrees azimuthB, Degrees altitudeB) {
-    const glm::dvec3 a = directionFromAzimuthAltitude(azimuthA, altitudeA);
-    const glm::dvec3 b = directionFromAzimuthAltitude(azimuthB, altitudeB);
+    const glm::dvec3 a = toDirection(azimuthA, altitudeA);
+    const glm::dvec3 b = toDirection(azimuthB, altitudeB);
     return Radians{2 * std::asin(std::min(1.0, glm::length(a - b) / 2))}.degrees().value;
 }
 

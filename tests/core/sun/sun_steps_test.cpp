@@ -23,7 +23,7 @@ Period periodIn(const std::string& zone, CivilDate start) {
     return period;
 }
 
-/// What holds for every result, whatever the period.
+/// Properties of every result, whatever the period.
 void expectSound(const SunSteps& sun) {
     std::size_t next = 0;
     std::size_t below = 0;
@@ -44,19 +44,19 @@ void expectSound(const SunSteps& sun) {
         EXPECT_LT(step.azimuthDeg, 360);
         EXPECT_GE(step.slot, 0);
         EXPECT_NEAR(glm::length(step.direction), 1, 1e-6);
-        const auto expected = directionFromAzimuthAltitude({step.azimuthDeg}, {step.altitudeDeg});
+        const auto expected = toDirection({step.azimuthDeg}, {step.altitudeDeg});
         EXPECT_LT(glm::length(glm::dvec3(step.direction) - expected), 1e-6);
     }
 }
 
 SunSteps stepsOf(const Period& period, const Observer& observer) {
-    auto sun = sunSteps(period, observer);
+    auto sun = computeSunSteps(period, observer);
     EXPECT_TRUE(sun) << sun.error().text();
     expectSound(*sun);
     return std::move(*sun);
 }
 
-TEST(SunSteps, standForHalfOpenIntervals) {
+TEST(SunSteps, StandForHalfOpenIntervals) {
     const SunSteps sun = stepsOf(periodIn("America/New_York", 2026y / March / 21), newYork);
     ASSERT_EQ(sun.steps.size(), 360);
     EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 21, 13));
@@ -66,21 +66,22 @@ TEST(SunSteps, standForHalfOpenIntervals) {
     EXPECT_EQ(sun.belowHorizon, 0);
 }
 
-TEST(SunSteps, canBeStopped) {
+TEST(SunSteps, CanBeStopped) {
     std::stop_source stop;
     stop.request_stop();
-    const auto sun = sunSteps(periodIn("America/New_York", 2026y / March / 21), newYork, stop.get_token());
+    const auto sun =
+        computeSunSteps(periodIn("America/New_York", 2026y / March / 21), newYork, stop.get_token());
     ASSERT_FALSE(sun);
     EXPECT_TRUE(isCancelled(sun.error()));
 }
 
-TEST(SunSteps, areWhereTheSunIs) {
+TEST(SunSteps, AreWhereTheSunIs) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.stepMinutes = 7;
     for (const bool refraction : {true, false}) {
         period.refraction = refraction;
         for (const SunStep& step : stepsOf(period, newYork).steps) {
-            const SolarPosition exact = solarPosition(newYork, step.at);
+            const SolarPosition exact = computeSolarPosition(newYork, step.at);
             const Degrees altitude = refraction ? exact.altitudeApparent : exact.altitude;
             EXPECT_NEAR(step.altitudeDeg, altitude.value, 3e-5);
             EXPECT_NEAR(step.azimuthDeg, exact.azimuth.value, 5e-5);
@@ -88,7 +89,7 @@ TEST(SunSteps, areWhereTheSunIs) {
     }
 }
 
-TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
+TEST(SunSteps, FillHoursThatTheStepDoesNotDivide) {
     struct Case {
         double hours, stepMinutes;
         std::size_t steps;
@@ -111,11 +112,11 @@ TEST(SunSteps, fillHoursThatTheStepDoesNotDivide) {
     }
 }
 
-// Sunrise to sunset, worked out here from the two events.
-TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
+// Sunrise to sunset, computed here from the two events.
+TEST(SunSteps, OfASolarWindowCountAllOfItsMinutes) {
     const CivilDate date = 2026y / December / 21;
     const Instant midnight = Zone::named("America/New_York")->instantAt(date, 0min);
-    const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+    const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
     const double minutes = duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     ASSERT_NEAR(minutes, 375.2, 2);  // 9 h 15 min of daylight
     Period period = periodIn("America/New_York", date);
@@ -132,7 +133,7 @@ TEST(SunSteps, ofASolarWindowCountAllOfItsMinutes) {
     }
 }
 
-TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
+TEST(SunSteps, OfManySolarWindowsCountAllOfTheirMinutes) {
     Period period = periodIn("America/New_York", 2026y / January / 1);
     period.days = 365;
     period.window = SolarWindow{90min, 90min};
@@ -140,7 +141,7 @@ TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
     for (int i = 0; i < 365; ++i) {
         const CivilDate date{sys_days{period.start} + days{i}};
         const Instant midnight = Zone::named(period.zone)->instantAt(date, 0min);
-        const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+        const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
         minutes += duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
     }
     for (const double step : {1.0, 10.0, 60.0}) {
@@ -153,7 +154,7 @@ TEST(SunSteps, ofManySolarWindowsCountAllOfTheirMinutes) {
     }
 }
 
-TEST(SunSteps, ofOneInstantADay) {
+TEST(SunSteps, OfOneInstantADay) {
     Period period = periodIn("America/New_York", 2026y / March / 6);
     period.days = 3;
     period.hours = 0;
@@ -165,7 +166,7 @@ TEST(SunSteps, ofOneInstantADay) {
     EXPECT_EQ(sun.steps[2].at, utc(2026, 3, 8, 13));  // summer time
 }
 
-TEST(SunSteps, beginAtTheWallClockOnDaysOfChange) {
+TEST(SunSteps, BeginAtTheWallClockOnDaysOfChange) {
     for (const auto& [date, first] : {std::pair{CivilDate{2026y / March / 8}, utc(2026, 3, 8, 13)},
                                       std::pair{CivilDate{2026y / November / 1}, utc(2026, 11, 1, 14)}}) {
         const SunSteps sun = stepsOf(periodIn("America/New_York", date), newYork);
@@ -179,7 +180,7 @@ TEST(SunSteps, beginAtTheWallClockOnDaysOfChange) {
     EXPECT_EQ(sun.steps.size() + sun.belowHorizon, 1440);
 }
 
-TEST(SunSteps, leapDayIsADay) {
+TEST(SunSteps, LeapDayIsADay) {
     Period period = periodIn("America/New_York", 2028y / February / 28);
     period.days = 3;
     const SunSteps sun = stepsOf(period, newYork);
@@ -189,19 +190,19 @@ TEST(SunSteps, leapDayIsADay) {
     EXPECT_EQ(sun.steps.size(), 3 * 360);
 }
 
-TEST(SunSteps, midnightSunFillsTheWholeDay) {
+TEST(SunSteps, MidnightSunFillsTheWholeDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
     period.from = 0min;
     period.hours = 24;
     const SunSteps sun = stepsOf(period, longyearbyen);
     EXPECT_EQ(sun.steps.size(), 1440);
     EXPECT_EQ(sun.belowHorizon, 0);
-    period.from = 20h;  // over midnight
+    period.from = 20h;  // across midnight
     period.hours = 8;
     EXPECT_EQ(stepsOf(period, longyearbyen).steps.size(), 480);
 }
 
-TEST(SunSteps, polarNightHasDaysWithoutSteps) {
+TEST(SunSteps, PolarNightHasDaysWithoutSteps) {
     Period period = periodIn("Europe/Oslo", 2026y / December / 21);
     period.days = 2;
     const SunSteps sun = stepsOf(period, longyearbyen);
@@ -215,7 +216,7 @@ TEST(SunSteps, polarNightHasDaysWithoutSteps) {
     EXPECT_EQ(stepsOf(period, longyearbyen).belowHorizon, 0);
 }
 
-TEST(SunSteps, belowTheHorizonLeaveAGapInTheSlots) {
+TEST(SunSteps, BelowTheHorizonLeaveAGapInTheSlots) {
     // Longyearbyen in April: 24 hours from noon to noon, with a short night in the middle.
     Period period = periodIn("Europe/Oslo", 2026y / April / 10);
     period.from = 12h;
@@ -229,26 +230,26 @@ TEST(SunSteps, belowTheHorizonLeaveAGapInTheSlots) {
     EXPECT_EQ(sun.steps.back().slot, 1439);
 }
 
-TEST(SunSteps, refractionLengthensTheDay) {
+TEST(SunSteps, RefractionLengthensTheDay) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.from = 0min;
     period.hours = 24;
     const std::size_t seen = stepsOf(period, newYork).steps.size();
     period.refraction = false;
     const std::size_t geometric = stepsOf(period, newYork).steps.size();
-    // 29' of refraction, twice, where the sun climbs 15 cos 40.75 deg an hour.
+    // 29' of refraction, twice, with the sun rising by 15 cos 40.75 deg per hour.
     EXPECT_NEAR(double(seen - geometric), 2 * 60 * (29.0 / 60) / (15 * 0.7576), 2);
     EXPECT_NEAR(double(geometric), 12 * 60 + 4, 6);
 }
 
-TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
+TEST(SunSteps, OfASolarWindowAreCountedFromSunrise) {
     Period period = periodIn("America/New_York", 2026y / March / 7);
     period.days = 3;
     period.window = SolarWindow{90min, 90min};
     const SunSteps sun = stepsOf(period, newYork);
     for (const SunDay& day : sun.days) {
         const Instant midnight = Zone::named(period.zone)->instantAt(day.date, 0min);
-        const SunEvents events = sunEvents(newYork, midnight, SunriseRule::upperLimb);
+        const SunEvents events = computeSunEvents(newYork, midnight, SunriseRule::upperLimb);
         EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
         const double length =
             duration<double, std::ratio<60>>(*events.sunset - *events.sunrise).count() - 180;
@@ -258,7 +259,7 @@ TEST(SunSteps, ofASolarWindowAreCountedFromSunrise) {
     }
 }
 
-TEST(SunSteps, windowBeforeSunriseCountsTheStepsWithoutSun) {
+TEST(SunSteps, WindowBeforeSunriseCountsTheStepsWithoutSun) {
     Period period = periodIn("America/New_York", 2026y / March / 21);
     period.window = SolarWindow{-30min, -30min};
     period.window->rule = SunriseRule::centre;
@@ -268,7 +269,7 @@ TEST(SunSteps, windowBeforeSunriseCountsTheStepsWithoutSun) {
     EXPECT_EQ(sun.steps.front().slot, int(std::ceil(30 / sun.stepMinutes)));
 }
 
-TEST(SunSteps, windowThatEndsBeforeItBeginsIsEmpty) {
+TEST(SunSteps, WindowThatEndsBeforeItBeginsIsEmpty) {
     Period period = periodIn("Europe/Oslo", 2026y / January / 20);
     period.window = SolarWindow{90min, 90min};
     const SunSteps sun = stepsOf(period, observerAt(69.65, 18.96));  // Tromso: the sun is up for an hour
@@ -276,7 +277,7 @@ TEST(SunSteps, windowThatEndsBeforeItBeginsIsEmpty) {
     EXPECT_EQ(sun.belowHorizon, 0);
 }
 
-TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
+TEST(SunSteps, WindowOfAPolarDayIsTheCivilDay) {
     Period period = periodIn("Europe/Oslo", 2026y / June / 21);
     period.window = SolarWindow{90min, 90min};
     const SunSteps sun = stepsOf(period, longyearbyen);
@@ -284,8 +285,8 @@ TEST(SunSteps, windowOfAPolarDayIsTheCivilDay) {
     EXPECT_EQ(sun.steps.front().at, utc(2026, 6, 20, 22));
 }
 
-TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
-    // Tromso in May: the days from the first night that stays bright.
+TEST(SunSteps, WindowOfADayWithoutSunsetLastsToMidnight) {
+    // Tromso in May: the days from the first night without sunset.
     Period period = periodIn("Europe/Oslo", 2026y / May / 10);
     period.days = 20;
     period.window = SolarWindow{90min, 90min};
@@ -294,7 +295,8 @@ TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
     const Zone oslo = Zone::named(period.zone).value();
     int half = 0;
     for (const SunDay& day : sun.days) {
-        const SunEvents events = sunEvents(tromso, oslo.instantAt(day.date, 0min), SunriseRule::upperLimb);
+        const SunEvents events =
+            computeSunEvents(tromso, oslo.instantAt(day.date, 0min), SunriseRule::upperLimb);
         if (!events.sunrise || events.sunset) continue;
         ++half;
         EXPECT_LE(secondsBetween(sun.steps[day.first].at, *events.sunrise + 90min), 0.01);
@@ -305,7 +307,7 @@ TEST(SunSteps, windowOfADayWithoutSunsetLastsToMidnight) {
     EXPECT_EQ(sun.days.back().count, 1440);
 }
 
-TEST(SunSteps, sunStandsInTheNorthOfTheTropicsAndTheSouth) {
+TEST(SunSteps, SunStandsInTheNorthOfTheTropicsAndTheSouth) {
     Period period = periodIn("America/Bogota", 2026y / June / 21);
     for (const SunStep& step : stepsOf(period, observerAt(4.6, -74.08)).steps) EXPECT_GT(step.direction.y, 0);
     period = periodIn("Australia/Sydney", 2026y / June / 21);
@@ -315,7 +317,7 @@ TEST(SunSteps, sunStandsInTheNorthOfTheTropicsAndTheSouth) {
     EXPECT_GT(sydney.steps.back().azimuthDeg, 270);
 }
 
-TEST(SunSteps, farZonesKeepTheirDates) {
+TEST(SunSteps, FarZonesKeepTheirDates) {
     const SunSteps sun =
         stepsOf(periodIn("Pacific/Kiritimati", 2026y / March / 21), observerAt(1.87, -157.4));
     EXPECT_EQ(sun.steps.front().at, utc(2026, 3, 20, 19));
@@ -323,7 +325,7 @@ TEST(SunSteps, farZonesKeepTheirDates) {
     EXPECT_NEAR(sun.steps.front().azimuthDeg, 90, 3);
 }
 
-TEST(SunSteps, ofAYearAreEightHoursADay) {
+TEST(SunSteps, OfAYearAreEightHoursADay) {
     Period period = periodIn("America/New_York", 2026y / January / 1);
     period.days = 365;
     period.from = 8h;
@@ -334,7 +336,7 @@ TEST(SunSteps, ofAYearAreEightHoursADay) {
     EXPECT_EQ(sun.days.back().date, CivilDate{2026y / December / 31});
 }
 
-TEST(SunSteps, workAtBothEndsOfTheirYears) {
+TEST(SunSteps, WorkAtBothEndsOfTheirYears) {
     for (const char* zone : {"Pacific/Kiritimati", "Etc/GMT+12", "America/New_York"}) {
         for (const CivilDate date : {CivilDate{1900y / January / 1}, CivilDate{2100y / December / 31}}) {
             for (const auto& window :
@@ -345,19 +347,19 @@ TEST(SunSteps, workAtBothEndsOfTheirYears) {
             }
         }
     }
-    EXPECT_FALSE(sunSteps(periodIn("UTC", 1899y / December / 31), newYork));
-    EXPECT_FALSE(sunSteps(periodIn("UTC", 2101y / January / 1), newYork));
+    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 1899y / December / 31), newYork));
+    EXPECT_FALSE(computeSunSteps(periodIn("UTC", 2101y / January / 1), newYork));
 }
 
-TEST(SunSteps, refuseWhatIsOutOfRange) {
+TEST(SunSteps, RefuseWhatIsOutOfRange) {
     Period period = periodIn("UTC", 2026y / January / 1);
-    EXPECT_EQ(sunSteps(period, observerAt(91, 0)).error().where, "latitude");
+    EXPECT_EQ(computeSunSteps(period, observerAt(91, 0)).error().where, "latitude");
     period.days = 3660;
     period.hours = 24;
     period.stepMinutes = 1.0 / 60;
-    EXPECT_EQ(sunSteps(period, newYork).error().where, "step");  // 316 million steps
+    EXPECT_EQ(computeSunSteps(period, newYork).error().where, "step");  // 316 million steps
     period.days = 0;
-    EXPECT_EQ(sunSteps(period, newYork).error().where, "days");
+    EXPECT_EQ(computeSunSteps(period, newYork).error().where, "days");
 }
 
 }  // namespace

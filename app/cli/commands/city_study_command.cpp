@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/study_request.h"
+#include "app/cli/study_table.h"
+#include "app/input/all_engines.h"
+#include "app/report/files/output_folder.h"
+#include "core/study/provenance/provenance_tags.h"
+#include "core/study/provenance/repeat_command.h"
+#include "core/study/text/region_text.h"
+#include "core/study/tiles/tiled_study.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+constexpr const char* mapName = "shadow.tif";
+constexpr const char* jsonName = "study.json";
+
+struct CityStudyOptions {
+    StudyOptions study;
+    int tileCells = TiledStudySettings::usualTileCells;
+};
+
+tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, const Console& console) {
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    const auto asked = parseStudyRequest(options.study, {mapName, jsonName}, progress, interrupt.token());
+    if (!asked) return tl::make_unexpected(asked.error());
+    const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
+    const FileTags tags = makeProvenanceTags(provenanceOf(*asked));
+    auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells, tags},
+                                      file, progress, interrupt.token(), enginesWith(asked->settings.engine)),
+                        exitFailed);
+    if (tiled) addSource(tiled->study, *asked);
+    return tiled;
+}
+
+Result<std::vector<std::filesystem::path>> writeTexts(const Study& study, const std::string& json,
+                                                      const StudyOptions& options) {
+    OutputFolder files(options.out, outputRulesOf(options, study.provenance.inputs));
+    files.add(jsonName, textContent(json));
+    if (needsRegionFile(study))
+        files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
+    return std::move(files).result();
+}
+
+int runCityStudy(const CityStudyOptions& options, const Console& console) {
+    const auto tiled = computed(options, console);
+    if (!tiled) return fail(console, tiled.error().error, tiled.error().code);
+    const std::string json = tiledStudyJson(*tiled);
+    const std::filesystem::path folder = options.study.out;
+    auto files = writeTexts(tiled->study, json, options.study);
+    if (!files) return fail(console, files.error(), exitFailed);
+    files->insert(files->begin(), folder / mapName);
+    if (options.study.json)
+        console.out << json << '\n';
+    else
+        printStudy(tiled->study, *files, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addCityStudyCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<CityStudyOptions>();
+    CLI::App* command = app.add_subcommand(
+        "city-study", "Run a study over a region of any size, tile by tile; resume it after an interruption");
+    addStudyOptions(*command, options->study);
+    command->add_option("--tile", options->tileCells, "Cells per side of a tile")
+        ->capture_default_str()
+        ->check(CLI::Range(TiledStudySettings::minTileCells, TiledStudySettings::maxTileCells))
+        ->type_name("CELLS");
+    command->footer(
+        "A year of a whole city:\n"
+        "  noonmark-cli city-study city.osm.pbf --start 2026-01-01 --days 365 --from 08:00 --hours 8 \\\n"
+        "    --zone America/New_York --region city --out city\n"
+        "Writes shadow.tif and study.json. After an interruption run the same command again: it computes "
+        "only the missing tiles.");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runCityStudy(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
+#include "app/cli/options/number_range.h"
+#include "app/cli/options/study_options.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/run_measure.h"
+#include "app/cli/table.h"
+#include "app/report/files/answer_files.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ImpactOptions {
+    MeasureOptions measure;
+    std::string from;
+    std::string to;
+    std::vector<double> thresholds{30, 60};
+    bool byBuilding = false;
+    std::string scale;  // empty: the project's scale
+};
+
+Result<ImpactAnswer> computeAnswer(const ImpactOptions& options, const ProjectFile& disk,
+                                   const Console& console) {
+    const Project& project = disk.project();
+    const auto study = settingsFrom(options.measure, project);
+    if (!study) return tl::make_unexpected(study.error());
+    const auto before = cityOf(project, options.from), after = cityOf(project, options.to);
+    if (!before) return tl::make_unexpected(before.error());
+    if (!after) return tl::make_unexpected(after.error());
+    const Provenance provenance = provenanceOf(project, &disk, {options.to, options.from, study->region, {}});
+    const OutputRules rules = outputRulesOf(options.measure, project);
+    if (const auto may = checkOutputs(options.measure.out, impactFileNames(provenance), rules); !may)
+        return tl::make_unexpected(may.error());
+    const ImpactSettings settings{*study, options.byBuilding};
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    auto made = runImpact(before->city, after->city, settings, progress, interrupt.token());
+    if (!made) return tl::make_unexpected(made.error());
+    ImpactAnswer answer{options.from, options.to, settings, options.thresholds, *std::move(made)};
+    putBefore(answer.study.total.warnings, project.reading->warnings);
+    answer.provenance = provenance;
+    return answer;
+}
+
+// The scale given by the user, otherwise that of the project.
+ChangeScale scaleOf(const ImpactOptions& options, const Project& project) {
+    return parseChangeScale(options.scale).value_or(changeScaleIn(project.view));
+}
+
+Result<void> writeFiles(const ImpactAnswer& answer, const ImpactOptions& options, const Project& project) {
+    const auto after = cityOf(project, options.to);
+    if (!after) return tl::make_unexpected(after.error());
+    const OffscreenQt qt;
+    return writeImpactFiles(answer, {after->city}, scaleOf(options, project), options.measure.out,
+                            outputRulesOf(options.measure, project))
+        .map([](const auto&) {});
+}
+
+void addFigures(Table& table, const std::string& name, const Impact& impact,
+                const std::vector<double>& thresholds) {
+    for (const double threshold : thresholds) {
+        const ImpactFigures figures = computeFigures(impact, threshold);
+        table.add(
+            fmt::format("{}, over {:g} min", name, threshold),
+            fmt::format("{} m2 more shadow, {} m2 less", withCommas(std::size_t(figures.gross.gainedM2)),
+                        withCommas(std::size_t(figures.gross.lostM2))));
+    }
+}
+
+void print(const ImpactAnswer& answer, std::ostream& out) {
+    const Impact& impact = answer.study.total;
+    const ImpactFigures figures = computeFigures(impact, 0);
+    Table table;
+    table.add("from, to", fmt::format("{} -> {}", answer.from, answer.to));
+    table.add("period", formatText(answer.settings.study.period));
+    table.add("engine", impact.engine);
+    table.add("receivers", fmt::format("{:.0f} m2 of open ground in both", figures.receiverAreaM2));
+    table.add("no receivers", fmt::format("{:.0f} m2 became building, {:.0f} m2 became ground",
+                                          figures.becameBuildingM2, figures.becameGroundM2));
+    table.add("touched", fmt::format("{:.0f} m2 more shadow, {:.0f} m2 less", figures.gross.touchedM2,
+                                     figures.gross.easedM2));
+    table.add("change",
+              fmt::format("mean {:.2f}, largest {:.1f} min a day of {:.1f} sunlit; shadow area {:+.0f} m2",
+                          figures.gross.meanMin, figures.gross.mostGainedMin, impact.sunlitMinutesPerDay,
+                          figures.shadowAreaChangeM2));
+    addFigures(table, "all", impact, answer.thresholdsMin);
+    for (const BuildingImpact& building : answer.study.byBuilding)
+        addFigures(table, building.name.empty() ? building.id : building.name, building.impact,
+                   answer.thresholdsMin);
+    table.print(out);
+    printWarnings(out, impact.warnings);
+}
+
+int runImpactCommand(const ImpactOptions& options, const Console& console) {
+    const auto answer = [&](const ProjectFile& disk) { return computeAnswer(options, disk, console); };
+    const auto write = [&](const ImpactAnswer& made, const Project& project) {
+        return writeFiles(made, options, project);
+    };
+    return runMeasure<ImpactAnswer>(options.measure, {answer, write, impactJson, print}, console);
+}
+
+}  // namespace
+
+void addImpactCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<ImpactOptions>();
+    CLI::App* command =
+        app.add_subcommand("impact", "Measure how shadow changes from one scenario of a project to another");
+    addMeasureOptions(*command, options->measure);
+    addErrorOptions(*command, options->measure.settings.errorSample);
+    command->add_option("--from", options->from, "The baseline: the scenario to compare with")
+        ->default_val(existingCity)
+        ->type_name("NAME");
+    command->add_option("--to", options->to, "The scenario to measure")->required()->type_name("NAME");
+    command
+        ->add_option("--threshold", options->thresholds,
+                     "Thresholds of the change, minutes a day; one or more")
+        ->capture_default_str()
+        ->check(within(0, 1440))
+        ->type_name("MIN");
+    command->add_flag("--by-building", options->byBuilding,
+                      "Also measure the sole contribution of each new building");
+    command
+        ->add_option("--scale", options->scale,
+                     "Ends of the picture's colour scale, minutes of change, or auto: fitted to this "
+                     "difference (default: the project's scale, 60)")
+        ->check([](const std::string& text) {
+            return parseChangeScale(text) ? std::string() : "Minutes from above 0 to 1440, or auto";
+        })
+        ->type_name("MIN|auto");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runImpactCommand(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/load_city.h"
+#include "app/cli/table.h"
+#include "app/input/load_project.h"
+#include "core/study/text/height_words.h"
+#include "core/study/text/terrain_text.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct InfoOptions {
+    ReadOptions read;
+    bool json = false;
+};
+
+std::string sourceWords(const nlohmann::ordered_json& sources) {
+    std::string text;
+    for (const auto& [name, count] : sources.items()) {
+        if (count == 0) continue;
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", withCommas(count.get<std::size_t>()), name);
+    }
+    return text.empty() ? "none" : text;
+}
+
+// Warns of assumed heights and names the fields that may hold heights.
+void printHeights(std::ostream& out, const CityRead& read) {
+    if (const auto headline = makeAssumedHeadline(countHeights(read.city))) out << "\n" << *headline << '\n';
+    if (read.heights.unknown.empty()) return;
+    out << "fields that may hold heights or storeys; select one with:\n";
+    for (const UnknownField& field : read.heights.unknown)
+        out << "  " << (field.whole ? "--levels-field " : "--height-field ") << describe(field) << '\n';
+}
+
+// Prints the figures of the JSON as text.
+void print(const CityRead& read, std::ostream& out) {
+    const auto info = nlohmann::ordered_json::parse(infoJson(read));
+    const auto number = [&](const char* key) { return withCommas(info[key].get<std::size_t>()); };
+    Table table;
+    table.add("format", read.format);
+    table.add("features", number("features"));
+    table.add("buildings", number("buildings"));
+    table.add("parts", fmt::format("{} ({} overhanging)", number("parts"), number("parts_hanging")));
+    table.add("triangles", number("triangles"));
+    table.add("heights of parts", sourceWords(info["height_sources"]));
+    for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
+    table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
+                                     info["tallest"].get<std::string>()));
+    table.add("terrain", read.city.terrain ? formatText(*read.city.terrain) : "none: flat ground");
+    if (const auto& box = info["extent_lonlat"]; !box.is_null())
+        table.add("extent",
+                  fmt::format("{:.5f},{:.5f},{:.5f},{:.5f} (west,south,east,north)", box[0].get<double>(),
+                              box[1].get<double>(), box[2].get<double>(), box[3].get<double>()));
+    if (!read.attribution.empty()) table.add("data", read.attribution);
+    table.print(out);
+    printHeights(out, read);
+    printWarnings(out, read.warnings);
+}
+
+void printProjectAdvice(const std::string& file, std::ostream& out) {
+    if (isProjectFile(file))
+        out << "\n"
+               "Other contents of the project: noonmark-cli project info "
+            << file << '\n';
+}
+
+int runInfo(const InfoOptions& options, const Console& console) {
+    const auto loaded = loadCity(options.read, console);
+    if (!loaded) return fail(console, loaded.error(), exitUsage);
+    if (options.json)
+        console.out << infoJson(loaded->read) << '\n';
+    else {
+        print(loaded->read, console.out);
+        printProjectAdvice(options.read.files.front(), console.out);
+    }
+    return exitOk;
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* command =
+        app.add_subcommand("info", "Describe the contents of city files, and what was repaired or left out");
+    addReadOptions(*command, options->read);
+    command->add_flag("--json", options->json, "Print only JSON to standard output");
+    command->callback(
+        [options, &run] { run = [options](const Console& console) { return runInfo(*options, console); }; });
+}
+
+}  // namespace noonmark::cli

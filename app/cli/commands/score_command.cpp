@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/run_measure.h"
+#include "app/cli/table.h"
+#include "app/report/files/answer_files.h"
+#include "scenarios/project/project_provenance.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+struct ScoreOptions {
+    MeasureOptions measure;
+    std::string scenario;
+    std::string weights;
+};
+
+Result<ScoreAnswer> computeAnswer(const ScoreOptions& options, const ProjectFile& disk,
+                                  const Console& console) {
+    const Project& project = disk.project();
+    auto settings = settingsFrom(options.measure, project);
+    if (!settings) return tl::make_unexpected(settings.error());
+    auto weights = findWeights(project, options.weights);
+    if (!weights) return tl::make_unexpected(weights.error());
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    Provenance provenance = provenanceOf(project, &disk, {options.scenario, {}, settings->region, *weights});
+    const OutputRules rules = outputRulesOf(options.measure, project);
+    if (const auto may = checkOutputs(options.measure.out, scoreFileNames(provenance), rules); !may)
+        return tl::make_unexpected(may.error());
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    auto score = runScore(city->city, *settings, *weights, progress, interrupt.token());
+    if (!score) return tl::make_unexpected(score.error());
+    putBefore(score->warnings, project.reading->warnings);
+    return ScoreAnswer{options.scenario, *std::move(settings), *std::move(weights), *std::move(score),
+                       std::move(provenance)};
+}
+
+Result<void> writeFiles(const ScoreAnswer& answer, const ScoreOptions& options, const Project& project) {
+    const auto city = cityOf(project, options.scenario);
+    if (!city) return tl::make_unexpected(city.error());
+    const OffscreenQt qt;
+    const OutputRules rules = outputRulesOf(options.measure, project);
+    return writeScoreFiles(answer, {city->city}, options.measure.out, rules).map([](const auto&) {});
+}
+
+void print(const ScoreAnswer& answer, std::ostream& out) {
+    const Score& score = answer.score;
+    Table table;
+    table.add("scenario", answer.scenario);
+    table.add("period", formatText(answer.settings.period));
+    table.add("weights", answer.weights.name);
+    table.add("engine", score.engine);
+    table.add("receivers", fmt::format("{:.0f} m2", score.receiverAreaM2));
+    table.add("score", fmt::format("{:+.0f} m2 ({:+.3f} per m2)", score.scoreM2,
+                                   score.scoreM2 / std::max(1.0, score.receiverAreaM2)));
+    for (const MonthFigures& month : score.months)
+        table.add(
+            fmt::format("{:04}-{:02}", int(month.month.year()), unsigned(month.month.month())),
+            fmt::format("shadow area {:9.0f} m2, score {:+9.0f} m2", month.shadowAreaM2, month.scoreM2));
+    table.print(out);
+    printWarnings(out, score.warnings);
+}
+
+int runScoreCommand(const ScoreOptions& options, const Console& console) {
+    const auto answer = [&](const ProjectFile& disk) { return computeAnswer(options, disk, console); };
+    const auto write = [&](const ScoreAnswer& made, const Project& project) {
+        return writeFiles(made, options, project);
+    };
+    return runMeasure<ScoreAnswer>(options.measure, {answer, write, scoreJson, print}, console);
+}
+
+}  // namespace
+
+void addScoreCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<ScoreOptions>();
+    CLI::App* command = app.add_subcommand("score", "Weigh wanted shade against unwanted shadow over a year");
+    addMeasureOptions(*command, options->measure);
+    command->add_option("--scenario", options->scenario, "The scenario to measure")
+        ->default_val(existingCity)
+        ->type_name("NAME");
+    command->add_option("--weights", options->weights, "A time-weight table of the project")
+        ->default_val("default")
+        ->type_name("NAME");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runScoreCommand(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <ostream>
+
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/offscreen_qt.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/study_request.h"
+#include "app/cli/study_table.h"
+#include "app/input/all_engines.h"
+#include "app/report/files/study_files.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+tl::expected<Study, Failure> computed(const StudyOptions& options, const Console& console) {
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    auto asked = parseStudyRequest(options, studyFileNames(options.settings, {.cellsCsv = options.cellsCsv}),
+                                   progress, interrupt.token());
+    if (!asked) return tl::make_unexpected(asked.error());
+    auto study = orCode(runStudy(asked->loaded.read.city, asked->settings, progress, interrupt.token(),
+                                 enginesWith(asked->settings.engine)),
+                        exitFailed);
+    if (study) addSource(*study, *asked);
+    return study;
+}
+
+Result<std::vector<std::filesystem::path>> writeFiles(const Study& study, const StudyOptions& options) {
+    const OffscreenQt qt;
+    return writeStudyFiles(
+        study, options.out,
+        {.cellsCsv = options.cellsCsv, .rules = outputRulesOf(options, study.provenance.inputs)});
+}
+
+int runStudyCommand(const StudyOptions& options, const Console& console) {
+    const auto study = computed(options, console);
+    if (!study) return fail(console, study.error().error, study.error().code);
+    const auto files = writeFiles(*study, options);
+    if (!files) return fail(console, files.error(), exitFailed);
+    if (options.json)
+        console.out << studyJson(*study) << '\n';
+    else
+        printStudy(*study, *files, console.out);
+    return exitOk;
+}
+
+}  // namespace
+
+void addStudyCommand(CLI::App& app, Run& run) {
+    const auto options = std::make_shared<StudyOptions>();
+    CLI::App* command =
+        app.add_subcommand("study", "Measure the shadow over a region and write maps, figures and a report");
+    addStudyOptions(*command, *options);
+    addPieceOptions(*command, *options);
+    command->footer(
+        "A first study:\n"
+        "  noonmark-cli study sample:central-park-south --start 2026-03-21 --from 09:00 --hours 6 \\\n"
+        "    --zone America/New_York --region -73.9845,40.7620,-73.9690,40.7735 --cell 2 --out out\n"
+        "Steps with the sun below the horizon are left out; shares of time refer to the time with the sun "
+        "above it.");
+    command->callback([options, &run] {
+        run = [options](const Console& console) { return runStudyCommand(*options, console); };
+    });
+}
+
+}  // namespace noonmark::cli

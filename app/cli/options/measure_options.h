@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "app/cli/console.h"
+#include "app/cli/options/period_options.h"
+#include "core/io/files/check_output.h"
+#include "core/study/study.h"
+#include "scenarios/project/project_file.h"
+
+namespace noonmark::cli {
+
+/// Options shared by `impact` and `score`: project, region, period, cells, engine and outputs.
+struct MeasureOptions {
+    std::string file;
+    std::string region;
+    std::string periodName;  // a period of the project; if empty, `period` counts
+    PeriodOptions period{.hourOption = "--at"};
+    StudySettings settings;
+    std::string out;
+    bool overwrite = false;
+    std::string keep;
+    bool json = false;
+};
+
+void addMeasureOptions(CLI::App& command, MeasureOptions& options);
+
+/// The settings with region and period parsed. Error: the region is neither in the project nor a box nor a
+/// file; errors of periodFrom().
+Result<StudySettings> settingsFrom(const MeasureOptions& options, const Project& project);
+
+/// Which files the outputs may replace.
+OutputRules outputRulesOf(const MeasureOptions& options, const Project& project);
+
+}  // namespace noonmark::cli

@@ -1,0 +1,110 @@
+#include "app/cli/options/read_options.h"
+
+#include <map>
+
+#include "app/cli/options/lon_lat_option.h"
+#include "app/cli/options/number_range.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+const std::map<std::string, LengthUnit> units{{"m", LengthUnit::metres},
+                                              {"ft", LengthUnit::feet},
+                                              {"us-ft", LengthUnit::usSurveyFeet},
+                                              {"cm", LengthUnit::centimetres}};
+
+template <class Target>
+CLI::Option* addUnit(CLI::App& command, const std::string& name, Target& target, const std::string& help) {
+    return command
+        .add_option_function<std::string>(
+            name, [&target](const std::string& unit) { target = units.at(unit); }, help)
+        ->check(CLI::IsMember({"m", "ft", "us-ft", "cm"}))
+        ->type_name("UNIT");
+}
+
+void addHeightOptions(CLI::App& command, ReadSettings& settings) {
+    command
+        .add_option("--height-field", settings.heightField,
+                    "Field with the heights (default: found by its name)")
+        ->type_name("NAME");
+    command
+        .add_option("--levels-field", settings.levelsField,
+                    "Field with the storeys above the ground (default: found by its name)")
+        ->type_name("NAME");
+    addUnit(command, "--height-unit", settings.heightUnit,
+            "Unit of numbers without a unit in it: m, ft, us-ft or cm (default m)");
+    command.add_option("--metres-per-level", settings.metresPerLevel, "Height of a storey, 2 to 6 m")
+        ->capture_default_str()
+        ->check(within(2.0, 6.0))
+        ->type_name("M");
+    command
+        .add_option("--default-height", settings.defaultHeightM,
+                    "Height of buildings without height data, 1 to 1000 m")
+        ->capture_default_str()
+        ->check(within(1.0, 1000.0))
+        ->type_name("M");
+}
+
+void addTerrainOption(CLI::App& command, ReadSettings& settings) {
+    static const std::map<std::string, TerrainFromBases> choices{{"auto", TerrainFromBases::automatic},
+                                                                 {"always", TerrainFromBases::always},
+                                                                 {"never", TerrainFromBases::never}};
+    command
+        .add_option_function<std::string>(
+            "--terrain-from-bases",
+            [&settings](const std::string& choice) { settings.terrainFromBases = choices.at(choice); },
+            "If there is no terrain, derive one from the ground elevations of the buildings; auto (default): "
+            "only where neighbours stand at different heights")
+        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->type_name("WHEN");
+}
+
+void addMeshOptions(CLI::App& command, ReadSettings& settings) {
+    addMeshAxesOptions(command, settings);
+    command
+        .add_option("--mesh-north", settings.meshNorthDeg,
+                    "Meshes: azimuth of the mesh's north axis from true north, clockwise, degrees")
+        ->capture_default_str()
+        ->check(within(-360.0, 360.0))
+        ->type_name("DEG");
+    addLonLatOption(command, "--mesh-anchor", settings.meshAnchor,
+                    "Meshes: position of the mesh's origin, degrees");
+}
+
+}  // namespace
+
+void addMeshAxesOptions(CLI::App& command, ReadSettings& settings) {
+    command
+        .add_option_function<std::string>(
+            "--up",
+            [&settings](const std::string& axis) { settings.upAxis = axis == "z" ? UpAxis::z : UpAxis::y; },
+            "Meshes: the axis that points up, y or z (default y)")
+        ->check(CLI::IsMember({"y", "z"}))
+        ->type_name("AXIS");
+    addUnit(command, "--mesh-unit", settings.meshUnit,
+            "Meshes: unit of the coordinates: m, ft, us-ft or cm (default m)");
+}
+
+void addReadOptions(CLI::App& command, ReadOptions& options) {
+    ReadSettings& settings = options.settings;
+    command.add_option("files", options.files, options.filesHelp)->required()->type_name("FILE");
+    addHeightOptions(command, settings);
+    command.add_option("--layer", settings.layer, "Read this layer only")->type_name("NAME");
+    command
+        .add_option("--crs", settings.crs,
+                    "Coordinate reference system of files that do not state it: EPSG:2263")
+        ->type_name("CRS");
+    command.add_option("--lod", settings.lod, "CityJSON: level of detail (default: the highest)")
+        ->type_name("LOD");
+    command
+        .add_option("--far-away", settings.farAwayM,
+                    "Leave out features farther than this from the middle of the data, m")
+        ->capture_default_str()
+        ->check(within(100, 200000))
+        ->type_name("M");
+    addTerrainOption(command, settings);
+    addMeshOptions(command, settings);
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,43 @@
+#pragma once
+
+// The folder app/cli/options/ holds the options that several commands share. Each header has a struct with
+// the values as given by the user, a function that adds the options to a command, and where needed a function
+// that parses them: study_options.h and measure_options.h for whole commands, the others for reading, period,
+// engine and outputs.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/cli/options/period_options.h"
+#include "app/cli/options/read_options.h"
+#include "core/study/study.h"
+
+namespace noonmark::cli {
+
+/// The options of `study`, as given by the user.
+struct StudyOptions {
+    ReadOptions read;
+    PeriodOptions period;
+    std::string scenario;    ///< scenario of a project; empty: not given
+    std::string periodName;  ///< period of a project; if empty, `period` counts
+    std::string region;
+    std::string out;
+    bool overwrite = false;
+    StudySettings settings;  ///< the values that need neither the city nor further parsing
+    bool json = false;
+    bool cellsCsv = false;
+};
+
+/// Adds the options of every study.
+void addStudyOptions(CLI::App& command, StudyOptions& options);
+
+/// Adds the options of studies that are not tiled: months, contributions, cells as a table.
+void addPieceOptions(CLI::App& command, StudyOptions& options);
+
+/// Adds --error-sample and --no-error-sample.
+void addErrorOptions(CLI::App& command, ErrorSampleSettings& sample);
+
+/// Adds --cell, --pressure and --temperature.
+void addReceiverOptions(CLI::App& command, StudySettings& settings);
+
+}  // namespace noonmark::cli

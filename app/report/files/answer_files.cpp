@@ -1,0 +1,96 @@
+#include "app/report/files/answer_files.h"
+
+#include <QGuiApplication>
+
+#include "app/report/files/output_folder.h"
+#include "app/report/maps/write_png.h"
+#include "app/report/sheets/impact_report.h"
+#include "app/report/sheets/score_report.h"
+#include "core/io/write_raster.h"
+#include "core/study/provenance/provenance_tags.h"
+#include "core/study/text/region_text.h"
+#include "scenarios/impact/impact_runs.h"
+#include "scenarios/settings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+using Path = std::filesystem::path;
+using Paths = Result<std::vector<Path>>;
+
+std::vector<RasterBand> bandsOf(const Impact& impact) {
+    std::vector<RasterBand> bands{{"change of gross shadow", "min/day", &impact.grossMin}};
+    if (hasRuns(impact)) bands.push_back({"change of continuous shadow", "min", &impact.continuousMin});
+    return bands;
+}
+
+/// The files that comparison and score have in common, with their file name stem.
+struct AnswerTexts {
+    std::string name;
+    std::string json;
+    std::string csv;
+    std::string region;  ///< region.geojson; empty where the repeat command does not name it
+    FileTags tags;       ///< of map and picture
+};
+
+std::string regionFileOf(const Region& region, const Provenance& provenance, const Frame& frame) {
+    return needsRegionFile(provenance) ? regionGeoJson(region, frame) : std::string();
+}
+
+std::vector<std::string> namesOf(const std::string& answer, bool region) {
+    std::vector<std::string> names;
+    for (const char* ending : {".tif", ".png", ".pdf", ".json", ".csv"}) names.push_back(answer + ending);
+    if (region) names.emplace_back(regionFileName);
+    return names;
+}
+
+Paths writeFiles(const AnswerTexts& texts, const Sheet& sheet, const Grid& grid, const Frame& frame,
+                 const std::vector<RasterBand>& bands, const Path& folder, const OutputRules& rules) {
+    if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
+    if (auto may = checkOutputs(folder, namesOf(texts.name, !texts.region.empty()), rules); !may)
+        return tl::make_unexpected(may.error());
+    OutputFolder files(folder, rules);
+    files.add(texts.name + ".tif",
+              [&](const Path& file) { return writeGeoTiff(file, frame, grid, bands, texts.tags); });
+    files.add(texts.name + ".png",
+              [&](QIODevice& device) { return writePng(makePicture(sheet), texts.tags, device); });
+    files.add(texts.name + ".pdf", [&](QIODevice& device) { return writePdf(sheet, device); });
+    files.add(texts.name + ".json", textContent(texts.json));
+    files.add(texts.name + ".csv", textContent(texts.csv));
+    if (!texts.region.empty()) files.add(regionFileName, textContent(texts.region));
+    return std::move(files).result();
+}
+
+}  // namespace
+
+Paths writeImpactFiles(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale,
+                       const Path& folder, const OutputRules& rules) {
+    const Impact& impact = answer.study.total;
+    const Frame& frame = source.city.frame;
+    return writeFiles({"impact", impactJson(answer), impactCsv(answer),
+                       regionFileOf(answer.settings.study.region, answer.provenance, frame),
+                       makeProvenanceTags(answer.provenance)},
+                      makeSheet(answer, source, scale), impact.grid, frame, bandsOf(impact), folder, rules);
+}
+
+Paths writeScoreFiles(const ScoreAnswer& answer, const AnswerSource& source, const Path& folder,
+                      const OutputRules& rules) {
+    const Score& score = answer.score;
+    const Frame& frame = source.city.frame;
+    return writeFiles({"score", scoreJson(answer), scoreCsv(answer),
+                       regionFileOf(answer.settings.region, answer.provenance, frame),
+                       makeProvenanceTags(answer.provenance)},
+                      makeSheet(answer, source), score.grid, frame, {{"shadow score", "", &score.score}},
+                      folder, rules);
+}
+
+std::vector<std::string> impactFileNames(const Provenance& provenance) {
+    return namesOf("impact", needsRegionFile(provenance));
+}
+
+std::vector<std::string> scoreFileNames(const Provenance& provenance) {
+    return namesOf("score", needsRegionFile(provenance));
+}
+
+}  // namespace noonmark

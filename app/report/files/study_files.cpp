@@ -1,0 +1,91 @@
+#include "app/report/files/study_files.h"
+
+#include <QGuiApplication>
+#include <numeric>
+
+#include "app/report/files/cells_csv.h"
+#include "app/report/files/output_folder.h"
+#include "app/report/maps/write_png.h"
+#include "app/report/sheets/study_report.h"
+#include "core/io/write_city.h"
+#include "core/measures/has_runs.h"
+#include "core/study/provenance/provenance_tags.h"
+#include "core/study/provenance/repeat_command.h"
+#include "core/study/text/breakdown_text.h"
+#include "core/study/text/region_text.h"
+#include "core/study/tiles/map_bands.h"
+
+namespace noonmark {
+
+namespace {
+
+Result<void> writeRaster(const Study& study, const std::filesystem::path& file) {
+    return writeGeoTiff(file, study.city.frame, study.field.grid,
+                        makeMapBands(study.field, hasRuns(study.statistics)),
+                        makeProvenanceTags(study.provenance));
+}
+
+Result<void> writeMonths(const Study& study, const std::filesystem::path& file) {
+    std::vector<RasterBand> bands;
+    const ShadowBreakdown& months = *study.breakdown;
+    for (std::size_t set = 0; set < months.sets.names.size(); ++set)
+        bands.push_back({months.sets.names[set], "min", &months.minutes[set]});
+    return writeGeoTiff(file, study.city.frame, months.grid, bands, makeProvenanceTags(study.provenance));
+}
+
+double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+Result<void> writeContributions(const Study& study, const std::filesystem::path& file) {
+    BuildingColumn attributed{"attributed_min_m2", std::vector<double>(study.city.buildings.size())},
+        sole{"sole_min_m2", attributed.values};
+    for (const BuildingShadow& shadow : study.breakdown->buildings) {
+        attributed.values[shadow.building] = total(shadow.attributedMinM2);
+        sole.values[shadow.building] = total(shadow.soleMinM2);
+    }
+    return writeCityGeoPackage(file, study.city, {attributed, sole}).map([](const Warnings&) {});
+}
+
+}  // namespace
+
+std::vector<std::string> studyFileNames(const StudySettings& settings, const StudyFileOptions& options) {
+    std::vector<std::string> names{"shadow.tif", "shadow.png", "report.pdf", "study.json"};
+    if (settings.byMonth) names.insert(names.end(), {"by_month.tif", "by_month.csv"});
+    if (settings.contributions) names.insert(names.end(), {"contributions.csv", "contributions.gpkg"});
+    if (options.cellsCsv) names.emplace_back("cells.csv");
+    return names;
+}
+
+Result<std::vector<std::filesystem::path>> writeStudyFiles(const Study& study,
+                                                           const std::filesystem::path& folder,
+                                                           const StudyFileOptions& options) {
+    if (qGuiApp == nullptr) return failure("Pictures and reports need a QGuiApplication", folder.string());
+    std::vector<std::string> names = studyFileNames(study.settings, options);
+    if (needsRegionFile(study)) names.emplace_back(regionFileName);
+    if (auto may = checkOutputs(folder, names, options.rules); !may) return tl::make_unexpected(may.error());
+    OutputFolder files(folder, options.rules);
+    files.add("shadow.tif", [&](const std::filesystem::path& file) { return writeRaster(study, file); });
+    files.add("shadow.png", [&](QIODevice& device) {
+        return writePng(mapPicture(study, ShadowMeasure::gross), makeProvenanceTags(study.provenance),
+                        device);
+    });
+    files.add("report.pdf", [&](QIODevice& device) { return writeReport(study, device); });
+    files.add("study.json", textContent(studyJson(study)));
+    if (needsRegionFile(study))
+        files.add(regionFileName, textContent(regionGeoJson(study.settings.region, study.city.frame)));
+    if (study.breakdown && study.settings.byMonth) {
+        files.add("by_month.tif",
+                  [&](const std::filesystem::path& file) { return writeMonths(study, file); });
+        files.add("by_month.csv", textContent(monthsCsv(study)));
+    }
+    if (study.breakdown && study.settings.contributions) {
+        files.add("contributions.csv", textContent(contributionsCsv(study)));
+        files.add("contributions.gpkg",
+                  [&](const std::filesystem::path& file) { return writeContributions(study, file); });
+    }
+    if (options.cellsCsv)
+        files.add("cells.csv",
+                  [&](QIODevice& device) { return writeCellsCsv(study.field, study.city.frame, device); });
+    return std::move(files).result();
+}
+
+}  // namespace noonmark

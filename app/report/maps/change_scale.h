@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measures/palette.h"
+
+namespace noonmark {
+
+/// Magnitudes of values around zero.
+struct ChangeSpread {
+    double usual = 0;  ///< 98 % of the nonzero values are no larger
+    double most = 0;
+};
+
+/// Values up to `least` count as zero, as does NaN. O(n log n).
+ChangeSpread changeSpreadOf(const std::vector<float>& values, float least);
+
+/// The range of colours of a difference in minutes. A locked scale is the same for every proposal, so that
+/// pictures can be compared; otherwise the scale is fitted to each difference.
+struct ChangeScale {
+    static constexpr double usualMin = 60;
+    static constexpr double mostMin = 1440;
+    std::optional<double> lockedMin = usualMin;  ///< colours run from -lockedMin to lockedMin; (0, mostMin]
+    bool operator==(const ChangeScale&) const = default;
+};
+
+/// "60" or "auto", as in a project's view and on the command line.
+std::string formatText(const ChangeScale& scale);
+/// Empty where the text is neither "auto" nor minutes above 0 and up to mostMin.
+std::optional<ChangeScale> parseChangeScale(const std::string& text);
+
+/// Key of the scale in Project::view.
+constexpr const char* changeScaleKey = "change_scale";
+/// The scale stored in a project's view, or the default.
+ChangeScale changeScaleIn(const std::map<std::string, std::string>& view);
+
+/// The legend's scale for values of this spread.
+LegendScale legendScaleOf(const ChangeScale& scale, const ChangeSpread& spread);
+
+}  // namespace noonmark

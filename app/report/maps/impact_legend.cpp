@@ -1,0 +1,53 @@
+#include "app/report/maps/impact_legend.h"
+
+#include <QObject>
+#include <algorithm>
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+
+constexpr float noChangeMin = 1e-3F;  // float32 rounding
+
+void addPatch(Legend& legend, const Impact& impact, CellChange change, const QColor& colour,
+              const QString& label) {
+    const auto cells = std::ranges::count(impact.change, change);
+    if (cells > 0) legend.patches.push_back({colour, label});
+}
+
+}  // namespace
+
+bool isInstant(const Impact& impact) { return impact.sunlitMinutesPerDay <= 1; }
+
+const std::vector<float>& getValues(const Impact& impact, ShadowMeasure measure) {
+    return measure == ShadowMeasure::gross ? impact.grossMin : impact.continuousMin;
+}
+
+Legend makeLegend(const Impact& impact, ShadowMeasure measure, const ChangeScale& scale) {
+    Legend legend{
+        QObject::tr("Change of %1").arg(nameOf(measure).toLower()), {}, {}, isInstant(impact), true};
+    const ChangeSpread spread = changeSpreadOf(getValues(impact, measure), noChangeMin);
+    legend.scale = legendScaleOf(scale, spread);
+    legend.unit = measure == ShadowMeasure::gross ? QObject::tr("min a day") : QObject::tr("min");
+    if (!legend.instant)
+        legend.unit +=
+            scale.lockedMin
+                ? QObject::tr(", scale locked: ±%1 min").arg(QString::fromStdString(formatText(scale)))
+                : QObject::tr(", scale fitted to this difference");
+    if (spread.most > legend.scale.top)
+        legend.unit += QObject::tr(", largest %1").arg(spread.most, 0, 'f', 0);
+    addPatch(legend, impact, CellChange::becameBuilding, ground::becameBuilding, QObject::tr("built over"));
+    addPatch(legend, impact, CellChange::becameGround, ground::becameGround, QObject::tr("now ground"));
+    return legend;
+}
+
+std::optional<QColor> pickColour(const Impact& impact, ShadowMeasure measure, std::size_t cell, double top) {
+    if (impact.change[cell] == CellChange::becameBuilding) return ground::becameBuilding;
+    if (impact.change[cell] == CellChange::becameGround) return ground::becameGround;
+    const float value = getValues(impact, measure)[cell];
+    if (std::abs(value) > noChangeMin) return impactColour(double(value) / top);
+    return std::nullopt;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,159 @@
+#include "app/report/maps/legend_painter.h"
+
+#include <QFontMetricsF>
+#include <QLinearGradient>
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+
+constexpr double titlePt = 8.5;
+constexpr double labelPt = 7.5;
+constexpr double barTopPt = 13;
+constexpr double barHeightPt = 9;
+constexpr double tickPt = 2.5;
+
+// The leading parts of "min a day, scale locked: ±60 min" that fit; the page's text states the others.
+QString fittingParts(QString unit, const QFontMetricsF& metrics, double room) {
+    while (metrics.horizontalAdvance(unit) > room && unit.contains(QStringLiteral(", ")))
+        unit.truncate(unit.lastIndexOf(QStringLiteral(", ")));
+    return metrics.elidedText(unit, Qt::ElideRight, room);
+}
+
+void paintTitle(const Canvas& canvas, const QRectF& area, const Legend& legend) {
+    QPainter& painter = canvas.painter;
+    const QFont bold = textFont(canvas, titlePt, QFont::Bold);
+    const double baseline = area.top() + titlePt * canvas.point;
+    painter.setFont(bold);
+    painter.setPen(ink::text);
+    painter.drawText(QPointF(area.left(), baseline), legend.title);
+    const double used = QFontMetricsF(bold).horizontalAdvance(legend.title + QStringLiteral("  "));
+    painter.setFont(textFont(canvas, titlePt));
+    painter.setPen(ink::quiet);
+    painter.drawText(QPointF(area.left() + used, baseline),
+                     fittingParts(legend.unit, QFontMetricsF(painter.font()), area.width() - used));
+}
+
+QRectF barOf(const Canvas& canvas, const QRectF& area) {
+    return {area.left(), area.top() + barTopPt * canvas.point, area.width(), barHeightPt * canvas.point};
+}
+
+QColor colourAt(const Legend& legend, double share) {
+    if (!legend.change) return shadowColour(share);
+    return impactColour(legend.wanted ? 1 - 2 * share : 2 * share - 1);
+}
+
+void paintBar(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int stops = 64;
+    for (int i = 0; i <= stops; ++i) {
+        const double share = double(i) / stops;
+        gradient.setColorAt(share, colourAt(legend, share));
+    }
+    canvas.painter.setBrush(gradient);
+    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
+    canvas.painter.drawRect(bar);
+}
+
+int ticksOf(const LegendScale& scale) { return std::max(1, int(std::lround(scale.top / scale.tick))); }
+
+// Labels along the bar, from left to right.
+QStringList labelsOf(const Legend& legend) {
+    const int ticks = ticksOf(legend.scale);
+    QStringList labels;
+    for (int i = legend.change ? -ticks : 0; i <= ticks; ++i)
+        labels << (legend.change && i > 0 ? QStringLiteral("+") : QString()) +
+                      QString::number(i * legend.scale.tick);
+    return labels;
+}
+
+/// Every how many ticks there is room for a label; the labels at the ends are the widest.
+int labelStride(const Canvas& canvas, const QRectF& bar, const QStringList& labels) {
+    const QFontMetricsF metrics(textFont(canvas, labelPt));
+    const double widest =
+        std::max(metrics.horizontalAdvance(labels.front()), metrics.horizontalAdvance(labels.back()));
+    const double needed =
+        widest * 1.5 + 4 * canvas.point;  // the labels at the ends are moved inwards by half
+    const double between = bar.width() / double(labels.size() - 1);
+    return std::max(1, int(std::ceil(needed / between)));
+}
+
+void paintLabel(const Canvas& canvas, const QRectF& bar, double x, const QString& label) {
+    const QFontMetricsF metrics(canvas.painter.font());
+    const double width = metrics.horizontalAdvance(label);
+    const double left = std::clamp(x - width / 2, bar.left(), bar.right() - width);
+    canvas.painter.drawText(QPointF(left, bar.bottom() + (tickPt + labelPt) * canvas.point), label);
+}
+
+// On a signed scale labels are counted from the middle, so that 0 always has one.
+void paintTicks(const Canvas& canvas, const QRectF& bar, const Legend& legend) {
+    const QStringList labels = labelsOf(legend);
+    const int ticks = int(labels.size()) - 1;
+    const int stride = labelStride(canvas, bar, labels);
+    const int first = legend.change ? ticks / 2 : 0;
+    canvas.painter.setFont(textFont(canvas, labelPt));
+    for (int i = 0; i <= ticks; ++i) {
+        const double x = bar.left() + bar.width() * i / ticks;
+        canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
+        canvas.painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tickPt * canvas.point));
+        canvas.painter.setPen(ink::text);
+        if ((i - first) % stride == 0) paintLabel(canvas, bar, x, labels[i]);
+    }
+}
+
+void paintPatch(const Canvas& canvas, const QRectF& patch, const QColor& colour, const QString& label) {
+    canvas.painter.setBrush(colour);
+    canvas.painter.setPen(linePen(canvas, ink::quiet, 0.4));
+    canvas.painter.drawRect(patch);
+    canvas.painter.setFont(textFont(canvas, labelPt));
+    canvas.painter.setPen(ink::text);
+    canvas.painter.drawText(QPointF(patch.right() + 4 * canvas.point, patch.bottom() - 1.5 * canvas.point),
+                            label);
+}
+
+void paintMoment(const Canvas& canvas, const QRectF& bar, bool change) {
+    const QSizeF size(bar.height() * 2, bar.height());
+    paintPatch(canvas, {bar.topLeft(), size}, change ? impactColour(-1) : shadowColour(0),
+               change ? QStringLiteral("less shadow") : QStringLiteral("in the sun"));
+    paintPatch(canvas, {{bar.left() + bar.width() / 2, bar.top()}, size},
+               change ? impactColour(1) : shadowColour(1),
+               change ? QStringLiteral("more shadow") : QStringLiteral("in shadow"));
+}
+
+// Paints the patches at the right end of the title line; returns their width.
+double paintOwnColours(const Canvas& canvas, const QRectF& area, const std::vector<LegendPatch>& patches) {
+    const QFontMetricsF metrics(textFont(canvas, labelPt));
+    const double size = titlePt * 0.9 * canvas.point;
+    double x = area.right();
+    for (auto patch = patches.rbegin(); patch != patches.rend(); ++patch) {
+        x -= metrics.horizontalAdvance(patch->label) + size * 1.6 + 12 * canvas.point;
+        paintPatch(canvas, {x + 8 * canvas.point, area.top() + canvas.point, size * 1.6, size}, patch->colour,
+                   patch->label);
+    }
+    return area.right() - x;
+}
+
+}  // namespace
+
+Legend makeLegend(const ShadowField& field, ShadowMeasure measure) {
+    if (isInstant(field)) return {QStringLiteral("Shadow"), QStringLiteral("at this moment"), {1, 1}, true};
+    return {nameOf(measure), describeMeasure(measure), legendScale(topOf(field, measure)), false};
+}
+
+void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend) {
+    canvas.painter.save();
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF bar = barOf(canvas, area);
+    const double patches = paintOwnColours(canvas, area, legend.patches);
+    paintTitle(canvas, area.adjusted(0, 0, -patches, 0), legend);
+    if (legend.instant) {
+        paintMoment(canvas, bar, legend.change);
+    } else {
+        paintBar(canvas, bar, legend);
+        paintTicks(canvas, bar, legend);
+    }
+    canvas.painter.restore();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+#include "app/report/maps/palette.h"
+#include "app/report/maps/shadow_measure.h"
+#include "app/report/sheets/style.h"
+
+namespace noonmark {
+
+/// A colour outside the scale, with its label.
+struct LegendPatch {
+    QColor colour;
+    QString label;
+};
+
+/// A legend: maps colours back to minutes.
+struct Legend {
+    QString title;                       ///< "Gross shadow"
+    QString unit;                        ///< "minutes in shadow a day"
+    LegendScale scale;                   ///< colours run from 0 to scale.top
+    bool instant = false;                ///< two patches, sunlit and shaded, instead of a scale
+    bool change = false;                 ///< signed scale: impactColour(value / scale.top), from -top to top
+    std::vector<LegendPatch> patches{};  ///< colours outside the scale
+    bool wanted = false;  ///< with `change`: impactColour(-value / scale.top), since more is wanted
+};
+
+/// The legend of a map of `measure`. O(cells). The colour of a value is shadowColour(value /
+/// legend.scale.top).
+Legend makeLegend(const ShadowField& field, ShadowMeasure measure);
+
+/// Height of a legend, points.
+constexpr double legendHeightPt = 36;
+
+/// Paints title with unit, colour bar and ticks from the top left corner of `area`, as wide as `area` and
+/// legendHeightPt high. Labels stay within the width; where they would touch, only every second, third...
+/// label appears.
+void paintLegend(const Canvas& canvas, const QRectF& area, const Legend& legend);
+
+}  // namespace noonmark

@@ -1,0 +1,85 @@
+#include "app/report/maps/map_furniture.h"
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <array>
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+
+constexpr double labelPt = 7.5;
+constexpr double barPt = 3.5;
+
+QString lengthText(double metres, bool kilometres) {
+    return QString::number(kilometres ? metres / 1000 : metres);
+}
+
+void paintLabel(const Canvas& canvas, double x, double baseline, const QString& label) {
+    const double width = QFontMetricsF(canvas.painter.font()).horizontalAdvance(label);
+    canvas.painter.drawText(QPointF(x - width / 2, baseline), label);
+}
+
+void paintFields(const Canvas& canvas, const QRectF& bar, int parts) {
+    canvas.painter.setPen(linePen(canvas, ink::text, 0.5));
+    for (int i = 0; i < parts; ++i) {
+        canvas.painter.setBrush(i % 2 == 0 ? ink::text : ink::paper);
+        canvas.painter.drawRect(
+            QRectF(bar.left() + bar.width() * i / parts, bar.top(), bar.width() / parts, bar.height()));
+    }
+}
+
+}  // namespace
+
+ScaleBar scaleBarWithin(double longestM) {
+    const double decade = std::pow(10, std::floor(std::log10(longestM)));
+    ScaleBar best{decade / 2, 2};
+    if (5 * decade <= longestM) return {decade, 5};
+    if (2 * decade <= longestM) best = {decade, 2};
+    return best;
+}
+
+void paintScaleBar(const Canvas& canvas, const QRectF& area, const ScaleBar& scale, double unitsPerM) {
+    const double length = scale.lengthM() * unitsPerM;
+    const bool kilometres = scale.lengthM() >= 2000;
+    const QString unit = kilometres ? QStringLiteral(" km") : QStringLiteral(" m");
+    canvas.painter.save();
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+    canvas.painter.setFont(textFont(canvas, labelPt));
+    const double endLabel = QFontMetricsF(canvas.painter.font())
+                                .horizontalAdvance(lengthText(scale.lengthM(), kilometres) + unit);
+    const QRectF bar(area.right() - endLabel / 2 - length, area.top() + 13 * canvas.point, length,
+                     barPt * canvas.point);
+    paintFields(canvas, bar, scale.parts);
+    canvas.painter.setPen(ink::text);
+    const double baseline = bar.top() - 3 * canvas.point;
+    paintLabel(canvas, bar.left(), baseline, QStringLiteral("0"));
+    paintLabel(canvas, bar.right(), baseline, lengthText(scale.lengthM(), kilometres) + unit);
+    canvas.painter.restore();
+}
+
+void paintNorthArrow(const Canvas& canvas, const QRectF& area) {
+    const double point = canvas.point;
+    const QPointF tip(area.center().x(), area.top() + 9 * point);
+    QPainterPath west(tip);
+    west.lineTo(tip + QPointF(-5 * point, 17 * point));
+    west.lineTo(tip + QPointF(0, 13 * point));
+    west.closeSubpath();
+    QPainterPath east(tip);
+    east.lineTo(tip + QPointF(5 * point, 17 * point));
+    east.lineTo(tip + QPointF(0, 13 * point));
+    east.closeSubpath();
+    canvas.painter.save();
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+    canvas.painter.setPen(linePen(canvas, ink::text, 0.5));
+    canvas.painter.fillPath(west, ink::text);
+    canvas.painter.setBrush(ink::paper);
+    canvas.painter.drawPath(east);
+    canvas.painter.setFont(textFont(canvas, labelPt, QFont::Bold));
+    canvas.painter.setPen(ink::text);
+    paintLabel(canvas, tip.x(), area.top() + 6.5 * point, QStringLiteral("N"));
+    canvas.painter.restore();
+}
+
+}  // namespace noonmark

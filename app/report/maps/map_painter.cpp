@@ -1,0 +1,126 @@
+#include "app/report/maps/map_painter.h"
+
+#include <QPaintEngine>
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/maps/city_painter.h"
+#include "app/report/maps/map_furniture.h"
+
+namespace noonmark {
+
+namespace {
+
+Box2 worldOf(const Region& region, const Grid& grid) {
+    Box2 world = bounds(region);
+    world.add(glm::vec2(grid.westM, grid.southM));
+    world.add(glm::vec2(grid.eastM(), grid.northM()));
+    return world;
+}
+
+QPainterPath pathOf(const Region& region, const MapView& view) {
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    for (const Footprint& polygon : region.polygons) view.addTo(path, polygon);
+    return path;
+}
+
+/// Screen pixels, or four per point in print: 288 dpi.
+int wantedPixels(const Canvas& canvas, const QRectF& field) {
+    const double longer = std::max(field.width(), field.height());
+    const double perUnit = std::min(1.0, 4 / canvas.point);
+    return int(std::ceil(longer * perUnit));
+}
+
+/// The rectangle of the picture; its last pixels may extend beyond the grid.
+QRectF placeOf(const FieldImage& field, const QRectF& grid, double unitsPerCell) {
+    const double pixel = unitsPerCell * field.cellsPerPixel;
+    return {grid.topLeft(), QSizeF(field.image.width() * pixel, field.image.height() * pixel)};
+}
+
+/// PDF viewers blur coarse pictures. Scaling by whole pixels per cell keeps edges sharp.
+QImage crisp(const QImage& image, const QPainter& painter, int wanted) {
+    const int longer = std::max(image.width(), image.height());
+    if (painter.paintEngine()->type() != QPaintEngine::Pdf || longer == 0 || longer >= wanted) return image;
+    return image.scaled(image.size() * ((wanted + longer - 1) / longer));
+}
+
+void paintField(const Canvas& canvas, const MapView& view, const MapScene& scene) {
+    const QRectF grid = view.rectOf(scene.grid);
+    const int wanted = wantedPixels(canvas, grid);
+    const FieldImage field = scene.image(wanted);
+    const QRectF place = placeOf(field, grid, scene.grid.cellM * view.unitsPerM());
+    canvas.painter.save();
+    canvas.painter.setClipRect(grid, Qt::IntersectClip);
+    canvas.painter.setRenderHint(QPainter::LosslessImageRendering);
+    canvas.painter.setRenderHint(QPainter::SmoothPixmapTransform, field.image.width() > place.width());
+    canvas.painter.drawImage(place, crisp(field.image, canvas.painter, wanted));
+    canvas.painter.restore();
+}
+
+void paintCity(const Canvas& canvas, const MapView& view, const City& city, const QPainterPath& region) {
+    paintBuildings(canvas, view, city, {ink::context, ink::contextLine});
+    canvas.painter.save();
+    canvas.painter.setClipPath(region, Qt::IntersectClip);
+    paintBuildings(canvas, view, city, {ink::building, ink::buildingLine});
+    canvas.painter.restore();
+}
+
+void paintOutline(const Canvas& canvas, const QPainterPath& region) {
+    canvas.painter.setBrush(Qt::NoBrush);
+    canvas.painter.setPen(linePen(canvas, ink::paper, 2.4));
+    canvas.painter.drawPath(region);
+    canvas.painter.setPen(linePen(canvas, ink::text, 0.9));
+    canvas.painter.drawPath(region);
+}
+
+}  // namespace
+
+MapScene makeMapScene(const Study& study, ShadowMeasure measure) {
+    return {study.city, study.settings.region, study.field.grid, [&study, measure](int wantedPixels) {
+                const double top = makeLegend(study.field, measure).scale.top;
+                return makeFieldImage(study.field, study.receivers, measure, top, wantedPixels);
+            }};
+}
+
+MapView makeMapView(const MapScene& scene, const QRectF& frame) {
+    return {worldOf(scene.region, scene.grid), frame};
+}
+
+MapView makeMapView(const Study& study, const QRectF& frame) {
+    return {worldOf(study.settings.region, study.field.grid), frame};
+}
+
+void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene) {
+    const QPainterPath region = pathOf(scene.region, view);
+    canvas.painter.save();
+    canvas.painter.setClipRect(view.target());
+    canvas.painter.fillRect(view.target(), ink::paper);
+    paintField(canvas, view, scene);
+    canvas.painter.setRenderHint(QPainter::Antialiasing);
+    paintCity(canvas, view, scene.city, region);
+    paintOutline(canvas, region);
+    canvas.painter.restore();
+    canvas.painter.setBrush(Qt::NoBrush);
+    canvas.painter.setPen(linePen(canvas, ink::line, 0.6));
+    canvas.painter.drawRect(view.target());
+}
+
+void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure) {
+    paintMap(canvas, view, makeMapScene(study, measure));
+}
+
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend) {
+    const double point = canvas.point;
+    const double arrowWidth = 16 * point;
+    const double barRoom = std::min(area.width() * 0.3, 140 * point);
+    const double legendWidth = area.width() - arrowWidth - barRoom - 30 * point;
+    paintLegend(canvas, {area.left(), area.top(), legendWidth, area.height()}, legend);
+    paintNorthArrow(canvas, {area.right() - arrowWidth, area.top(), arrowWidth, area.height()});
+    const QRectF barArea(area.right() - arrowWidth - 10 * point - barRoom, area.top(), barRoom,
+                         area.height());
+    const double longestM = (barRoom - 20 * point) / view.unitsPerM();
+    paintScaleBar(canvas, barArea, scaleBarWithin(longestM), view.unitsPerM());
+}
+
+}  // namespace noonmark

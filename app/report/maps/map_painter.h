@@ -1,0 +1,41 @@
+#pragma once
+
+// The folder app/report/maps/ paints maps for reports, pictures and the window. map_painter.h paints a map
+// from a MapScene: field_image.h makes the picture of the cells, city_painter.h the buildings, map_view.h the
+// projection to the page. The legends of a study, a comparison and a score come from legend_painter.h,
+// impact_legend.h and score_legend.h, scale bar and north arrow from map_furniture.h.
+
+#include <functional>
+
+#include "app/report/maps/field_image.h"
+#include "app/report/maps/legend_painter.h"
+#include "app/report/maps/map_view.h"
+#include "app/report/sheets/style.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// The contents of a map of any measure: the colours of a grid with a city's buildings over them. Owns
+/// nothing: city, region and the data used by `image` must outlive it.
+struct MapScene {
+    const City& city;
+    const Region& region;
+    Grid grid;
+    std::function<FieldImage(int wantedPixels)> image;  ///< as makeFieldImage()
+};
+MapScene makeMapScene(const Study& study, ShadowMeasure measure);
+
+/// The view of a scene's map in a frame: grid and region with a margin, north up.
+MapView makeMapView(const MapScene& scene, const QRectF& frame);
+/// The same for the map of a study.
+MapView makeMapView(const Study& study, const QRectF& frame);
+
+/// Paints only the map, inside the view's target: the field as a picture, the buildings as outlines over it
+/// (pale outside the region), the outline of the region, a thin frame. Nothing is painted outside the target.
+void paintMap(const Canvas& canvas, const MapView& view, const MapScene& scene);
+void paintMap(const Canvas& canvas, const MapView& view, const Study& study, ShadowMeasure measure);
+
+/// Paints the foot of a map, legendHeightPt high: legend at the left, scale bar and north arrow at the right.
+void paintMapFoot(const Canvas& canvas, const QRectF& area, const MapView& view, const Legend& legend);
+
+}  // namespace noonmark

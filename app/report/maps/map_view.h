@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QPainterPath>
+#include <QRectF>
+
+#include "core/city/footprints/footprint.h"
+#include "core/geo/grid.h"
+#include "core/receivers/region.h"
+
+namespace noonmark {
+
+/// Maps local metres to positions in a picture: true north up, the same scale in both directions. Local y
+/// points up, picture y points down.
+class MapView {
+public:
+    /// Centres `world` with a margin of 4 % in `target` (painter units). `world` must not be empty.
+    MapView(const Box2& world, const QRectF& target);
+
+    [[nodiscard]] const QRectF& target() const { return target_; }
+    [[nodiscard]] double unitsPerM() const { return unitsPerM_; }
+    [[nodiscard]] QPointF at(glm::dvec2 local) const;
+    [[nodiscard]] QRectF rectOf(const Grid& grid) const;  ///< the cells, from edge to edge
+    [[nodiscard]] bool sees(const Box2& box) const;
+
+    /// Adds the rings of the footprint as closed rings in their own direction. With Qt::WindingFill holes
+    /// remain holes where no other footprint of the path covers them.
+    void addTo(QPainterPath& path, const Footprint& footprint) const;
+
+private:
+    QRectF target_;
+    glm::dvec2 centre_;
+    double unitsPerM_;
+};
+
+/// Width / height of a frame for the region: the region's own aspect, limited to 1 : 2 and 2 : 1.
+double aspectOf(const Box2& world);
+
+}  // namespace noonmark

@@ -1,0 +1,32 @@
+#include "app/report/maps/shadow_measure.h"
+
+#include <algorithm>
+
+namespace noonmark {
+
+const std::vector<float>& getValues(const ShadowField& field, ShadowMeasure measure) {
+    return measure == ShadowMeasure::gross ? field.grossMin : field.continuousMin;
+}
+
+QString nameOf(ShadowMeasure measure) {
+    return measure == ShadowMeasure::gross ? QStringLiteral("Gross shadow")
+                                           : QStringLiteral("Continuous shadow");
+}
+
+QString describeMeasure(ShadowMeasure measure) {
+    return measure == ShadowMeasure::gross ? QStringLiteral("minutes in shadow a day")
+                                           : QStringLiteral("longest run, minutes");
+}
+
+bool isInstant(const ShadowField& field) {
+    return field.days == 1 && field.stepMinutes == 1 && field.sunlitMinutesPerDay <= 1;
+}
+
+double topOf(const ShadowField& field, ShadowMeasure measure) {
+    double top = std::max(field.sunlitMinutesPerDay, 0.0);
+    for (const float value : getValues(field, measure))
+        if (double(value) > top) top = double(value);  // false for NaN
+    return top;
+}
+
+}  // namespace noonmark

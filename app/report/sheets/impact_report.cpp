@@ -1,0 +1,135 @@
+#include "app/report/sheets/impact_report.h"
+
+#include "app/report/sheets/report_sections.h"
+#include "scenarios/impact/impact_runs.h"
+#include "scenarios/settings_json.h"
+
+namespace noonmark {
+
+namespace {
+
+SheetMap mapOf(const ImpactAnswer& answer, const AnswerSource& source, ShadowMeasure measure,
+               const ChangeScale& scale) {
+    const Impact& impact = answer.study.total;
+    const Legend legend = makeLegend(impact, measure, scale);
+    const double top = legend.scale.top;
+    return {{source.city, answer.settings.study.region, impact.grid,
+             [&impact, measure, top](int wantedPixels) {
+                 const auto colour = [&](std::size_t cell) { return pickColour(impact, measure, cell, top); };
+                 return makeColourImage(impact.grid, colour, wantedPixels);
+             }},
+            legend};
+}
+
+QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QStringLiteral(" m²"); }
+
+QString signedWords(double value, int decimals, const char* unit) {
+    return (value > 0 ? QStringLiteral("+") : QString()) + describeAmount(value, decimals) +
+           QString::fromUtf8(unit);
+}
+
+void addThreshold(std::vector<Figure>& figures, const char* name, double threshold,
+                  const ChangeFigures& change) {
+    const QString over =
+        QStringLiteral("%1 > %2 min").arg(QString::fromUtf8(name), describeAmount(threshold, 2));
+    figures.push_back({over + QStringLiteral(" more"), describeArea(change.gainedM2)});
+    if (change.lostM2 > 0) figures.push_back({over + QStringLiteral(" less"), describeArea(change.lostM2)});
+}
+
+std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
+    const ComparisonFigures all = computeFigures(answer);
+    const ImpactFigures& first = all.all.front();
+    std::vector<Figure> figures{
+        {QStringLiteral("Shadow area"), signedWords(first.shadowAreaChangeM2, 0, " m²")}};
+    for (const ImpactFigures& one : all.all) addThreshold(figures, "Gross", one.thresholdMin, one.gross);
+    if (hasRuns(answer.study.total))
+        for (const ImpactFigures& one : all.all)
+            addThreshold(figures, "Continuous", one.thresholdMin, one.continuous);
+    else
+        figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
+    figures.push_back({QStringLiteral("More gross shadow, any"), describeArea(first.gross.touchedM2)});
+    figures.push_back({QStringLiteral("Less gross shadow, any"), describeArea(first.gross.easedM2)});
+    figures.push_back(
+        {QStringLiteral("Largest gain"), signedWords(first.gross.mostGainedMin, 1, " min/day")});
+    figures.push_back({QStringLiteral("Largest loss"), signedWords(-first.gross.mostLostMin, 1, " min/day")});
+    figures.push_back({QStringLiteral("Mean change"), signedWords(first.gross.meanMin, 2, " min/day")});
+    figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
+    figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
+    figures.push_back({QStringLiteral("Now ground"), describeArea(first.becameGroundM2)});
+    return figures;
+}
+
+TextBlocks definitionsOf(const ImpactAnswer& answer, const ChangeScale& scale) {
+    const auto unitOf = [&](ShadowMeasure measure) {
+        return makeLegend(answer.study.total, measure, scale).unit;
+    };
+    return {body(QStringLiteral("Colours: gross shadow in %1; continuous shadow in %2.")
+                     .arg(unitOf(ShadowMeasure::gross), unitOf(ShadowMeasure::continuous))),
+            body(QStringLiteral("Change: minutes in %1 minus minutes in %2, with the same engine, steps and "
+                                "cells; positive means more shadow. Gross: minutes in shadow a day, mean "
+                                "over the days. Continuous: longest unbroken run in shadow on any day. Areas "
+                                "are those of the cells whose change exceeds the threshold. Shadow area: sum "
+                                "over the cells of share of the sunlit time in shadow × cell area.")
+                     .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from)))};
+}
+
+// The city after the change as a study, for the sections of a study's report. Their statements hold for both
+// fields.
+Study afterAsStudy(const ImpactAnswer& answer, const AnswerSource& source) {
+    Study study;
+    study.city = source.city;
+    study.settings = answer.settings.study;
+    study.sun = answer.study.sun;
+    study.field = answer.study.after;
+    study.field.engine = answer.study.total.engine;
+    study.warnings = answer.study.total.warnings;
+    study.error = answer.study.error;
+    study.provenance = answer.provenance;
+    return study;
+}
+
+// One line per new building, if the comparison measured them.
+void addBuildings(std::vector<TextBlocks>& sections, const ComparisonFigures& figures) {
+    if (figures.byBuilding.empty()) return;
+    TextBlocks blocks{heading(QStringLiteral("Sole contribution of each new building"))};
+    for (const auto& building : figures.byBuilding)
+        blocks.push_back(body(QStringLiteral("%1: %2 with more than %3 min a day of additional gross shadow")
+                                  .arg(QString::fromStdString(building.name),
+                                       describeArea(building.figures.gross.gainedM2),
+                                       describeAmount(building.figures.thresholdMin, 2))));
+    sections.push_back(std::move(blocks));
+}
+
+std::vector<TextBlocks> sectionsOf(const ImpactAnswer& answer, const AnswerSource& source) {
+    const Study after = afterAsStudy(answer, source);
+    std::vector<TextBlocks> sections = methodSections(
+        after,
+        QStringLiteral("This is the error of the change, compared with the change by the ray reference."));
+    addBuildings(sections, computeFigures(answer));
+    for (TextBlocks& section : sourceSections(after)) sections.push_back(std::move(section));
+    sections.push_back(
+        repeatBlocks(makeRepeatCommand(answer, columnLetters), needsRegionFile(answer.provenance)));
+    return sections;
+}
+
+}  // namespace
+
+Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale) {
+    const Impact& impact = answer.study.total;
+    const QString subject = QStringLiteral("%1 compared with %2")
+                                .arg(QString::fromStdString(answer.to), QString::fromStdString(answer.from));
+    const QString sunlit = QStringLiteral("sun above the horizon for %1 min a day")
+                               .arg(describeAmount(impact.sunlitMinutesPerDay));
+    Sheet sheet{.headline = makeHeadline(answer.settings.study, source.city.frame, subject,
+                                         isInstant(impact) ? QString() : sunlit),
+                .map = mapOf(answer, source, ShadowMeasure::gross, scale),
+                .definitions = definitionsOf(answer, scale),
+                .figures = figuresOfSheet(answer),
+                .sections = sectionsOf(answer, source),
+                .credit = describeData(answer.provenance.attribution)};
+    if (!isInstant(impact) && hasRuns(impact))
+        sheet.smallMap.emplace(mapOf(answer, source, ShadowMeasure::continuous, scale));
+    return sheet;
+}
+
+}  // namespace noonmark

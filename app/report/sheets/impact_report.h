@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/report/files/answer_source.h"
+#include "app/report/maps/impact_legend.h"
+#include "app/report/sheets/sheet.h"
+#include "scenarios/impact/impact_text.h"
+
+namespace noonmark {
+
+/// The page of a comparison: maps of the change of gross and, where computed, continuous shadow on one scale,
+/// figures per threshold, method, inputs and warnings. All arguments must outlive it.
+Sheet makeSheet(const ImpactAnswer& answer, const AnswerSource& source, const ChangeScale& scale);
+
+}  // namespace noonmark

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "app/report/sheets/text_column.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// Definitions of the figures, preceded by a warning where many heights are assumed.
+TextBlocks definitionBlocks(const Study& study);
+
+/// The sections of a report. methodSections(): method and error; `errorOf`: a sentence that states what the
+/// measured error refers to, if not to the study's field. sourceSections(): project, files with their hashes,
+/// sources of the heights, warnings, and cost. Each section begins with its heading. Long lists are cut and
+/// state that.
+std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf = {});
+std::vector<TextBlocks> sourceSections(const Study& study);
+
+/// The command line that repeats the study.
+TextBlocks repeatBlocks(const Study& study);
+
+/// Characters per code line in a column of the page. A command that the column breaks without a backslash
+/// would not run when copied.
+inline constexpr std::size_t columnLetters = 80;
+
+/// The same for any result: its command, or the reason why there is none.
+TextBlocks repeatBlocks(const Result<std::string>& command, bool withRegionFile);
+
+}  // namespace noonmark

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/report/files/answer_source.h"
+#include "app/report/sheets/sheet.h"
+#include "scenarios/weights/score_text.h"
+
+namespace noonmark {
+
+/// The page of a score: its map, figures by month, the weight table, method, inputs and warnings. All
+/// arguments must outlive it.
+Sheet makeSheet(const ScoreAnswer& answer, const AnswerSource& source);
+
+}  // namespace noonmark

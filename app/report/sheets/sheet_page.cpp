@@ -1,0 +1,154 @@
+#include "app/report/sheets/sheet.h"
+
+#include <QPdfWriter>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "app/report/maps/legend_painter.h"
+#include "app/report/sheets/figure_table.h"
+#include "app/report/sheets/pdf_page.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double bottomPt = 24;
+constexpr double gutterPt = 18;
+constexpr double largeMapPt = 332;
+constexpr double sideColumnPt = contentPt - largeMapPt - gutterPt;
+constexpr double definitionPt = 6.6;
+constexpr double figurePt = 7.4;
+constexpr double textMostPt = 8.2;
+constexpr double textLeastPt = 5.6;
+
+std::pair<TextBlocks, TextBlocks> splitSections(const std::vector<TextBlocks>& sections, std::size_t split) {
+    std::pair<TextBlocks, TextBlocks> columns;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        TextBlocks& column = i < split ? columns.first : columns.second;
+        column.insert(column.end(), sections[i].begin(), sections[i].end());
+    }
+    return columns;
+}
+
+class SheetPage {
+public:
+    SheetPage(QPainter& painter, const Sheet& sheet) : canvas_(pdfCanvas(painter)), sheet_(sheet) {}
+
+    void paint() {
+        paintHeadline(canvas_, area(sidePt, topPt, contentPt, headlineHeightPt), sheet_.headline);
+        const double maps = topPt + headlineHeightPt + 2;
+        const double below = std::max(paintLargeMap(maps), paintSideColumn(maps)) + 8;
+        const double foot = pageHeightPt - bottomPt - 10;
+        paintSmallPrint(canvas_, area(sidePt, foot, contentPt, 10), sheet_.credit);
+        const double repeat = paintRepeat(below, foot - 4);
+        paintText(below, repeat - 8);
+    }
+
+private:
+    [[nodiscard]] QRectF area(double x, double y, double width, double height) const {
+        return {x * canvas_.point, y * canvas_.point, width * canvas_.point, height * canvas_.point};
+    }
+
+    /// At least as wide as high, which leaves half of the page for text.
+    [[nodiscard]] double mapAspect() const {
+        return std::max(1.0, aspectOf(bounds(sheet_.map.scene.region)));
+    }
+
+    /// Map, foot and definitions. Returns the y below them, points.
+    double paintLargeMap(double top) {
+        const double height = largeMapPt / mapAspect();
+        const MapView view = makeMapView(sheet_.map.scene, area(sidePt, top, largeMapPt, height));
+        paintMap(canvas_, view, sheet_.map.scene);
+        const double foot = top + height + 8;
+        paintMapFoot(canvas_, area(sidePt, foot, largeMapPt, legendHeightPt), view, sheet_.map.legend);
+        return paintDefinitions(foot + legendHeightPt + 2);
+    }
+
+    double paintDefinitions(double top) {
+        const TextBlocks& blocks = sheet_.definitions;
+        const double height =
+            heightOf(canvas_, blocks, largeMapPt * canvas_.point, definitionPt) / canvas_.point;
+        paintBlocks(canvas_, blocks, area(sidePt, top, largeMapPt, height), definitionPt);
+        return top + height;
+    }
+
+    double paintSideColumn(double top) {
+        const double left = sidePt + largeMapPt + gutterPt;
+        const double y = sheet_.smallMap ? paintSmallMap(*sheet_.smallMap, left, top) + 4 : top;
+        return paintFigures(canvas_, area(left, y, sideColumnPt, 0), sheet_.figures, figurePt) /
+               canvas_.point;
+    }
+
+    double paintSmallMap(const SheetMap& map, double left, double top) {
+        const double height = sideColumnPt / mapAspect();
+        const MapView view = makeMapView(map.scene, area(left, top, sideColumnPt, height));
+        paintMap(canvas_, view, map.scene);
+        paintLegend(canvas_, area(left, top + height + 8, sideColumnPt, legendHeightPt), map.legend);
+        return top + height + 8 + legendHeightPt;
+    }
+
+    /// Paints at the bottom, at most a quarter of the remaining height; returns its top.
+    double paintRepeat(double highest, double bottom) {
+        const TextBlocks& blocks = sheet_.repeat;
+        if (blocks.empty()) return bottom;
+        const double width = contentPt * canvas_.point;
+        const double room = (bottom - highest) / 4;
+        const double points =
+            fittingPoints(canvas_, blocks, {width, room * canvas_.point}, textMostPt, textLeastPt);
+        const double height = std::min(room, heightOf(canvas_, blocks, width, points) / canvas_.point);
+        paintBlocks(canvas_, blocks, area(sidePt, bottom - height, contentPt, height), points);
+        rule(bottom - height - 4);
+        return bottom - height - 4;
+    }
+
+    /// Two columns with the same font size; sections are not split.
+    void paintText(double top, double bottom) {
+        const double width = (contentPt - gutterPt) / 2;
+        const QRectF left = area(sidePt, top, width, bottom - top);
+        const QRectF right = area(sidePt + width + gutterPt, top, width, bottom - top);
+        const auto [first, second] = columnsOf(left.width());
+        const double points = std::min(fittingPoints(canvas_, first, left.size(), textMostPt, textLeastPt),
+                                       fittingPoints(canvas_, second, right.size(), textMostPt, textLeastPt));
+        paintBlocks(canvas_, first, left, points);
+        paintBlocks(canvas_, second, right, points);
+    }
+
+    /// Keeps the sections in order and splits them where the columns are most even.
+    [[nodiscard]] std::pair<TextBlocks, TextBlocks> columnsOf(double width) const {
+        const std::vector<TextBlocks>& sections = sheet_.sections;
+        std::pair<TextBlocks, TextBlocks> best;
+        double bestHeight = std::numeric_limits<double>::max();
+        for (std::size_t split = 1; split < sections.size(); ++split) {
+            auto columns = splitSections(sections, split);
+            const double height = std::max(heightOf(canvas_, columns.first, width, textMostPt),
+                                           heightOf(canvas_, columns.second, width, textMostPt));
+            if (height >= bestHeight) continue;
+            bestHeight = height;
+            best = std::move(columns);
+        }
+        return best;
+    }
+
+    void rule(double y) {
+        canvas_.painter.setPen(linePen(canvas_, ink::line, 0.5));
+        canvas_.painter.drawLine(area(sidePt, y, contentPt, 0).topLeft(),
+                                 area(sidePt, y, contentPt, 0).topRight());
+    }
+
+    Canvas canvas_;
+    const Sheet& sheet_;
+};
+
+}  // namespace
+
+bool writePdf(const Sheet& sheet, QIODevice& device) {
+    QPdfWriter writer(&device);
+    beginPdf(writer, sheet.headline.what + QStringLiteral(", ") + sheet.headline.when);
+    QPainter painter;
+    if (!painter.begin(&writer)) return false;
+    SheetPage(painter, sheet).paint();
+    return painter.end();
+}
+
+}  // namespace noonmark

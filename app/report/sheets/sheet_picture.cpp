@@ -1,0 +1,53 @@
+#include "app/report/sheets/sheet.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double widthPt = 640;
+constexpr double point = pictureWidth / widthPt;
+constexpr double marginPt = 22;
+constexpr double gapPt = 10;
+constexpr double smallPrintPt = 12;
+
+/// The areas of the picture from top to bottom, in pixels.
+struct Places {
+    QSize size;
+    QRectF headline, map, foot, smallPrint;
+};
+
+Places placesOf(const Region& region) {
+    const double width = widthPt - 2 * marginPt;
+    double y = marginPt;
+    const auto next = [&](double height, double gap) {
+        const QRectF area(marginPt * point, y * point, width * point, height * point);
+        y += height + gap;
+        return area;
+    };
+    Places places;
+    places.headline = next(headlineHeightPt, 2);
+    places.map = next(width / aspectOf(bounds(region)), gapPt);
+    places.foot = next(legendHeightPt, 4);
+    places.smallPrint = next(smallPrintPt, marginPt * 0.6);
+    places.size = {pictureWidth, int(y * point)};
+    return places;
+}
+
+}  // namespace
+
+QImage makePicture(const Sheet& sheet) {
+    const Places places = placesOf(sheet.map.scene.region);
+    QImage image(places.size, QImage::Format_RGB32);
+    image.fill(ink::paper);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Canvas canvas{painter, point};
+    const MapView view = makeMapView(sheet.map.scene, places.map);
+    paintHeadline(canvas, places.headline, sheet.headline);
+    paintMap(canvas, view, sheet.map.scene);
+    paintMapFoot(canvas, places.foot, view, sheet.map.legend);
+    paintSmallPrint(canvas, places.smallPrint, sheet.credit);
+    return image;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/report/sheets/sheet.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// The page of a study: maps, figures, method, error, inputs with their hashes, warnings, and the repeat
+/// command. `study` must outlive it.
+Sheet makeSheet(const Study& study);
+
+/// Writes the report of a study as a PDF of one A4 page. Text remains text. `device` must be open; the caller
+/// checks it for write errors. False if the PDF could not be started.
+bool writeReport(const Study& study, QIODevice& device);
+
+/// The map of one measure as a picture.
+QImage mapPicture(const Study& study, ShadowMeasure measure);
+
+}  // namespace noonmark

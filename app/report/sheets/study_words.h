@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+
+#include "core/study/study.h"
+
+namespace noonmark {
+
+QString describeCount(std::uint64_t count);               ///< "176,123"
+QString describeAmount(double amount, int decimals = 1);  ///< "61,234.5"; without trailing zeros
+
+QString describeLatLon(LonLat place);  ///< "40.75400 N, 73.98401 W"
+/// Size and centre of a region.
+QString describePlace(const Region& region, const Frame& frame);
+QString describeSunlit(const Study& study);  ///< how long the sun is up during the measured hours
+QString describeData(const Study& study);    ///< data credit: "Data: © OpenStreetMap contributors"
+QString describeData(const std::string& attribution);
+QString describeProgram();  ///< "Noonmark 0.1.0"
+
+/// A row of the table of figures.
+struct Figure {
+    QString name;
+    QString value;  ///< including its unit
+};
+std::vector<Figure> computeFigures(const Study& study);
+
+}  // namespace noonmark

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+
+namespace noonmark {
+
+/// A painter and the size of a typographic point (1/72 inch in print) in its units. All text sizes and line
+/// widths are in points, so that a picture on screen and a printed page look the same. Does not own the
+/// painter.
+struct Canvas {
+    QPainter& painter;
+    double point = 1;
+};
+
+namespace ink {
+constexpr QColor text{0x1d, 0x20, 0x27};
+constexpr QColor heading{0x3b, 0x2a, 0x6e};  ///< the dark end of the palette
+constexpr QColor quiet{0x5c, 0x61, 0x6b};    ///< less important text; contrast 6:1 on white
+constexpr QColor line{0xc9, 0xcc, 0xd1};
+constexpr QColor paper{0xff, 0xff, 0xff};
+constexpr QColor building{0x9b, 0x9d, 0xa0};  ///< on the ground, inside the region
+constexpr QColor buildingLine{0x7c, 0x7f, 0x84};
+constexpr QColor context{0xe3, 0xe4, 0xe6};  ///< a building outside the region
+constexpr QColor contextLine{0xcf, 0xd1, 0xd4};
+}  // namespace ink
+
+/// Roboto, or a fallback, `points` high on `canvas`. Unhinted, so that lines break in the same places at
+/// every size.
+QFont textFont(const Canvas& canvas, double points, QFont::Weight weight = QFont::Normal);
+
+/// Monospaced font for hashes and command lines.
+QFont codeFont(const Canvas& canvas, double points);
+
+/// A pen of `points` width.
+QPen linePen(const Canvas& canvas, const QColor& colour, double points);
+
+}  // namespace noonmark

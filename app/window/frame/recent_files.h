@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QStringList>
+
+#include "core/io/read_city.h"
+
+class QSettings;
+
+namespace noonmark {
+
+/// Recently opened files or samples, newest first. An entry is a path, or several joined by newlines if they
+/// were opened together, with the reading settings used last.
+class RecentFiles {
+public:
+    static constexpr int most = 10;
+    explicit RecentFiles(QSettings& settings);
+
+    [[nodiscard]] QStringList entries() const;
+    void add(const QStringList& files, const ReadSettings& reading = {});
+    void clear();
+
+    /// The reading settings of an entry. Empty text: defaults, or an entry written by an older version.
+    [[nodiscard]] ReadSettings readingOf(const QString& entry) const;
+    [[nodiscard]] QString readingTextOf(const QString& entry) const;
+
+    static QStringList filesOf(const QString& entry);
+    static QString nameOf(const QString& entry);  ///< menu text: the file's name, "and 2 more"
+
+private:
+    void keepReading(const QStringList& entries, const QString& newest, const ReadSettings& reading);
+
+    QSettings& settings_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,68 @@
+#include "app/window/frame/window_docks.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+
+#include "app/window/project/project_dock.h"
+#include "app/window/project/scenarios_dock.h"
+#include "app/window/project/weights_dock.h"
+#include "app/window/study/results_dock.h"
+#include "app/window/study/study_dock.h"
+#include "app/window/study/warnings_dock.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int sideWidth = 270;
+constexpr int narrowWidth = 190;
+constexpr int scrollBarWidth = 22;
+
+// Wraps the content in a scroll area, so that a dock can be smaller than its content.
+QScrollArea* scrolled(QWidget* content, int leastWidth) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    content->setMinimumWidth(leastWidth - scrollBarWidth);
+    scroll->setMinimumWidth(narrowWidth);  // on a small screen it also scrolls horizontally
+    return scroll;
+}
+
+QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
+    auto* dock = new QDockWidget(title);
+    dock->setObjectName(QString::fromLatin1(name));  // the saved layout identifies docks by object name
+    dock->setWidget(content);
+    return dock;
+}
+
+}  // namespace
+
+void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
+    const int studyWidth = docks.study->minimumSizeHint().width() + 22;
+    QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", scrolled(docks.study, studyWidth));
+    QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
+    QDockWidget* warnings = dockOf(QObject::tr("Warnings"), "warningsDock", docks.warnings);
+    QDockWidget* project = dockOf(QObject::tr("Project"), "projectDock", docks.project);
+    QDockWidget* scenarios = dockOf(QObject::tr("Scenarios"), "scenariosDock", docks.scenarios);
+    QDockWidget* weights = dockOf(QObject::tr("Weights"), "weightsDock", docks.weights);
+    QDockWidget* building =
+        dockOf(QObject::tr("Building"), "buildingDock", scrolled(docks.building, studyWidth));
+    QDockWidget* tower = dockOf(QObject::tr("Tower"), "towerDock", scrolled(docks.tower, studyWidth));
+    window.addDockWidget(Qt::LeftDockWidgetArea, study);
+    for (QDockWidget* beside : {building, tower}) window.tabifyDockWidget(study, beside);
+    study->raise();
+    window.addDockWidget(Qt::RightDockWidgetArea, project);
+    window.addDockWidget(Qt::RightDockWidgetArea, results);
+    for (QDockWidget* beside : {scenarios, weights}) window.tabifyDockWidget(results, beside);
+    window.addDockWidget(Qt::RightDockWidgetArea, warnings);
+    results->raise();
+    window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
+    window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
+    for (QDockWidget* dock : {project, study, results, scenarios, weights, building, tower, warnings})
+        menu.addAction(dock->toggleViewAction());
+}
+
+}  // namespace noonmark

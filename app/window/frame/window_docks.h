@@ -1,0 +1,31 @@
+#pragma once
+
+class QMainWindow;
+class QMenu;
+class QWidget;
+
+namespace noonmark {
+
+class ProjectDock;
+class ResultsDock;
+class ScenariosDock;
+class StudyDock;
+class WarningsDock;
+class WeightsDock;
+
+/// The contents of the docks around the view. The window owns them.
+struct WindowDocks {
+    ProjectDock* project;
+    StudyDock* study;
+    ResultsDock* results;
+    ScenariosDock* scenarios;
+    WeightsDock* weights;
+    WarningsDock* warnings;
+    QWidget* building;  ///< the selected building
+    QWidget* tower;     ///< lots, and the tower being designed
+};
+
+/// Adds the docks at their default places; `menu` shows and hides them.
+void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu);
+
+}  // namespace noonmark

@@ -1,0 +1,33 @@
+#include "app/window/study/region_words.h"
+
+#include <QLocale>
+
+namespace noonmark {
+
+QString describeArea(double areaM2) {
+    const QLocale english(QLocale::English);
+    if (areaM2 < 1e5) return english.toString(areaM2, 'f', 0) + QStringLiteral(" m²");
+    return english.toString(areaM2 * 1e-4, 'f', 1) + QStringLiteral(" ha");
+}
+
+QString describeDrawn(const PolygonTool& tool) {
+    if (tool.sideM() == 0) return {};
+    const QString side = QStringLiteral("%1 m").arg(tool.sideM(), 0, 'f', 1);
+    return tool.areaM2() == 0 ? side : side + QStringLiteral(", ") + describeArea(tool.areaM2());
+}
+
+QString describeRegion(const Region& region, double cellM) {
+    if (region.polygons.empty()) return QStringLiteral("No region yet");
+    double areaM2 = 0;
+    for (const Footprint& polygon : region.polygons) areaM2 += area(polygon);
+    const Box2 box = bounds(region);
+    const QString name =
+        region.name.empty() ? QStringLiteral("Polygon") : QString::fromStdString(region.name);
+    return QStringLiteral("%1\n%2 × %3 m, %4, %5 cells")
+        .arg(name.at(0).toUpper() + name.mid(1))
+        .arg(double(box.high.x - box.low.x), 0, 'f', 0)
+        .arg(double(box.high.y - box.low.y), 0, 'f', 0)
+        .arg(describeArea(areaM2), QLocale(QLocale::English).toString(areaM2 / (cellM * cellM), 'f', 0));
+}
+
+}  // namespace noonmark

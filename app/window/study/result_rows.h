@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "core/study/study.h"
+#include "core/study/text/error_words.h"
+
+namespace noonmark {
+
+/// A row of the results: name, value with unit, and meaning.
+struct ResultRow {
+    QString name;
+    QString value;
+    QString meaning;
+};
+
+/// The figures of a study, new or saved.
+struct StudyFigures {
+    ShadowStatistics statistics;
+    bool instant = false;            ///< of one moment: no minutes
+    std::uint64_t steps = 0;         ///< steps with the sun above the horizon
+    std::uint64_t belowHorizon = 0;  ///< steps left out
+    double sunlitMinutesPerDay = 0;
+    std::uint64_t rays = 0;
+    double seconds = 0;  ///< engine time; 0: not known
+    std::string period;  ///< in words
+    std::vector<ErrorLine> errors;
+    std::string engine;
+};
+
+std::vector<ResultRow> makeRows(const StudyFigures& figures);
+std::vector<ResultRow> makeResultRows(const Study& study);
+
+}  // namespace noonmark

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/city/city.h"
+#include "core/receivers/region.h"
+#include "render/scene/outline_geometry.h"
+
+namespace noonmark {
+
+/// The outline of a region as lines slightly above the ground.
+std::vector<GroundLine> makeGroundLines(const Region& region, const City& city);
+
+/// A line through points on the ground; open while being drawn.
+GroundLine makeGroundLine(const std::vector<glm::vec3>& points, const City& city, bool closed);
+
+}  // namespace noonmark

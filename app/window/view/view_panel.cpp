@@ -1,0 +1,188 @@
+#include "app/window/view/view_panel.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QGuiApplication>
+#include <QMimeData>
+#include <QVBoxLayout>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "app/report/sheets/study_words.h"
+#include "app/window/study/region_words.h"
+#include "app/window/time/time_strip.h"
+#include "app/window/view/ground_lines.h"
+#include "app/window/view/hover_text.h"
+#include "app/window/view/view_picture.h"
+#include "app/window/view/visible_ground.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double straightDownDeg = 89;
+
+bool shiftIsDown() { return QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier); }
+
+}  // namespace
+
+ViewPanel::ViewPanel(QWidget* parent)
+    : QWidget(parent),
+      view_(new CityView),
+      navigator_(new ViewNavigator(*view_)),
+      regionTool_(new PolygonTool(tr("region"), this)),
+      lotTool_(new PolygonTool(tr("lot"), this)),
+      label_(new CursorLabel(*view_, this)),
+      messages_(new MessageBar),
+      time_(new TimeStrip),
+      legend_(new LegendStrip),
+      results_(std::make_unique<ResultLayer>(*view_, *legend_)) {
+    QWidget* container = QWidget::createWindowContainer(view_, this);
+    container->setMinimumSize(240, 160);
+    container->setFocusPolicy(Qt::StrongFocus);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(messages_);
+    column->addWidget(container, 1);
+    column->addWidget(time_);
+    column->addWidget(legend_);
+    time_->hide();
+    setAcceptDrops(true);
+    view_->installEventFilter(this);  // the native window inside the container receives the drops
+    connect(view_, &CityView::poseChanged, this, [this] { legend_->setHeading(view_->pose().headingDeg); });
+    for (auto signal : {&LegendStrip::measureChanged, &LegendStrip::changeScaleChanged})
+        connect(legend_, signal, this, [this] { results_->show(); });
+    connect(navigator_, &ViewNavigator::hovered, this, &ViewPanel::tellWhatIsAt);
+    connect(navigator_, &ViewNavigator::left, this, [this] {
+        label_->hide();
+        Q_EMIT hovered({});
+    });
+    connectTool(regionTool_, lotTool_);
+    connectTool(lotTool_, regionTool_);
+    connectNavigator();
+}
+
+void ViewPanel::connectNavigator() {
+    connect(navigator_, &ViewNavigator::clicked, this, [this](QPointF pixel) {
+        PolygonTool* tool = activeTool();
+        const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
+        if (ground) tool->addPoint(*ground, shiftIsDown());
+    });
+    const auto finish = [this] {
+        if (PolygonTool* tool = activeTool()) tool->finish();
+    };
+    connect(navigator_, &ViewNavigator::doubleClicked, this, finish);
+    connect(navigator_, &ViewNavigator::rightClicked, this, finish);
+    connect(navigator_, &ViewNavigator::keyPressed, this, &ViewPanel::toolKey);
+}
+
+// Only one polygon is drawn at a time.
+void ViewPanel::connectTool(PolygonTool* tool, PolygonTool* other) {
+    connect(tool, &PolygonTool::lineChanged, this, &ViewPanel::showLines);
+    connect(tool, &PolygonTool::refused, messages_, &MessageBar::showError);
+    connect(tool, &PolygonTool::activeChanged, this, [this, other](bool active) {
+        if (active) other->cancel();
+        if (active)
+            view_->setCursor(Qt::CrossCursor);
+        else
+            view_->unsetCursor();
+        label_->hide();
+    });
+}
+
+PolygonTool* ViewPanel::activeTool() const {
+    for (PolygonTool* tool : {regionTool_, lotTool_})
+        if (tool->active()) return tool;
+    return nullptr;
+}
+
+void ViewPanel::toolKey(int key) {
+    PolygonTool* tool = activeTool();
+    if (!tool) return Q_EMIT keyPressed(key);
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) tool->finish();
+    if (key == Qt::Key_Escape) tool->cancel();
+    if (key == Qt::Key_Backspace) tool->removeLastPoint();
+}
+
+void ViewPanel::showCity(std::shared_ptr<const OpenCity> city) {
+    city_ = std::move(city);
+    navigator_->setScene(city_->picker);
+    if (view_->arrays() != city_->arrays) {
+        if (PolygonTool* tool = activeTool()) tool->cancel();
+        view_->showCity(city_->arrays);
+    }
+    view_->showChanges(computeDifference(*city_->arrays, city_->city()));
+    results_->forget();
+}
+
+void ViewPanel::showRegion(const Region& region) {
+    region_ = region;
+    showLines();
+}
+
+void ViewPanel::showLines() {
+    if (!city_) return;
+    if (const PolygonTool* tool = activeTool())
+        return view_->showLines({makeGroundLine(tool->line(), city_->city(), true)});
+    view_->showLines(makeGroundLines(region_, city_->city()));
+}
+
+void ViewPanel::draw(QPointF pixel) {
+    PolygonTool* tool = activeTool();
+    const auto ground = tool ? navigator_->groundAt(pixel) : std::nullopt;
+    if (!ground) return;
+    tool->moveTo(*ground, shiftIsDown());
+    label_->show(pixel, describeDrawn(*tool));
+}
+
+void ViewPanel::tellWhatIsAt(QPointF pixel) {
+    if (!city_) return;
+    draw(pixel);
+    const auto pick = navigator_->pickAt(pixel);
+    Q_EMIT hovered(pick ? hoverText(*pick, city_->city(), results_->minutesAt(*pick)) : QString());
+}
+
+Region ViewPanel::visibleGround() const {
+    return noonmark::visibleGround(view_->pose(), view_->lens(), view_->viewBounds());
+}
+
+void ViewPanel::takePicture(const QString& title, const QString& when, std::function<void(QImage)> done) {
+    PictureFrame frame{.title = title, .when = when, .legend = legend_->legend(), .note = legend_->note()};
+    if (city_) frame.credit = describeData(city_->loaded.read.attribution);
+    const CameraPose pose = view_->pose();
+    frame.headingDeg = pose.headingDeg;
+    frame.fromAbove = pose.pitchDeg >= straightDownDeg;
+    const double heightAtOneMetre = 2 * std::tan(glm::radians(view_->lens().verticalDeg) / 2);
+    view_->capture([frame, distance = pose.distanceM, heightAtOneMetre,
+                    done = std::move(done)](const QImage& image) mutable {
+        frame.pixelsPerM = image.height() / (heightAtOneMetre * distance);
+        done(viewPicture(image, frame));
+    });
+}
+
+bool ViewPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
+        dragEnterEvent(static_cast<QDragEnterEvent*>(event));
+        return true;
+    }
+    if (event->type() == QEvent::Drop) {
+        dropEvent(static_cast<QDropEvent*>(event));
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ViewPanel::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void ViewPanel::dropEvent(QDropEvent* event) {
+    QStringList files;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    event->acceptProposedAction();
+    if (!files.isEmpty()) Q_EMIT filesDropped(files);
+}
+
+}  // namespace noonmark

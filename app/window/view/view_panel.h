@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "app/window/study/open_city.h"
+#include "app/window/view/polygon_tool.h"
+#include "app/window/view/result_layer.h"
+#include "app/window/widgets/cursor_label.h"
+#include "app/window/widgets/legend_strip.h"
+#include "app/window/widgets/message_bar.h"
+#include "render/view/view_navigator.h"
+
+namespace noonmark {
+
+class TimeStrip;
+
+/// The middle of the window: messages, the view, the time strip and the legend below it. Also handles drawing
+/// of polygons on the ground.
+class ViewPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit ViewPanel(QWidget* parent = nullptr);
+
+    /// Shows a city. If it has the arrays of the one before (an edit, another scenario), the camera stays.
+    void showCity(std::shared_ptr<const OpenCity> city);
+    void showRegion(const Region& region);
+
+    [[nodiscard]] CityView& view() { return *view_; }
+    [[nodiscard]] ViewNavigator& navigator() { return *navigator_; }
+    [[nodiscard]] PolygonTool& regionTool() { return *regionTool_; }
+    [[nodiscard]] PolygonTool& lotTool() { return *lotTool_; }
+    [[nodiscard]] bool drawing() const { return activeTool() != nullptr; }
+    [[nodiscard]] CursorLabel& cursorLabel() { return *label_; }
+    [[nodiscard]] MessageBar& messages() { return *messages_; }
+    [[nodiscard]] TimeStrip& time() { return *time_; }  ///< hidden at first
+    [[nodiscard]] LegendStrip& legend() { return *legend_; }
+    [[nodiscard]] ResultLayer& results() { return *results_; }
+
+    /// The visible ground, cut to the neighbourhood of the city; without polygons if there is none.
+    [[nodiscard]] Region visibleGround() const;
+
+    /// The view with title, legend and scale; `done` is called after the next frame is drawn.
+    void takePicture(const QString& title, const QString& when, std::function<void(QImage)> done);
+
+Q_SIGNALS:
+    void hovered(QString text);  ///< text for what is under the cursor; empty: nothing
+    void filesDropped(QStringList files);
+    void keyPressed(int key);  ///< keys over the view that the polygon being drawn does not use
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void connectNavigator();
+    void connectTool(PolygonTool* tool, PolygonTool* other);
+    [[nodiscard]] PolygonTool* activeTool() const;
+    void showLines();
+    void draw(QPointF pixel);
+    void tellWhatIsAt(QPointF pixel);
+    void toolKey(int key);
+
+    CityView* view_;
+    ViewNavigator* navigator_;
+    PolygonTool* regionTool_;
+    PolygonTool* lotTool_;
+    CursorLabel* label_;
+    MessageBar* messages_;
+    TimeStrip* time_;
+    LegendStrip* legend_;
+    std::shared_ptr<const OpenCity> city_;
+    std::unique_ptr<ResultLayer> results_;
+    Region region_;
+};
+
+}  // namespace noonmark

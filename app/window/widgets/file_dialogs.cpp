@@ -1,0 +1,69 @@
+#include "app/window/widgets/file_dialogs.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "scenarios/project/project_file.h"
+
+namespace noonmark {
+
+namespace {
+
+QString tr(const char* text) { return QObject::tr(text); }
+
+}  // namespace
+
+QStringList askForCity(QWidget* parent) {
+    return QFileDialog::getOpenFileNames(
+        parent, tr("Open a project or a city"), {},
+        tr("Projects, cities and terrain (*.noonmark.gpkg *.geojson *.json *.gpkg *.shp *.osm *.pbf "
+           "*.jsonl *.obj *.ply *.gltf *.glb *.tif "
+           "*.tiff *.asc);;Projects (*.noonmark.gpkg);;All files (*)"));
+}
+
+QString askForProject(QWidget* parent, const QString& suggested) {
+    const QString ending = QString::fromLatin1(projectEnding);
+    QString file = QFileDialog::getSaveFileName(parent, tr("Save project as"), suggested,
+                                                tr("Projects (*%1)").arg(ending), nullptr,
+                                                QFileDialog::DontConfirmOverwrite);
+    if (file.isEmpty()) return {};
+    if (!file.endsWith(ending)) file += ending;
+    if (!QFileInfo::exists(file)) return file;
+    const auto answer = QMessageBox::question(
+        parent, tr("Save project as"), tr("%1 already exists. Replace it?").arg(QFileInfo(file).fileName()));
+    return answer == QMessageBox::Yes ? file : QString();
+}
+
+QString askForMesh(QWidget* parent) {
+    return QFileDialog::getOpenFileName(
+        parent, tr("Import a mesh as a building"), {},
+        tr("Meshes (*.obj *.ply *.gltf *.glb *.json *.jsonl);;All files (*)"));
+}
+
+QString askForRegion(QWidget* parent) {
+    return QFileDialog::getOpenFileName(parent, tr("Region from file"), {},
+                                        tr("Polygons (*.geojson *.json *.gpkg *.shp *.kml);;All files (*)"));
+}
+
+QString askForPicture(QWidget* parent) {
+    const QString file = QFileDialog::getSaveFileName(parent, tr("Save picture"),
+                                                      QStringLiteral("noonmark.png"), tr("Pictures (*.png)"));
+    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty()) return file;
+    return file + QStringLiteral(".png");
+}
+
+QString askForFolder(QWidget* parent, const QString& title) {
+    return QFileDialog::getExistingDirectory(parent, title);
+}
+
+bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files) {
+    if (files.isEmpty()) return true;
+    const auto answer =
+        QMessageBox::question(parent, tr("Export"),
+                              tr("%1 already contains these files: %2. Replace them?")
+                                  .arg(QFileInfo(folder).fileName(), files.join(QStringLiteral(", "))));
+    return answer == QMessageBox::Yes;
+}
+
+}  // namespace noonmark

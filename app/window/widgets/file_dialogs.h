@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QStringList>
+
+class QWidget;
+
+namespace noonmark {
+
+/// File dialogs. Each returns an empty value if the user cancels.
+QStringList askForCity(QWidget* parent);  ///< city files or a project
+/// For saving; asks before replacing a file.
+QString askForProject(QWidget* parent, const QString& suggested);
+QString askForMesh(QWidget* parent);
+QString askForRegion(QWidget* parent);
+QString askForPicture(QWidget* parent);  ///< always with a file extension
+QString askForFolder(QWidget* parent, const QString& title);
+
+/// Asks whether existing files in a folder may be replaced; true if there are none.
+bool mayReplace(QWidget* parent, const QString& folder, const QStringList& files);
+
+}  // namespace noonmark

@@ -1,0 +1,71 @@
+#pragma once
+
+// Widgets and forms used by several docks: fields and buttons (number_fields, mesh_fields, push_button),
+// forms for one value each (PeriodForm, AccuracyForm, ReadingForm), the legend, message and progress strips,
+// the label at the cursor, the menu of recent files and the file dialogs. They show and change values and
+// know neither project nor workbench.
+
+#include <QWidget>
+#include <optional>
+
+#include "app/report/maps/change_scale.h"
+#include "app/report/maps/legend_painter.h"
+
+class QComboBox;
+class QPainter;
+class QSpinBox;
+
+namespace noonmark {
+
+/// The strip below the view: choice of the measure, its legend, and a compass. In a narrow window the legend
+/// has its own row.
+class LegendStrip final : public QWidget {
+    Q_OBJECT
+public:
+    explicit LegendStrip(QWidget* parent = nullptr);
+
+    void setLegend(std::optional<Legend> legend);  ///< none: no result yet
+    void setHint(const QString& hint);             ///< shown if there is no legend
+    /// A note on what is shown; `partial` marks it as incomplete. Empty: none.
+    void setNote(const QString& note, bool partial);
+    [[nodiscard]] const QString& note() const { return note_; }
+    [[nodiscard]] const std::optional<Legend>& legend() const { return legend_; }
+    void setHeading(double degrees);  ///< azimuth of the view, clockwise from north
+
+    [[nodiscard]] ShadowMeasure measure() const;
+    void setMeasure(ShadowMeasure measure);
+
+    /// The scale of differences; its field is visible while a difference is shown.
+    [[nodiscard]] const ChangeScale& changeScale() const { return changeScale_; }
+    void setChangeScale(const ChangeScale& scale);
+
+    [[nodiscard]] QRectF noteArea() const;      ///< the note's place; empty: no note
+    [[nodiscard]] QRectF legendArea() const;    ///< beside the note
+    [[nodiscard]] QString paintedNote() const;  ///< the note, shortened to the room available
+
+Q_SIGNALS:
+    void measureChanged();
+    void changeScaleChanged();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    [[nodiscard]] bool narrow() const;
+    [[nodiscard]] QFont noteFont() const;
+    [[nodiscard]] QSizeF noteRoom() const;
+    void placeNote();
+    void paintNote(QPainter& painter) const;
+
+    QComboBox* measure_;
+    QSpinBox* scale_;  ///< 0: fitted to each
+    ChangeScale changeScale_;
+    QString hint_;
+    QString note_;
+    bool partial_ = false;
+    std::optional<Legend> legend_;
+    double headingDeg_ = 0;
+};
+
+}  // namespace noonmark

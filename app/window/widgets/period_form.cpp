@@ -1,0 +1,167 @@
+#include "app/window/widgets/period_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCompleter>
+#include <QDateEdit>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QTimeEdit>
+#include <cmath>
+
+#include "app/window/frame/qt_dates.h"
+#include "app/window/widgets/number_fields.h"
+
+namespace noonmark {
+
+namespace {
+
+std::chrono::minutes minutesOf(double hours) { return std::chrono::minutes(std::lround(hours * 60)); }
+double hoursOf(std::chrono::minutes minutes) { return double(minutes.count()) / 60; }
+
+QComboBox* zoneField() {
+    auto* zone = new QComboBox;
+    zone->setEditable(true);
+    zone->setInsertPolicy(QComboBox::NoInsert);
+    for (const std::string& name : zoneNames()) zone->addItem(QString::fromStdString(name));
+    zone->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    zone->completer()->setFilterMode(Qt::MatchContains);
+    zone->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    zone->setMinimumContentsLength(14);
+    return zone;
+}
+
+}  // namespace
+
+PeriodForm::PeriodForm(QWidget* parent) : QWidget(parent) {
+    makeFields();
+    placeFields();
+    tell();
+    show(Period{});
+}
+
+void PeriodForm::makeFields() {
+    start_ = new QDateEdit;
+    start_->setCalendarPopup(true);
+    start_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
+    start_->setDateRange(QDate(1900, 1, 2), QDate(2099, 12, 30));
+    days_ = wholeField(1, 3660, {});
+    from_ = new QTimeEdit;
+    from_->setDisplayFormat(QStringLiteral("HH:mm"));
+    hours_ = numberField(0, 24, 2, 0.5, tr(" h"));
+    step_ = numberField(1.0 / 60, 240, 2, 1, tr(" min"));
+    zone_ = zoneField();
+    window_ = new QCheckBox(tr("From sunrise to sunset"));
+    afterSunrise_ = numberField(0, 12, 2, 0.25, tr(" h"));
+    beforeSunset_ = numberField(0, 12, 2, 0.25, tr(" h"));
+    rule_ = new QComboBox;
+    rule_->addItems({tr("upper limb (-0.833°)"), tr("centre (0°)")});
+    refraction_ = new QCheckBox(tr("Atmospheric refraction"));
+}
+
+void PeriodForm::placeFields() {
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    form->addRow(tr("Start date"), start_);
+    form->addRow(tr("Days"), days_);
+    form->addRow(tr("From"), from_);
+    form->addRow(tr("Hours per day"), hours_);
+    form->addRow(tr("Step"), step_);
+    form->addRow(tr("Time zone"), zone_);
+    form->addRow(QString(), window_);
+    form->addRow(tr("After sunrise"), afterSunrise_);
+    form->addRow(tr("Before sunset"), beforeSunset_);
+    form->addRow(tr("Sunrise at"), rule_);
+    form->addRow(QString(), refraction_);
+}
+
+void PeriodForm::follow(QWidget* field, const char* name) {
+    const auto changed = [this, name] {
+        enableFields();
+        if (!showing_) Q_EMIT edited(QString::fromLatin1(name));
+    };
+    if (auto* date = qobject_cast<QDateTimeEdit*>(field))
+        connect(date, &QDateTimeEdit::dateTimeChanged, this, changed);
+    if (auto* whole = qobject_cast<QSpinBox*>(field)) connect(whole, &QSpinBox::valueChanged, this, changed);
+    if (auto* number = qobject_cast<QDoubleSpinBox*>(field))
+        connect(number, &QDoubleSpinBox::valueChanged, this, changed);
+    if (auto* box = qobject_cast<QCheckBox*>(field)) connect(box, &QCheckBox::toggled, this, changed);
+    if (auto* combo = qobject_cast<QComboBox*>(field)) {
+        connect(combo, &QComboBox::currentIndexChanged, this, changed);
+        if (combo->isEditable()) connect(combo->lineEdit(), &QLineEdit::editingFinished, this, changed);
+    }
+}
+
+void PeriodForm::tell() {
+    const auto add = [this](QWidget* field, const char* name, const char* objectName, const QString& tip) {
+        field->setObjectName(QString::fromLatin1(objectName));
+        field->setToolTip(tip);
+        follow(field, name);
+    };
+    add(start_, "start date", "startDate", tr("First day of the period, local date in the time zone"));
+    add(days_, "days", "days", tr("Number of days, 1 to 3660"));
+    add(from_, "start time", "from", tr("Wall-clock time at which each day's window begins, hours:minutes"));
+    add(hours_, "hours", "hours", tr("Hours per day, 0 to 24; 0 is a single moment"));
+    add(step_, "step", "step", tr("Minutes between sun positions, 1/60 to 240"));
+    add(zone_, "time zone", "zone",
+        tr("IANA time zone of the wall clock, daylight saving included.\nSet to that of the nearest city "
+           "when a file is opened: check it near borders."));
+    add(window_, "solar window", "solarWindow", tr("Use sunrise and sunset instead of clock times"));
+    add(afterSunrise_, "after sunrise", "afterSunrise",
+        tr("The window begins this many hours after sunrise"));
+    add(beforeSunset_, "before sunset", "beforeSunset", tr("The window ends this many hours before sunset"));
+    add(rule_, "sunrise rule", "sunriseRule",
+        tr("Altitude of the sun's centre at sunrise and sunset, degrees"));
+    add(refraction_, "refraction", "refraction",
+        tr("On: apparent position of the sun. Off: geometric position, as rules often require"));
+}
+
+void PeriodForm::enableFields() {
+    const bool solar = window_->isChecked();
+    from_->setEnabled(!solar);
+    hours_->setEnabled(!solar);
+    auto* form = static_cast<QFormLayout*>(layout());
+    for (QWidget* field : {static_cast<QWidget*>(afterSunrise_), static_cast<QWidget*>(beforeSunset_),
+                           static_cast<QWidget*>(rule_)}) {
+        field->setVisible(solar);
+        form->labelForField(field)->setVisible(solar);
+    }
+}
+
+Period PeriodForm::period() const {
+    Period period;
+    period.start = civilOf(start_->date());
+    period.days = days_->value();
+    period.from = std::chrono::minutes(from_->time().hour() * 60 + from_->time().minute());
+    period.hours = hours_->value();
+    period.stepMinutes = step_->value();
+    period.zone = zone_->currentText().trimmed().toStdString();
+    period.refraction = refraction_->isChecked();
+    if (window_->isChecked())
+        period.window = SolarWindow{minutesOf(afterSunrise_->value()), minutesOf(beforeSunset_->value()),
+                                    SunriseRule(rule_->currentIndex())};
+    return period;
+}
+
+void PeriodForm::show(const Period& period) {
+    showing_ = true;
+    start_->setDate(dateOf(period.start));
+    days_->setValue(period.days);
+    from_->setTime(QTime(0, 0).addSecs(int(period.from.count() % (24 * 60)) * 60));
+    hours_->setValue(period.hours);
+    step_->setValue(period.stepMinutes);
+    zone_->setCurrentText(QString::fromStdString(period.zone));
+    window_->setChecked(period.window.has_value());
+    const SolarWindow window = period.window.value_or(SolarWindow{});
+    afterSunrise_->setValue(hoursOf(window.afterSunrise));
+    beforeSunset_->setValue(hoursOf(window.beforeSunset));
+    rule_->setCurrentIndex(int(window.rule));
+    refraction_->setChecked(period.refraction);
+    showing_ = false;
+    enableFields();
+}
+
+}  // namespace noonmark

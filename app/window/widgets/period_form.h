@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/sun/period.h"
+
+class QCheckBox;
+class QComboBox;
+class QDateEdit;
+class QDoubleSpinBox;
+class QFormLayout;
+class QSpinBox;
+class QTimeEdit;
+
+namespace noonmark {
+
+/// Fields for a Period: dates, hours, time zone, apparent or geometric sun.
+class PeriodForm final : public QWidget {
+    Q_OBJECT
+public:
+    explicit PeriodForm(QWidget* parent = nullptr);
+
+    [[nodiscard]] Period period() const;
+    void show(const Period& period);  ///< without a signal
+
+Q_SIGNALS:
+    void edited(QString field);  ///< the name of the field: "start date"
+
+private:
+    void makeFields();
+    void placeFields();
+    void tell();
+    void follow(QWidget* field, const char* name);
+    void enableFields();
+
+    QDateEdit* start_;
+    QSpinBox* days_;
+    QTimeEdit* from_;
+    QDoubleSpinBox* hours_;
+    QDoubleSpinBox* step_;
+    QComboBox* zone_;
+    QCheckBox* window_;
+    QDoubleSpinBox* afterSunrise_;
+    QDoubleSpinBox* beforeSunset_;
+    QComboBox* rule_;
+    QCheckBox* refraction_;
+    bool showing_ = false;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,77 @@
+#include "core/bench/contests/contestant.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace noonmark::bench {
+
+namespace {
+
+std::string settingWords(const EngineOption& option, double value) {
+    if (value == option.usual) return {};
+    return fmt::format("{} {:g}{}{}", option.key, value, option.unit.empty() ? "" : " ", option.unit);
+}
+
+double clampToRange(const EngineOption& option, double value) {
+    value = std::clamp(value, option.lowest, option.highest);
+    return option.kind != OptionKind::number ? std::round(value) : value;
+}
+
+void add(StartList& list, const EngineEntry& engine, const EngineSettings& settings, std::string words,
+         const EngineList& engines) {
+    auto made = makeEngine(engine.info.key, settings, engines);
+    if (made)
+        list.contestants.push_back({std::string(engine.info.key), std::string(engine.info.name),
+                                    std::move(words), std::move(*made)});
+    else
+        list.absent.push_back(fmt::format("{}: {}", engine.info.key, made.error().text()));
+}
+
+void addLadder(StartList& list, const EngineEntry& engine, const EngineOption& option,
+               std::vector<double> values, const EngineList& engines) {
+    for (double& value : values) value = clampToRange(option, value);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    for (const double value : values)
+        add(list, engine, {{std::string(option.key), value}}, settingWords(option, value), engines);
+}
+
+}  // namespace
+
+std::string makeTitle(const Contestant& contestant) {
+    return contestant.name + (contestant.setting.empty() ? "" : ", ") + contestant.setting;
+}
+
+StartList listUsualEngines(const EngineList& engines) {
+    StartList list;
+    for (const EngineEntry& engine : engines) add(list, engine, {}, {}, engines);
+    return list;
+}
+
+StartList listVariedEngines(const EngineList& engines, const std::vector<double>& factors) {
+    StartList list;
+    for (const EngineEntry& engine : engines) {
+        const std::size_t absent = list.absent.size();
+        add(list, engine, {}, {}, engines);
+        if (list.absent.size() > absent) continue;
+        for (const EngineOption& option : engine.info.options) {
+            std::vector<double> values;
+            for (const double factor : factors) values.push_back(factor * option.usual);
+            std::erase_if(values, [&](double value) { return clampToRange(option, value) == option.usual; });
+            addLadder(list, engine, option, values, engines);
+        }
+    }
+    return list;
+}
+
+std::vector<Contestant> listVariants(const EngineList& engines, std::string_view engine,
+                                     std::string_view option, const std::vector<double>& values) {
+    StartList list;
+    if (const EngineEntry* found = findEngine(engines, engine))
+        for (const EngineOption& known : found->info.options)
+            if (known.key == option) addLadder(list, *found, known, values, engines);
+    return list.contestants;
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,186 @@
+#include "core/bench/horizon/horizon_edits.h"
+
+#include <fmt/format.h>
+
+#include "core/base/stopwatch.h"
+#include "core/bench/contests/moments.h"
+#include "core/bench/horizon/moved_tower.h"
+#include "core/engines/horizon/cache/horizon_cache.h"
+
+namespace noonmark::bench {
+
+namespace {
+
+constexpr double hoursADay = 8, fewerHoursADay = 6;
+
+/// A horizon cache and the times of operations on it. Stops at the first error.
+class SavedStudy {
+public:
+    SavedStudy(HorizonCache kept, const Work& work) : kept_(std::move(kept)), work_(work) {}
+
+    /// Time for gross shadow, seconds.
+    Result<double> retime(const SunSteps& sun) {
+        return timed([&] { return kept_.retime(sun, silent_, work_.stop, ShadowCounts::gross); });
+    }
+    Result<double> change(const TowerPlace& state) {
+        return timed([&] {
+            return kept_.change(state.city, state.receivers, silent_, work_.stop, ShadowCounts::gross);
+        });
+    }
+    /// Additional time for the longest runs, seconds.
+    Result<double> countRuns() {
+        return timed([&] { return kept_.withRuns(silent_, work_.stop); });
+    }
+
+    [[nodiscard]] const ShadowField& field() const { return field_; }
+
+private:
+    Result<double> timed(const auto& work) {
+        const Stopwatch watch;
+        auto field = work();
+        const double seconds = watch.seconds();
+        if (!field) return tl::make_unexpected(field.error());
+        field_ = std::move(*field);
+        return seconds;
+    }
+
+    HorizonCache kept_;
+    const Work& work_;
+    NoProgress silent_;
+    ShadowField field_;
+};
+
+/// Seconds for gross shadow, and for gross shadow and the longest runs together.
+struct Times {
+    std::vector<double> gross, both;
+};
+
+struct CacheTimes {
+    Times full, retimes, edits;
+    std::vector<double> firstEdit;
+};
+
+Result<void> checkSame(const SavedStudy& study, const SavedStudy& fresh) {
+    if (haveSameMinutes(study.field(), fresh.field())) return {};
+    return failure("The edited field differs from a fresh one", "cached horizons");
+}
+
+Result<SavedStudy> studyOf(const TowerPlace& state, const Work& work) {
+    return HorizonCache::make(state.city, state.receivers).map([&](HorizonCache&& kept) {
+        return SavedStudy(std::move(kept), work);
+    });
+}
+
+Result<void> add(std::vector<double>& times, const Result<double>& seconds) {
+    return seconds.map([&](double taken) { times.push_back(taken); });
+}
+
+Result<void> addBoth(std::vector<double>& times, SavedStudy& study, const Result<double>& gross) {
+    if (!gross) return tl::make_unexpected(gross.error());
+    return add(times, study.countRuns().map([&](double runs) { return *gross + runs; }));
+}
+
+Result<void> addFull(Times& times, SavedStudy& study, const SunSteps& year) {
+    const Result<double> gross = study.retime(year);
+    const Result<void> state = add(times.gross, gross);
+    return state ? addBoth(times.both, study, gross) : state;
+}
+
+// As while a tower is dragged: first gross shadow alone, then each move with the longest runs.
+Result<void> addEdits(Times& times, SavedStudy& study, const TowerPlace& here, const TowerPlace& there,
+                      int runs) {
+    Result<void> state;
+    const auto place = [&](int run) -> const TowerPlace& { return run % 2 == 0 ? here : there; };
+    for (int run = 0; run < 2 * runs && state; ++run) state = add(times.gross, study.change(place(run)));
+    for (int run = 0; run < 2 * runs && state; ++run)
+        state = addBoth(times.both, study, study.change(place(run)));
+    return state;
+}
+
+// As while a slider of hours is dragged; changes back each time.
+Result<void> addRetimes(Times& times, SavedStudy& study, const SunSteps& year, const SunSteps& shorter,
+                        int runs) {
+    Result<void> state;
+    const auto back = [&] { return study.retime(year).map([](double) {}); };
+    for (int run = 0; run < runs && state; ++run) {
+        state = add(times.gross, study.retime(shorter));
+        if (state) state = back();
+    }
+    for (int run = 0; run < runs && state; ++run) {
+        state = addBoth(times.both, study, study.retime(shorter));
+        if (state) state = back();
+    }
+    return state;
+}
+
+Result<void> measure(CacheTimes& times, const BenchSite& site, const Extent& extent, const SunSteps& year,
+                     const SunSteps& shorter, const Work& work) {
+    const auto here = placeTower(site, 0, work), there = placeTower(site, towerMoveM, work);
+    if (!here || !there) return tl::make_unexpected(here ? there.error() : here.error());
+    auto fresh = studyOf(*there, work), study = studyOf(*here, work);
+    if (!fresh || !study) return tl::make_unexpected(fresh ? study.error() : fresh.error());
+    Result<void> state = addFull(times.full, *fresh, year);
+    if (state) state = addFull(times.full, *study, year);
+    if (state) state = add(times.firstEdit, study->change(*there));
+    if (state) state = study->countRuns().map([](double) {});
+    if (state) state = checkSame(*study, *fresh);
+    if (state) state = addEdits(times.edits, *study, *here, *there, extent.runs);
+    if (state) state = checkSame(*study, *fresh);
+    if (state) state = addRetimes(times.retimes, *study, year, shorter, extent.runs);
+    return state;
+}
+
+void addRows(Finding& finding, const char* what, const std::vector<double>& seconds) {
+    for (const double one : seconds) finding.table.rows.push_back({std::string(what), one});
+    const Moments moments = computeMoments(seconds);
+    finding.comparisons[0].rows.push_back({what, fmt::format("{:.1f}", 1e3 * moments.median),
+                                           fmt::format("{:.1f}", 1e3 * moments.least),
+                                           fmt::format("{:.1f}", 1e3 * moments.most)});
+    ChartSeries series{.name = what, .colourOf = what, .joined = false};
+    for (std::size_t i = 0; i < seconds.size(); ++i)
+        series.points.push_back({double(i + 1), 1e3 * seconds[i], {}});
+    finding.charts[0].series.push_back(std::move(series));
+}
+
+}  // namespace
+
+Result<Finding> benchHorizonEdits(const BenchSite& site, const Extent& extent, const Work& work) {
+    work.progress.report(0, "cached horizons");
+    const auto year = computeYearSun(site, hoursADay), shorter = computeYearSun(site, fewerHoursADay);
+    if (!year || !shorter) return tl::make_unexpected(year ? shorter.error() : year.error());
+    CacheTimes times;
+    if (const auto done = measure(times, site, extent, *year, *shorter, work); !done)
+        return tl::make_unexpected(done.error());
+    Finding finding;
+    finding.key = "horizon_edits";
+    finding.title = "Other hours, and a moved tower";
+    finding.text =
+        "A year of 8 h days with cached horizons: the full sweep, the hours changed from 8 to 6 a day, and a "
+        "tower of 40 x 40 x 200 m in the middle moved by 10 m and back. The field after the first move and "
+        "the last equals a fresh one, bit for bit. The first move computes the horizon behind the tower; "
+        "later moves reuse it. Moves and changes of hours are measured one after the other, first for gross "
+        "shadow alone, then each with the longest runs. Fractions refer to the same count in the full sweep: "
+        "gross shadow, which the window shows first, or with the longest runs, which it can show later.";
+    finding.table.columns = {"what", "time_s"};
+    finding.comparisons[0].header = {"", "median, ms", "least", "most"};
+    finding.charts = {{"Time of each run", {.label = "run", .whole = true}, {"time, ms", true}, {}}};
+    addRows(finding, "full sweep, gross", times.full.gross);
+    addRows(finding, "full sweep, with runs", times.full.both);
+    addRows(finding, "other hours, gross", times.retimes.gross);
+    addRows(finding, "other hours, with runs", times.retimes.both);
+    addRows(finding, "tower moved for the first time, gross", times.firstEdit);
+    addRows(finding, "tower moved, gross", times.edits.gross);
+    addRows(finding, "tower moved, with runs", times.edits.both);
+    const auto fraction = [](const std::vector<double>& part, const std::vector<double>& whole) {
+        return computeMoments(part).median / computeMoments(whole).median;
+    };
+    finding.summary = {{"retime_fraction", fraction(times.retimes.gross, times.full.gross)},
+                       {"retime_with_runs_fraction", fraction(times.retimes.both, times.full.both)},
+                       {"edit_fraction", fraction(times.edits.gross, times.full.gross)},
+                       {"edit_with_runs_fraction", fraction(times.edits.both, times.full.both)},
+                       {"edit_ms", 1e3 * computeMoments(times.edits.gross).median},
+                       {"edit_first_ms", 1e3 * computeMoments(times.firstEdit).median}};
+    return finding;
+}
+
+}  // namespace noonmark::bench

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/bench/contests/site.h"
+#include "core/bench/extent.h"
+#include "core/bench/finding.h"
+#include "core/bench/work.h"
+
+namespace noonmark::bench {
+
+/// The effect of the bin width of the direction graph over a year of 6 h days (paper, section 7): how similar
+/// a direction and the direction that replaces it are, and how many edges remain of the year's hourly
+/// intervals. Two replacements: the mean of all the year's directions in a bin, and the direction that the
+/// edge of an interval actually uses. Summary: graph_edges, graph_intervals, at 5 deg.
+Result<Finding> benchGraphBound(const BenchSite& site, const Extent& extent, const Work& work);
+
+}  // namespace noonmark::bench

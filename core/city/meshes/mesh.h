@@ -1,0 +1,22 @@
+#pragma once
+
+// The folder core/city/meshes handles triangle meshes. TriangleMesh (this file) is the plain data. Making
+// meshes: extrude.cpp from prisms, surface_mesher.h from polygons in space. Turning a mesh as read into parts
+// of a building: mesh_parts.h, with weld and orientation in mesh_topology.h, the outline seen from above in
+// mesh_outline.h, and surfaces without thickness in mesh_sheets.h. mesh_section.h cuts a mesh horizontally,
+// triangle_count.h counts triangles without making them.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace noonmark {
+
+/// Triangles in local metres (z up). Counter-clockwise faces point outward.
+struct TriangleMesh {
+    std::vector<glm::vec3> vertices;
+    std::vector<glm::uvec3> triangles;  ///< indices into vertices
+    bool operator==(const TriangleMesh&) const = default;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,147 @@
+#include "core/city/meshes/mesh_topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <numeric>
+#include <unordered_map>
+
+#include "core/city/meshes/mesh_sheets.h"
+
+namespace noonmark {
+
+namespace {
+
+using Index = std::uint32_t;
+
+glm::dvec3 doubledArea(const TriangleMesh& mesh, glm::uvec3 t) {
+    const glm::dvec3 a(mesh.vertices[t.x]);
+    return glm::cross(glm::dvec3(mesh.vertices[t.y]) - a, glm::dvec3(mesh.vertices[t.z]) - a);
+}
+
+// A directed edge as one key.
+std::uint64_t edgeKey(Index from, Index to) { return (std::uint64_t(from) << 32U) | to; }
+
+Index rootOf(std::vector<Index>& parent, Index i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+}  // namespace
+
+std::size_t removeDegenerateTriangles(TriangleMesh& mesh) {
+    constexpr double leastDoubledArea = 2e-8;
+    return std::erase_if(mesh.triangles, [&](glm::uvec3 t) {
+        // Negated, so that NaN is removed too
+        return !(glm::length(doubledArea(mesh, t)) >= leastDoubledArea);
+    });
+}
+
+std::size_t findOpenEdges(const TriangleMesh& mesh) {
+    std::unordered_map<std::uint64_t, int> balance;
+    balance.reserve(mesh.triangles.size() * 2);
+    for (const glm::uvec3 t : mesh.triangles)
+        for (int i = 0; i < 3; ++i) {
+            const Index from = t[i];
+            const Index to = t[(i + 1) % 3];
+            balance[edgeKey(std::min(from, to), std::max(from, to))] += from < to ? 1 : -1;
+        }
+    std::size_t open = 0;
+    for (const auto& [edge, sum] : balance) open += std::size_t(std::abs(sum));
+    return open;
+}
+
+double signedVolume(const TriangleMesh& mesh) {
+    const Box3 box = computeBox(mesh);
+    const glm::dvec3 middle = (glm::dvec3(box.low) + glm::dvec3(box.high)) / 2.0;
+    double sum = 0;
+    for (const glm::uvec3 t : mesh.triangles)
+        sum += glm::dot(glm::dvec3(mesh.vertices[t.x]) - middle, doubledArea(mesh, t));
+    return sum / 6;
+}
+
+Components findComponents(const TriangleMesh& mesh) {
+    std::vector<Index> parent(mesh.vertices.size());
+    std::iota(parent.begin(), parent.end(), Index(0));
+    for (const glm::uvec3 t : mesh.triangles) {
+        parent[rootOf(parent, t.y)] = rootOf(parent, t.x);
+        parent[rootOf(parent, t.z)] = rootOf(parent, t.x);
+    }
+    Components components;
+    std::unordered_map<Index, Index> numberOfRoot;
+    for (const glm::uvec3 t : mesh.triangles) {
+        const auto [place, isNew] = numberOfRoot.try_emplace(rootOf(parent, t.x), components.count);
+        components.count += isNew ? 1 : 0;
+        components.ofTriangle.push_back(place->second);
+    }
+    return components;
+}
+
+std::vector<TriangleMesh> separateComponents(const TriangleMesh& mesh, const Components& components) {
+    std::vector<TriangleMesh> meshes(components.count);
+    constexpr Index unused = ~Index(0);
+    std::vector<Index> newIndex(mesh.vertices.size(), unused);  // a point belongs to one component only
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        TriangleMesh& one = meshes[components.ofTriangle[i]];
+        glm::uvec3 triangle = mesh.triangles[i];
+        for (int corner = 0; corner < 3; ++corner) {
+            Index& index = newIndex[triangle[corner]];
+            if (index == unused) {
+                index = Index(one.vertices.size());
+                one.vertices.push_back(mesh.vertices[triangle[corner]]);
+            }
+            triangle[corner] = index;
+        }
+        one.triangles.push_back(triangle);
+    }
+    return meshes;
+}
+
+void turnInsideOut(TriangleMesh& mesh) {
+    for (glm::uvec3& triangle : mesh.triangles) std::swap(triangle.y, triangle.z);
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& more) {
+    const Index first = Index(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+    for (const glm::uvec3 triangle : more.triangles) mesh.triangles.push_back(triangle + first);
+}
+
+std::size_t turnOutward(TriangleMesh& mesh) {
+    std::vector<TriangleMesh> components = separateComponents(mesh, findComponents(mesh));
+    std::vector<Box3> boxes;
+    for (const TriangleMesh& component : components) boxes.push_back(computeBox(component));
+    std::size_t turned = 0, sheets = 0;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (isSheet(components[i])) {
+            if (computeAreaFromAbove(components[i]) < 0) turnInsideOut(components[i]), ++sheets;
+            continue;
+        }
+        if (signedVolume(components[i]) >= 0) continue;
+        const auto holds = [&](const Box3& other) { return boxes[i].liesInside(other); };
+        if (std::any_of(boxes.begin(), boxes.end(), holds)) continue;
+        turnInsideOut(components[i]);
+        ++turned;
+    }
+    if (turned + sheets == 0) return 0;
+    mesh = {};
+    for (const TriangleMesh& component : components) append(mesh, component);
+    return turned;
+}
+
+bool Box3::liesInside(const Box3& other) const {
+    return glm::all(glm::greaterThan(low, other.low)) && glm::all(glm::lessThan(high, other.high));
+}
+
+Box3 computeBox(const TriangleMesh& mesh) {
+    Box3 box;
+    for (const glm::uvec3 t : mesh.triangles)
+        for (int i = 0; i < 3; ++i) {
+            box.low = glm::min(box.low, mesh.vertices[t[i]]);
+            box.high = glm::max(box.high, mesh.vertices[t[i]]);
+        }
+    return box;
+}
+
+}  // namespace noonmark

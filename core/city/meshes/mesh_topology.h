@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/city/meshes/mesh.h"
+
+namespace noonmark {
+
+/// The same mesh with points closer than `toleranceM` merged. Triangles that lose a corner by that, or have a
+/// coordinate that is not a number, are dropped. O(points).
+TriangleMesh weld(const TriangleMesh& mesh, float toleranceM = 0.001F);
+
+/// For each point the index of the point that represents it: the first one found within `toleranceM`. Points
+/// that are not numbers represent themselves. O(points).
+std::vector<std::uint32_t> weldIndices(std::span<const glm::vec3> points, float toleranceM);
+
+/// Removes triangles under 1e-8 m2; returns how many. Leaves the points.
+std::size_t removeDegenerateTriangles(TriangleMesh& mesh);
+
+/// Number of edges without a matching edge in the opposite direction: 0 for a closed, consistently oriented
+/// mesh.
+std::size_t findOpenEdges(const TriangleMesh& mesh);
+
+/// Cubic metres; positive if the faces point outward. An open mesh is measured about the middle of its box,
+/// so that the sign still tells which way most faces point.
+double signedVolume(const TriangleMesh& mesh);
+
+/// Connected components: triangles that are connected through shared points.
+struct Components {
+    std::vector<std::uint32_t> ofTriangle;  ///< one per triangle, 0 to count - 1
+    std::uint32_t count = 0;
+};
+Components findComponents(const TriangleMesh& mesh);
+
+/// One mesh per component, in the order of their numbers.
+std::vector<TriangleMesh> separateComponents(const TriangleMesh& mesh, const Components& components);
+
+void turnInsideOut(TriangleMesh& mesh);
+void append(TriangleMesh& mesh, const TriangleMesh& more);
+
+/// Turns the components whose faces point inward, except cavities: those whose box lies inside another
+/// component's box. Sheets are turned to face up. Returns how many solid components were turned.
+std::size_t turnOutward(TriangleMesh& mesh);
+
+/// An axis-aligned box; liesInside() tells whether it lies inside another one on all three axes, without
+/// touching.
+struct Box3 {
+    glm::vec3 low{1e30F};
+    glm::vec3 high{-1e30F};
+    [[nodiscard]] bool liesInside(const Box3& other) const;
+};
+Box3 computeBox(const TriangleMesh& mesh);
+
+}  // namespace noonmark

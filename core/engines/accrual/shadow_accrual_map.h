@@ -1,0 +1,37 @@
+#pragma once
+
+// Shadow accrual maps (paper, section 4): for each interval of the sun, a stack of depth maps that differ
+// only by a shear. caster_faces.h lists the faces of a city; interval_casters.h culls and places them for one
+// interval in the frame of map_frame.h, which trapezoid.h may warp towards the eye. slice_drawer.h and
+// depth_slice.h draw one depth map per step, and slice_stack.h all of an interval. ground_lookup.h and
+// surface_lookup.h read the shadow of receivers from them. ShadowAccrualMap does this for ground grids,
+// SurfaceAccrual for points on any surface. accrual_settings.h and interval_options.h hold the settings.
+
+#include <memory>
+
+#include "core/engines/accrual/accrual_settings.h"
+#include "core/engines/common/interval_engine.h"
+
+namespace noonmark {
+
+/// Shadow accrual maps (paper, section 4) on the processor, for flat ground. The city is transformed once per
+/// interval. Each step of the interval is a slice, a depth map that differs from the others only by a shear;
+/// slices are drawn in parallel on all cores. Each slice is looked up as soon as it is drawn, so only one per
+/// thread is in memory. Error: the straight sun path and, if texels are not aligned with cells, half a texel.
+class ShadowAccrualMap final : public IntervalEngine {
+public:
+    /// Error if a setting is out of range.
+    static Result<std::shared_ptr<const ShadowAccrualMap>> make(const AccrualSettings& settings);
+
+    [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
+                                                                 const SunSteps& directions,
+                                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Shadow accrual map"; }
+    [[nodiscard]] std::string describe() const override;
+
+private:
+    explicit ShadowAccrualMap(AccrualSettings settings);
+    AccrualSettings settings_;
+};
+
+}  // namespace noonmark

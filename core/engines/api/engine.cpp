@@ -1,0 +1,73 @@
+#include "core/engines/api/engine.h"
+
+#include <fmt/format.h>
+
+#include <new>
+
+namespace noonmark {
+
+Result<ShadowField> Engine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                       Progress& progress, std::stop_token stop) const try {
+    if (const auto able = checkGround(city, receivers, capabilities(), name()); !able)
+        return tl::make_unexpected(able.error());
+    return compute(city, receivers, sun, progress, std::move(stop));
+} catch (const std::bad_alloc&) {
+    return outOfMemory(name());
+}
+
+Result<ShadowBreakdown> Engine::breakDown(const City& city, const Receivers& receivers, const SunSteps& sun,
+                                          const StepSets& sets, bool byBuilding, Progress& progress,
+                                          std::stop_token stop) const try {
+    if (const auto able = checkGround(city, receivers, capabilities(), name()); !able)
+        return tl::make_unexpected(able.error());
+    if (byBuilding ? !capabilities().attribution : !capabilities().sets)
+        return unsupported(
+            fmt::format("{} does not sum shadow by {}", name(), byBuilding ? "building" : "month"), "engine",
+            "Choose the horizon sweep");
+    return computeBreakdown(city, receivers, sun, sets, byBuilding, progress, std::move(stop));
+} catch (const std::bad_alloc&) {
+    return outOfMemory(name());
+}
+
+std::optional<EngineChoice> Engine::choose(std::span<const City* const> /*cities*/,
+                                           const Receivers& /*receivers*/, const SunSteps& /*sun*/) const {
+    return std::nullopt;
+}
+
+std::optional<EngineChoice> Engine::chooseInstead(const EngineChoice& /*failed*/,
+                                                  const Error& /*error*/) const {
+    return std::nullopt;
+}
+
+Result<ShadowBreakdown> Engine::computeBreakdown(const City& /*city*/, const Receivers& /*receivers*/,
+                                                 const SunSteps& /*sun*/, const StepSets& /*sets*/,
+                                                 bool /*byBuilding*/, Progress& /*progress*/,
+                                                 std::stop_token /*stop*/) const {
+    return internalError(fmt::format("{} has no breakdown although it states one", name()));
+}
+
+Result<ShadowField> EngineChoice::accumulate(const City& city, const Receivers& receivers,
+                                             const SunSteps& sun, Progress& progress,
+                                             std::stop_token stop) const {
+    return engine->accumulate(city, receivers, sun, progress, std::move(stop)).map([&](ShadowField field) {
+        field.engine = fmt::format("{} (chosen: {})", field.engine, why);
+        field.engineKey = key;
+        return field;
+    });
+}
+
+Result<void> checkGround(const City& city, const Receivers& receivers, const EngineCapabilities& capabilities,
+                         std::string_view name) {
+    const bool hasTerrain = city.terrain && !capabilities.terrain;
+    if (!hasTerrain && (receivers.flat() || capabilities.roofs)) return {};
+    return unsupported(fmt::format("{} works on flat ground only, and {}", name,
+                                   hasTerrain ? "this city has terrain" : "the receivers lie on roofs"),
+                       "engine", "Choose the horizon sweep or the ray reference");
+}
+
+tl::unexpected<Error> outOfMemory(std::string_view where) {
+    return limitReached("There is not enough memory for this study", std::string(where),
+                        "Choose a smaller region or larger cells");
+}
+
+}  // namespace noonmark

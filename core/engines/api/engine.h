@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/engine_capabilities.h"
+#include "core/engines/api/shadow_breakdown.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/receivers/receivers.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+struct EngineChoice;
+
+/// An engine: city, receivers and sun in, minutes of shadow out. Const and without state: one engine may run
+/// on several threads at a time. Uses all cores. Reports progress; stops within 0.2 s of a stop request with
+/// cancelled().
+///
+/// The public functions check what holds for every engine and then call the protected ones, which an engine
+/// implements: they refuse terrain and roofs where the engine does not take them (ErrorKind::unsupported),
+/// and turn a lack of memory into an error (ErrorKind::limit).
+class Engine {
+public:
+    virtual ~Engine() = default;
+
+    /// Names the engine in errors: "Projected shadows".
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual EngineCapabilities capabilities() const = 0;
+
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop) const;
+
+    /// Minutes by sets of steps, and by building if wanted. `sets.ofStep`: one entry a step. Error
+    /// (ErrorKind::unsupported) from engines without EngineCapabilities::sets, or attribution.
+    [[nodiscard]] Result<ShadowBreakdown> breakDown(const City& city, const Receivers& receivers,
+                                                    const SunSteps& sun, const StepSets& sets,
+                                                    bool byBuilding, Progress& progress,
+                                                    std::stop_token stop) const;
+
+    /// Engines that choose others (EngineCapabilities::choosesEngine): one engine for fields that are to be
+    /// compared with each other, by the city that costs most. None from all others.
+    [[nodiscard]] virtual std::optional<EngineChoice> choose(std::span<const City* const> cities,
+                                                             const Receivers& receivers,
+                                                             const SunSteps& sun) const;
+    /// What is chosen where the choice failed with this error; none: the error stands.
+    [[nodiscard]] virtual std::optional<EngineChoice> chooseInstead(const EngineChoice& failed,
+                                                                    const Error& error) const;
+
+protected:
+    [[nodiscard]] virtual Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                                      const SunSteps& sun, Progress& progress,
+                                                      std::stop_token stop) const = 0;
+    [[nodiscard]] virtual Result<ShadowBreakdown> computeBreakdown(const City& city,
+                                                                   const Receivers& receivers,
+                                                                   const SunSteps& sun, const StepSets& sets,
+                                                                   bool byBuilding, Progress& progress,
+                                                                   std::stop_token stop) const;
+};
+
+/// An engine that was chosen, and why.
+struct EngineChoice {
+    std::string_view key;  ///< of coreEngines()
+    std::unique_ptr<Engine> engine;
+    std::string why;  ///< "rays, since there is terrain"
+
+    /// The engine's field, which states that the engine was chosen and why.
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop) const;
+};
+
+/// Error (ErrorKind::unsupported) where the city has terrain, or receivers lie on roofs, and the engine of
+/// this name does not take them.
+Result<void> checkGround(const City& city, const Receivers& receivers, const EngineCapabilities& capabilities,
+                         std::string_view name);
+
+/// The error of work that ran out of memory. `where`: of what.
+[[nodiscard]] tl::unexpected<Error> outOfMemory(std::string_view where);
+
+}  // namespace noonmark

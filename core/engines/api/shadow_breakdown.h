@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/engines/api/step_sets.h"
+#include "core/geo/grid.h"
+
+namespace noonmark {
+
+/// What one building does to the receivers, in each set of steps, minutes x m2 of the whole period.
+struct BuildingShadow {
+    std::uint32_t building = 0;  ///< index in City::buildings
+    /// Attributed shadow: of the shaded cell-minutes, those below the horizon that the building makes and
+    /// those above it that its overhangs hide. Where several overhangs hide the same, one building has it.
+    /// All buildings and the terrain add up to the total.
+    std::vector<double> attributedMinM2;
+    /// Cell-minutes that would be lit if only this building were gone, over the same receivers.
+    std::vector<double> soleMinM2;
+};
+
+/// A period's shadow by sets of steps and by building.
+struct ShadowBreakdown {
+    Grid grid;
+    StepSets sets;
+    std::vector<double> sunlitMinutes;        ///< of each set
+    std::vector<std::vector<float>> minutes;  ///< of each set: in shadow, in all; grid order, NaN elsewhere
+    std::vector<BuildingShadow> buildings;    ///< those that shade a receiver, ascending; empty unless wanted
+    std::optional<BuildingShadow> terrain;    ///< where there is terrain and it shades a receiver
+    std::string engine;                       ///< name and settings in words
+};
+
+}  // namespace noonmark

@@ -1,0 +1,41 @@
+#include "core/engines/api/step_sets.h"
+
+#include <fmt/format.h>
+
+namespace noonmark {
+
+std::vector<double> StepSets::sunlitMinutes(const SunSteps& sun) const {
+    std::vector<double> minutes(names.size(), 0.0);
+    for (const std::uint16_t set : ofStep) minutes[set] += sun.stepMinutes;
+    return minutes;
+}
+
+SunSteps StepSets::stepsOf(std::size_t set, const SunSteps& sun) const {
+    SunSteps own{.stepMinutes = sun.stepMinutes};
+    for (const SunDay& day : sun.days) {
+        SunDay some{.date = day.date, .first = std::uint32_t(own.steps.size())};
+        for (std::uint32_t i = day.first; i < day.first + day.count; ++i)
+            if (ofStep[i] == set) own.steps.push_back(sun.steps[i]);
+        some.count = std::uint32_t(own.steps.size()) - some.first;
+        if (some.count > 0) own.days.push_back(some);
+    }
+    return own;
+}
+
+StepSets makeOneSet(const SunSteps& sun) {
+    return {{"all"}, std::vector<std::uint16_t>(sun.steps.size(), 0)};
+}
+
+StepSets monthsOf(const SunSteps& sun) {
+    StepSets sets;
+    sets.ofStep.resize(sun.steps.size());
+    for (const SunDay& day : sun.days) {
+        const std::string name = fmt::format("{:04}-{:02}", int(day.date.year()), unsigned(day.date.month()));
+        if (sets.names.empty() || sets.names.back() != name) sets.names.push_back(name);
+        for (std::uint32_t i = day.first; i < day.first + day.count; ++i)
+            sets.ofStep[i] = std::uint16_t(sets.names.size() - 1);
+    }
+    return sets;
+}
+
+}  // namespace noonmark

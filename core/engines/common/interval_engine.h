@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/engine_capabilities.h"
+#include "core/engines/api/shadow_field.h"
+#include "core/engines/common/shadow_mask.h"
+#include "core/receivers/receivers.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// A short section of the sun's path, as the accrual maps use it: the sun moves along the great circle from
+/// `first` to `last` in equal angles, one step after the other (paper, section 4: the tan law). Unit vectors
+/// towards the sun, above the horizon.
+struct SunInterval {
+    glm::dvec3 first{0, 0, 1};
+    glm::dvec3 last{0, 0, 1};
+    int steps = 1;  ///< 1 to 64
+
+    /// Direction at step k of 0 .. steps - 1; `first` at step 0, `last` at step steps - 1.
+    [[nodiscard]] glm::dvec3 at(int step) const;
+};
+
+/// Callbacks to show masks before their interval is finished. Called by the thread that calls shadeWatched().
+struct MaskWatcher {
+    std::function<bool()> wants;          ///< whether an intermediate state should be shown now; cheap
+    std::function<void(int steps)> show;  ///< in `masks`, all steps before this one are final
+};
+
+/// A city and receivers prepared for shading, one interval after the other.
+class IntervalScene {
+public:
+    virtual ~IntervalScene() = default;
+
+    /// Sets masks[i] to the shadow of receivers.cells[i]. `masks` must already have that size; its content is
+    /// overwritten. Uses all cores; returns cancelled() within 0.2 s.
+    [[nodiscard]] virtual Result<void> shade(const SunInterval& interval, std::span<ShadowMask> masks,
+                                             std::stop_token stop) = 0;
+
+    /// Gives the same bits. Engines that process the steps in order also show intermediate states.
+    [[nodiscard]] virtual Result<void> shadeWatched(const SunInterval& interval, std::span<ShadowMask> masks,
+                                                    std::stop_token stop, const MaskWatcher& /*watcher*/) {
+        return shade(interval, masks, std::move(stop));
+    }
+
+    /// Total cost of all calls so far.
+    [[nodiscard]] virtual Cost cost() const = 0;
+};
+
+/// An engine that shades one interval at a time; graph_engine.h turns it into an Engine.
+class IntervalEngine {
+public:
+    virtual ~IntervalEngine() = default;
+
+    /// `directions`: every direction of the intervals to come (only SunSteps::steps is read), so that
+    /// buildings out of reach can be left out. City and receivers must outlive the scene.
+    [[nodiscard]] virtual Result<std::unique_ptr<IntervalScene>> prepare(const City& city,
+                                                                         const Receivers& receivers,
+                                                                         const SunSteps& directions,
+                                                                         std::stop_token stop) const = 0;
+
+    /// Names the engine in errors: "Inverse accrual map".
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual EngineCapabilities capabilities() const { return {}; }
+    /// With its settings: "Inverse accrual map, 3 levels, C++".
+    [[nodiscard]] virtual std::string describe() const = 0;
+};
+
+}  // namespace noonmark

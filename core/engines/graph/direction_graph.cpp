@@ -1,0 +1,154 @@
+#include "core/engines/graph/direction_graph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "core/base/units.h"
+
+namespace noonmark {
+
+namespace {
+
+// Edges are identified by both bins and the number of steps; without merging, by a running number.
+using EdgeKey = std::tuple<std::uint32_t, std::uint32_t, int, std::uint64_t>;
+
+class GraphBuilder {
+public:
+    GraphBuilder(const SunSteps& sun, const DirectionGraphSettings& settings)
+        : sun_(sun),
+          settings_(settings),
+          stepsAnInterval_(std::max(1, int(std::floor(settings.intervalMinutes / sun.stepMinutes + 1e-9)))),
+          graph_{.bins = {sun, settings.boundDeg, stepsAnInterval_ * sun.stepMinutes},
+                 .stepMinutes = sun.stepMinutes} {}
+
+    DirectionGraph build() {
+        for (const SunDay& day : sun_.days) addDay(day);
+        for (const PathKey& path : paths_) graph_.paths.push_back(legsOf(path));
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) finish(graph_.edges[i], ends_[i]);
+        orderPaths();
+        return std::move(graph_);
+    }
+
+private:
+    struct Ends {
+        glm::dvec3 first{};
+        glm::dvec3 last{};
+    };
+    using PathKey = std::vector<std::pair<std::uint32_t, bool>>;
+
+    void addDay(const SunDay& day) {
+        PathKey path;
+        std::uint32_t step = day.first;
+        const std::uint32_t end = day.first + day.count;
+        while (step < end) {
+            const std::uint32_t next = endOfInterval(step, end);
+            const bool breaks = step > day.first && sun_.steps[step].slot != sun_.steps[step - 1].slot + 1;
+            path.emplace_back(edgeFor(step, next - 1), breaks);
+            step = next;
+        }
+        paths_.insert(std::move(path));
+    }
+
+    std::uint32_t endOfInterval(std::uint32_t step, std::uint32_t end) const {
+        std::uint32_t next = step + 1;
+        while (next < end && int(next - step) < stepsAnInterval_ &&
+               sun_.steps[next].slot == sun_.steps[next - 1].slot + 1)
+            ++next;
+        return next;
+    }
+
+    std::uint32_t edgeFor(std::uint32_t first, std::uint32_t last) {
+        const SunStep& from = sun_.steps[first];
+        const SunStep& to = sun_.steps[last];
+        const int steps = int(last - first) + 1;
+        const std::uint32_t fromBin = graph_.bins.of(glm::dvec3(from.direction));
+        // An interval ends where the next one begins.
+        const std::uint32_t toBin = graph_.bins.of(glm::dvec3(to.direction), sun_.stepMinutes);
+        const EdgeKey key{fromBin, toBin, steps, settings_.merge ? 0 : graph_.intervals};
+        const auto [place, isNew] = edgeOf_.try_emplace(key, std::uint32_t(graph_.edges.size()));
+        if (isNew) {
+            graph_.edges.push_back({{.steps = steps}, fromBin, toBin, 0});
+            ends_.emplace_back();
+        }
+        add(place->second, from, to);
+        return place->second;
+    }
+
+    void add(std::uint32_t edge, const SunStep& from, const SunStep& to) {
+        ++graph_.edges[edge].weight;
+        ++graph_.intervals;
+        ends_[edge].first += glm::dvec3(from.direction);
+        ends_[edge].last += glm::dvec3(to.direction);
+    }
+
+    static void finish(DirectionGraph::Edge& edge, const Ends& ends) {
+        edge.sun.first = glm::normalize(ends.first);
+        edge.sun.last = glm::normalize(ends.last);
+    }
+
+    static DirectionGraph::Path legsOf(const PathKey& path) {
+        DirectionGraph::Path legs;
+        for (const auto& [edge, breaks] : path) legs.push_back({edge, breaks});
+        return legs;
+    }
+
+    // Days in spring and autumn with the same sun positions share edges. Sorted by the sun's height they are
+    // adjacent, so an edge's masks are needed only for a short time.
+    void orderPaths() {
+        const auto height = [&](const DirectionGraph::Path& path) {
+            double sum = 0;
+            for (const auto& leg : path)
+                sum += graph_.edges[leg.edge].sun.first.z + graph_.edges[leg.edge].sun.last.z;
+            return path.empty() ? 0 : sum / double(path.size());
+        };
+        std::stable_sort(graph_.paths.begin(), graph_.paths.end(),
+                         [&](const auto& a, const auto& b) { return height(a) < height(b); });
+    }
+
+    const SunSteps& sun_;
+    const DirectionGraphSettings& settings_;
+    int stepsAnInterval_;
+    DirectionGraph graph_;
+    std::vector<Ends> ends_;
+    std::map<EdgeKey, std::uint32_t> edgeOf_;
+    std::set<PathKey> paths_;
+};
+
+Result<void> check(const SunSteps& sun, const DirectionGraphSettings& settings) {
+    if (!(settings.boundDeg >= 0.1 && settings.boundDeg <= 20))
+        return failure(fmt::format("A bin of {} degrees is out of range", settings.boundDeg),
+                       "direction bound", "Choose 0.1 to 20 degrees");
+    if (!(settings.intervalMinutes >= 0.1 && settings.intervalMinutes <= 120))
+        return failure(fmt::format("An interval of {} minutes is out of range", settings.intervalMinutes),
+                       "interval",
+                       "Choose 0.1 to 120 minutes: beyond 2 hours the sun does not move in a straight line");
+    if (settings.intervalMinutes / sun.stepMinutes > maxMaskSteps + 1e-9)
+        return failure(fmt::format("An interval of {} minutes has more than 64 steps of {} minutes",
+                                   settings.intervalMinutes, sun.stepMinutes),
+                       "interval", "Choose a shorter interval or a longer step");
+    return {};
+}
+
+}  // namespace
+
+glm::dvec3 SunInterval::at(int step) const {
+    if (steps <= 1) return first;
+    const double angle = std::atan2(glm::length(glm::cross(first, last)), glm::dot(first, last));
+    if (angle < 1e-12) return first;
+    const double share = double(step) / double(steps - 1);
+    return (std::sin((1 - share) * angle) * first + std::sin(share * angle) * last) / std::sin(angle);
+}
+
+Result<DirectionGraph> buildDirectionGraph(const SunSteps& sun, const DirectionGraphSettings& settings) {
+    if (const auto ok = check(sun, settings); !ok) return tl::make_unexpected(ok.error());
+    return GraphBuilder(sun, settings).build();
+}
+
+}  // namespace noonmark

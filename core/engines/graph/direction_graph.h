@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/engines/common/interval_engine.h"
+#include "core/engines/graph/direction_bins.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+struct DirectionGraphSettings {
+    /// Directions that share a bin are at most this far apart, degrees, 0.1 to 20. Source of the default:
+    /// paper, section 7.
+    double boundDeg = 5;
+    double intervalMinutes = 60;  ///< 0.1 to 120
+    bool merge = true;  ///< false: every interval of every day is an edge of its own (no error from bins)
+};
+
+/// The intervals of a period, with similar ones merged so that they are computed once (paper, section 6).
+struct DirectionGraph {
+    /// All intervals that lead from one bin to another, the bin where the next interval begins, in the same
+    /// number of steps. `sun` runs between the mean directions of these intervals, which are closer to each
+    /// of them than the bins' centres.
+    struct Edge {
+        SunInterval sun;
+        std::uint32_t fromBin = 0;
+        std::uint32_t toBin = 0;
+        std::uint32_t weight = 0;  ///< number of the period's intervals on this edge
+    };
+    /// One interval on a day's path.
+    struct Leg {
+        std::uint32_t edge = 0;
+        bool breaksRun = false;  ///< steps are missing before it, so runs end
+    };
+    /// The legs of one or more days; days with the same path are listed once.
+    using Path = std::vector<Leg>;
+    DirectionBins bins;
+    double stepMinutes = 1;
+    std::vector<Edge> edges;
+    std::vector<Path> paths;      ///< ordered so that paths that share edges are close together
+    std::uint64_t intervals = 0;  ///< before merging
+};
+
+/// Error that states the range if a setting is out of range. Remaining steps at the end of a window form a
+/// shorter interval. O(steps).
+Result<DirectionGraph> buildDirectionGraph(const SunSteps& sun, const DirectionGraphSettings& settings);
+
+}  // namespace noonmark

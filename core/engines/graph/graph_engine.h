@@ -1,0 +1,43 @@
+#pragma once
+
+// The direction graph (paper, section 6): computes long periods from short intervals. direction_bins.h
+// divides the sky into bins, direction_graph.h merges a period's intervals between the same bins into edges,
+// and graph_directions.h lists the directions of the edges. GraphEngine shades each edge once with an
+// IntervalEngine and interval_tally.h combines the results. steps_around.h reuses the result of a coarser
+// view for running results.
+
+#include <memory>
+
+#include "core/engines/api/engine.h"
+#include "core/engines/common/interval_engine.h"
+#include "core/engines/graph/direction_graph.h"
+#include "core/engines/graph/steps_around.h"
+
+namespace noonmark {
+
+/// Computes long periods from short intervals (paper, section 6): an interval engine shades every edge of the
+/// direction graph once; gross shadow is the weighted sum, continuous shadow is stitched along each day's
+/// path. Masks live from the first path that needs them to the last. `cost.skipped` states how many intervals
+/// shared an edge, and the stage text how many maps were alive at most.
+class GraphEngine final : public Engine {
+public:
+    GraphEngine(std::shared_ptr<const IntervalEngine> engine, DirectionGraphSettings settings);
+    [[nodiscard]] std::string_view name() const override { return engine_->name(); }
+    [[nodiscard]] EngineCapabilities capabilities() const override { return engine_->capabilities(); }
+    using Engine::accumulate;
+    /// The same result; on the way it shows, and remembers, what `memory` says.
+    [[nodiscard]] Result<ShadowField> accumulate(const City& city, const Receivers& receivers,
+                                                 const SunSteps& sun, Progress& progress,
+                                                 std::stop_token stop, const StepMemory& memory) const;
+
+protected:
+    [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
+                                              const SunSteps& sun, Progress& progress,
+                                              std::stop_token stop) const override;
+
+private:
+    std::shared_ptr<const IntervalEngine> engine_;
+    DirectionGraphSettings settings_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,208 @@
+#include "core/engines/horizon/attribution/horizon_breakdown.h"
+
+#include <fmt/format.h>
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/horizon/check_horizon_study.h"
+#include "core/engines/horizon/counting/step_sums.h"
+#include "core/engines/horizon/sweep/tile_sweep.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int tileSide = 512;
+
+/// The receivers of a tile, in the forms that walls and overhangs need.
+struct Tile {
+    Tile(const Receivers& receivers, const TileBox& box, double datumM)
+        : blocks(receivers, box), grounds(receivers, blocks, datumM), overhangs(receivers, blocks, datumM) {}
+    ReceiverBlocks blocks;
+    BlockGrounds grounds;
+    OverhangTile overhangs;
+};
+
+class Breakdown {
+public:
+    /// All arguments must outlive it.
+    Breakdown(const WallList& walls, std::span<const OverhangShapes> overhangs, const Receivers& receivers,
+              const BinnedSun& binned, const StepSets& sets, bool byBuilding, Progress& progress,
+              std::stop_token stop)
+        : walls_(walls),
+          overhangs_(overhangs),
+          overhangList_(listOf(overhangs)),
+          casters_(byBuilding ? walls.terrainNumber + 1 : 0),
+          receivers_(receivers),
+          bins_(makeSweptBins(binned.bins)),
+          batches_(groupIntoBatches(bins_)),
+          tables_(setTables(binned, sets)),
+          progress_(progress),
+          stop_(std::move(stop)) {}
+
+    Result<void> run(ShadowBreakdown& breakdown, double stepMinutes) {
+        for (const TileBox& box : splitIntoTiles(receivers_.grid, tileSide)) {
+            const Tile tile(receivers_, box, walls_.datumM);
+            if (tile.blocks.receivers() == 0) continue;
+            for (Work& work : works_)
+                work.sums.begin(breakdown.sets.names.size(), tile.blocks.numbers(), casters_);
+            sweep(tile, breakdown.sets.names.size());
+            if (stop_.stop_requested()) return cancelled();
+            for (const Work& work : works_) addCells(tile.blocks, work.sums, breakdown);
+            receiversDone_ += tile.blocks.receivers();
+        }
+        for (auto& minutes : breakdown.minutes)
+            for (float& value : minutes) value = float(double(value) * stepMinutes);
+        addCasters(breakdown, stepMinutes * receivers_.grid.cellAreaM2());
+        return {};
+    }
+
+private:
+    /// Per-thread memory.
+    struct Work {
+        StepSums sums;
+        TileSweep sweep;
+        std::vector<std::vector<HorizonCode>> codes;  // for each bin of a batch
+        OverhangSweep overhangs;
+        AttributedTile ranks;
+        BuildingGapFinder owned;
+    };
+
+    void sweep(const Tile& tile, std::size_t sets) {
+        std::atomic<std::size_t> done{0};
+        tbb::parallel_for(std::size_t{0}, batches_.size(), [&](std::size_t batch) {
+            if (stop_.stop_requested()) return;
+            Work& work = works_.local();
+            if (!work.sums.begun()) work.sums.begin(sets, tile.blocks.numbers(), casters_);
+            if (casters_ == 0) sweep(tile, batches_[batch], work);
+            for (std::size_t bin = batches_[batch].first; bin < batches_[batch].end && casters_ > 0; ++bin)
+                rank(tile, bin, work);
+            const double share = double(++done) / double(batches_.size());
+            progress_.report((double(receiversDone_) + share * double(tile.blocks.receivers())) /
+                                 double(receivers_.cells.size()),
+                             "sweeping horizons");
+        });
+    }
+
+    void sweep(const Tile& tile, const BatchRange& batch, Work& work) {
+        work.codes.resize(std::max(work.codes.size(), batch.size()));
+        for (auto& codes : work.codes) codes.resize(tile.blocks.numbers());
+        const auto take = [&](std::size_t bin, std::size_t i, const HorizonCode* swept, bool swapped) {
+            writeBlock(swept, tile.blocks, tile.blocks.blocks()[i], swapped, work.codes[bin].data());
+        };
+        work.sweep.run(makeMapScene(tile), std::span(bins_).subspan(batch.first, batch.size()), take, stop_);
+        for (std::size_t bin = 0; bin < batch.size() && !stop_.stop_requested(); ++bin)
+            add(tile, batch.first + bin, work.codes[bin], work);
+    }
+
+    void add(const Tile& tile, std::size_t bin, std::span<const HorizonCode> codes, Work& work) {
+        work.sums.add(tables_[bin], codes);
+        if (!overhangs_.empty())
+            work.sums.add(tables_[bin], codes,
+                          work.overhangs.intervals(viewOf(tile, bins_[bin]), codes, stop_));
+    }
+
+    // Intervals below the horizon count too if their building may make that horizon.
+    void rank(const Tile& tile, std::size_t bin, Work& work) {
+        work.ranks.clear(tile.blocks.numbers());
+        const auto take = [&](std::size_t i, const AttributedCodes* swept, bool swapped) {
+            if (swept != nullptr) work.ranks.write(*swept, tile.blocks, tile.blocks.blocks()[i], swapped);
+        };
+        work.sweep.runAttributed(makeMapScene(tile), bins_[bin], take, stop_);
+        if (stop_.stop_requested()) return;
+        work.sums.add(tables_[bin], work.ranks);
+        if (!overhangs_.empty())
+            work.sums.add(
+                tables_[bin], work.ranks,
+                work.owned.intervals(overhangs_, viewOf(tile, bins_[bin]), work.ranks.others, stop_));
+    }
+
+    [[nodiscard]] TileScene makeMapScene(const Tile& tile) const {
+        return {walls_, tile.blocks, tile.grounds, receivers_.grid.cellM};
+    }
+
+    [[nodiscard]] OverhangView viewOf(const Tile& tile, const SweptBin& bin) const {
+        return {overhangList_, tile.overhangs, bin.away, bin.lowest, receivers_.grid.cellM};
+    }
+
+    static void addCells(const ReceiverBlocks& blocks, const StepSums& sums, ShadowBreakdown& breakdown) {
+        for (std::size_t set = 0; set < sums.sets(); ++set)
+            for (std::size_t n = 0; n < blocks.numbers(); ++n)
+                if (blocks.cell(n) != ReceiverBlocks::padding)
+                    breakdown.minutes[set][blocks.cell(n)] += float(sums.cells(set)[n]);
+    }
+
+    void addCasters(ShadowBreakdown& breakdown, double minM2AStep) {
+        for (std::uint32_t caster = 0; caster < casters_; ++caster) {
+            BuildingShadow shadow = shadowOf(caster, breakdown.sets.names.size(), minM2AStep);
+            if (std::ranges::all_of(shadow.attributedMinM2, [](double minM2) { return minM2 == 0; }))
+                continue;
+            if (caster == walls_.terrainNumber)
+                breakdown.terrain = std::move(shadow);
+            else
+                breakdown.buildings.push_back(std::move(shadow));
+        }
+    }
+
+    BuildingShadow shadowOf(std::uint32_t caster, std::size_t sets, double minM2AStep) {
+        BuildingShadow shadow{caster, std::vector<double>(sets), std::vector<double>(sets)};
+        for (const Work& work : works_)
+            for (std::size_t set = 0; set < sets; ++set) {
+                shadow.attributedMinM2[set] += double(work.sums.attributed(caster, set)) * minM2AStep;
+                shadow.soleMinM2[set] += double(work.sums.sole(caster, set)) * minM2AStep;
+            }
+        return shadow;
+    }
+
+    const WallList& walls_;
+    std::span<const OverhangShapes> overhangs_;
+    OverhangList overhangList_;
+    std::size_t casters_;  // buildings and the terrain; 0: no attribution
+    const Receivers& receivers_;
+    std::vector<SweptBin> bins_;
+    std::vector<BatchRange> batches_;
+    std::vector<SetTables> tables_;
+    Progress& progress_;
+    std::stop_token stop_;
+    std::size_t receiversDone_ = 0;
+    tbb::enumerable_thread_specific<Work> works_;
+};
+
+ShadowBreakdown blank(const Receivers& receivers, const SunSteps& sun, const StepSets& sets,
+                      const BinnedSun& binned) {
+    ShadowBreakdown breakdown{receivers.grid, sets, sets.sunlitMinutes(sun), {}, {}, {}, {}};
+    breakdown.engine =
+        fmt::format("Horizon sweep: {}, one sweep for all months and intervals", formatText(binned));
+    std::vector<float> none(receivers.grid.size(), std::numeric_limits<float>::quiet_NaN());
+    for (const std::uint32_t cell : receivers.cells) none[cell] = 0;
+    breakdown.minutes.assign(sets.names.size(), none);
+    return breakdown;
+}
+
+}  // namespace
+
+Result<ShadowBreakdown> computeHorizonBreakdown(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, const StepSets& sets,
+                                                const BreakdownSettings& settings, Progress& progress,
+                                                std::stop_token stop) {
+    if (const auto able = checkSweepSettings(settings.sweep); !able) return tl::make_unexpected(able.error());
+    OverhangParts overhangs;
+    const WallList walls =
+        collectStandingObstacles(city, findBuildingsInReach(city, receivers, sun), receivers, overhangs);
+    const auto shapes = makeOverhangShapes(overhangs, receivers.grid, walls.datumM);
+    if (!shapes) return tl::make_unexpected(shapes.error());
+    const BinnedSun binned = binSun(sun, settings.sweep);
+    ShadowBreakdown breakdown = blank(receivers, sun, sets, binned);
+    Breakdown work(walls, *shapes, receivers, binned, sets, settings.byBuilding, progress, std::move(stop));
+    if (const auto done = work.run(breakdown, sun.stepMinutes); !done)
+        return tl::make_unexpected(done.error());
+    return breakdown;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,86 @@
+#include "core/engines/horizon/cache/shaded_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+constexpr int side = ReceiverBlocks::side;
+}
+
+void BlockMarks::begin(std::size_t blocks) {
+    if (marks_.size() != blocks || ++turn_ == 0) {
+        marks_.assign(blocks, 0);
+        turn_ = 1;
+    }
+}
+
+void ShadedBlocks::begin(const WallSet& set, const ShadowAxes& axes, double lowestTan, double cellM) {
+    shadows_.clear();
+    const auto add = [&](const auto& obstacle) {
+        Shadow shadow;
+        shadow.extent.addBox(axes, obstacle.low, obstacle.high);
+        shadow.foot = shadow.extent.highAlong;
+        shadow.rise = double(obstacle.topM) * axes.alongPerDistance / cellM;
+        shadow.extent.highAlong += shadow.rise / lowestTan + 2;
+        shadow.extent.lowAlong -= 1;
+        shadows_.push_back(shadow);
+    };
+    std::ranges::for_each(set.prisms, add);
+    std::ranges::for_each(set.solids, add);
+}
+
+void ShadedBlocks::find(const ReceiverBlocks& blocks, const ShadowAxes& axes, BlockMarks& marks,
+                        std::vector<std::size_t>& found) const {
+    for (const Shadow& shadow : shadows_) find(shadow, blocks, axes, marks, found);
+}
+
+// Finds, row by row of blocks, those that overlap the shadow's range of q.
+void ShadedBlocks::find(const Shadow& shadow, const ReceiverBlocks& blocks, const ShadowAxes& axes,
+                        BlockMarks& marks, std::vector<std::size_t>& found) const {
+    const TileBox& box = blocks.box();
+    const ShadowExtent& extent = shadow.extent;
+    const int from = axes.swapped ? box.firstColumn : box.firstRow,
+              other = axes.swapped ? box.firstRow : box.firstColumn;
+    const int alongs = axes.swapped ? blocks.blockCounts().x : blocks.blockCounts().y,
+              acrosses = axes.swapped ? blocks.blockCounts().y : blocks.blockCounts().x;
+    for (int line = 0; line < alongs; ++line) {
+        const double one = axes.sign * (from + line * side), last = one + axes.sign * (side - 1);
+        if (std::max(one, last) < extent.lowAlong || std::min(one, last) > extent.highAlong) continue;
+        const double a = axes.k * axes.sign * (from + line * side), b = a + axes.k * axes.sign * side;
+        const double low = extent.lowQ + std::min(a, b) - other - 1,
+                     high = extent.highQ + std::max(a, b) - other + 1;
+        const int first = int(std::clamp(std::floor(low / side), 0.0, double(acrosses))),
+                  end = int(std::clamp(std::floor(high / side) + 1, 0.0, double(acrosses)));
+        for (int i = first; i < end; ++i) {
+            const int block = axes.swapped ? blocks.blockAt(line, i) : blocks.blockAt(i, line);
+            if (block >= 0 && marks.mark(std::size_t(block))) found.push_back(std::size_t(block));
+        }
+    }
+}
+
+bool ShadedBlocks::mayRaise(const ReceiverBlocks::Block& block, const ShadowAxes& axes,
+                            HorizonCode code) const {
+    const double steepness = double(toSteepness(code)) * (1 - 1e-5);
+    const double one = axes.from({block.column, block.row}).along,
+                 other = axes.from({block.column + side - 1, block.row + side - 1}).along;
+    return std::ranges::any_of(shadows_, [&](const Shadow& shadow) {
+        const double distance = std::min(one, other) - shadow.foot;
+        return shadow.rise * (1 - steepness) > steepness * (distance - 0.1);
+    });
+}
+
+ShadowExtent ShadedBlocks::extentIn(const ShadowExtent& tile) const {
+    ShadowExtent extent = tile;
+    extent.lowQ = tile.highQ, extent.highQ = tile.lowQ;
+    for (const Shadow& shadow : shadows_) {
+        extent.lowQ = std::min(extent.lowQ, shadow.extent.lowQ - 1);
+        extent.highQ = std::max(extent.highQ, shadow.extent.highQ + 1);
+    }
+    extent.lowQ = std::max(extent.lowQ, tile.lowQ);
+    extent.highQ = std::max(extent.lowQ, std::min(extent.highQ, tile.highQ));
+    return extent;
+}
+
+}  // namespace noonmark

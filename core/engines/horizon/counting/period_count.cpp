@@ -1,0 +1,149 @@
+#include "core/engines/horizon/counting/period_count.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace noonmark {
+
+namespace {
+
+// Lanes beyond the last number get noHorizon.
+void copyLanes(const BinCodes& codes, std::size_t first, std::vector<RunLanes>& lanes) {
+    lanes.resize(codes.size());
+    for (std::size_t bin = 0; bin < codes.size(); ++bin) {
+        const std::size_t count = std::min(lanesPerPart, codes[bin].size() - first);
+        const HorizonCode* from = codes[bin].data() + first;
+        std::copy(from, from + count, lanes[bin].values);
+        std::fill(lanes[bin].values + count, lanes[bin].values + lanesPerPart, noHorizon);
+    }
+}
+
+// Gaps that begin at the horizon raise it; the others are listed by bin.
+void addGaps(const BinGaps& gaps, std::size_t first, RunMemory& memory) {
+    memory.overhangs.clear();
+    for (std::size_t bin = 0; bin < gaps.size(); ++bin) {
+        const auto from = std::ranges::lower_bound(gaps[bin], first, {}, &Gap::number);
+        const auto end =
+            std::ranges::lower_bound(from, gaps[bin].end(), first + lanesPerPart, {}, &Gap::number);
+        forEachReceiver(std::span<const Gap>(from, end), [&](std::span<const Gap> own) {
+            const auto lane = std::uint32_t(own.front().number - first);
+            HorizonCode& horizon = memory.lanes[bin].values[lane];
+            forEachAdded(horizon, own, [&](const Gap& gap, HorizonCode low) {
+                if (low == horizon)
+                    horizon = gap.high;
+                else
+                    memory.overhangs.push_back({std::uint16_t(bin), {lane, low, gap.high}});
+            });
+        });
+    }
+}
+
+// `overhangs`: sorted by lane.
+void forEachLane(std::span<const OverhangGap> overhangs, const auto& visit) {
+    for (std::size_t first = 0, end = 0; first < overhangs.size(); first = end) {
+        while (end < overhangs.size() && overhangs[end].gap.number == overhangs[first].gap.number) ++end;
+        visit(overhangs[first].gap.number, overhangs.subspan(first, end - first));
+    }
+}
+
+// `own`: sorted by bin.
+void setBins(std::span<const OverhangGap> own, std::vector<std::span<const OverhangGap>>& ofBin) {
+    std::ranges::fill(ofBin, std::span<const OverhangGap>());
+    for (std::size_t first = 0, end = 0; first < own.size(); first = end) {
+        while (end < own.size() && own[end].bin == own[first].bin) ++end;
+        ofBin[own[first].bin] = own.subspan(first, end - first);
+    }
+}
+
+RunCount measureRuns(const SunSteps& sun, const BinnedSun& binned) {
+    std::vector<TimedStep> steps = makeTimedSteps(sun, binned);
+    const std::vector<DaySteps> days = sortDaysByDeclination(sun, steps);
+    return {std::move(steps), days};
+}
+
+std::uint64_t laneBit(std::size_t lane) { return std::uint64_t{1} << lane; }
+
+void forEachCell(const ReceiverBlocks& blocks, std::size_t part, const auto& visit) {
+    const std::size_t first = part * lanesPerPart, end = std::min(first + lanesPerPart, blocks.numbers());
+    for (std::size_t number = first; number < end; ++number)
+        if (const std::uint32_t cell = blocks.cell(number); cell != ReceiverBlocks::padding)
+            visit(number, cell);
+}
+
+}  // namespace
+
+PeriodCount::PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wanted& wanted)
+    : suns_(binned.bins.size()) {
+    if (wanted.runs) runs_ = measureRuns(sun, binned);
+    tbb::parallel_for(std::size_t{0}, suns_.size(),
+                      [&](std::size_t bin) { suns_[bin] = findSunChanges(binned.bins[bin].suns, {}); });
+    for (const AzimuthBin& bin : binned.bins)
+        if (wanted.gaps) hidden_.emplace_back(bin.suns);
+}
+
+RunLanes RunCount::longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                               RunMemory& memory) const {
+    read(codes, gaps, part, memory);
+    RunLanes longest = runs_.of(memory.lanes).longest;
+    if (!memory.overhangs.empty()) walkWithOverhangs(memory, longest);
+    return longest;
+}
+
+RunLanes RunCount::decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                               const RunDecider& decider, std::uint64_t lanes, RunMemory& memory) const {
+    read(codes, gaps, part, memory);
+    LongestRuns::Found found = runs_.of(memory.lanes);
+    for (const OverhangGap& overhangs : memory.overhangs) lanes &= ~laneBit(overhangs.gap.number);
+    decider.decide(runs_, memory.lanes, part, lanes, found, memory.deciding);
+    if (!memory.overhangs.empty()) walkWithOverhangs(memory, found.longest);
+    return found.longest;
+}
+
+void RunCount::read(const BinCodes& codes, const BinGaps& gaps, std::size_t part, RunMemory& memory) {
+    copyLanes(codes, part * lanesPerPart, memory.lanes);
+    addGaps(gaps, part * lanesPerPart, memory);
+}
+
+// Filling the space below the gaps can only lengthen runs. Where it changes nothing, the gaps have no effect.
+void RunCount::walkWithOverhangs(RunMemory& memory, RunLanes& longest) const {
+    std::vector<RunLanes> filled = memory.lanes;
+    for (const auto& [bin, gap] : memory.overhangs)
+        filled[bin].values[gap.number] = std::max(filled[bin].values[gap.number], gap.high);
+    const RunLanes most = runs_.of(filled).longest;
+    std::ranges::stable_sort(memory.overhangs, {},
+                             [](const OverhangGap& overhangs) { return overhangs.gap.number; });
+    std::vector<std::span<const OverhangGap>> ofBin(memory.lanes.size());
+    forEachLane(memory.overhangs, [&](std::size_t lane, std::span<const OverhangGap> own) {
+        if (most.values[lane] == longest.values[lane]) return;
+        setBins(own, ofBin);
+        longest.values[lane] = std::int16_t(runs_.ofOne([&](const StepPlace& place) {
+            return memory.lanes[place.bin].values[lane] > place.sun ||
+                   std::ranges::any_of(ofBin[place.bin], [&](const OverhangGap& overhangs) {
+                       return overhangs.gap.low <= place.sun && place.sun < overhangs.gap.high;
+                   });
+        }));
+    });
+}
+
+std::uint64_t findReceiverLanes(const ReceiverBlocks& blocks, std::size_t part) {
+    std::uint64_t lanes = 0;
+    forEachCell(blocks, part,
+                [&](std::size_t number, std::uint32_t) { lanes |= laneBit(number % lanesPerPart); });
+    return lanes;
+}
+
+void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
+                ShadowField& field) {
+    forEachCell(blocks, part, [&](std::size_t number, std::uint32_t cell) {
+        field.grossMin[cell] = float(double(hidden[number]) * field.stepMinutes / field.days);
+    });
+}
+
+void writeRuns(const ReceiverBlocks& blocks, std::size_t part, const RunLanes& longest, ShadowField& field) {
+    forEachCell(blocks, part, [&](std::size_t number, std::uint32_t cell) {
+        field.continuousMin[cell] = float(longest.values[number % lanesPerPart] * field.stepMinutes);
+    });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,105 @@
+#pragma once
+
+// From horizons to minutes. PeriodCount holds what is precomputed for a period; sun_change.h and the
+// HiddenSuns of azimuth_bins.h look up how many suns a horizon hides. block_sums.h, short_sums.h and
+// step_sums.h sum the steps of cells, sets and buildings; tile_steps.h holds changes of these sums.
+// longest_runs.h finds the longest run of each receiver, with bounds over groups of similar days
+// (day_groups.h). run_doubts.h decides which runs are in doubt; run_decider.h, run_search.h and run_rays.h
+// settle these with rays.
+
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/engines/api/shadow_field.h"
+#include "core/engines/horizon/counting/longest_runs.h"
+#include "core/engines/horizon/counting/run_decider.h"
+#include "core/engines/horizon/counting/sun_change.h"
+#include "core/engines/horizon/geometry/azimuth_bins.h"
+#include "core/engines/horizon/geometry/receiver_blocks.h"
+#include "core/engines/horizon/overhangs/gaps.h"
+
+namespace noonmark {
+
+/// Codes of a tile, one per number, for each bin of a period.
+using BinCodes = std::vector<std::span<const HorizonCode>>;
+/// Gaps hidden by overhangs above the horizons, for each bin.
+using BinGaps = std::vector<std::span<const Gap>>;
+
+/// A gap that does not begin at the horizon; its number is a lane.
+struct OverhangGap {
+    std::uint16_t bin;
+    Gap gap;
+};
+
+/// Working memory for counting runs; one per thread.
+struct RunMemory {
+    std::vector<RunLanes> lanes;  // one per bin
+    std::vector<OverhangGap> overhangs;
+    RunDecider::Memory deciding;
+};
+
+/// Counts the longest runs of a period from horizons. Immutable.
+class RunCount {
+public:
+    RunCount(std::vector<TimedStep> steps, std::span<const DaySteps> days) : runs_(std::move(steps), days) {}
+
+    [[nodiscard]] std::size_t steps() const { return runs_.steps().size(); }
+
+    /// Longest runs of the numbers [64 part, 64 part + 64), in steps. `gaps`: for each bin, sorted by number
+    /// and altitude; may be empty. Where gaps matter, each receiver is walked step by step: 0.3 ms for a year
+    /// of minutes.
+    [[nodiscard]] RunLanes longestRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                                       RunMemory& memory) const;
+
+    /// The same, with runs in doubt decided by rays through `decider`. Bit k of `lanes`: lane k is a
+    /// receiver. Where gaps matter, no rays are traced.
+    [[nodiscard]] RunLanes decidedRuns(const BinCodes& codes, const BinGaps& gaps, std::size_t part,
+                                       const RunDecider& decider, std::uint64_t lanes,
+                                       RunMemory& memory) const;
+
+private:
+    static void read(const BinCodes& codes, const BinGaps& gaps, std::size_t part, RunMemory& memory);
+    void walkWithOverhangs(RunMemory& memory, RunLanes& longest) const;
+
+    LongestRuns runs_;
+};
+
+/// A period prepared for counting from horizons. Immutable.
+class PeriodCount {
+public:
+    /// What to prepare besides the suns of each bin.
+    struct Wanted {
+        bool gaps = false, runs = true;
+    };
+    PeriodCount(const SunSteps& sun, const BinnedSun& binned, const Wanted& wanted);
+
+    /// The suns of a bin, for looking up many horizons.
+    [[nodiscard]] std::span<const SunChange> suns(std::size_t bin) const { return suns_[bin]; }
+    /// The same, for looking up one horizon; only with Wanted::gaps.
+    [[nodiscard]] const HiddenSuns& hidden(std::size_t bin) const { return hidden_[bin]; }
+
+    /// Null if runs are not wanted.
+    [[nodiscard]] const RunCount* runs() const { return runs_ ? &*runs_ : nullptr; }
+
+private:
+    std::optional<RunCount> runs_;
+    std::vector<std::vector<SunChange>> suns_;
+    std::vector<HiddenSuns> hidden_;
+};
+
+/// Bit k: the number 64 part + k is a receiver.
+std::uint64_t findReceiverLanes(const ReceiverBlocks& blocks, std::size_t part);
+
+/// Writes the minutes of numbers [64 part, 64 part + 64) to their cells. `hidden`: steps, one per number.
+void writeGross(const ReceiverBlocks& blocks, std::size_t part, std::span<const std::uint32_t> hidden,
+                ShadowField& field);
+void writeRuns(const ReceiverBlocks& blocks, std::size_t part, const RunLanes& longest, ShadowField& field);
+
+/// Number of parts of 64 numbers.
+inline std::size_t partsOf(const ReceiverBlocks& blocks) {
+    return (blocks.numbers() + lanesPerPart - 1) / lanesPerPart;
+}
+
+}  // namespace noonmark

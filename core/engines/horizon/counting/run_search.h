@@ -1,0 +1,64 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/engines/horizon/counting/day_groups.h"
+
+namespace noonmark {
+
+/// Searches the longest run of one receiver if horizons leave some steps in doubt. Traces as few rays as
+/// possible. In a run that would be the longest if all its doubtful steps were hidden, it first tests the
+/// steps in bins where another day was found lit, then those closest to the middle, since light there leaves
+/// two runs too short to matter. Reuses its memory; one per thread.
+class RunSearch {
+public:
+    /// Ray queries for the receiver; steps are indices in the period.
+    struct Rays {
+        std::function<bool(std::uint32_t step)> hidden;
+        /// A lit step in [first, end), if any; null: steps that are certainly hidden according to the
+        /// horizons are not tested.
+        std::function<std::optional<std::uint32_t>(std::uint32_t first, std::uint32_t end)> findLit;
+    };
+    /// The horizons of the receiver, one code per bin: a step is certainly lit if the highest code of its bin
+    /// does not hide it, and certainly hidden if the lowest does.
+    struct Horizons {
+        std::vector<HorizonCode> highest, lowest;
+    };
+
+    /// To be filled before begin().
+    [[nodiscard]] Horizons& horizons() { return horizons_; }
+    /// Selects a receiver whose longest run is known to have at least `atLeast` steps. `steps`: of the
+    /// period.
+    void begin(Rays rays, std::span<const TimedStep> steps, int atLeast);
+    void walk(const DaySteps& day);
+    [[nodiscard]] int longest() const { return longest_; }
+
+private:
+    enum class State : std::uint8_t { lit, doubt, hidden };
+    [[nodiscard]] const StepPlace& place(std::uint32_t step) const { return steps_[step].place; }
+    [[nodiscard]] bool mayBeHidden(std::uint32_t step) const {
+        return horizons_.highest[place(step).bin] > place(step).sun;
+    }
+    [[nodiscard]] State& stateOf(std::uint32_t step) { return states_[step - first_]; }
+    [[nodiscard]] State firstState(std::uint32_t step) const;
+    [[nodiscard]] bool isKnownLit(std::uint16_t bin) const { return std::ranges::binary_search(lit_, bin); }
+    void search(std::uint32_t first, std::uint32_t end);
+    [[nodiscard]] std::optional<std::uint32_t> litIn(std::uint32_t first, std::uint32_t end);
+    [[nodiscard]] std::optional<std::uint32_t> nextDoubt(std::uint32_t first, std::uint32_t end);
+    void noteLit(std::uint32_t step);
+
+    Horizons horizons_;
+    Rays rays_;
+    std::span<const TimedStep> steps_;
+    std::uint32_t first_ = 0;         // first step of the run that is searched
+    std::vector<State> states_;       // states of its steps
+    std::vector<std::uint16_t> lit_;  // bins in which a step was found lit, ascending
+    int longest_ = 0;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,80 @@
+#include "core/engines/horizon/counting/step_sums.h"
+
+#include <algorithm>
+
+namespace noonmark {
+
+std::vector<SetTables> setTables(const BinnedSun& binned, const StepSets& sets) {
+    std::vector<std::vector<std::vector<HorizonCode>>> suns(binned.bins.size());
+    for (auto& bin : suns) bin.resize(sets.names.size());
+    for (std::size_t i = 0; i < binned.places.size(); ++i)
+        suns[binned.places[i].bin][sets.ofStep[i]].push_back(binned.places[i].sun);
+    std::vector<SetTables> tables(suns.size());
+    for (std::size_t bin = 0; bin < suns.size(); ++bin)
+        for (std::size_t set = 0; set < suns[bin].size(); ++set) {
+            std::ranges::sort(suns[bin][set]);
+            if (!suns[bin][set].empty()) tables[bin].push_back({set, HiddenSuns(suns[bin][set])});
+        }
+    return tables;
+}
+
+void StepSums::begin(std::size_t sets, std::size_t numbers, std::size_t buildings) {
+    cells_.assign(sets, std::vector<std::uint32_t>(numbers));
+    attributed_.resize(sets * buildings);
+    sole_.resize(sets * buildings);
+}
+
+void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes) {
+    const NumberRange all{0, std::uint32_t(codes.size())};
+    for (const SetTable& table : tables)
+        table.hidden.addTo(codes.data(), {&all, 1}, cells_[table.set].data());
+}
+
+void StepSums::add(const SetTables& tables, std::span<const HorizonCode> codes, std::span<const Gap> gaps) {
+    forEachReceiver(gaps, [&](std::span<const Gap> own) {
+        const std::uint32_t number = own.front().number;
+        for (const SetTable& table : tables)
+            cells_[table.set][number] += countHidden(codes[number], own, table.hidden);
+    });
+}
+
+void StepSums::add(const SetTables& tables, const AttributedTile& ranks) {
+    for (std::size_t number = 0; number < ranks.codes.size(); ++number) {
+        if (ranks.codes[number] == noHorizon) continue;
+        const std::size_t of = std::size_t(ranks.buildings[number]) * sets();
+        for (const SetTable& table : tables) {
+            const std::uint32_t hidden = table.hidden(ranks.codes[number]);
+            cells_[table.set][number] += hidden;
+            attributed_[of + table.set] += hidden;
+            sole_[of + table.set] += hidden - table.hidden(ranks.others[number]);
+        }
+    }
+}
+
+void StepSums::add(const SetTables& tables, const AttributedTile& ranks, std::span<const BuildingGap> gaps) {
+    forEachReceiver(gaps, [&](std::span<const BuildingGap> own) {
+        const std::uint32_t number = own.front().number;
+        add(tables, number, {ranks.buildings[number], ranks.codes[number], ranks.others[number], own});
+    });
+}
+
+void StepSums::add(const SetTables& tables, std::uint32_t number, const AttributedView& view) {
+    for (const SetTable& table : tables) {
+        const std::size_t set = table.set;
+        const auto between = [&](HorizonCode from, HorizonCode to) {
+            return table.hidden(to) - table.hidden(from);
+        };
+        forEachAttributed(view, [&](std::uint32_t building, HorizonCode from, HorizonCode to) {
+            cells_[set][number] += between(from, to);
+            attributed_[building * sets() + set] += between(from, to);
+        });
+        forEachBuilding(view, [&](std::uint32_t building) {
+            std::uint64_t& sole = sole_[building * sets() + set];
+            forEachSole(
+                view, building, [&](HorizonCode from, HorizonCode to) { sole += between(from, to); },
+                [&](HorizonCode from, HorizonCode to) { sole -= between(from, to); });
+        });
+    }
+}
+
+}  // namespace noonmark

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/engines/horizon/geometry/horizon_code.h"
+#include "core/engines/horizon/geometry/receiver_blocks.h"
+
+namespace noonmark {
+
+/// A lookup table for how many more suns of one bin a horizon hides in one period than in another. Suns
+/// common to both periods need no entries, so the table is short if only the hours at the ends of a day
+/// change.
+class SunChange {
+public:
+    static constexpr std::size_t mostSuns = 32'767;  ///< limit for added suns, and for removed suns
+
+    /// Both ascending, at most mostSuns each; no sun is in both.
+    SunChange(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
+
+    /// Largest absolute change of any horizon.
+    [[nodiscard]] int most() const { return most_; }
+
+    /// Adds the change of each horizon to its sum. The same bits on every instruction set. From 0.05 ns for a
+    /// horizon that hides none or all of the changed suns, to 0.5 ns.
+    void addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const;
+
+    /// For a block's cells in `masks` (row by row), adds to the sums the change of the horizons `after` minus
+    /// that of `before`, modulo 2^32. Returns as bits the rows with sums that changed. 20 ns per row with
+    /// such cells.
+    std::uint16_t addDifference(const HorizonCode* before, const HorizonCode* after,
+                                const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const;
+
+private:
+    void fill(std::span<const HorizonCode> come, std::span<const HorizonCode> gone);
+
+    int lowest_ = 0, last_ = 0;  // a horizon's index is horizon - lowest_, from 0 to last_
+    int most_ = 0;
+    std::vector<std::int16_t> counts_;  // one per index, and one more that is read but not used
+};
+
+/// The differences between the suns of a bin and those it had before; empty if they are the same. Both
+/// ascending.
+std::vector<SunChange> findSunChanges(std::span<const HorizonCode> suns, std::span<const HorizonCode> before);
+
+}  // namespace noonmark

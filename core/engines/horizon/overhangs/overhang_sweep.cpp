@@ -1,0 +1,135 @@
+#include "core/engines/horizon/overhangs/overhang_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noonmark {
+
+namespace {
+
+constexpr int side = ReceiverBlocks::side;
+
+// One level higher than the actual code, which exceeds rounding; vertical if the block is not behind the
+// overhang.
+HorizonCode mostAt(double rise, double distance) {
+    constexpr int highest = steepnessLevels - 1 + int(noHorizon);
+    if (distance <= 0) return HorizonCode(highest);
+    return HorizonCode(std::min(int(toHorizonCode(float(rise / (rise + distance)))) + 1, highest));
+}
+
+}  // namespace
+
+void OverhangSweep::begin(const OverhangView& view, const std::stop_token& stop) {
+    view_.emplace(view);
+    axes_ = ShadowAxes(view.away);
+    alongPerMetre_ = axes_.alongPerDistance / view.cellM;
+    layers_.set(view.shapes, axes_, alongPerMetre_);
+    entries_.clear();
+    firsts_.assign(view.tile.blockNumbers.size(), -1);
+    const double lowestTan = toTangent(view.lowest);
+    for (std::uint32_t layer = 0; layer < layers_.all().size() && !stop.stop_requested(); ++layer)
+        findBlocks(layer, layers_.all()[layer], lowestTan);
+}
+
+std::span<const Gap> OverhangSweep::intervals(const OverhangView& view, std::span<const HorizonCode> horizons,
+                                              const std::stop_token& stop) {
+    gaps_.clear();
+    begin(view, stop);
+    for (std::size_t block = 0; block < firsts_.size() && !stop.stop_requested(); ++block) {
+        if (firsts_[block] < 0) continue;
+        const HorizonCode lowest = lowestIn(block, horizons);
+        if (!maySee(block, lowest)) continue;
+        const auto first = std::ptrdiff_t(gaps_.size());
+        look(block, blockAt(block, horizons), lowest, [&](int cell, HorizonCode low, HorizonCode high) {
+            gaps_.push_back({std::uint32_t(numbers_[std::size_t(cell)]), low, high});
+        });
+        if (axes_.swapped) sortByNumber({gaps_.begin() + first, gaps_.end()});
+    }
+    if (stop.stop_requested()) gaps_.clear();
+    return gaps_;
+}
+
+// Visits blocks row by row, or column by column if swapped.
+void OverhangSweep::findBlocks(std::uint32_t layer, const OverhangLayer& of, double lowestTan) {
+    const TileBox& box = view_->tile.box;
+    const ShadowExtent& within = view_->within;
+    const double lowQ = std::max(of.lowQ, within.lowQ), highQ = std::min(of.highQ, within.highQ);
+    if (!(lowQ < highQ)) return;
+    const double lowAlong = std::max(of.lowestAlong, within.lowAlong),
+                 highAlong = std::min(of.highestAlong + of.highestRise / lowestTan + 1, within.highAlong);
+    const int low = axes_.swapped ? box.firstColumn : box.firstRow,
+              lines = axes_.swapped ? box.columns : box.rows;
+    for (int line = 0; line * side < lines; ++line) {
+        const double one = axes_.sign * (low + line * side),
+                     other = axes_.sign * (low + line * side + side - 1);
+        const double nearest = std::min(one, other), farthest = std::max(one, other);
+        if (farthest < lowAlong || nearest > highAlong) continue;
+        const Range across{lowQ + std::min(axes_.k * one, axes_.k * other),
+                           highQ + std::max(axes_.k * one, axes_.k * other)};
+        addBlocks(layer, line, across, mostAt(of.highestRise, nearest - of.highestAlong));
+    }
+}
+
+void OverhangSweep::addBlocks(std::uint32_t layer, int line, const Range& across, HorizonCode most) {
+    const TileBox& box = view_->tile.box;
+    const int low = axes_.swapped ? box.firstRow : box.firstColumn,
+              count = ((axes_.swapped ? box.rows : box.columns) + side - 1) / side;
+    const int first = std::max(0, int(std::floor((across.low - low - 1) / side))),
+              last = std::min(count - 1, int(std::floor((across.high - low + 1) / side)));
+    for (int place = first; place <= last; ++place) {
+        const std::size_t block = axes_.swapped ? std::size_t(place) * columns() + std::size_t(line)
+                                                : std::size_t(line) * columns() + std::size_t(place);
+        entries_.push_back({layer, firsts_[block], most});
+        firsts_[block] = std::int32_t(entries_.size()) - 1;
+    }
+}
+
+std::size_t OverhangSweep::columns() const {
+    return std::size_t((view_->tile.box.columns + side - 1) / side);
+}
+
+bool OverhangSweep::maySee(std::size_t block, HorizonCode lowest) const {
+    std::int32_t i = firsts_[block];
+    while (i >= 0 && entries_[std::size_t(i)].most < lowest) i = entries_[std::size_t(i)].next;
+    return i >= 0;
+}
+
+// `blind` if the block has no receivers.
+HorizonCode OverhangSweep::lowestIn(std::size_t block, std::span<const HorizonCode> horizons) const {
+    const auto [first, end] = view_->tile.blockNumbers[block];
+    HorizonCode lowest = blind;
+    for (const HorizonCode code : horizons.subspan(first, end - first)) lowest = std::min(lowest, code);
+    return lowest;
+}
+
+glm::ivec2 OverhangSweep::firstOf(std::size_t block) const {
+    const TileBox& box = view_->tile.box;
+    return {box.firstColumn + int(block % columns()) * side, box.firstRow + int(block / columns()) * side};
+}
+
+BlockAxes OverhangSweep::axesOf(std::size_t block) const {
+    const ShadowAxes::Point first = axes_.from(glm::dvec2(firstOf(block)));
+    return {first.q, first.along, float(axes_.k * axes_.sign), float(axes_.sign), float(alongPerMetre_)};
+}
+
+// Stores the numbers of the block's cells in numbers_.
+ViewingBlock OverhangSweep::blockAt(std::size_t block, std::span<const HorizonCode> horizons) {
+    const OverhangTile& tile = view_->tile;
+    const glm::ivec2 first = firstOf(block) - glm::ivec2(tile.box.firstColumn, tile.box.firstRow);
+    ViewingBlock at;
+    at.groundsM = tile.groundsM.empty() ? nullptr : groundsM_.data();
+    for (int cell = 0; cell < ReceiverBlocks::cells; ++cell) {
+        const int line = cell / side, place = cell % side;
+        const int x = first.x + (axes_.swapped ? line : place), y = first.y + (axes_.swapped ? place : line);
+        const bool inside = x < tile.box.columns && y < tile.box.rows;
+        const std::int32_t number =
+            inside ? tile.numbers[std::size_t(y) * std::size_t(tile.box.columns) + std::size_t(x)] : -1;
+        numbers_[std::size_t(cell)] = number;
+        at.horizons.values[cell] = number < 0 ? blind : horizons[std::size_t(number)];
+        if (at.groundsM != nullptr)
+            groundsM_[std::size_t(cell)] = number < 0 ? 0 : tile.groundsM[std::size_t(number)];
+    }
+    return at;
+}
+
+}  // namespace noonmark

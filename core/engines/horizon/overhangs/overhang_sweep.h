@@ -1,0 +1,103 @@
+#pragma once
+
+// Overhangs: parts of buildings with open air below, which hide an interval of altitudes rather than all
+// below a horizon. overhang_shapes.h converts them to prisms and triangles; overhang_layers.h cuts these into
+// strips in the axes of one azimuth; overhang_visibility.h finds the cells of a block that see a strip, and
+// overhang_intervals.h the altitudes it hides from them. OverhangSweep applies this to the blocks of a tile
+// (overhang_tile.h) at one azimuth, BatchOverhangs to a batch during a sweep. gaps.h holds the hidden
+// intervals that do not begin at the horizon.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/engines/horizon/geometry/shadow_axes.h"
+#include "core/engines/horizon/overhangs/gaps.h"
+#include "core/engines/horizon/overhangs/overhang_intervals.h"
+#include "core/engines/horizon/overhangs/overhang_tile.h"
+
+namespace noonmark {
+
+/// The overhangs and the tile for one azimuth.
+struct OverhangView {
+    std::span<const OverhangShapes* const> shapes;
+    const OverhangTile& tile;
+    glm::dvec2 away;
+    HorizonCode lowest;  ///< code of the lowest sun; intervals that end below it hide none
+    double cellM;
+    ShadowExtent within = everywhere;  ///< extent of the relevant cells
+
+    static constexpr ShadowExtent everywhere{-1e300, 1e300, -1e300, 1e300};
+};
+
+/// Finds the intervals that overhangs hide at one azimuth. Reuses its memory; one per thread.
+class OverhangSweep {
+public:
+    static constexpr HorizonCode blind = ViewingBlock::blind;
+
+    /// Selects the view, whose tile and shapes must outlive the calls that follow. Determines the blocks that
+    /// can see an overhang at all, whatever their horizons; some 50 ns per layer (OverhangLayers).
+    void begin(const OverhangView& view, const std::stop_token& stop);
+
+    /// Whether an overhang may be seen from a block of the tile (index in OverhangTile::blockNumbers) whose
+    /// lowest relevant horizon is `lowest`.
+    [[nodiscard]] bool maySee(std::size_t block, HorizonCode lowest) const;
+    /// Finds the block's intervals and calls visit as OverhangIntervals::finish() does. Some 0.1 us per layer
+    /// that may be seen.
+    template <class Visit>
+    void look(std::size_t block, const ViewingBlock& from, HorizonCode lowest, const Visit& visit);
+
+    /// `horizons`: of obstacles on the ground, one per number; `blind` for irrelevant ones. Returns the
+    /// intervals that reach above them: receivers ascend, the intervals of a receiver ascend, are disjoint
+    /// and do not touch; none if stopped. Valid until the next call. Costs as much as begin() plus look() for
+    /// all blockNumbers.
+    std::span<const Gap> intervals(const OverhangView& view, std::span<const HorizonCode> horizons,
+                                   const std::stop_token& stop);
+
+private:
+    /// A layer that may be seen from a block, and the highest code that it reaches there.
+    struct Entry {
+        std::uint32_t layer;
+        std::int32_t next;  // next entry of the same block
+        HorizonCode most;
+    };
+    struct Range {
+        double low, high;
+    };
+    void findBlocks(std::uint32_t layer, const OverhangLayer& of, double lowestTan);
+    void addBlocks(std::uint32_t layer, int line, const Range& across, HorizonCode most);
+    [[nodiscard]] HorizonCode lowestIn(std::size_t block, std::span<const HorizonCode> horizons) const;
+    [[nodiscard]] ViewingBlock blockAt(std::size_t block, std::span<const HorizonCode> horizons);
+    [[nodiscard]] std::size_t columns() const;
+    [[nodiscard]] glm::ivec2 firstOf(std::size_t block) const;
+    [[nodiscard]] BlockAxes axesOf(std::size_t block) const;
+
+    std::optional<OverhangView> view_;
+    ShadowAxes axes_{{0, 1}};
+    double alongPerMetre_ = 0;
+    OverhangLayers layers_;
+    std::vector<Entry> entries_;
+    std::vector<std::int32_t> firsts_;  // first entry of each block; -1: none
+    OverhangIntervals look_;
+    std::array<std::int32_t, ReceiverBlocks::cells> numbers_{};  // of the current block; -1: none
+    std::array<float, ReceiverBlocks::cells> groundsM_{};
+    std::vector<Gap> gaps_;
+};
+
+template <class Visit>
+void OverhangSweep::look(std::size_t block, const ViewingBlock& from, HorizonCode lowest,
+                         const Visit& visit) {
+    look_.begin(from, axesOf(block), view_->lowest);
+    for (std::int32_t i = firsts_[block]; i >= 0; i = entries_[std::size_t(i)].next) {
+        const Entry& entry = entries_[std::size_t(i)];
+        if (entry.most < lowest) continue;
+        const OverhangLayer& layer = layers_.all()[entry.layer];
+        look_.look(layer, layers_.of(layer), entry.most);
+    }
+    look_.finish(visit);
+}
+
+}  // namespace noonmark

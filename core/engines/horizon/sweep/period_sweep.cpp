@@ -1,0 +1,260 @@
+#include "core/engines/horizon/sweep/period_sweep.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "core/base/stopwatch.h"
+#include "core/engines/horizon/counting/short_sums.h"
+
+namespace noonmark {
+
+namespace {
+
+// Memory for the horizons of one tile if all its cells are receivers.
+constexpr std::size_t tileBytes = std::size_t{448} << 20U;
+constexpr std::size_t partsShown = 16, batchesPerPart = 4;
+constexpr std::size_t tasks = 64;  // minimum number of tasks, so that all cores have work until the end
+constexpr int largestTile = 1024;  // cells per side: a row of horizons stays in the first-level cache
+
+int tileSide(std::size_t bins) {
+    const double cells = double(tileBytes) / (double(std::max<std::size_t>(1, bins)) * sizeof(HorizonCode));
+    return std::clamp(int(std::sqrt(cells)), 64, largestTile) / ReceiverBlocks::side * ReceiverBlocks::side;
+}
+
+// Divides into tiles of nearly equal size, because each examines all walls in reach.
+int evenSide(int cells, int most) {
+    const int tiles = (cells + most - 1) / most, side = (cells + tiles - 1) / tiles;
+    return (side + ReceiverBlocks::side - 1) / ReceiverBlocks::side * ReceiverBlocks::side;
+}
+
+// For a single tile with these receivers.
+bool horizonsFit(const Receivers& receivers, std::size_t bins) {
+    constexpr std::size_t paddingABlock = 32, cellsABlock = ReceiverBlocks::cells;
+    const std::size_t numbers = receivers.cells.size() + receivers.grid.size() / cellsABlock * paddingABlock;
+    return numbers * bins * sizeof(HorizonCode) <= tileBytes;
+}
+
+// With many overhangs each bin becomes a batch of its own, because every azimuth of a batch stores which
+// overhangs may be seen from which block.
+std::vector<BatchRange> batchesAmong(std::span<const OverhangShapes> overhangs,
+                                     std::span<const SweptBin> bins) {
+    constexpr std::size_t mostInBatches = 4096;
+    std::size_t shapes = 0;
+    for (const OverhangShapes& some : overhangs) shapes += some.size();
+    if (shapes <= mostInBatches) return groupIntoBatches(bins);
+    std::vector<BatchRange> ones;
+    for (std::size_t bin = 0; bin < bins.size(); ++bin) ones.push_back({bin, bin + 1});
+    return ones;
+}
+
+}  // namespace
+
+/// Data shared by the threads while a tile is swept and counted.
+struct PeriodSweep::Tile {
+    Tile(const Receivers& receivers, const TileBox& box, double datumM, std::size_t bins)
+        : blocks(receivers, box), grounds(receivers, blocks, datumM), horizons(bins, blocks.numbers()) {}
+    ReceiverBlocks blocks;
+    BlockGrounds grounds;
+    TileHorizons horizons;  ///< no bins if horizons are not stored
+    OverhangTile overhangs;
+    std::vector<std::vector<Gap>> gaps;  ///< one list per bin
+    std::atomic<std::size_t> done{0};    ///< finished bins
+};
+
+PeriodSweep::PeriodSweep(const WallList& walls, std::span<const OverhangShapes> overhangs,
+                         const Receivers& receivers, const SunSteps& sun, const BinnedSun& binned,
+                         ShadowCounts counts, RunRays* rays, Progress& progress, std::stop_token stop)
+    : walls_(walls),
+      overhangs_(listOf(overhangs)),
+      receivers_(receivers),
+      binned_(binned),
+      bins_(makeSweptBins(binned.bins)),
+      batches_(batchesAmong(overhangs, bins_)),
+      count_(sun, binned, {.gaps = !overhangs.empty(), .runs = counts == ShadowCounts::grossAndRuns}),
+      doubts_(sun, binned),
+      rays_(rays),
+      keeps_(counts == ShadowCounts::grossAndRuns),
+      progress_(progress),
+      stop_(std::move(stop)) {}
+
+std::uint64_t PeriodSweep::outOfReach() { return outOfReach_.combine(std::plus<>()); }
+
+// A single tile if the receivers' horizons fit.
+std::vector<TileBox> PeriodSweep::tiles() const {
+    const Grid& grid = receivers_.grid;
+    const int size = std::max({1, grid.columns, grid.rows});
+    const bool whole = !keeps_ || (size <= largestTile && horizonsFit(receivers_, bins_.size()));
+    return splitIntoTiles(grid, evenSide(size, whole ? largestTile : tileSide(bins_.size())));
+}
+
+Result<void> PeriodSweep::run(ShadowField& field) {
+    const std::vector<TileBox> tiles = this->tiles();
+    oneTile_ = tiles.size() == 1;
+    for (const TileBox& box : tiles) {
+        Tile tile(receivers_, box, walls_.datumM, keeps_ ? bins_.size() : 0);
+        if (tile.blocks.receivers() == 0) continue;
+        timed(field, "sweep", [&] { sweep(tile, field); });
+        if (stop_.stop_requested()) return cancelled();
+        timed(field, "count", [&] { count(tile, field); });
+        if (stop_.stop_requested()) return cancelled();
+        if (count_.runs() != nullptr) timed(field, "runs", [&] { countRuns(tile, field); });
+        if (stop_.stop_requested()) return cancelled();
+        receiversDone_ += tile.blocks.receivers();
+    }
+    return {};
+}
+
+template <class Work>
+void PeriodSweep::timed(ShadowField& field, const char* stage, Work&& work) {
+    const Stopwatch watch;
+    work();
+    field.cost.seconds[stage] += watch.seconds();
+}
+
+// With a sink, batches are processed in turns that are spread over all azimuths, with a running result after
+// each turn.
+void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
+    if (!overhangs_.empty()) tile.overhangs = OverhangTile(receivers_, tile.blocks, walls_.datumM);
+    tile.gaps.assign(bins_.size(), {});
+    for (Workspace& workspace : workspaces_) workspace.sums.begin(tile.blocks.blocks().size());
+    PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
+    const std::size_t turns =
+        sink == nullptr ? 1 : std::clamp(batches_.size() / batchesPerPart, std::size_t{1}, partsShown);
+    for (std::size_t turn = 0; turn < turns; ++turn) {
+        const std::size_t some = (batches_.size() - turn + turns - 1) / turns;
+        tbb::parallel_for(std::size_t{0}, some,
+                          [&](std::size_t i) { sweep(batches_[turn + i * turns], tile); });
+        if (sink != nullptr && turn + 1 < turns && !stop_.stop_requested() && sink->wants())
+            sink->take(partialOf(tile, {turn, turns}, field));
+    }
+}
+
+void PeriodSweep::sweep(const BatchRange& batch, Tile& tile) {
+    if (stop_.stop_requested()) return;
+    Workspace& workspace = workspaces_.local();
+    if (!workspace.sums.begun()) workspace.sums.begin(tile.blocks.blocks().size());
+    const TileScene scene{walls_, tile.blocks, tile.grounds, receivers_.grid.cellM};
+    const std::span<const SweptBin> bins = std::span(bins_).subspan(batch.first, batch.size());
+    if (!overhangs_.empty()) workspace.overhangs.begin(overhangs_, tile.overhangs, bins, scene.cellM, stop_);
+    const auto take = [&](std::size_t i, std::size_t block, const HorizonCode* codes, bool swapped) {
+        const std::size_t bin = batch.first + i;
+        if (!overhangs_.empty()) codes = withOverhangs(batch, i, {block, codes, swapped}, tile, workspace);
+        if (keeps_)
+            writeBlock(codes, tile.blocks, tile.blocks.blocks()[block], swapped,
+                       tile.horizons.of(bin).data());
+        else
+            workspace.sums.add(block, swapped, codes, count_.suns(bin));
+    };
+    outOfReach_.local() += workspace.sweep.run(scene, bins, take, stop_);
+    if (stop_.stop_requested()) return;
+    for (std::size_t bin = batch.first; bin < batch.end && keeps_; ++bin) sortByNumber(tile.gaps[bin]);
+    tile.done += batch.size();
+    report(tile.blocks, 0.8 * double(tile.done) / double(bins_.size()));
+}
+
+// Gaps that contain suns of the bin are stored, or counted at once.
+const HorizonCode* PeriodSweep::withOverhangs(const BatchRange& batch, std::size_t i, const SweptBlock& swept,
+                                              Tile& tile, Workspace& workspace) {
+    const std::size_t bin = batch.first + i;
+    const HiddenSuns& hidden = count_.hidden(bin);
+    return workspace.overhangs.raise(
+        i, swept, tile.blocks, tile.grounds, [&](int cell, HorizonCode low, HorizonCode high) {
+            const std::uint32_t steps = hidden(high) - hidden(low);
+            if (steps == 0) return;
+            if (keeps_)
+                tile.gaps[bin].push_back(
+                    {tile.overhangs.numberOf(tile.blocks.blocks()[swept.block], cell), low, high});
+            else
+                workspace.sums.add(swept.block, std::size_t(cell), steps);
+        });
+}
+
+// Steps hidden by the batches up to a turn, one per number.
+PeriodSweep::Sums PeriodSweep::hidden(Tile& tile, const Turns& turns) {
+    if (keeps_) return hiddenByCached(tile, turns);
+    Sums sums(tile.blocks.numbers());
+    for (Workspace& workspace : workspaces_) workspace.sums.addTo(tile.blocks, sums);
+    return sums;
+}
+
+PeriodSweep::Sums PeriodSweep::hiddenByCached(Tile& tile, const Turns& turns) const {
+    Sums sums(tile.blocks.numbers());
+    const std::size_t numbers =
+        std::min(mostShortNumbers,
+                 (sums.size() / tasks + lanesPerPart - 1) / lanesPerPart * lanesPerPart + lanesPerPart);
+    tbb::parallel_for(std::size_t{0}, (sums.size() + numbers - 1) / numbers, [&](std::size_t task) {
+        const auto first = std::uint32_t(task * numbers),
+                   end = std::uint32_t(std::min(sums.size(), (task + 1) * numbers));
+        const NumberRange own{first, end};
+        TileShortSums some(first, {&own, 1}, sums.data());
+        for (std::size_t batch = 0; batch < batches_.size() && !stop_.stop_requested(); ++batch)
+            for (std::size_t bin = batches_[batch].first; bin < batches_[batch].end && turns.have(batch);
+                 ++bin)
+                for (const SunChange& suns : count_.suns(bin)) some.add(suns, tile.horizons.of(bin).data());
+        some.flush();
+    });
+    for (std::size_t bin = 0; bin < tile.gaps.size(); ++bin)
+        for (const Gap& gap : tile.gaps[bin])
+            sums[gap.number] += count_.hidden(bin)(gap.high) - count_.hidden(bin)(gap.low);
+    return sums;
+}
+
+PartialField PeriodSweep::partialOf(Tile& tile, const Turns& turns, const ShadowField& blank) {
+    const Sums hidden = this->hidden(tile, turns);
+    PartialField partial{.field = blank};
+    std::size_t steps = 0, bins = 0;
+    for (std::size_t batch = 0; batch < batches_.size(); ++batch)
+        for (std::size_t bin = batches_[batch].first; bin < batches_[batch].end && turns.have(batch); ++bin)
+            steps += binned_.bins[bin].suns.size(), ++bins;
+    const double minutes = blank.stepMinutes / blank.days;
+    partial.field.sunlitMinutesPerDay = double(steps) * minutes;
+    std::ranges::fill(partial.field.continuousMin, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < hidden.size(); ++i)
+        if (const std::uint32_t cell = tile.blocks.cell(i); cell != ReceiverBlocks::padding)
+            partial.field.grossMin[cell] = float(double(hidden[i]) * minutes);
+    partial.share = double(steps) / double(std::max<std::size_t>(1, binned_.places.size()));
+    partial.part = fmt::format("{} of {} azimuth bins", bins, bins_.size());
+    return partial;
+}
+
+void PeriodSweep::count(Tile& tile, ShadowField& field) {
+    const Sums hidden = this->hidden(tile, {});
+    for (std::size_t part = 0; part < partsOf(tile.blocks); ++part)
+        writeGross(tile.blocks, part, hidden, field);
+}
+
+void PeriodSweep::countRuns(const Tile& tile, ShadowField& field) {
+    BinCodes codes;
+    for (std::size_t bin = 0; bin < bins_.size(); ++bin) codes.push_back(tile.horizons.of(bin));
+    const BinGaps gaps(tile.gaps.begin(), tile.gaps.end());
+    const RunCount& runs = *count_.runs();
+    std::optional<RunDecider> decider;
+    if (rays_ != nullptr) decider.emplace(doubts_, *rays_, tile.blocks);
+    std::atomic<std::size_t> done{0};
+    const std::size_t parts = partsOf(tile.blocks);
+    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+        if (stop_.stop_requested()) return;
+        RunMemory& memory = runMemory_.local();
+        writeRuns(tile.blocks, part,
+                  decider ? runs.decidedRuns(codes, gaps, part, *decider,
+                                             findReceiverLanes(tile.blocks, part), memory)
+                          : runs.longestRuns(codes, gaps, part, memory),
+                  field);
+        report(tile.blocks, 0.8 + 0.2 * double(++done) / double(parts));
+    });
+}
+
+void PeriodSweep::report(const ReceiverBlocks& blocks, double fraction) {
+    progress_.report(
+        (double(receiversDone_) + fraction * double(blocks.receivers())) / double(receivers_.cells.size()),
+        "sweeping horizons");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,93 @@
+#pragma once
+
+// The sweep itself, from a period down to one block. PeriodSweep handles tiles, batches and threads;
+// TileSweep sweeps one tile at the azimuths of a batch. For prisms on level ground it uses BatchHorizons,
+// which processes up to eight azimuths at once (batch_walls.h); otherwise BlockSweep, which also supports
+// terrain, general meshes and receivers at their own heights (uneven_block.h). raise_block.h has the inner
+// loops. tile_horizons.h stores the codes of a tile.
+
+#include <tbb/combinable.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/engines/api/partial_field.h"
+#include "core/engines/api/shadow_counts.h"
+#include "core/engines/horizon/counting/block_sums.h"
+#include "core/engines/horizon/counting/period_count.h"
+#include "core/engines/horizon/counting/run_rays.h"
+#include "core/engines/horizon/overhangs/batch_overhangs.h"
+#include "core/engines/horizon/sweep/tile_horizons.h"
+#include "core/engines/horizon/sweep/tile_sweep.h"
+
+namespace noonmark {
+
+/// Sweeps the horizons of a period and counts the suns they hide, tile by tile. If longest runs are wanted,
+/// the horizons of one tile at a time are stored; otherwise each horizon is counted as soon as it is known.
+class PeriodSweep {
+public:
+    /// All arguments must outlive it. `rays` decides longest runs in doubt; null: they stay as they are.
+    PeriodSweep(const WallList& walls, std::span<const OverhangShapes> overhangs, const Receivers& receivers,
+                const SunSteps& sun, const BinnedSun& binned, ShadowCounts counts, RunRays* rays,
+                Progress& progress, std::stop_token stop);
+
+    Result<void> run(ShadowField& field);
+
+    /// Number of prisms and solids out of reach, summed over bins and tiles.
+    std::uint64_t outOfReach();
+
+private:
+    using Sums = std::vector<std::uint32_t>;
+    struct Tile;
+    /// Batches are processed in `all` turns; batch b belongs to turn b % all. Covers the turns up to `turn`;
+    /// by default, all batches.
+    struct Turns {
+        std::size_t turn = 0, all = 1;
+        [[nodiscard]] bool have(std::size_t batch) const { return batch % all <= turn; }
+    };
+
+    [[nodiscard]] std::vector<TileBox> tiles() const;
+    template <class Work>
+    void timed(ShadowField& field, const char* stage, Work&& work);
+    void sweep(Tile& tile, const ShadowField& field);
+    void sweep(const BatchRange& batch, Tile& tile);
+    /// Per-thread memory.
+    struct Workspace {
+        TileSweep sweep;
+        BlockSums sums;
+        BatchOverhangs overhangs;
+    };
+    const HorizonCode* withOverhangs(const BatchRange& batch, std::size_t i, const SweptBlock& swept,
+                                     Tile& tile, Workspace& workspace);
+    Sums hidden(Tile& tile, const Turns& turns);
+    [[nodiscard]] Sums hiddenByCached(Tile& tile, const Turns& turns) const;
+    PartialField partialOf(Tile& tile, const Turns& turns, const ShadowField& blank);
+    void count(Tile& tile, ShadowField& field);
+    void countRuns(const Tile& tile, ShadowField& field);
+    void report(const ReceiverBlocks& blocks, double fraction);
+
+    const WallList& walls_;
+    OverhangList overhangs_;
+    const Receivers& receivers_;
+    const BinnedSun& binned_;
+    std::vector<SweptBin> bins_;
+    std::vector<BatchRange> batches_;
+    PeriodCount count_;
+    RunDoubts doubts_;
+    RunRays* rays_;
+    bool keeps_;  // whether horizons are stored
+    Progress& progress_;
+    std::stop_token stop_;
+    std::size_t receiversDone_ = 0;
+    bool oneTile_ = true;
+    tbb::enumerable_thread_specific<Workspace> workspaces_;
+    tbb::enumerable_thread_specific<RunMemory> runMemory_;
+    tbb::combinable<std::uint64_t> outOfReach_{[] { return std::uint64_t{0}; }};
+};
+
+}  // namespace noonmark

@@ -1,0 +1,71 @@
+#include "core/engines/horizon/sweep_options.h"
+
+namespace noonmark {
+
+namespace {
+
+EngineOption errorOption() {
+    return {
+        "error",
+        "Error target",
+        "%",
+        HorizonSweepSettings::minErrorPercent,
+        HorizonSweepSettings::maxErrorPercent,
+        HorizonSweepSettings{}.errorTargetPercent,
+        OptionKind::number,
+        "Mean error of a cell's gross shadow, of the period: the sweep's azimuth bins are as wide as it lets "
+        "them be; half of it takes twice as long"};
+}
+
+EngineOption binOption() {
+    return {"bin",
+            "Azimuth bin",
+            "deg",
+            0,
+            HorizonSweepSettings::maxBinDeg,
+            HorizonSweepSettings{}.binDeg,
+            OptionKind::number,
+            "Suns whose azimuth is less than this apart share one horizon; 0: as the error target asks"};
+}
+
+EngineOption runsOption() {
+    return {.key = "runs",
+            .name = "Continuous shadow",
+            .usual = 1,
+            .kind = OptionKind::yesNo,
+            .about =
+                "The longest unbroken shadow is counted too; without it, gross shadow only, in about half "
+                "the time"};
+}
+
+EngineOption checkOption() {
+    return {
+        .key = "check",
+        .name = "Check runs",
+        .usual = 0,
+        .kind = OptionKind::yesNo,
+        .about =
+            "Rays look along every longest run, so that a gap narrower than a bin is found at steps of a few "
+            "minutes too, in several times the time; without it, rays decide only what neighbouring bins "
+            "leave "
+            "in doubt"};
+}
+
+double valueOf(const EngineSettings& settings, const EngineOption& option) {
+    const auto set = settings.find(option.key);
+    return set == settings.end() ? option.usual : set->second;
+}
+
+}  // namespace
+
+std::vector<EngineOption> sweepOptions() { return {errorOption(), binOption(), runsOption(), checkOption()}; }
+
+HorizonSweepSettings readSweepSettings(const EngineSettings& settings) {
+    const bool runs = valueOf(settings, runsOption()) != 0;
+    return {.errorTargetPercent = valueOf(settings, errorOption()),
+            .binDeg = valueOf(settings, binOption()),
+            .counts = runs ? ShadowCounts::grossAndRuns : ShadowCounts::gross,
+            .checksRuns = valueOf(settings, checkOption()) != 0};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,99 @@
+#include "core/engines/inverse/inverse_accrual_map.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/engines/api/engine.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/engines/inverse/inverse_accrual_scene.h"
+#include "core/engines/inverse/shadow_lines_opencl.h"
+#include "core/engines/inverse/sources/projected_source_finder.h"
+#include "core/engines/inverse/sources/ray_source_finder.h"
+#include "core/engines/ray/ray_intervals.h"
+
+namespace noonmark {
+
+namespace {
+
+Result<void> check(const InverseAccrualSettings& settings) {
+    if (settings.levels < 1 || settings.levels > RayScene::maxLevels)
+        return failure(fmt::format("{} source levels are out of range", settings.levels), "levels",
+                       "Choose 1 to 8");
+    if (!(settings.nearestHitM >= InverseAccrualSettings::lowestNearestHitM &&
+          settings.nearestHitM <= InverseAccrualSettings::highestNearestHitM))
+        return failure(fmt::format("A nearest hit of {} m is out of range", settings.nearestHitM),
+                       "nearest hit", "Choose 0.01 to 10 m");
+    if (!(settings.marginM >= 0 && settings.marginM <= 500))
+        return failure(fmt::format("A margin of {} m is out of range", settings.marginM), "margin",
+                       "Choose 0 to 500 m");
+    if (!(settings.lowestSunDeg >= 0 && settings.lowestSunDeg <= 45))
+        return failure(fmt::format("Rays below a sun of {} degrees are out of range", settings.lowestSunDeg),
+                       "lowest sun", "Choose 0 to 45 degrees");
+    return {};
+}
+
+Result<std::unique_ptr<SourceFinder>> finderOver(const City& city, const std::vector<std::uint32_t>& used,
+                                                 const Grid& grid, const InverseAccrualSettings& settings,
+                                                 std::stop_token stop) {
+    const float nearest = settings.nearestHitM;
+    if (settings.sourceFinder == SourceFinderKind::projected)
+        return std::make_unique<ProjectedSourceFinder>(makeSurfaceFacets(city, used, grid, nearest),
+                                                       settings.levels, nearest);
+    auto scene = RayScene::over(city, used, std::move(stop));
+    if (!scene) return tl::make_unexpected(scene.error());
+    return std::make_unique<RaySourceFinder>(std::move(*scene), grid, settings.levels, nearest);
+}
+
+}  // namespace
+
+InverseAccrualMap::InverseAccrualMap(InverseAccrualSettings settings) : settings_(settings) {}
+
+Result<std::shared_ptr<const InverseAccrualMap>> InverseAccrualMap::make(
+    const InverseAccrualSettings& settings) {
+    if (const auto ok = check(settings); !ok) return tl::make_unexpected(ok.error());
+    std::shared_ptr<InverseAccrualMap> engine(new InverseAccrualMap(settings));
+    engine->drawer_ = makeShadowLineDrawer();
+    if (settings.openClDevice) {
+        auto drawer = makeOpenClDrawer(*settings.openClDevice);
+        if (!drawer) return tl::make_unexpected(drawer.error());
+        engine->drawer_ = std::move(*drawer);
+    }
+    return engine;
+}
+
+Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& city,
+                                                                  const Receivers& receivers,
+                                                                  const SunSteps& directions,
+                                                                  std::stop_token stop) const {
+    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
+        return tl::make_unexpected(level.error());
+    const LowSun lowSun(settings_.lowestSunDeg);
+    const SunSteps low = lowSun.of(directions, true), high = lowSun.of(directions, false);
+    std::unique_ptr<IntervalScene> rays;
+    if (!low.steps.empty()) {
+        auto scene = RayIntervals().prepare(city, receivers, low, stop);
+        if (!scene) return tl::make_unexpected(scene.error());
+        rays = std::move(*scene);
+    }
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, high);
+    const int margin = int(std::ceil(settings_.marginM / receivers.grid.cellM));
+    auto finder = finderOver(city, used, padGrid(receivers.grid, margin), settings_, std::move(stop));
+    if (!finder) return tl::make_unexpected(finder.error());
+    return makeInverseAccrualScene({.finder = std::move(*finder),
+                                    .drawer = drawer_,
+                                    .rays = std::move(rays),
+                                    .lowSun = lowSun,
+                                    .marginCells = margin,
+                                    .buildingsUsed = std::uint32_t(used.size())},
+                                   receivers);
+}
+
+std::string InverseAccrualMap::describe() const {
+    return fmt::format(
+        "Inverse accrual map, {} levels, {}, sun below {:g} deg by rays, intervals "
+        "halved where a check of their middle misses more than {:g} %",
+        settings_.levels, drawer_->describe(), settings_.lowestSunDeg, 100 * mostMissedShare);
+}
+
+}  // namespace noonmark

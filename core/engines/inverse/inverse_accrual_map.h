@@ -1,0 +1,66 @@
+#pragma once
+
+// Inverse accrual maps (paper, section 5): find the occluders of each cell at both ends of an interval and
+// move their shadows along straight lines between. sources/ finds the occluders, per block of lanes (lanes.h,
+// lane_sources.h). source_runs.h joins neighbouring sources to runs and run_sweep.h gives the steps at which
+// a run shades a cell; shadow_lines.h draws these into masks (lane_masks.h), on the processor or with OpenCL.
+// line_leg.h draws one part of an interval for the receivers (lane_receivers.h); inverse_accrual_scene.h
+// combines the parts and uses rays for a low sun (low_sun.h).
+
+#include <memory>
+#include <optional>
+
+#include "core/engines/common/interval_engine.h"
+#include "core/engines/inverse/shadow_lines.h"
+
+namespace noonmark {
+
+/// How the shadow sources at an interval's ends are found. Both ways find the same sources, except for
+/// rounding at edges.
+enum class SourceFinderKind : std::uint8_t {
+    projected,  ///< building by building: the shadow of each surface is filled as a polygon of heights
+    rays,       ///< Embree's first hits (paper, section 5)
+};
+
+struct InverseAccrualSettings {
+    /// Number of occluders followed from each cell, nearest first; 1 to 8. Source of the default: paper,
+    /// section 5.
+    int levels = 3;
+    static constexpr float lowestNearestHitM = 0.01F, highestNearestHitM = 10;
+    /// Hits closer than this are ignored, metres, 0.01 to 10. Source: paper, section 5 ("100 cm provides good
+    /// results").
+    float nearestHitM = 1;
+    /// Lines also begin up to this distance outside the region, and under its buildings, because shadows that
+    /// enter the region lie there at t1. Metres, 0 to 500.
+    double marginM = 24;
+    /// Steps with a lower sun are traced with one ray each: their shadows come from farther away than lines
+    /// are followed and pass more occluders than `levels`. Degrees, 0 to 45; 0: lines only, as in the paper.
+    double lowestSunDeg = 10;
+    SourceFinderKind sourceFinder = SourceFinderKind::projected;
+    /// Number in listComputeDevices() of the device that draws; none: the processor.
+    std::optional<int> openClDevice;
+};
+
+/// Inverse accrual maps (paper, section 5). For each cell of flat ground, rays towards the sun at t1 and at
+/// tn find the first occluders. The shadow of each occluder moves along a straight line, forward from t1 and
+/// backward from tn, and is drawn into the cells' masks. If the sun is too low for that, rays are traced
+/// instead. Error: some tenths of a percent of the area, from ignored levels, from rounding lines to cells,
+/// and from the straight sun path.
+class InverseAccrualMap final : public IntervalEngine {
+public:
+    /// Error if a setting is out of range or the OpenCL device cannot be used.
+    static Result<std::shared_ptr<const InverseAccrualMap>> make(const InverseAccrualSettings& settings);
+
+    [[nodiscard]] Result<std::unique_ptr<IntervalScene>> prepare(const City& city, const Receivers& receivers,
+                                                                 const SunSteps& directions,
+                                                                 std::stop_token stop) const override;
+    [[nodiscard]] std::string_view name() const override { return "Inverse accrual map"; }
+    [[nodiscard]] std::string describe() const override;
+
+private:
+    explicit InverseAccrualMap(InverseAccrualSettings settings);
+    InverseAccrualSettings settings_;
+    std::shared_ptr<ShadowLineDrawer> drawer_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,59 @@
+#include "core/engines/projected/casters/projection.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "core/engines/projected/counting/shadow_events.h"
+
+namespace noonmark {
+
+Projection::Projection(const ShadowCasters& casters, const Receivers& receivers, const SunSteps& sun,
+                       Progress& progress, std::stop_token stop)
+    : casters_(casters),
+      receivers_(receivers),
+      sun_(sun),
+      where_(receivers),
+      starts_(findRunStarts(sun)),
+      bands_(bandsOf(receivers.grid)),
+      progress_(progress),
+      stop_(std::move(stop)) {}
+
+Result<FillCount> Projection::run(ShadowField& field) {
+    tbb::combinable<FillCount> counts;
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, bands_.size(), 1),
+        [&](const auto& range) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i)
+                counts.local() += count(bands_[i], field);
+        },
+        tbb::simple_partitioner());
+    if (stop_.stop_requested()) return cancelled();
+    return counts.combine([](FillCount a, const FillCount& b) { return a += b; });
+}
+
+FillCount Projection::count(const RowBand& band, ShadowField& field) {
+    if (stop_.stop_requested()) return {};
+    StepFiller filler(casters_, where_, receivers_, sun_, band);
+    ShadowEvents events(filler.layout(), band, filler.noReceivers());
+    std::vector<StepWords> rasters(filler.layout().words());
+    const std::span words(rasters.data()->words, rasters.size() * stepsTogether);
+    for (std::size_t step = 0; step < sun_.steps.size(); step += stepsTogether) {
+        if (!goOn()) return {};
+        filler.fill(step, words);
+        events.add(words, starts_[step / stepsTogether]);
+    }
+    events.finish(sun_.steps.size(), field);
+    return filler.count();
+}
+
+// Reports that eight more steps of a band are done, and returns whether to continue.
+bool Projection::goOn() {
+    const double all = double(sun_.steps.size()) * double(bands_.size());
+    progress_.report(std::min(1.0, double(done_ += stepsTogether) / all), "filling shadows");
+    return !stop_.stop_requested();
+}
+
+}  // namespace noonmark

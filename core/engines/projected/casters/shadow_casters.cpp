@@ -1,0 +1,147 @@
+#include "core/engines/projected/casters/shadow_casters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+
+#include "core/city/footprints/triangulate.h"
+#include "core/city/meshes/mesh_topology.h"
+#include "core/engines/projected/casters/cell_coordinates.h"
+#include "core/engines/projected/casters/convex_pieces.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/engines/ray/ray_scene.h"
+
+namespace noonmark {
+
+namespace {
+
+using Kind = ShadowCaster::Kind;
+
+class CasterBuilder {
+public:
+    CasterBuilder(const City& city, const Grid& grid) : city_(city), grid_(grid) {}
+
+    void addBuilding(std::uint32_t building) {
+        building_ = building;
+        for (const Part& part : city_.buildings[building]->parts) addPart(part);
+    }
+
+    // The largest casters first, because much of what follows then falls on cells that are already shaded.
+    ShadowCasters take() {
+        std::ranges::stable_sort(result_.casters, std::greater{}, [](const ShadowCaster& caster) {
+            const glm::dvec2 size = caster.high - caster.low;
+            return (size.x + size.y) * double(caster.topM - caster.bottomM);
+        });
+        return std::move(result_);
+    }
+
+private:
+    void addPart(const Part& part) {
+        if (part.mesh)
+            addFaces(*part.mesh);
+        else if (part.topM <= 0)
+            return;
+        else if (isConvex(part.footprint))
+            addConvex(part, part.footprint.outer);
+        else if (stands(part))
+            addPieces(part);
+        else
+            addWallsAndUnderside(part);
+    }
+
+    static bool stands(const Part& part) { return !part.isOverhanging && seen(part.bottomM) == 0; }
+
+    // A few pieces rather than many walls: each piece casts the shadow of all its walls.
+    void addPieces(const Part& part) {
+        for (const Ring& piece : splitIntoConvexPieces(part.footprint, ShadowCaster::mostPoints))
+            addRing(piece.size() == 2 ? Kind::wall : Kind::prism, part, piece);
+    }
+
+    // Prisms with many points are cut along chords; each piece is convex and casts its own shadow.
+    void addConvex(const Part& part, std::span<const glm::vec2> ring) {
+        const std::size_t count = std::min(ring.size(), ShadowCaster::mostPoints);
+        addRing(Kind::prism, part, Ring(ring.begin(), ring.begin() + std::ptrdiff_t(count)));
+        if (count == ring.size()) return;
+        Ring rest(ring.begin() + std::ptrdiff_t(count) - 1, ring.end());
+        rest.push_back(ring[0]);
+        addConvex(part, rest);
+    }
+
+    void addWallsAndUnderside(const Part& part) {
+        addWalls(part, part.footprint.outer);
+        for (const Ring& hole : part.footprint.holes) addWalls(part, hole);
+        if (part.bottomM <= 0) return;
+        const Triangulation under = triangulate(part.footprint);
+        for (const glm::uvec3 t : under.triangles)
+            addRing(Kind::flat, part, {under.points[t.x], under.points[t.y], under.points[t.z]});
+    }
+
+    void addWalls(const Part& part, const Ring& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            addRing(Kind::wall, part, {ring[i], ring[(i + 1) % ring.size()]});
+    }
+
+    void addFaces(const TriangleMesh& mesh) {
+        const bool open = findOpenEdges(mesh) > 0;
+        for (const glm::uvec3 t : mesh.triangles) {
+            const glm::vec3 a = mesh.vertices[t.x], b = mesh.vertices[t.y], c = mesh.vertices[t.z];
+            ShadowCaster& caster = add(Kind::face, {glm::vec2(a), glm::vec2(b), glm::vec2(c)});
+            caster.heights = {seen(a.z), seen(b.z), seen(c.z)};
+            caster.topM = seen(std::max({a.z, b.z, c.z}));
+            caster.twoSided = open;
+        }
+    }
+
+    void addRing(Kind kind, const Part& part, const Ring& ring) {
+        ShadowCaster& caster = add(kind, ring);
+        caster.bottomM = seen(part.bottomM);
+        caster.topM = kind == Kind::flat ? caster.bottomM : seen(part.topM);
+        caster.stands = kind == Kind::prism && stands(part);
+        addEdges(caster);
+    }
+
+    void addEdges(ShadowCaster& caster) {
+        caster.firstEdge = std::uint32_t(result_.edges.size());
+        const auto points = result_.pointsOf(caster);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            result_.edges.emplace_back(points[i], points[i + 1 == points.size() ? 0 : i + 1]);
+    }
+
+    // A receiver is at the origin of its rays: slightly above the ground, and slightly east and north of its
+    // cell centre.
+    static float seen(float heightM) { return std::max(0.0F, heightM - RayReferenceSettings::liftM); }
+
+    ShadowCaster& add(Kind kind, const Ring& ring) {
+        ShadowCaster caster{.kind = kind,
+                            .firstPoint = std::uint32_t(result_.points.size()),
+                            .pointCount = std::uint32_t(ring.size()),
+                            .building = building_};
+        caster.low = glm::dvec2(1e30);
+        caster.high = glm::dvec2(-1e30);
+        for (const glm::vec2 point : ring) {
+            const glm::dvec2 cells = toCells(grid_, glm::dvec2(point) - double(RayScene::asideM));
+            result_.points.push_back(cells);
+            caster.low = glm::min(caster.low, cells);
+            caster.high = glm::max(caster.high, cells);
+        }
+        result_.casters.push_back(caster);
+        return result_.casters.back();
+    }
+
+    const City& city_;
+    const Grid& grid_;
+    std::uint32_t building_ = 0;
+    ShadowCasters result_;
+};
+
+}  // namespace
+
+ShadowCasters makeShadowCasters(const City& city, std::span<const std::uint32_t> buildings,
+                                const Grid& grid) {
+    CasterBuilder builder(city, grid);
+    for (const std::uint32_t building : buildings) builder.addBuilding(building);
+    return builder.take();
+}
+
+}  // namespace noonmark

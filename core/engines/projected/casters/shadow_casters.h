@@ -1,0 +1,67 @@
+#pragma once
+
+// Casters: occluders as convex pieces whose shadows are polygons. ShadowCasters holds those of a city and
+// BuildingCasters groups them by building; convex_pieces.h splits footprints, ring_lines.h describes edges as
+// lines, and cell_coordinates.h and shadow_offsets.h convert points and sun directions to cells.
+// caster_shaping.h computes a caster's shadow at eight steps. Projection runs filling and counting over a
+// period.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "core/city/city.h"
+#include "core/engines/projected/casters/ring_lines.h"
+#include "core/geo/grid.h"
+
+namespace noonmark {
+
+/// A convex caster on flat ground. Coordinates in cells of a grid (the centre of cell (0, 0) is at (0, 0)),
+/// heights in metres above the receivers, which are at the positions of placeRayOrigin().
+struct ShadowCaster {
+    enum class Kind : std::uint8_t {
+        prism,  ///< a convex polygon (counter-clockwise) from bottom to top
+        wall,   ///< two points: a wall from bottom to top; casts shadow only if it faces away from the sun
+                ///< (the interior is left of first -> second)
+        flat,   ///< a convex polygon at one height, `bottom`: a triangle of the underside of an overhang
+        face,   ///< three points of a mesh with their heights in `heights`; casts shadow if it faces the sun
+    };
+    static constexpr std::size_t mostPoints = 60;
+    Kind kind = Kind::prism;
+    std::uint32_t firstPoint = 0;  ///< index in ShadowCasters::points
+    std::uint32_t pointCount = 0;
+    std::uint32_t firstEdge = 0;  ///< index in ShadowCasters::edges, one edge per point; none for a face
+    float bottomM = 0;
+    float topM = 0;
+    std::array<float, 3> heights{};  ///< only for a face
+    bool twoSided = false;  ///< a face of a mesh that is not closed: also casts shadow if seen from behind
+    bool stands = false;    ///< a prism on the ground: no receiver is under it
+    std::uint32_t building = 0;  ///< index in City::buildings
+    glm::dvec2 low{}, high{};    ///< bounds of the points, cells
+};
+
+/// All casters of some buildings.
+struct ShadowCasters {
+    std::vector<ShadowCaster> casters;
+    std::vector<glm::dvec2> points;
+    std::vector<RingEdge> edges;
+
+    [[nodiscard]] std::span<const glm::dvec2> pointsOf(const ShadowCaster& caster) const {
+        return std::span(points).subspan(caster.firstPoint, caster.pointCount);
+    }
+    [[nodiscard]] std::span<const RingEdge> edgesOf(const ShadowCaster& caster) const {
+        return std::span(edges).subspan(caster.firstEdge, caster.pointCount);
+    }
+};
+
+/// A convex prism is one caster. Any other prism is split: on the ground into convex pieces, as an overhang
+/// into its walls (those that face away from the sun cast all of its shadow outside its footprint) and its
+/// underside. A mesh is split
+/// into its faces, two-sided if it is not closed. `buildings`: indices in the city, each on flat ground at z
+/// = 0.
+ShadowCasters makeShadowCasters(const City& city, std::span<const std::uint32_t> buildings, const Grid& grid);
+
+}  // namespace noonmark

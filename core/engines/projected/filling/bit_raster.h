@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/geo/grid.h"
+
+namespace noonmark {
+
+/// One bit per cell, 64 cells of a row per word. Words of the same 64 columns are contiguous, row by row. A
+/// region of 800 x 800 cells takes 83 kB per step.
+struct BitLayout {
+    int columns = 0;
+    int rows = 0;
+    int wordColumns = 0;
+
+    explicit BitLayout(const Grid& grid) : BitLayout(grid.columns, grid.rows) {}
+    BitLayout(int columnCount, int rowCount)
+        : columns(columnCount), rows(rowCount), wordColumns((columnCount + 63) / 64) {}
+    [[nodiscard]] std::size_t words() const { return std::size_t(wordColumns) * std::size_t(rows); }
+    /// Index of the word that holds a cell, in bit column % 64.
+    [[nodiscard]] std::size_t word(int column, int row) const {
+        return std::size_t(column >> 6) * std::size_t(rows) + std::size_t(row);
+    }
+    [[nodiscard]] bool at(std::span<const std::uint64_t> raster, int column, int row) const {
+        return (raster[word(column, row)] >> (column & 63) & 1) != 0;
+    }
+    void set(std::span<std::uint64_t> raster, int column, int row) const {
+        raster[word(column, row)] |= std::uint64_t{1} << (column & 63);
+    }
+};
+
+/// Rows [first, end) of a grid whose shadows are filled and counted together.
+struct RowBand {
+    int first = 0;
+    int end = 0;
+    [[nodiscard]] int rows() const { return end - first; }
+};
+
+}  // namespace noonmark

@@ -1,0 +1,60 @@
+#pragma once
+
+// Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
+// lane each, and step_registers.h the same in registers. bit_raster.h is the raster's layout. convex_fill.h
+// fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill fills casters,
+// BuildingFill one building at a time for the cache, and StepFiller all casters of a band of rows.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/engines/projected/counting/receiver_count.h"
+#include "core/engines/projected/filling/caster_fill.h"
+#include "core/sun/sun_steps.h"
+
+namespace noonmark {
+
+/// The work done by filling, and the work skipped.
+struct FillCount {
+    std::uint64_t rows = 0;        ///< rows visited, for eight steps each
+    std::uint64_t outOfReach = 0;  ///< casters x steps whose shadow meets no receiver of a band
+    FillCount& operator+=(const FillCount& other);
+};
+
+/// Fills the rasters of the sun's steps over some rows of a grid. One per thread.
+class StepFiller {
+public:
+    StepFiller(const ShadowCasters& casters, const ReceiverCount& where, const Receivers& receivers,
+               const SunSteps& sun, const RowBand& band);
+
+    /// Overwrites `rasters` with those of eight steps from `first` on (convex_fill.h). After the period they
+    /// repeat its last step. Cells that are not receivers are set from the start, so that shadows that fall
+    /// only on them need not be filled. Fastest with steps in time order.
+    void fill(std::size_t first, std::span<std::uint64_t> rasters);
+
+    [[nodiscard]] const BitLayout& layout() const { return layout_; }  ///< of the band
+    [[nodiscard]] std::span<const std::uint64_t> noReceivers() const { return noReceivers_; }
+    [[nodiscard]] const FillCount& count() const { return count_; }
+
+private:
+    using Indices = std::vector<std::uint32_t>;
+    void reach(const StepOffsets& throws, const Indices& among, Indices& inReach) const;
+
+    const ShadowCasters& casters_;
+    const ReceiverCount& where_;
+    const SunSteps& sun_;
+    RowBand band_;
+    BitLayout layout_;
+    double cellM_;
+    std::vector<std::uint64_t> noReceivers_;  // raster
+    CasterFill caster_;
+    Indices everInReach_, inReach_;  // casters in reach at any step; at the current eight
+    FillCount count_;
+};
+
+/// Divides the rows of a grid into bands whose rasters stay in the first-level cache, with several bands per
+/// core.
+std::vector<RowBand> bandsOf(const Grid& grid);
+
+}  // namespace noonmark

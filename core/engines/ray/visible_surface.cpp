@@ -1,0 +1,101 @@
+#include "core/engines/ray/visible_surface.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/base/units.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr int mostPixels = 16384;
+
+struct PointSeen {
+    glm::vec3 position{};
+    glm::vec3 normal{};
+    bool any = false;
+};
+
+Result<void> check(const PixelCamera& camera) {
+    const auto inRange = [](int pixels) { return pixels >= 1 && pixels <= mostPixels; };
+    if (!inRange(camera.widthPx) || !inRange(camera.heightPx))
+        return failure(
+            fmt::format("A picture of {} x {} pixels is out of range", camera.widthPx, camera.heightPx),
+            "view", fmt::format("Choose 1 to {} pixels a side", mostPixels));
+    if (!(camera.verticalDeg > 0 && camera.verticalDeg < 180))
+        return failure(fmt::format("An angle of view of {} degrees is out of range", camera.verticalDeg),
+                       "view", "Choose more than 0 and less than 180 degrees");
+    return {};
+}
+
+std::optional<double> distanceToGround(const PixelCamera& camera, glm::dvec3 direction) {
+    const double distance = -camera.eye.z / direction.z;
+    if (direction.z == 0 || !(distance > 0)) return std::nullopt;
+    return distance;
+}
+
+PointSeen lookAt(const RayScene& scene, bool flatGround, const PixelCamera& camera, glm::dvec3 direction) {
+    const auto hit = scene.firstHit(glm::vec3(camera.eye), glm::vec3(direction));
+    const auto ground = flatGround ? distanceToGround(camera, direction) : std::nullopt;
+    const double groundM = ground.value_or(1e30);
+    if (hit && double(hit->distanceM) <= groundM) {
+        const bool faces = glm::dot(hit->normal, glm::vec3(direction)) <= 0;
+        return {hit->position, faces ? hit->normal : -hit->normal,
+                double(hit->distanceM) <= farthestVisibleM};
+    }
+    if (groundM > farthestVisibleM) return {};
+    const glm::vec3 place(camera.eye + groundM * direction);
+    return {{place.x, place.y, 0}, {0, 0, camera.eye.z >= 0 ? 1 : -1}, true};
+}
+
+VisibleSurface gatherPoints(const std::vector<PointSeen>& pixels, glm::vec3 eye) {
+    VisibleSurface surface;
+    surface.points.eye = eye;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!pixels[i].any) continue;
+        surface.points.positions.push_back(pixels[i].position);
+        surface.points.normals.push_back(pixels[i].normal);
+        surface.pixel.push_back(std::uint32_t(i));
+    }
+    return surface;
+}
+
+}  // namespace
+
+PixelCamera makeCamera(glm::dvec3 eye, glm::dvec3 target, double verticalDeg, int widthPx, int heightPx) {
+    PixelCamera camera{.eye = eye, .verticalDeg = verticalDeg, .widthPx = widthPx, .heightPx = heightPx};
+    camera.forward = glm::normalize(target - eye);
+    const glm::dvec3 side = glm::cross(camera.forward, glm::dvec3(0, 0, 1));
+    camera.right = glm::length(side) < 1e-9 ? glm::dvec3(1, 0, 0) : glm::normalize(side);
+    camera.up = glm::cross(camera.right, camera.forward);
+    return camera;
+}
+
+glm::dvec3 directionThrough(const PixelCamera& camera, int column, int row) {
+    const double pixel = 2 * std::tan(Degrees{camera.verticalDeg / 2}.radians().value) / camera.heightPx;
+    const double right = (column + 0.5 - camera.widthPx * 0.5) * pixel;
+    const double up = (camera.heightPx * 0.5 - row - 0.5) * pixel;
+    return camera.forward + right * camera.right + up * camera.up;
+}
+
+Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround, const PixelCamera& camera,
+                                          const std::stop_token& stop) {
+    if (const auto ok = check(camera); !ok) return tl::make_unexpected(ok.error());
+    std::vector<PointSeen> pixels(std::size_t(camera.widthPx) * std::size_t(camera.heightPx));
+    tbb::parallel_for(tbb::blocked_range<int>(0, camera.heightPx, 8), [&](const auto& rows) {
+        for (int row = rows.begin(); row < rows.end() && !stop.stop_requested(); ++row)
+            for (int column = 0; column < camera.widthPx; ++column)
+                pixels[std::size_t(row) * std::size_t(camera.widthPx) + std::size_t(column)] =
+                    lookAt(scene, flatGround, camera, glm::normalize(directionThrough(camera, column, row)));
+    });
+    if (stop.stop_requested()) return cancelled();
+    return gatherPoints(pixels, glm::vec3(camera.eye));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/engines/ray/ray_scene.h"
+#include "core/receivers/surface_points.h"
+
+namespace noonmark {
+
+/// A perspective camera and its image size. Local metres; forward, right and up are orthogonal unit vectors.
+struct PixelCamera {
+    glm::dvec3 eye{0};
+    glm::dvec3 forward{0, 1, 0};
+    glm::dvec3 right{1, 0, 0};
+    glm::dvec3 up{0, 0, 1};
+    double verticalDeg = 40;  ///< vertical angle of view, above 0, below 180
+    int widthPx = 1;          ///< 1 to 16384
+    int heightPx = 1;         ///< 1 to 16384
+};
+
+/// A camera at `eye` that looks at `target`, upright; if it looks straight down, north is up.
+PixelCamera makeCamera(glm::dvec3 eye, glm::dvec3 target, double verticalDeg, int widthPx, int heightPx);
+
+/// Direction to the centre of a pixel; column 0 is the left, row 0 the TOP. Not normalised: its component
+/// along `forward` is 1.
+glm::dvec3 directionThrough(const PixelCamera& camera, int column, int row);
+
+/// The surface points that the pixels of an image show.
+struct VisibleSurface {
+    SurfacePoints points;              ///< in pixel order, without sky pixels
+    std::vector<std::uint32_t> pixel;  ///< of each point: row x widthPx + column, row 0 the TOP; ascending
+};
+
+/// The surface point at the centre of each pixel: the first hit in `scene`, or, if `flatGround` (a city
+/// without terrain), the plane z = 0. Normals face the eye. Points farther than farthestVisibleM from the eye
+/// count as sky. Error: a camera out of range; cancelled(). Uses all cores, some 0.2 us per pixel and core.
+Result<VisibleSurface> findVisibleSurface(const RayScene& scene, bool flatGround, const PixelCamera& camera,
+                                          const std::stop_token& stop = {});
+inline constexpr double farthestVisibleM = 30000;
+
+}  // namespace noonmark

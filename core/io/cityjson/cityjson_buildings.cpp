@@ -1,0 +1,230 @@
+#include "core/io/cityjson/cityjson_buildings.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <unordered_map>
+
+#include "core/city/meshes/mesh_outline.h"
+#include "core/city/meshes/mesh_parts.h"
+#include "core/city/meshes/mesh_topology.h"
+#include "core/city/terrain/tin_terrain.h"
+#include "core/geo/earth_drop.h"
+#include "core/io/heights/height_origins.h"
+#include "core/io/heights/height_reading.h"
+
+namespace noonmark {
+
+namespace {
+
+// The objects that make up one building; the first is the outermost.
+struct Group {
+    const CityJsonBlock* block;
+    std::vector<const CityJsonObject*> objects;
+};
+
+using ById = std::unordered_map<std::string, const CityJsonObject*>;
+
+const CityJsonObject* outermost(const CityJsonObject* object, const ById& byId) {
+    constexpr int deepest = 16;  // limit for cycles of parents
+    for (int i = 0; i < deepest && !object->parent.empty(); ++i) {
+        const auto parent = byId.find(object->parent);
+        if (parent == byId.end()) break;
+        object = parent->second;
+    }
+    return object;
+}
+
+void addGroups(const CityJsonBlock& block, std::vector<Group>& groups) {
+    ById byId;
+    for (const CityJsonObject& object : block.objects) byId.emplace(object.id, &object);
+    std::unordered_map<const CityJsonObject*, std::size_t> groupOf;
+    for (const CityJsonObject& object : block.objects) {
+        if (object.type == "TINRelief") continue;
+        const CityJsonObject* root = outermost(&object, byId);
+        const auto [place, isNew] = groupOf.try_emplace(root, groups.size());
+        if (isNew) groups.push_back({&block, {root}});
+        if (root != &object) groups[place->second].objects.push_back(&object);
+    }
+}
+
+// Makes one building of a group and records the repairs.
+class BuildingMaker {
+public:
+    BuildingMaker(const Group& group, const ReadSettings& settings, const Terrain* terrain,
+                  const std::string& file)
+        : group_(group), settings_(settings), terrain_(terrain), file_(file), root_(*group.objects.front()) {}
+    Warnings warnings;
+    HeightOrigins origins;  // origins of the heights of extruded objects
+
+    // Null if nothing of it can be used.
+    std::shared_ptr<const Building> make() {
+        Building building{root_.id, root_.name, root_.status, {}};
+        for (const CityJsonObject* object : group_.objects) addBodies(*object, building.parts);
+        if (building.parts.empty())
+            for (const CityJsonObject* object : group_.objects) extrude(*object, building.parts);
+        if (building.parts.empty()) {
+            warn(WarningKind::dropped, "has no usable geometry", root_);
+            return nullptr;
+        }
+        markOverhangs(building.parts, findGroundUnder(building.parts));
+        return std::make_shared<const Building>(std::move(building));
+    }
+
+private:
+    void warn(WarningKind kind, const char* what, const CityJsonObject& object, std::size_t count = 0) {
+        const std::string where = file_ + ": " + object.id;
+        warnings.push_back({kind, what, count > 0 ? fmt::format("{} ({})", where, count) : where});
+    }
+
+    TriangleMesh meshOf(const std::vector<Surface>& shell, const CityJsonObject& object) {
+        SurfaceMesher mesher(group_.block->vertices);
+        std::size_t degenerate = 0;
+        std::size_t mended = 0;
+        std::size_t tangled = 0;
+        for (const Surface& surface : shell) {
+            const auto outcome = mesher.add(surface);
+            degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
+            mended += outcome == SurfaceMesher::Outcome::mended ? 1 : 0;
+            tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
+        }
+        if (degenerate > 0) warn(WarningKind::dropped, "surfaces without area", object, degenerate);
+        if (tangled > 0)
+            warn(WarningKind::dropped, "surfaces that cross themselves too often", object, tangled);
+        if (mended > 0) warn(WarningKind::mended, "surfaces crossed themselves", object, mended);
+        return mesher.take();
+    }
+
+    void addBodies(const CityJsonObject& object, std::vector<Part>& parts) {
+        if (!object.body) return;
+        for (const CityJsonBody& body : object.body->bodies) {
+            if (body.empty()) continue;
+            TriangleMesh mesh = meshOf(body[0], object);
+            for (std::size_t i = 1; i < body.size(); ++i) {
+                TriangleMesh cavity = meshOf(body[i], object);
+                // The faces of a cavity point into the cavity
+                if (signedVolume(cavity) > 0) turnInsideOut(cavity);
+                append(mesh, cavity);
+            }
+            MeshParts made = partsOf(mesh, object.id, file_ + ": " + object.id);
+            std::move(made.parts.begin(), made.parts.end(), std::back_inserter(parts));
+            std::move(made.warnings.begin(), made.warnings.end(), std::back_inserter(warnings));
+        }
+    }
+
+    // The object's own height, else that of its building.
+    HeightReading heightOf(const CityJsonObject& object) {
+        FeatureValues values = object.values;
+        if (&object != &root_) values.insert(values.end(), root_.values.begin(), root_.values.end());
+        const HeightRules rules{settings_.metresPerLevel, settings_.defaultHeightM, true};
+        HeightReading reading = readHeights(values, rules, false, file_ + ": " + object.id, warnings);
+        if (reading.byDefault)
+            warn(WarningKind::assumed, "no height in the data; the default is used", object);
+        ++origins[reading.origin];
+        return reading;
+    }
+
+    void extrude(const CityJsonObject& object, std::vector<Part>& parts) {
+        if (!object.footprint) return;
+        TriangleMesh mesh;
+        for (const CityJsonBody& body : object.footprint->bodies)
+            for (const auto& shell : body) append(mesh, meshOf(shell, object));
+        const MeshOutline outline = computeOutline(mesh, false);
+        if (outline.pieces.empty() || outline.wallsOnly) return;
+        const HeightReading heights = heightOf(object);
+        const float bottom = computeBox(mesh).low.z;
+        for (const Footprint& piece : outline.pieces)
+            parts.push_back({.sourceId = object.id,
+                             .footprint = piece,
+                             .bottomM = bottom,
+                             .topM = bottom + float(heights.topM),
+                             .heightSource = heights.source});
+    }
+
+    [[nodiscard]] std::function<float(glm::dvec2)> findGroundUnder(const std::vector<Part>& parts) const {
+        float lowest = 1e30F;
+        for (const Part& part : parts) lowest = std::min(lowest, part.bottomM);
+        // The terrain is lowered by the earth's curvature, the parts are not yet.
+        return [lowest, terrain = terrain_](glm::dvec2 at) {
+            return terrain != nullptr ? std::max(lowest, elevationAt(*terrain, at) + float(earthDropM(at)))
+                                      : lowest;
+        };
+    }
+
+    const Group& group_;
+    const ReadSettings& settings_;
+    const Terrain* terrain_;
+    const std::string& file_;
+    const CityJsonObject& root_;
+};
+
+// CityJSON has the ground in the geometry: the walls of a building begin on it.
+float lowestPoint(const Building& building) {
+    float lowest = std::numeric_limits<float>::max();
+    for (const Part& part : building.parts) lowest = std::min(lowest, part.bottomM);
+    return lowest;
+}
+
+}  // namespace
+
+void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece) {
+    TriangleMesh tin;
+    for (const CityJsonBlock& block : data.blocks)
+        for (const CityJsonObject& object : block.objects) {
+            if (object.type != "TINRelief" || !object.body) continue;
+            SurfaceMesher mesher(block.vertices);
+            for (const CityJsonBody& body : object.body->bodies)
+                for (const auto& shell : body)
+                    for (const Surface& surface : shell) mesher.add(surface);
+            append(tin, mesher.mesh());
+        }
+    if (tin.triangles.empty()) return;
+    for (glm::vec3& vertex : tin.vertices) vertex.z -= float(earthDropM(glm::dvec2(vertex)));
+    std::optional<TinTerrain> made = rasterizeTin(tin);
+    if (!made) return piece.warnings.push_back({WarningKind::dropped, "the terrain has no area", file});
+    if (made->filled > 0)
+        piece.warnings.push_back(
+            {WarningKind::mended,
+             "cells that the terrain's triangles do not cover were filled from the nearest elevation",
+             fmt::format("{} ({} of {} cells)", file, made->filled, made->terrain.grid.size())});
+    made->terrain.source.file = std::filesystem::path(file).filename().string();
+    piece.terrain = std::make_shared<const Terrain>(std::move(made->terrain));
+}
+
+bool addBuildings(const CityJsonData& data, const ReadSettings& settings, const std::string& file,
+                  FilePiece& piece, Progress& progress, const std::stop_token& stop) {
+    std::vector<Group> groups;
+    for (const CityJsonBlock& block : data.blocks) addGroups(block, groups);
+    std::vector<std::shared_ptr<const Building>> buildings(groups.size());
+    std::vector<Warnings> warnings(groups.size());
+    std::vector<HeightOrigins> origins(groups.size());
+    std::atomic<std::size_t> done = 0;
+    tbb::parallel_for(std::size_t(0), groups.size(), [&](std::size_t i) {
+        if (stop.stop_requested()) return;
+        BuildingMaker maker(groups[i], settings, piece.terrain.get(), file);
+        buildings[i] = maker.make();
+        warnings[i] = std::move(maker.warnings);
+        origins[i] = std::move(maker.origins);
+        if (const std::size_t count = ++done; count % 64 == 0)
+            progress.report(double(count) / double(groups.size()), "making the buildings");
+    });
+    if (stop.stop_requested()) return false;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (buildings[i]) {
+            piece.groundM.push_back(lowestPoint(*buildings[i]));
+            piece.buildings.push_back(std::move(buildings[i]));
+        }
+        std::move(warnings[i].begin(), warnings[i].end(), std::back_inserter(piece.warnings));
+    }
+    HeightOrigins all;
+    for (const HeightOrigins& some : origins)
+        for (const auto& [origin, objects] : some) all[origin] += objects;
+    addHeightFacts(all, data.fields, data.unknown, file, piece.heights, piece.warnings);
+    return true;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,243 @@
+#include "core/io/cityjson/cityjson_load.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/io/cityjson/cityjson_geometry.h"
+
+namespace noonmark {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+const Json& member(const Json& object, const char* key) {
+    static const Json none;
+    if (!object.is_object()) return none;
+    const auto place = object.find(key);
+    return place != object.end() ? *place : none;
+}
+
+std::string formatText(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number() ? value.dump() : std::string();
+}
+
+// The file's integers times scale, plus translate; without a transform the numbers unchanged.
+struct Transform {
+    glm::dvec3 scale{1};
+    glm::dvec3 translate{0};
+};
+
+std::optional<glm::dvec3> triple(const Json& value) {
+    if (!value.is_array() || value.size() < 3) return std::nullopt;
+    for (int i = 0; i < 3; ++i)
+        if (!value[std::size_t(i)].is_number()) return std::nullopt;
+    return glm::dvec3(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
+}
+
+Transform transformOf(const Json& root) {
+    const Json& transform = member(root, "transform");
+    return {triple(member(transform, "scale")).value_or(glm::dvec3(1)),
+            triple(member(transform, "translate")).value_or(glm::dvec3(0))};
+}
+
+// An invalid vertex becomes NaN: the surfaces that use it are dropped later.
+std::vector<glm::dvec3> verticesOf(const Json& root, const Transform& transform) {
+    std::vector<glm::dvec3> vertices;
+    const Json& list = member(root, "vertices");
+    if (!list.is_array()) return vertices;
+    vertices.reserve(list.size());
+    for (const Json& vertex : list)
+        vertices.push_back(triple(vertex).value_or(glm::dvec3(nan)) * transform.scale + transform.translate);
+    return vertices;
+}
+
+std::string crsOf(const Json& root) {
+    const Json& metadata = member(root, "metadata");
+    const std::string stated = formatText(member(metadata, "referenceSystem"));
+    if (!stated.empty()) return stated;
+    const std::string epsg = formatText(member(member(metadata, "crs"), "epsg"));  // before 1.0
+    return epsg.empty() ? std::string() : "EPSG:" + epsg;
+}
+
+bool isOfBuilding(const std::string& type) {
+    return type == "Building" || type == "BuildingPart" || type == "BuildingInstallation";
+}
+
+std::string firstOf(const Json& list) {
+    return list.is_array() && !list.empty() ? formatText(list[0]) : std::string();
+}
+
+class Loader {
+public:
+    Loader(std::string file, const ReadSettings& settings, LodChoice choice)
+        : file_(std::move(file)), settings_(settings), choice_(choice) {}
+    CityJsonData data;
+
+    Result<void> addHeader(const Json& root) {
+        if (formatText(member(root, "type")) != "CityJSON")
+            return failure("This is not CityJSON", file_,
+                           "A sequence (CityJSONSeq) must begin with a line of type CityJSON");
+        data.version = formatText(member(root, "version"));
+        data.crs = crsOf(root);
+        data.attribution =
+            formatText(member(member(member(root, "metadata"), "pointOfContact"), "contactName"));
+        transform_ = transformOf(root);
+        if (!data.version.starts_with("1.") && !data.version.starts_with("2."))
+            warn(WarningKind::assumed, "its version is unknown; it was read as 2.0",
+                 file_ + " (" + data.version + ")");
+        addBlock(root);
+        return {};
+    }
+
+    // One line of a sequence.
+    void addFeature(const Json& feature, std::size_t line) {
+        if (formatText(member(feature, "type")) == "CityJSONFeature" &&
+            member(feature, "CityObjects").is_object())
+            addBlock(feature);
+        else
+            warn(WarningKind::dropped, "a line that is not a CityJSON feature",
+                 fmt::format("{}: line {}", file_, line));
+    }
+
+private:
+    void warn(WarningKind kind, std::string what, std::string where) {
+        data.warnings.push_back({kind, std::move(what), std::move(where)});
+    }
+
+    void addBlock(const Json& root) {
+        CityJsonBlock block{verticesOf(root, transform_), {}};
+        const Json& objects = member(root, "CityObjects");
+        if (!objects.is_object() || objects.empty()) return;
+        for (const auto& [id, object] : objects.items()) addObject(id, object, block);
+        if (!block.objects.empty()) data.blocks.push_back(std::move(block));
+    }
+
+    void addObject(const std::string& id, const Json& source, CityJsonBlock& block) {
+        ++data.features;
+        CityJsonObject object{.id = id,
+                              .type = formatText(member(source, "type")),
+                              .parent = firstOf(member(source, "parents"))};
+        const std::string where = file_ + ": " + id;
+        if (!isOfBuilding(object.type) && object.type != "TINRelief")
+            return warn(
+                WarningKind::leftOut,
+                fmt::format("not a building but {}", object.type.empty() ? "without a type" : object.type),
+                where);
+        const Json& attributes = member(source, "attributes");
+        object.name = formatText(member(attributes, "name"));
+        object.status = formatText(member(attributes, "status"));
+        addValues(attributes, object);
+        chooseGeometry(member(source, "geometry"), choice_, block.vertices.size(), where, object,
+                       data.warnings);
+        block.objects.push_back(std::move(object));
+    }
+
+    // Objects may have different attributes: the meaning of a field is decided among the attributes of the
+    // same object.
+    void addValues(const Json& attributes, CityJsonObject& object) {
+        if (!attributes.is_object()) return;
+        std::vector<std::string> names;
+        for (const auto& [name, value] : attributes.items()) names.push_back(name);
+        for (const KnownField& field : fieldsOf(names)) {
+            const Json& value = attributes.at(field.name);
+            FeatureValue known{field.meaning.role, field.name, formatText(value), {}, field.unit};
+            if (value.is_number()) known.number = value.get<double>();
+            if (!known.text.empty()) object.values.push_back(std::move(known));
+        }
+        for (const std::string& name : names)
+            if (!findMeaning(name)) addUnknown(name, attributes.at(name));
+    }
+
+    // Cached, since most objects have the attributes of the previous one.
+    const std::vector<KnownField>& fieldsOf(const std::vector<std::string>& names) {
+        if (names == names_) return fields_;
+        names_ = names;
+        fields_ = knownFields(names, {settings_.heightField, settings_.levelsField}, false);
+        settleUnits(fields_, {settings_.heightUnit, false}, file_, data.warnings);
+        for (const KnownField& field : fields_)
+            if (std::ranges::find(data.fields, field.name, &KnownField::name) == data.fields.end())
+                data.fields.push_back(field);
+        return fields_;
+    }
+
+    void addUnknown(const std::string& name, const Json& value) {
+        if (value.is_number()) data.unknown.add(name, {}, value.get<double>());
+        if (value.is_string() && !formatText(value).empty()) data.unknown.add(name, formatText(value), {});
+    }
+
+    std::vector<std::string> names_;
+    std::vector<KnownField> fields_;
+    std::string file_;
+    const ReadSettings& settings_;
+    LodChoice choice_;
+    Transform transform_;
+};
+
+Result<LodChoice> lodChoice(const std::string& lod) {
+    if (lod.empty()) return LodChoice{};
+    double number = 0;
+    const auto [end, error] = std::from_chars(lod.data(), lod.data() + lod.size(), number);
+    if (error != std::errc() || end != lod.data() + lod.size())
+        return failure("\"" + lod + "\" is not a level of detail", {}, "Give a number such as 1.2 or 2.2");
+    return LodChoice{number};
+}
+
+bool isBlank(const std::string& line) { return line.find_first_not_of(" \t\r\n") == line.npos; }
+
+// Reads what follows the first value: the features of a sequence. False when stopped.
+bool readSequence(std::istream& stream, double bytes, Loader& loader, Progress& progress,
+                  const std::stop_token& stop) {
+    std::string line;
+    for (std::size_t number = 1; std::getline(stream, line); ++number) {
+        if (stop.stop_requested()) return false;
+        if (isBlank(line)) continue;
+        loader.data.sequence = true;
+        loader.addFeature(Json::parse(line, nullptr, false), number);
+        if (number % 256 == 0) progress.report(double(stream.tellg()) / bytes, "reading the features");
+    }
+    return true;
+}
+
+// The first value of the file; a discarded value if it is not JSON.
+Json firstValue(std::istream& stream) try {
+    Json first;
+    stream >> first;
+    return first;
+} catch (const std::exception&) {
+    return Json(Json::value_t::discarded);
+}
+
+}  // namespace
+
+Result<CityJsonData> loadCityJson(const std::filesystem::path& file, const ReadSettings& settings,
+                                  Progress& progress, const std::stop_token& stop) {
+    const Result<LodChoice> choice = lodChoice(settings.lod);
+    if (!choice) return tl::make_unexpected(choice.error());
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream)
+        return failure("The file cannot be opened", file.string(),
+                       "Check that it is there and that you may read it");
+    std::error_code ignored;
+    const double bytes = double(std::filesystem::file_size(file, ignored));
+    progress.report(0, "reading the city");
+    const Json first = firstValue(stream);
+    if (first.is_discarded())
+        return failure("The file is not valid JSON; it may be incomplete", file.string(),
+                       "Export or download it again");
+    Loader loader(file.filename().string(), settings, *choice);
+    if (const auto header = loader.addHeader(first); !header) return tl::make_unexpected(header.error());
+    if (!readSequence(stream, bytes, loader, progress, stop)) return cancelled();
+    return std::move(loader.data);
+}
+
+}  // namespace noonmark

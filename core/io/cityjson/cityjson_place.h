@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/geo/frame.h"
+#include "core/io/cityjson/cityjson_model.h"
+#include "core/io/read_city.h"
+
+namespace noonmark {
+
+/// Transforms the vertices of all blocks to local metres, in place, and removes objects farther than
+/// `settings.farAwayM` from the middle of the data (the median of the objects), with a warning. Returns the
+/// frame: the given one, or one with its origin in the middle of the remaining objects and z = 0 at the level
+/// below which 5 % of the buildings begin (for terrain alone: its lowest point). Error: no coordinate
+/// reference system, or coordinates that cannot belong to it.
+Result<Frame> placeCity(CityJsonData& data, const ReadSettings& settings, const std::string& file);
+
+}  // namespace noonmark

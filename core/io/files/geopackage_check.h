@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/result.h"
+
+namespace noonmark {
+
+/// Error if opening a GeoPackage would run SQL from the file: its system tables, or the layers that it lists,
+/// are views or virtual tables. A view may run without end. Reads the file and writes nothing. Takes
+/// milliseconds. Backend: geopackage_check_sqlite.cpp.
+Result<void> checkGeoPackage(const std::filesystem::path& file);
+
+/// Whether a file is a Noonmark project, whatever its name: an SQLite database with the table `noonmark`.
+/// Error: it is a database that cannot be read (damaged, locked). Writes nothing.
+Result<bool> holdsProject(const std::filesystem::path& file);
+
+/// Whether another program has unfinished writes to the database: its journal lies beside the file.
+bool isBeingWritten(const std::filesystem::path& database);
+
+}  // namespace noonmark

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+class GDALDataset;
+struct GDALDatasetUniquePtrDeleter;
+
+namespace noonmark {
+
+/// The purpose of opening a file, which determines the accepted formats.
+enum class DatasetContent {
+    vectors,     ///< footprints, regions, lots
+    elevations,  ///< rasters of terrain
+    maps,        ///< GeoTIFF only: rasters that Noonmark wrote
+};
+
+/// GDALDatasetUniquePtr, without GDAL's headers.
+using DatasetPointer = std::unique_ptr<GDALDataset, GDALDatasetUniquePtrDeleter>;
+
+/// Opens an untrusted file. No other code in this program gives a file to GDAL. GDAL may try only the drivers
+/// of the given content's formats, whatever the file holds or is called; it opens the file for reading,
+/// writes nothing beside it and fetches nothing. Hold a GdalCalls. `osmOptions`: OPTION=VALUE, for
+/// OpenStreetMap files. Never returns a null pointer. Error: not a plain file (or a folder of Shapefiles or
+/// of a file geodatabase), not one of these formats, or a virtual dataset, which names other files, databases
+/// or addresses. Backend: open_dataset_gdal.cpp.
+Result<DatasetPointer> openDataset(const std::filesystem::path& file, DatasetContent content,
+                                   const std::vector<std::string>& osmOptions = {});
+
+/// Whether openDataset() failed because the content has another format.
+bool isUnknownFormat(const Error& error);
+
+/// Opens a GeoTIFF in memory, a file of GDAL's /vsimem/.
+Result<DatasetPointer> openMapInMemory(const std::string& name);
+
+}  // namespace noonmark

@@ -1,0 +1,180 @@
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "core/io/files/geopackage_check.h"
+#include "core/io/files/open_dataset.h"
+#include "core/io/files/plain_file.h"
+
+namespace noonmark {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = const char* const*;
+
+constexpr std::array vectorDrivers{"GeoJSON",
+                                   "GeoJSONSeq",
+                                   "ESRIJSON",
+                                   "TopoJSON",
+                                   "GPKG",
+                                   "CSV",
+                                   "ESRI Shapefile",
+                                   "FlatGeobuf",
+                                   "OSM",
+                                   "GML",
+                                   "KML",
+                                   "OpenFileGDB",
+                                   static_cast<const char*>(nullptr)};
+constexpr std::array elevationDrivers{"GTiff",
+                                      "AAIGrid",
+                                      "GRASSASCIIGrid",
+                                      "HFA",
+                                      "SRTMHGT",
+                                      "USGSDEM",
+                                      "DTED",
+                                      "EHdr",
+                                      "XYZ",
+                                      "GPKG",
+                                      static_cast<const char*>(nullptr)};
+constexpr std::array mapDrivers{"GTiff", static_cast<const char*>(nullptr)};
+
+Words driversOf(DatasetContent content) {
+    switch (content) {
+        case DatasetContent::vectors:
+            return vectorDrivers.data();
+        case DatasetContent::elevations:
+            return elevationDrivers.data();
+        case DatasetContent::maps:
+            break;
+    }
+    return mapDrivers.data();
+}
+
+constexpr const char* vectorAdvice =
+    "Export it as GeoPackage, GeoJSON, Shapefile, FlatGeobuf, GML or OpenStreetMap";
+constexpr const char* elevationAdvice = "Export it as a GeoTIFF";
+
+const char* adviceOf(DatasetContent content) {
+    return content == DatasetContent::vectors ? vectorAdvice : elevationAdvice;
+}
+
+unsigned flagsOf(DatasetContent content) {
+    return content == DatasetContent::vectors ? GDAL_OF_VECTOR : GDAL_OF_RASTER;
+}
+
+// Shapefiles and file geodatabases may be folders. Reading a pipe among their files would block for ever.
+Result<void> checkFolder(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (!entry->is_regular_file(error) && !entry->is_directory(error))
+            return failure("The folder holds a pipe or a device", entry->path().string(), "Remove it");
+    if (!error) return {};
+    return failure("The folder cannot be read: " + error.message(), folder.string());
+}
+
+// Companion files of formats: the same name with another extension.
+std::vector<fs::path> companionsOf(const fs::path& file) {
+    std::vector<fs::path> companions;
+    for (const char* ending : {".dbf", ".DBF", ".shx", ".SHX", ".shp", ".SHP", ".prj", ".PRJ", ".cpg",
+                               ".CPG", ".qix", ".sbn", ".sbx", ".idm", ".ind", ".tfw", ".TFW", ".wld",
+                               ".hdr", ".HDR", ".xsd", ".gfs", ".aux", ".rrd", ".ige", ".clr", ".stx"})
+        companions.push_back(fs::path(file).replace_extension(ending));
+    for (const char* ending : {".ovr", ".msk", ".aux.xml", "-wal", "-journal", "-shm"})
+        companions.emplace_back(file.string() + ending);
+    return companions;
+}
+
+Result<void> checkCompanions(const fs::path& file) {
+    for (const fs::path& companion : companionsOf(file)) {
+        std::error_code error;
+        const fs::file_status status = fs::status(companion, error);
+        if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+            return failure("A file beside it is a pipe or a device", companion.string(), "Remove it");
+    }
+    return {};
+}
+
+Result<void> checkOnDisk(const fs::path& file, DatasetContent content) {
+    std::error_code error;
+    if (content == DatasetContent::vectors && fs::is_directory(file, error)) return checkFolder(file);
+    return checkPlainFile(file).and_then([&] { return checkCompanions(file); });
+}
+
+// XML that refers GDAL to data elsewhere: in other files, in databases, on servers.
+bool isVirtual(const fs::path& file) {
+    std::string head(4096, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(head.data(), std::streamsize(head.size()));
+    constexpr std::array roots{"<VRTDataset", "<OGRVRTDataSource", "<OGRVRTLayer",      "<GDAL_WMS",
+                               "<WCS_GDAL",   "<GDAL_WMTS",        "<OGRWFSDataSource", "<WMS_",
+                               "<WMT_MS",     "<Capabilities"};
+    return std::ranges::any_of(roots, [&](const char* root) { return head.find(root) != head.npos; });
+}
+
+tl::unexpected<Error> notOpened(const fs::path& file, DatasetContent content, const std::string& why) {
+    if (isVirtual(file))
+        return failure("It is a virtual dataset: it holds no data, and names files, databases or addresses",
+                       file.string(), adviceOf(content));
+    if (why.empty())
+        return unsupported("It is of no format that is read here", file.string(), adviceOf(content));
+    return failure(fmt::format("It cannot be read ({})", why), file.string(),
+                   "Check that it is complete, or export it again");
+}
+
+// Options so that nothing is written or fetched, no code from the file runs, and a file that nobody is
+// writing to is not locked.
+CPLStringList optionsFor(std::string_view driver, const fs::path& file,
+                         const std::vector<std::string>& osmOptions) {
+    CPLStringList options;
+    if (driver == "GML") {
+        options.AddString("WRITE_GFS=NO");
+        options.AddString("DOWNLOAD_SCHEMA=NO");
+    }
+    if (driver == "GPKG") {
+        options.AddString("LIST_ALL_TABLES=NO");
+        options.AddString("PRELUDE_STATEMENTS=PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON");
+        if (!isBeingWritten(file)) options.AddString("IMMUTABLE=YES");
+    }
+    if (driver == "OSM")
+        for (const std::string& option : osmOptions) options.AddString(option.c_str());
+    return options;
+}
+
+}  // namespace
+
+Result<DatasetPointer> openDataset(const fs::path& given, DatasetContent content,
+                                   const std::vector<std::string>& osmOptions) {
+    // An absolute path cannot be mistaken for a connection, such as "PG:dbname=..." or "WMS:http://...".
+    std::error_code error;
+    const fs::path file = fs::absolute(given, error);
+    if (error || file.native().starts_with("/vsi"))
+        return failure("It is not a file that can be opened", given.string());
+    if (auto plain = checkOnDisk(file, content); !plain) return tl::make_unexpected(plain.error());
+    CPLErrorReset();
+    GDALDriverH found = GDALIdentifyDriverEx(file.c_str(), flagsOf(content), driversOf(content), nullptr);
+    if (found == nullptr) return notOpened(given, content, CPLGetLastErrorMsg());
+    const char* const driver[] = {GDALGetDescription(found), nullptr};
+    if (driver[0] == std::string_view("GPKG"))
+        if (auto harmless = checkGeoPackage(file); !harmless) return tl::make_unexpected(harmless.error());
+    const CPLStringList options = optionsFor(driver[0], file, osmOptions);
+    DatasetPointer dataset(GDALDataset::Open(
+        file.c_str(), flagsOf(content) | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, driver, options.List()));
+    if (!dataset) return notOpened(given, content, CPLGetLastErrorMsg());
+    return dataset;
+}
+
+bool isUnknownFormat(const Error& error) { return error.kind == ErrorKind::unsupported; }
+
+Result<DatasetPointer> openMapInMemory(const std::string& name) {
+    DatasetPointer dataset(GDALDataset::Open(
+        name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, mapDrivers.data()));
+    if (!dataset) return failure(fmt::format("It cannot be read ({})", CPLGetLastErrorMsg()), name);
+    return dataset;
+}
+
+}  // namespace noonmark

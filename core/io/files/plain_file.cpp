@@ -1,0 +1,18 @@
+#include "core/io/files/plain_file.h"
+
+namespace noonmark {
+
+Result<void> checkPlainFile(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        return failure("There is no such file", file.string());
+    if (error)
+        return failure("The file cannot be opened", file.string(),
+                       "Check that you have permission to read it");
+    if (std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status)) return {};
+    return failure("This is a pipe or a device, not a file", file.string(),
+                   "Save its output to a file, and name that file");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,107 @@
+#include "core/io/footprints/feature_facts.h"
+
+#include <charconv>
+#include <string_view>
+
+namespace noonmark {
+
+namespace {
+
+std::string_view formatText(const FeatureValues& values, FieldRole role) {
+    const FeatureValue* value = firstOf(values, role);
+    return value != nullptr ? std::string_view(value->text) : std::string_view();
+}
+
+bool isNo(std::string_view text) { return text == "no" || text == "false" || text == "0"; }
+bool isYes(std::string_view text) { return text == "yes" || text == "true" || text == "1"; }
+bool isTagged(std::string_view text) { return !text.empty() && !isNo(text); }
+
+double numberOf(std::string_view text) {
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
+}
+
+enum class Place { surface, underground, contradictory };
+
+// OpenStreetMap's layer is the order of things above each other, in places counted from the level of a plaza
+// or a deck; level is the number of a floor. A value of either below 0 means underground, unless a height,
+// storeys, an entrance or a location indicate a building above ground.
+Place placeOf(const FeatureValues& values, bool tagged) {
+    if (isYes(formatText(values, FieldRole::underground))) return Place::underground;
+    if (!tagged) return Place::surface;  // in other data, fields of these names have other meanings
+    const std::string_view location = formatText(values, FieldRole::location);
+    if (location == "underground") return Place::underground;
+    const bool below = numberOf(formatText(values, FieldRole::layer)) < 0 ||
+                       numberOf(formatText(values, FieldRole::level)) < 0 ||
+                       formatText(values, FieldRole::tunnel) == "yes";
+    if (!below) return Place::surface;
+    const auto isAbove0 = [&](FieldRole role) { return numberOf(formatText(values, role)) > 0; };
+    const bool above = isAbove0(FieldRole::height) || isAbove0(FieldRole::levels) ||
+                       isAbove0(FieldRole::minHeight) || isAbove0(FieldRole::minLevel) ||
+                       isTagged(formatText(values, FieldRole::entrance)) || !location.empty();
+    return above ? Place::contradictory : Place::underground;
+}
+
+bool hasShapedRoof(const FeatureValues& values) {
+    const std::string_view shape = formatText(values, FieldRole::roofShape);
+    return !shape.empty() && shape != "flat" && shape != "no";
+}
+
+// Placeholders for "no id" would join many buildings into one.
+std::string buildingIdOf(const FeatureValues& values) {
+    const std::string_view id = formatText(values, FieldRole::buildingId);
+    return id == "0" || id == "-1" ? "" : std::string(id);
+}
+
+std::string statusOf(const FeatureValues& values) {
+    if (formatText(values, FieldRole::building) == "construction") return "under construction";
+    return std::string(formatText(values, FieldRole::status));
+}
+
+// Classifies the feature; false if it is left out.
+bool classify(FeatureFacts& facts, const FeatureValues& values, const LayerRules& rules, Warnings& warnings) {
+    const std::string_view building = formatText(values, FieldRole::building);
+    const std::string_view part = formatText(values, FieldRole::buildingPart);
+    facts.part = isTagged(part);
+    facts.outline = rules.tagged ? isTagged(building) : !facts.part;
+    if (!facts.outline && !facts.part) {
+        if (rules.sayNoBuilding || isNo(building) || isNo(part))
+            warnings.push_back({WarningKind::leftOut, "is not tagged as a building", facts.id});
+        return false;
+    }
+    const Place place = placeOf(values, rules.tagged);
+    if (place == Place::underground) warnings.push_back({WarningKind::leftOut, "lies underground", facts.id});
+    if (place == Place::contradictory)
+        warnings.push_back({WarningKind::assumed,
+                            "its layer lies below the ground, but its height, storeys, entrance or location "
+                            "contradict that; it stands on the ground",
+                            facts.id});
+    return place != Place::underground;
+}
+
+}  // namespace
+
+std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const LayerRules& rules, std::string id,
+                                         Warnings& warnings) {
+    FeatureFacts facts;
+    facts.id = std::move(id);
+    if (!classify(facts, values, rules, warnings)) return std::nullopt;
+    facts.name = formatText(values, FieldRole::name);
+    facts.status = statusOf(values);
+    facts.buildingId = buildingIdOf(values);
+    const bool canopy = rules.tagged && (formatText(values, FieldRole::building) == "roof" ||
+                                         formatText(values, FieldRole::buildingPart) == "roof");
+    facts.heights = readHeights(values, rules.heights, canopy, facts.id, warnings);
+    if (const auto source = parseHeightSource(formatText(values, FieldRole::heightSource)))
+        facts.heights.source = *source;
+    if (const std::string_view isOverhanging = formatText(values, FieldRole::isOverhanging);
+        !isOverhanging.empty())
+        facts.isOverhanging = isYes(isOverhanging);
+    if (hasShapedRoof(values))
+        warnings.push_back(
+            {WarningKind::assumed, "its roof is not flat; it is drawn flat at its full height", facts.id});
+    return facts;
+}
+
+}  // namespace noonmark

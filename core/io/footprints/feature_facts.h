@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/warnings.h"
+#include "core/io/footprints/feature_value.h"
+#include "core/io/heights/height_reading.h"
+
+namespace noonmark {
+
+/// The attributes of a feature: everything except its shape.
+struct FeatureFacts {
+    std::string id;  ///< "way 34633854", "feature 12"
+    std::string name;
+    std::string status;
+    std::string buildingId;  ///< features with the same id are one building; empty: not stated
+    bool outline = true;     ///< it is the outline of a whole building
+    bool part = false;       ///< it is a building:part; a feature may be both
+    HeightReading heights;
+    std::optional<bool> isOverhanging;  ///< if the file states it; otherwise settleParts decides
+};
+
+/// How to interpret the features of a layer.
+struct LayerRules {
+    HeightRules heights;
+    bool tagged = false;  ///< OpenStreetMap tags: only features tagged building or building:part count
+    bool sayNoBuilding =
+        false;  ///< warn about features without such a tag (in a file that should hold buildings only)
+};
+
+/// Nothing for a feature that is not a building (tagged no, or without a building tag) or is underground:
+/// location=underground, or a layer or level below 0 or tunnel=yes unless a height, storeys, an entrance or a
+/// location says otherwise. That contradiction gives a warning, and so does a roof that is not flat (drawn
+/// flat at full height).
+std::optional<FeatureFacts> collectFacts(const FeatureValues& values, const LayerRules& rules, std::string id,
+                                         Warnings& warnings);
+
+}  // namespace noonmark

@@ -1,0 +1,255 @@
+#include "core/io/footprints/field_roles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "core/io/footprints/field_names.h"
+#include "core/io/heights/height_reading.h"
+
+namespace noonmark {
+
+namespace {
+
+using enum FieldRole;
+
+constexpr std::size_t shapefileNameLength = 10;
+
+struct UnitEnding {
+    std::string_view ending;
+    LengthUnit unit;
+};
+constexpr std::array unitEndings{
+    UnitEnding{"usft", LengthUnit::usSurveyFeet}, UnitEnding{"feet", LengthUnit::feet},
+    UnitEnding{"foot", LengthUnit::feet},         UnitEnding{"ft", LengthUnit::feet},
+    UnitEnding{"metres", LengthUnit::metres},     UnitEnding{"meters", LengthUnit::metres},
+    UnitEnding{"metre", LengthUnit::metres},      UnitEnding{"meter", LengthUnit::metres},
+    UnitEnding{"cm", LengthUnit::centimetres},    UnitEnding{"m", LengthUnit::metres},
+};
+
+std::string plain(std::string_view name) {
+    std::string letters;
+    for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            letters += char(std::tolower(static_cast<unsigned char>(c)));
+    return letters;
+}
+
+std::optional<FieldMeaning> meaningAt(std::size_t rank) {
+    const FieldName& known = listFieldNames()[rank];
+    if (!known.role) return std::nullopt;
+    return FieldMeaning{*known.role, int(rank), known.unit, known.meaning, known.inFeetIn};
+}
+
+// Index of a name in the list; the size of the list if the name is not in it.
+std::size_t rankOf(std::string_view letters) {
+    return std::size_t(std::ranges::find(listFieldNames(), letters, &FieldName::name) -
+                       listFieldNames().begin());
+}
+
+bool isLength(FieldRole role) {
+    return role == height || role == minHeight || role == roofHeight || role == groundElevation ||
+           role == topElevation;
+}
+
+std::optional<FieldMeaning> meaningWithUnit(std::string_view letters) {
+    for (const UnitEnding& unit : unitEndings) {
+        if (!letters.ends_with(unit.ending)) continue;
+        const std::size_t rank = rankOf(letters.substr(0, letters.size() - unit.ending.size()));
+        if (rank == listFieldNames().size()) continue;
+        auto meaning = meaningAt(rank);
+        if (!meaning || !isLength(meaning->role)) continue;
+        meaning->unit = unit.unit;
+        meaning->inFeetIn = {};
+        return meaning;
+    }
+    return std::nullopt;
+}
+
+bool areAlike(const FieldName& a, const FieldName& b) { return a.role == b.role && a.unit == b.unit; }
+
+std::optional<FieldMeaning> meaningOfBeginning(std::string_view beginning) {
+    std::optional<std::size_t> only;
+    for (std::size_t rank = 0; rank < listFieldNames().size(); ++rank) {
+        if (!listFieldNames()[rank].name.starts_with(beginning)) continue;
+        if (only && !areAlike(listFieldNames()[*only], listFieldNames()[rank])) return std::nullopt;
+        if (!only) only = rank;
+    }
+    return only ? meaningAt(*only) : std::nullopt;
+}
+
+bool before(const KnownField& a, const KnownField& b) {
+    return std::pair(a.meaning.role, a.meaning.rank) < std::pair(b.meaning.role, b.meaning.rank);
+}
+
+// A clearance in OpenStreetMap; other data writes MAX_HEIGHT.
+constexpr std::string_view clearance = "maxheight";
+
+}  // namespace
+
+std::optional<FieldMeaning> findMeaning(std::string_view fieldName, bool cutShort) {
+    const std::string letters = plain(fieldName);
+    if (fieldName == clearance) return std::nullopt;
+    if (const std::size_t rank = rankOf(letters); rank < listFieldNames().size()) return meaningAt(rank);
+    if (const auto withUnit = meaningWithUnit(letters)) return withUnit;
+    if (cutShort && fieldName.size() == shapefileNameLength) return meaningOfBeginning(letters);
+    return std::nullopt;
+}
+
+bool isSameField(std::string_view a, std::string_view b) { return plain(a) == plain(b); }
+
+std::optional<FieldMeaning> findTagMeaning(std::string_view key) {
+    constexpr std::array<std::string_view, 4> tags{"height", "buildingheight", "buildinglevels", "levels"};
+    const auto meaning = findMeaning(key);
+    if (!meaning) return meaning;
+    const bool tells = meaning->role == height || meaning->role == levels || meaning->role == topElevation ||
+                       meaning->role == groundElevation;
+    if (tells && std::ranges::find(tags, plain(key)) == tags.end()) return std::nullopt;
+    return meaning;
+}
+
+bool hasRole(const std::vector<KnownField>& fields, FieldRole role) {
+    return std::ranges::any_of(fields, [&](const KnownField& field) { return field.meaning.role == role; });
+}
+
+namespace {
+
+// Determines the meanings of a layer's fields; the functions are called in this order.
+class FieldChooser {
+public:
+    FieldChooser(const std::vector<std::string>& names, bool cutShort) {
+        for (int i = 0; i < int(names.size()); ++i)
+            if (const auto meaning = findMeaning(names[std::size_t(i)], cutShort))
+                fields_.push_back({i, names[std::size_t(i)], *meaning});
+    }
+
+    void dropStatisticsAsUndersides() {
+        const bool statistics = std::ranges::any_of(fields_, [](const KnownField& field) {
+            return field.meaning.role == height && !field.meaning.meaning.empty();
+        });
+        if (statistics && !hasRole(fields_, buildingPart))
+            std::erase_if(fields_, [](const KnownField& field) { return isNamed(field, "minheight"); });
+    }
+
+    void takeBasesAsElevations() {
+        if (std::ranges::none_of(fields_, [](const auto& field) { return isNamed(field, "topheight"); }))
+            return;
+        for (KnownField& field : fields_)
+            if (isNamed(field, "baseheight")) field.meaning.role = groundElevation;
+    }
+
+    // `role`: height or levels. Other fields of that role are dropped in favour of the user's field.
+    void take(const std::string& chosen, FieldRole role, const std::vector<std::string>& names) {
+        if (chosen.empty()) return;
+        const auto isChosen = [&](const std::string& name) { return isSameField(name, chosen); };
+        const auto here = std::ranges::find_if(names, isChosen);
+        std::optional<FieldMeaning> known;
+        for (const KnownField& field : fields_)
+            if (isChosen(field.name)) known = field.meaning;
+        std::erase_if(fields_, [&](const KnownField& field) {
+            return isChosen(field.name) || field.meaning.role == role ||
+                   (role == height && field.meaning.role == topElevation);
+        });
+        if (here == names.end()) return;
+        KnownField field{int(here - names.begin()), *here, known.value_or(FieldMeaning{})};
+        const bool elevation = known && known->role == topElevation && hasRole(fields_, groundElevation);
+        field.meaning.role = role == height && elevation ? topElevation : role;
+        field.meaning.inFeetIn = {};
+        fields_.push_back(std::move(field));
+    }
+
+    void dropElevationsOfRoofsAlone() {
+        if (!hasRole(fields_, groundElevation))
+            std::erase_if(fields_,
+                          [](const KnownField& field) { return field.meaning.role == topElevation; });
+    }
+
+    std::vector<KnownField> ordered() {
+        std::ranges::stable_sort(fields_, before);
+        return std::move(fields_);
+    }
+
+private:
+    static bool isNamed(const KnownField& field, std::string_view name) {
+        return listFieldNames()[std::size_t(field.meaning.rank)].name == name;
+    }
+    std::vector<KnownField> fields_;
+};
+
+}  // namespace
+
+std::vector<KnownField> knownFields(const std::vector<std::string>& names, const FieldChoice& choice,
+                                    bool cutShort) {
+    FieldChooser chooser(names, cutShort);
+    chooser.dropStatisticsAsUndersides();
+    chooser.takeBasesAsElevations();
+    chooser.take(choice.height, height, names);
+    chooser.take(choice.levels, levels, names);
+    chooser.dropElevationsOfRoofsAlone();
+    return chooser.ordered();
+}
+
+namespace {
+
+constexpr std::string_view newYork = "New York";
+
+bool isNewYork(const std::vector<KnownField>& fields) {
+    const bool heightroof = std::ranges::any_of(fields, [](const KnownField& field) {
+        return field.meaning.inFeetIn == newYork && field.meaning.role == height;
+    });
+    return heightroof && hasRole(fields, groundElevation);
+}
+
+void settleUnit(KnownField& field, bool mapInFeet, bool inNewYork, const std::string& where,
+                Warnings& warnings) {
+    const auto assume = [&](LengthUnit unit, const std::string& what) {
+        field.unit = unit;
+        warnings.push_back({WarningKind::assumed, what, where + ": " + field.name});
+    };
+    std::string_view city = field.meaning.inFeetIn;
+    if (inNewYork && field.meaning.role == groundElevation) city = newYork;
+    if (!city.empty() && (mapInFeet || (inNewYork && city == newYork)))
+        assume(LengthUnit::feet,
+               fmt::format("no unit is stated; feet are assumed, as in {}'s building footprints", city));
+    else if (!city.empty())
+        assume(LengthUnit::metres,
+               fmt::format("no unit is stated; metres are assumed, though {}'s field of this name is in feet",
+                           city));
+    else if (mapInFeet && (field.meaning.role == height || field.meaning.role == topElevation))
+        assume(LengthUnit::metres,
+               "the map is in feet, but metres are assumed for its heights: state the unit if that is wrong");
+}
+
+std::string_view unitName(LengthUnit unit) {
+    constexpr std::array<std::string_view, 4> names{"m", "ft", "US survey ft", "cm"};
+    return names[std::size_t(unit)];
+}
+
+}  // namespace
+
+void settleUnits(std::vector<KnownField>& fields, const UnitRules& rules, const std::string& where,
+                 Warnings& warnings) {
+    const bool inNewYork = isNewYork(fields);
+    for (KnownField& field : fields) {
+        if (!isLength(field.meaning.role)) continue;
+        if (rules.stated || field.meaning.unit)
+            field.unit = rules.stated ? *rules.stated : *field.meaning.unit;
+        else
+            settleUnit(field, rules.mapInFeet, inNewYork, where, warnings);
+    }
+}
+
+std::optional<HeightField> findHeightField(const std::vector<KnownField>& fields, const std::string& origin) {
+    const std::string_view name = std::string_view(origin).substr(0, origin.find(elevationsMinus));
+    const auto found = std::ranges::find(fields, name, &KnownField::name);
+    if (found == fields.end()) return std::nullopt;
+    const bool storeys = found->meaning.role == levels;
+    return HeightField{{},
+                       origin,
+                       std::string(found->meaning.meaning),
+                       std::string(storeys ? "storeys" : unitName(found->unit))};
+}
+
+}  // namespace noonmark

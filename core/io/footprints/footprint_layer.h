@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geo/crs_to_lon_lat.h"
+#include "core/io/footprints/feature_facts.h"
+#include "core/io/footprints/field_roles.h"
+#include "core/io/footprints/ogr_polygons.h"
+#include "core/io/footprints/place_features.h"
+#include "core/io/heights/height_origins.h"
+
+class OGRFeature;
+class OGRLayer;
+
+namespace noonmark {
+
+/// The source of a layer, which decides how its fields and ids are read.
+struct LayerSource {
+    std::string file;      ///< file name, for messages
+    bool fromOsm = false;  ///< GDAL's OpenStreetMap driver
+    bool shapefile = false;
+    bool oneOfSeveral = false;  ///< feature ids then include their layer
+};
+
+/// Reads the features of one layer; fields, units and coordinate system are settled once. Backend:
+/// footprint_layer_gdal.cpp.
+class FootprintLayer {
+public:
+    /// Error: no coordinate system, or an unknown one; the height field named by the user does not exist.
+    static Result<FootprintLayer> of(OGRLayer& layer, const ReadSettings& settings, const LayerSource& source,
+                                     Warnings& warnings);
+
+    /// Stores the feature if it is a building and has a polygon; what cannot be used gives a warning.
+    void read(const OGRFeature& feature, Warnings& warnings);
+
+    /// After all features: appends the stored ones to `features`. Error: most coordinates cannot belong to
+    /// the coordinate system.
+    Result<void> finish(std::vector<UnplacedFeature>& features, Warnings& warnings);
+
+    /// After all features: adds the fields that heights came from and, if more than a tenth of the features
+    /// have no height, unknown fields that could hold heights.
+    void addHeightFacts(HeightFacts& facts, Warnings& warnings) const;
+
+    [[nodiscard]] std::size_t polygonFeatures() const { return polygonFeatures_; }
+
+private:
+    FootprintLayer(OGRLayer& layer, CrsToLonLat toLonLat, const ReadSettings& settings, LayerSource source);
+    [[nodiscard]] std::string idOf(const OGRFeature& feature, const FeatureValues& values) const;
+    [[nodiscard]] FeatureValues getValues(const OGRFeature& feature) const;
+    void watchUnknown(const OGRFeature& feature);
+    void transform(std::vector<UnplacedFeature>& features, Warnings& warnings);
+    Result<void> checkPlace(Warnings& warnings) const;
+
+    struct Kept {
+        FeatureFacts facts;
+        std::vector<CrsPolygon> polygons;
+    };
+
+    std::string name_;
+    LayerSource source_;
+    std::vector<KnownField> fields_;
+    std::vector<std::pair<int, std::string>> unknownFields_;  // their index and name
+    UnknownFields unknown_;
+    HeightOrigins origins_;
+    int otherTags_ = -1;  // index of the field; -1 if there is none
+    int osmId_ = -1;
+    int osmWayId_ = -1;
+    LayerRules rules_;
+    CrsToLonLat toLonLat_;
+    // A projected system from a register, with no city near its coordinate origin
+    bool publishedPlane_ = false;
+    std::vector<Kept> kept_;
+    std::size_t polygonFeatures_ = 0;
+    std::size_t broken_ = 0;       // features with points that cannot be transformed
+    std::size_t implausible_ = 0;  // features outside the area of use of their system
+    std::size_t nearZero_ = 0;     // features whose coordinates could be degrees
+    bool hasZ_ = false;
+};
+
+}  // namespace noonmark

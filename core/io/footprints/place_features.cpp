@@ -1,0 +1,112 @@
+#include "core/io/footprints/place_features.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/city/footprints/repair_footprint.h"
+#include "core/city/meshes/mesh_outline.h"
+#include "core/geo/distance.h"
+
+namespace noonmark {
+
+namespace {
+
+double medianOf(std::vector<double>& values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// Centre of the outer ring's box. Longitudes are taken near `nearLonDeg`, so that data on both sides of 180
+// degrees stays together.
+LonLat centreOf(const UnplacedFeature& feature, double nearLonDeg) {
+    LonLat low{1e9, 1e9};
+    LonLat high{-1e9, -1e9};
+    for (const LonLat place : feature.polygons.front().front()) {
+        const double lon = nearLonDeg + std::remainder(place.lonDeg - nearLonDeg, 360.0);
+        low = {std::min(low.lonDeg, lon), std::min(low.latDeg, place.latDeg)};
+        high = {std::max(high.lonDeg, lon), std::max(high.latDeg, place.latDeg)};
+    }
+    return {(low.lonDeg + high.lonDeg) / 2, (low.latDeg + high.latDeg) / 2};
+}
+
+bool isNear(const UnplacedFeature& feature, LonLat middle, double farAwayM) {
+    for (const LonLatPolygon& polygon : feature.polygons)
+        for (const auto& ring : polygon)
+            for (const LonLat place : ring)
+                if (!(computeGreatCircleM(place, middle) <= farAwayM)) return false;
+    return true;
+}
+
+std::vector<RawRing> localRings(const LonLatPolygon& polygon, const Frame& frame) {
+    std::vector<RawRing> rings;
+    for (const auto& ring : polygon) {
+        RawRing& local = rings.emplace_back();
+        for (const LonLat place : ring) local.push_back(frame.localFromLonLat(place));
+    }
+    return rings;
+}
+
+double computeArea(const std::vector<Footprint>& pieces) {
+    double sum = 0;
+    for (const Footprint& piece : pieces) sum += area(piece);
+    return sum;
+}
+
+// Joins polygons of one feature that overlap or share a wall.
+std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string& id, Warnings& warnings) {
+    constexpr double sameAreaM2 = 0.01;
+    auto joined = computeUnion(pieces);
+    const bool same =
+        joined.size() == pieces.size() && computeArea(pieces) - computeArea(joined) < sameAreaM2;
+    if (same || joined.empty()) return pieces;
+    warnings.push_back({WarningKind::mended, "its polygons overlapped or shared a wall and were joined", id});
+    return joined;
+}
+
+std::vector<Footprint> repair(const UnplacedFeature& feature, const Frame& frame, Warnings& warnings) {
+    std::vector<Footprint> pieces;
+    for (const LonLatPolygon& polygon : feature.polygons) {
+        RepairedFootprint result = repairFootprint(localRings(polygon, frame));
+        if (!result.what.empty()) warnings.push_back({result.kind, result.what, feature.facts.id});
+        std::ranges::move(result.pieces, std::back_inserter(pieces));
+    }
+    return pieces.size() > 1 ? disjoint(std::move(pieces), feature.facts.id, warnings) : pieces;
+}
+
+}  // namespace
+
+Frame frameOf(const std::vector<UnplacedFeature>& features) {
+    const double nearLonDeg = features.front().polygons.front().front().front().lonDeg;
+    std::vector<double> lons, lats, elevations;
+    for (const UnplacedFeature& feature : features) {
+        const LonLat centre = centreOf(feature, nearLonDeg);
+        lons.push_back(centre.lonDeg);
+        lats.push_back(centre.latDeg);
+        if (const auto ground = feature.facts.heights.groundElevationM) elevations.push_back(*ground);
+    }
+    const LonLat middle{std::remainder(medianOf(lons), 360.0), medianOf(lats)};
+    return Frame(middle, elevations.empty() ? 0 : medianOf(elevations));
+}
+
+std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
+                                         double farAwayM, Warnings& warnings, const std::stop_token& stop) {
+    std::vector<PlacedFeature> placed;
+    for (UnplacedFeature& feature : features) {
+        if (stop.stop_requested()) break;
+        if (!isNear(feature, frame.origin(), farAwayM)) {
+            warnings.push_back(
+                {WarningKind::leftOut,
+                 fmt::format("lies more than {:g} km from the middle of the city", farAwayM / 1000),
+                 feature.facts.id});
+            continue;
+        }
+        auto pieces = repair(feature, frame, warnings);
+        if (!pieces.empty()) placed.push_back({std::move(feature.facts), std::move(pieces)});
+    }
+    return placed;
+}
+
+}  // namespace noonmark

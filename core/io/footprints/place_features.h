@@ -1,0 +1,32 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "core/geo/frame.h"
+#include "core/io/footprints/part_grouping.h"
+#include "core/io/read_city.h"
+
+namespace noonmark {
+
+/// A polygon on the earth: the outer ring, then holes; closed or not.
+using LonLatPolygon = std::vector<std::vector<LonLat>>;
+
+/// A feature as read, not yet in a frame.
+struct UnplacedFeature {
+    FeatureFacts facts;
+    std::vector<LonLatPolygon> polygons;  ///< none of them empty
+};
+
+/// The frame at the middle of the features: the median of their centres, which a few distant features do not
+/// move; its elevation is the median of the stated ground elevations, or 0. `features` is not empty.
+Frame frameOf(const std::vector<UnplacedFeature>& features);
+
+/// Transforms features to local metres and repairs their outlines. Left out with a warning: features with a
+/// point more than `farAwayM` from the frame's origin, and features without a usable outline. Ends early when
+/// stopped.
+std::vector<PlacedFeature> placeFeatures(std::vector<UnplacedFeature> features, const Frame& frame,
+                                         double farAwayM, Warnings& warnings,
+                                         const std::stop_token& stop = {});
+
+}  // namespace noonmark

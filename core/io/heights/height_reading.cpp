@@ -1,0 +1,184 @@
+#include "core/io/heights/height_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/city/plausible_heights.h"
+#include "core/io/heights/height_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double mostLevels = 300;
+
+// Reads the height of one feature; holds the state that its steps share.
+class Reader {
+public:
+    Reader(const FeatureValues& values, const HeightRules& rules, const std::string& id, Warnings& warnings)
+        : values_(values), rules_(rules), id_(id), warnings_(warnings) {}
+
+    HeightReading read(bool canopy) {
+        HeightReading reading;
+        const auto groundM = ground();
+        if (groundM) reading.groundElevationM = groundM->number;
+        readTop(reading, canopy, groundM);
+        const auto bottom = underside();
+        if (bottom && *bottom >= leastHeightM) reading.bottomM = *bottom;
+        if (reading.bottomM > reading.topM - leastHeightM) settle(reading);
+        if (canopy && !bottom) makeSlab(reading);
+        return reading;
+    }
+
+private:
+    using Check = bool (*)(double);
+    struct Found {
+        double number;
+        std::string field;
+    };
+
+    void warn(const std::string& what, const std::string& where) {
+        warnings_.push_back({WarningKind::assumed, what, where});
+    }
+    std::string placeOf(const FeatureValue& value) const {
+        return fmt::format("{}: {} = \"{}\"", id_, value.field, value.text);
+    }
+
+    std::string formatText(const FeatureValue& value) const {
+        return rules_.decimalComma ? withDecimalPoint(value.text) : value.text;
+    }
+    std::optional<double> lengthOf(const FeatureValue& value) const {
+        if (!value.number) return parseMetres(formatText(value), value.unit);
+        if (!std::isfinite(*value.number)) return std::nullopt;
+        return *value.number * metresPer(value.unit);
+    }
+    std::optional<double> levelsOf(const FeatureValue& value) const {
+        if (!value.number) return parseLevels(formatText(value));
+        return std::isfinite(*value.number) ? value.number : std::nullopt;
+    }
+
+    // The first value of a role that can be read and passes `usable`; warns about the values before it.
+    std::optional<Found> first(FieldRole role, Check usable, const char* unreadable, const char* unusable) {
+        const bool storeys =
+            role == FieldRole::levels || role == FieldRole::minLevel || role == FieldRole::roofLevels;
+        for (const FeatureValue& value : values_) {
+            if (value.role != role) continue;
+            const auto number = storeys ? levelsOf(value) : lengthOf(value);
+            if (number && usable(*number)) return Found{*number, value.field};
+            warn(number ? unusable : unreadable, placeOf(value));
+        }
+        return std::nullopt;
+    }
+
+    std::optional<Found> measured() {
+        return first(
+            FieldRole::height, [](double m) { return m >= leastHeightM && m <= tallestBuildingM; },
+            "a height that cannot be read; the next best source is used",
+            "a height of zero or less, or over 2,000 m; the next best source is used");
+    }
+    std::optional<Found> overGround(const std::optional<Found>& groundM) {
+        const auto top = first(
+            FieldRole::topElevation,
+            [](double m) { return m >= lowestLandM && m <= highestLandM + tallestBuildingM; },
+            "a roof's elevation that cannot be read; the next best source is used",
+            "a roof's elevation below -500 m or over 11,000 m; the next best source is used");
+        if (!top || !groundM) return std::nullopt;
+        const double heightM = top->number - groundM->number;
+        const std::string origin = top->field + std::string(elevationsMinus) + groundM->field;
+        if (heightM >= leastHeightM && heightM <= tallestBuildingM) return Found{heightM, origin};
+        warn("a roof that is not above its ground, or over 2,000 m; the next best source is used",
+             fmt::format("{}: {} = {:g} m", id_, origin, heightM));
+        return std::nullopt;
+    }
+    std::optional<Found> levels(FieldRole role) {
+        return first(
+            role, [](double count) { return count >= 0 && count <= mostLevels; },
+            "a number of storeys that cannot be read; it is ignored",
+            "a number of storeys below 0 or over 300; it is ignored");
+    }
+    std::optional<Found> fromLevels() {
+        auto storeys = levels(FieldRole::levels);
+        if (!storeys) return storeys;
+        storeys->number = storeys->number * rules_.metresPerLevel + roof();
+        return storeys->number >= leastHeightM ? storeys : std::nullopt;
+    }
+    double roof() {
+        Warnings unheard;  // not reported: an odd roof height has no effect worth a warning
+        Reader quiet(values_, rules_, id_, unheard);
+        const auto height = quiet.first(
+            FieldRole::roofHeight, [](double m) { return m >= 0 && m < tallestBuildingM / 2; }, "", "");
+        if (height) return height->number;
+        const auto storeys = quiet.levels(FieldRole::roofLevels);
+        return storeys ? storeys->number * rules_.metresPerLevel : 0;
+    }
+
+    void readTop(HeightReading& reading, bool canopy, const std::optional<Found>& groundM) {
+        // Always read, so that its warnings appear even if a height exists
+        const auto storeys = fromLevels();
+        auto height = measured();
+        if (!height) height = overGround(groundM);
+        reading.byDefault = !height && !storeys;
+        if (reading.byDefault) {
+            reading.topM = canopy ? rules_.metresPerLevel : rules_.defaultHeightM;
+            return;
+        }
+        const Found& from = height ? *height : *storeys;
+        reading.source = height ? HeightSource::measured : HeightSource::levels;
+        reading.topM = from.number;
+        reading.origin = from.field;
+    }
+
+    std::optional<double> underside() {
+        const auto height = first(
+            FieldRole::minHeight, [](double m) { return m >= 0 && m <= tallestBuildingM; },
+            "a min_height that cannot be read; it is ignored",
+            "a min_height below the ground or over 2,000 m; it is ignored");
+        if (height) return height->number;
+        const auto storeys = levels(FieldRole::minLevel);
+        if (!storeys) return std::nullopt;
+        return storeys->number * rules_.metresPerLevel;
+    }
+
+    void settle(HeightReading& reading) {
+        if (reading.source == HeightSource::measured) {
+            warn("its underside is not below its top; it is modelled from the ground to its top",
+                 fmt::format("{}: {:g} m to {:g} m", id_, reading.bottomM, reading.topM));
+            reading.bottomM = 0;
+        } else {
+            warn("its underside is above its guessed height; the height is counted from the underside",
+                 fmt::format("{}: {:g} m and {:g} m", id_, reading.bottomM, reading.topM));
+            reading.topM += reading.bottomM;
+        }
+    }
+
+    void makeSlab(HeightReading& reading) {
+        reading.bottomM = reading.topM - std::min(canopyThicknessM, reading.topM / 2);
+        reading.slab = true;
+        warn(fmt::format("a roof without walls and without min_height; it is modelled as a slab {:g} m thick",
+                         canopyThicknessM),
+             id_);
+    }
+
+    std::optional<Found> ground() {
+        return first(
+            FieldRole::groundElevation, [](double m) { return m >= lowestLandM && m <= highestLandM; },
+            "a ground elevation that cannot be read; it is ignored",
+            "a ground elevation below -500 m or over 9,000 m; it is ignored");
+    }
+
+    const FeatureValues& values_;
+    const HeightRules& rules_;
+    const std::string& id_;
+    Warnings& warnings_;
+};
+
+}  // namespace
+
+HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,
+                          const std::string& featureId, Warnings& warnings) {
+    return Reader(values, rules, featureId, warnings).read(canopy);
+}
+
+}  // namespace noonmark

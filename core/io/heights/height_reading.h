@@ -1,0 +1,54 @@
+#pragma once
+
+// The folder core/io/heights turns attributes into heights, for all readers. height_text.h parses a length or
+// a number of storeys; height_reading.h (this file) decides on one height from all fields of a feature;
+// height_origins.h and height_facts.h record which fields were used, for reports. implausible_buildings.h
+// removes meshes with impossible sizes. read_settings_text.h stores ReadSettings as text.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/warnings.h"
+#include "core/city/building.h"
+#include "core/io/footprints/feature_value.h"
+
+namespace noonmark {
+
+/// How heights are derived from a feature's fields; the defaults are those of ReadSettings.
+struct HeightRules {
+    double metresPerLevel = 3.2;
+    double defaultHeightM = 9.6;
+    bool decimalComma = false;  ///< "12,5" is a number; in OpenStreetMap it is a list
+};
+
+/// Separates the two fields in HeightReading::origin.
+constexpr std::string_view elevationsMinus = " - ";
+
+/// Anything lower counts as no height: on a mountain, float32 could not represent it.
+constexpr double leastHeightM = 0.01;
+
+/// A feature's extent above its own ground, metres; 0 <= bottomM <= topM - leastHeightM.
+struct HeightReading {
+    double bottomM = 0;
+    double topM = 0;
+    HeightSource source = HeightSource::assumed;
+    bool byDefault = false;  ///< no height in the data: topM is the default; the caller warns if it uses it
+    bool slab = false;       ///< a canopy without a stated underside
+    std::string origin;      ///< the field that topM came from, or "AbsH2 - AbsHMin"; empty if byDefault
+    std::optional<double> groundElevationM;  ///< above the data's vertical datum
+};
+
+/// A canopy without min_height is modelled as a slab of this thickness under its top.
+constexpr double canopyThicknessM = 0.5;
+
+/// Height: the first height field with a usable value; else the roof's elevation minus the ground's; else
+/// storeys x metres per storey (plus the height of the roof); else the default, which for a canopy (`canopy`:
+/// building=roof) is one storey. Underside: min_height, else the storeys below; else 0. Zero, negative and
+/// implausible heights (over 2,000 m) are ignored, and so are those below leastHeightM. If the underside is
+/// not below the top, a measured height is counted from the ground, and a guessed one from the underside.
+/// Every value that was not taken as written gives a warning (except see byDefault).
+HeightReading readHeights(const FeatureValues& values, const HeightRules& rules, bool canopy,
+                          const std::string& featureId, Warnings& warnings);
+
+}  // namespace noonmark

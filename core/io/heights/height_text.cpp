@@ -1,0 +1,176 @@
+#include "core/io/heights/height_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "core/io/files/fold_text.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr double feetM = 0.3048;
+constexpr double inchM = 0.0254;
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// Parses a folded text from the left; every function consumes what it recognises and leaves the rest.
+class Reader {
+public:
+    explicit Reader(std::string_view text) : rest_(text) {}
+
+    [[nodiscard]] bool atEnd() const { return rest_.empty(); }
+
+    void skipBlanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
+
+    bool take(std::string_view word) {
+        if (!rest_.starts_with(word)) return false;
+        rest_.remove_prefix(word.size());
+        return true;
+    }
+
+    // "12", "12.5", "50.", ".05": no sign, no exponent, no thousands separators.
+    std::optional<double> takeNumber() {
+        const std::size_t length = std::min(rest_.find_first_not_of("0123456789."), rest_.size());
+        const std::string_view digits = rest_.substr(0, length);
+        if (!std::any_of(digits.begin(), digits.end(), isDigit)) return std::nullopt;
+        double value = 0;
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + length, value, std::chars_format::fixed);
+        if (error != std::errc() || end != digits.data() + length) return std::nullopt;
+        rest_.remove_prefix(length);
+        return value;
+    }
+
+    // The letters or marks of a unit, with a closing dot.
+    std::string_view takeUnit() {
+        const auto isUnit = [](char c) { return (c >= 'a' && c <= 'z') || c == '\'' || c == '"'; };
+        const auto end = std::find_if_not(rest_.begin(), rest_.end(), isUnit);
+        const std::string_view unit = rest_.substr(0, std::size_t(end - rest_.begin()));
+        rest_.remove_prefix(unit.size());
+        if (!unit.empty()) take(".");
+        return unit;
+    }
+
+private:
+    std::string_view rest_;
+};
+
+struct UnitName {
+    std::string_view name;
+    double metres;
+};
+constexpr std::array unitNames{
+    UnitName{"m", 1},
+    UnitName{"meter", 1},
+    UnitName{"meters", 1},
+    UnitName{"metre", 1},
+    UnitName{"metres", 1},
+    UnitName{"cm", 0.01},
+    UnitName{"centimeter", 0.01},
+    UnitName{"centimeters", 0.01},
+    UnitName{"centimetre", 0.01},
+    UnitName{"centimetres", 0.01},
+    UnitName{"mm", 0.001},
+    UnitName{"km", 1000},
+    UnitName{"ft", feetM},
+    UnitName{"foot", feetM},
+    UnitName{"feet", feetM},
+    UnitName{"'", feetM},
+    UnitName{"in", inchM},
+    UnitName{"inch", inchM},
+    UnitName{"inches", inchM},
+    UnitName{"\"", inchM},
+    UnitName{"''", inchM},
+};
+
+std::optional<double> metresOf(std::string_view unit) {
+    for (const UnitName& known : unitNames)
+        if (known.name == unit) return known.metres;
+    return std::nullopt;
+}
+
+// The inches after feet: "4\"", "11 in". 0 if the text ends; nothing if something else follows.
+std::optional<double> takeInches(Reader& reader) {
+    Reader ahead = reader;
+    ahead.skipBlanks();
+    const auto inches = ahead.takeNumber();
+    if (!inches) return 0.0;
+    ahead.skipBlanks();
+    if (metresOf(ahead.takeUnit()) != inchM || *inches >= 12) return std::nullopt;
+    reader = ahead;
+    return *inches * inchM;
+}
+
+std::optional<double> takeLength(Reader& reader, double bareUnitM) {
+    const bool negative = reader.take("-");
+    if (!negative) reader.take("+");
+    const auto number = reader.takeNumber();
+    if (!number) return std::nullopt;
+    reader.skipBlanks();
+    const std::string_view unit = reader.takeUnit();
+    const auto unitM = unit.empty() ? std::optional(bareUnitM) : metresOf(unit);
+    if (!unitM) return std::nullopt;
+    const bool feet = !unit.empty() && *unitM == feetM;
+    const auto inches = feet ? takeInches(reader) : std::optional(0.0);
+    if (!inches) return std::nullopt;
+    const double metres = *number * *unitM + *inches;
+    return negative ? -metres : metres;
+}
+
+// "4.60m (15'1\")": the same height repeated in another unit. Tolerance 5 %: people round to whole feet.
+bool repeats(Reader& reader, double metres, double bareUnitM) {
+    if (!reader.take("(")) return false;
+    const auto again = takeLength(reader, bareUnitM);
+    reader.skipBlanks();
+    return again && reader.take(")") && std::abs(*again - metres) <= 0.05 * std::abs(metres);
+}
+
+}  // namespace
+
+double metresPer(LengthUnit unit) {
+    switch (unit) {
+        case LengthUnit::metres:
+            return 1;
+        case LengthUnit::feet:
+            return feetM;
+        case LengthUnit::usSurveyFeet:
+            return 1200.0 / 3937.0;
+        case LengthUnit::centimetres:
+            return 0.01;
+    }
+    return 1;
+}
+
+std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit) {
+    const std::string folded = foldText(text);
+    Reader reader(folded);
+    const auto metres = takeLength(reader, metresPer(bareUnit));
+    if (!metres) return std::nullopt;
+    reader.skipBlanks();
+    if (!reader.atEnd() && !repeats(reader, *metres, metresPer(bareUnit))) return std::nullopt;
+    return reader.atEnd() ? metres : std::nullopt;
+}
+
+std::string withDecimalPoint(std::string_view text) {
+    std::string pointed(text);
+    const auto comma = pointed.find(',');
+    if (comma == pointed.npos || pointed.find(',', comma + 1) != pointed.npos) return pointed;
+    if (pointed.find('.') != pointed.npos || comma == 0 || !isDigit(pointed[comma - 1])) return pointed;
+    const auto decimals = pointed.find_first_not_of("0123456789", comma + 1);
+    const std::size_t count = std::min(decimals, pointed.size()) - (comma + 1);
+    if (count > 0 && count != 3) pointed[comma] = '.';
+    return pointed;
+}
+
+std::optional<double> parseLevels(std::string_view text) {
+    const std::string folded = foldText(text);
+    Reader reader(folded);
+    const auto levels = reader.takeNumber();
+    return reader.atEnd() ? levels : std::nullopt;
+}
+
+}  // namespace noonmark

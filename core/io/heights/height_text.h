@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/io/read_city.h"
+
+namespace noonmark {
+
+/// Parses a height as people write it, in metres: "86m", "3000 ft", "11'4\"", "120 cm", full-width digits,
+/// blanks. A number without a unit is in `bareUnit`. Nothing for a text that is not one height ("237;16",
+/// "concrete", "7-7", "1,2 m", "nan", "inf"): the caller warns.
+std::optional<double> parseMetres(std::string_view text, LengthUnit bareUnit = LengthUnit::metres);
+
+/// Parses a number of storeys: "12", "3.5", full-width digits. Nothing for words, ranges, lists and negative
+/// numbers.
+std::optional<double> parseLevels(std::string_view text);
+
+/// Turns "12,5 m" into "12.5 m", for files whose numbers are text with a decimal comma. Other texts are
+/// returned unchanged, also "1,250": that could be a thousand.
+std::string withDecimalPoint(std::string_view text);
+
+double metresPer(LengthUnit unit);
+
+}  // namespace noonmark

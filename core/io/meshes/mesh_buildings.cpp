@@ -1,0 +1,83 @@
+#include "core/io/meshes/mesh_buildings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+#include "core/city/meshes/mesh_parts.h"
+#include "core/city/meshes/mesh_sheets.h"
+#include "core/city/meshes/mesh_topology.h"
+#include "core/io/meshes/mesh_units.h"
+
+namespace noonmark {
+
+namespace {
+
+// Adds units to a piece as buildings.
+class BuildingAdder {
+public:
+    BuildingAdder(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece)
+        : objects_(objects), file_(file), piece_(piece) {}
+
+    void add(const std::vector<MeshUnit>& units, Progress& progress, const std::stop_token& stop) {
+        std::vector<std::size_t> ofObject(objects_.size());
+        for (const MeshUnit& unit : units) ++ofObject[unit.object];
+        std::vector<std::size_t> number(objects_.size());
+        for (std::size_t i = 0; i < units.size() && !stop.stop_requested(); ++i) {
+            const std::string& name = objects_[units[i].object].name;
+            const std::string id = name.empty() ? "mesh" : name;
+            const std::size_t n = ++number[units[i].object];
+            progress.report(double(i) / double(units.size()), "finding the buildings");
+            add(units[i].mesh, name, ofObject[units[i].object] == 1 ? id : fmt::format("{} {}", id, n));
+        }
+    }
+
+private:
+    void add(const TriangleMesh& mesh, const std::string& name, const std::string& id) {
+        MeshParts made = partsOf(mesh, id, file_ + ": " + id);
+        std::ranges::move(made.warnings, std::back_inserter(piece_.warnings));
+        if (made.parts.empty()) return;
+        markOverhangs(made.parts, [](glm::dvec2) { return 0.0F; });
+        for (Part& part : made.parts) closeToTheGround(part);
+        piece_.buildings.push_back(
+            std::make_shared<const Building>(Building{id, name, {}, std::move(made.parts)}));
+    }
+
+    // A deck: every engine treats it as solid down to the ground.
+    static void closeToTheGround(Part& part) {
+        const bool isSlab = !part.mesh && part.topM - part.bottomM < 2 * levelSheetM;
+        if (isSlab && !part.isOverhanging && part.bottomM > 0 && part.bottomM <= openAirM) part.bottomM = 0;
+    }
+
+    const std::vector<NamedMesh>& objects_;
+    const std::string& file_;
+    FilePiece& piece_;
+};
+
+// Warns if the whole mesh is above z = 0, as with elevations above sea level: its shadows would start in the
+// air.
+void warnIfAloft(const std::string& file, FilePiece& piece) {
+    float lowest = 1e30F;
+    for (const auto& building : piece.buildings)
+        for (const Part& part : building->parts) lowest = std::min(lowest, part.bottomM);
+    if (piece.buildings.empty() || lowest <= openAirM) return;
+    piece.warnings.push_back({WarningKind::assumed,
+                              "the whole mesh is above the ground, which is at its zero height",
+                              fmt::format("{} ({:.1f} m)", file, lowest)});
+}
+
+}  // namespace
+
+bool addBuildings(const std::vector<NamedMesh>& objects, const std::string& file, FilePiece& piece,
+                  Progress& progress, const std::stop_token& stop) {
+    progress.report(0, "finding the buildings");
+    const std::vector<NamedMesh> joined = joinSurfaces(objects);
+    BuildingAdder adder(joined, file, piece);
+    adder.add(detectUnits(joined, file, piece.warnings, stop), progress, stop);
+    warnIfAloft(file, piece);
+    return !stop.stop_requested();
+}
+
+}  // namespace noonmark

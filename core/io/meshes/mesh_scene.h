@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace noonmark {
+
+/// Polygons that share points, in the file's own axes and unit.
+struct MeshPiece {
+    std::vector<glm::vec3> points;            ///< may contain values that are not finite
+    std::vector<std::uint32_t> cornerCounts;  ///< per polygon, at least three
+    /// Of all polygons, one after the other; in broken files indices may exceed `points`
+    std::vector<std::uint32_t> corners;
+    bool operator==(const MeshPiece&) const = default;
+};
+
+/// One object of a mesh file; the transformations in the file's tree of objects are applied to its pieces.
+struct MeshObject {
+    std::string name;
+    std::vector<MeshPiece> pieces;
+    std::string parent = {};  ///< name of the object that contains it; empty for the file itself
+    bool operator==(const MeshObject&) const = default;
+};
+
+/// The content of a mesh file, as the reader process returns it.
+using MeshScene = std::vector<MeshObject>;
+
+/// Serialisation of a scene by the reader process: a header, then objects, then an end mark or an error.
+/// Numbers are in this machine's byte order. The functions append to `bytes`.
+void appendSceneHead(std::string& bytes);
+void appendObject(std::string& bytes, const MeshObject& object);
+void appendSceneEnd(std::string& bytes);
+void appendError(std::string& bytes, const Error& error);
+
+/// Parses the output of the reader process: a scene, or the Error that it reports. Every count is checked
+/// against the number of bytes present, so that a wrong count from a broken process allocates nothing. If the
+/// bytes end early or are not a scene, `complete` becomes false and an Error is returned. O(bytes).
+Result<MeshScene> parseScene(std::string_view bytes, bool& complete);
+
+}  // namespace noonmark

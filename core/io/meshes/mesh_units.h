@@ -1,0 +1,50 @@
+#pragma once
+
+// The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2). read_mesh.cpp runs the steps:
+// mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and returns a MeshScene
+// (mesh_scene.h); mesh_units.h (this file) divides its objects into buildings, with surface_names.h reading
+// the objects' names; mesh_buildings.h makes parts from them by core/city/meshes.
+
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/io/meshes/mesh_buildings.h"
+
+namespace noonmark {
+
+/// The geometry of one building of a mesh file.
+struct MeshUnit {
+    TriangleMesh mesh;
+    std::size_t object = 0;  ///< index of the object that gives its name
+};
+
+/// Joins objects that are surfaces of one building, according to their names (surface_names.h), or according
+/// to their parent's name if their own only names a surface ("building 12" over "WallSurface" and
+/// "RoofSurface"). They are joined if together they cover one connected area; other objects stay unchanged.
+std::vector<NamedMesh> joinSurfaces(const std::vector<NamedMesh>& objects);
+
+/// Divides objects into buildings. Pieces of one object belong together if they share points or overlap in
+/// plan (a shared wall line is not enough). Walls without roofs belong to the roofs above them, of their own
+/// object or else of another:
+/// - Roofs distinguish buildings: roofs that share an edge belong to one building, unless a wall ends there
+///   (the party wall between neighbours). Walls join nothing.
+/// - Each face of a wall belongs to the roof over it, or within 0.25 m of it in plan; of several roofs to the
+///   one whose points are nearest to the face's top.
+/// - Walls that do not reach the ground but rise from the edge of another roof belong to that roof, together
+///   with what they carry. The same holds for a piece that starts above the ground with lower buildings
+///   around half of its outline. (A canopy has them on one side.)
+/// - A level sheet between the foot and the top of one building that covers nine tenths of it is its floor.
+///
+/// Walls under no roof belong to the only building of their object, otherwise they are buildings of their
+/// own. Level sheets at the ground (groundSheetM) are left out. The order is that of the objects. After a
+/// stop request the result is incomplete. Warnings name `file`.
+std::vector<MeshUnit> detectUnits(const std::vector<NamedMesh>& objects, const std::string& file,
+                                  Warnings& warnings, const std::stop_token& stop);
+
+/// A level sheet is ground if it is at most this high above z = 0, metres, or at the lowest level of its file
+/// with two or more meshes that begin on it (one is enough up to openAirM above z = 0).
+inline constexpr float groundSheetM = 0.1F;
+
+}  // namespace noonmark

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <numbers>
+
+#include "core/city/meshes/mesh_topology.h"
+#include "core/city/meshes/surface_mesher.h"
+#include "core/io/footprints/place_advice.h"
+#include "core/io/heights/height_text.h"
+#include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/mesh_reader_process.h"
+#include "core/io/read_part.h"
+
+namespace noonmark {
+
+namespace {
+
+// Transforms the mesh's axes and unit to metres east, north and up of its origin.
+class Placement {
+public:
+    Placement(const ReadSettings& settings, glm::dvec2 origin)
+        : metres_(metresPer(settings.meshUnit)), yUp_(settings.upAxis == UpAxis::y), origin_(origin) {
+        const double north = settings.meshNorthDeg * std::numbers::pi / 180;
+        sin_ = std::sin(north);
+        cos_ = std::cos(north);
+    }
+    // The mesh's north axis points along its azimuth (sin, cos), its east axis is a right angle clockwise of
+    // it.
+    [[nodiscard]] glm::dvec3 local(glm::vec3 point) const {
+        const double x = double(point.x) * metres_;
+        const double y = (yUp_ ? -double(point.z) : double(point.y)) * metres_;
+        const double z = double(yUp_ ? point.y : point.z) * metres_;
+        return {origin_.x + x * cos_ + y * sin_, origin_.y - x * sin_ + y * cos_, z};
+    }
+
+private:
+    double metres_;
+    bool yUp_;
+    glm::dvec2 origin_;
+    double sin_ = 0;
+    double cos_ = 1;
+};
+
+struct FaceCounts {
+    std::size_t broken = 0;  // corners with invalid indices, as in broken files; Assimp does not always check
+    std::size_t degenerate = 0;  // faces without area
+    std::size_t tangled = 0;     // faces that cross themselves too often
+    void add(SurfaceMesher::Outcome outcome) {
+        degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
+        tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
+    }
+};
+
+FaceCounts addFaces(const MeshPiece& piece, SurfaceMesher& mesher) {
+    FaceCounts counts;
+    auto corner = piece.corners.begin();
+    for (const std::uint32_t count : piece.cornerCounts) {
+        std::vector<std::uint32_t> ring(corner, corner + count);
+        corner += count;
+        if (*std::max_element(ring.begin(), ring.end()) >= piece.points.size())
+            ++counts.broken;
+        else
+            counts.add(mesher.add({std::move(ring)}));
+    }
+    return counts;
+}
+
+struct SceneReader {
+    const Placement& placement;
+    std::string file;
+    std::vector<NamedMesh> objects;
+    Warnings warnings;
+
+    void add(const MeshObject& read) {
+        NamedMesh object{read.name, {}, read.parent};
+        for (const MeshPiece& piece : read.pieces) addPiece(piece, object);
+        if (!object.mesh.triangles.empty()) objects.push_back(std::move(object));
+    }
+
+    void addPiece(const MeshPiece& piece, NamedMesh& object) {
+        std::vector<glm::dvec3> points;
+        points.reserve(piece.points.size());
+        for (const glm::vec3 point : piece.points) points.push_back(placement.local(point));
+        SurfaceMesher mesher(points);
+        const FaceCounts counts = addFaces(piece, mesher);
+        append(object.mesh, mesher.mesh());
+        warn(WarningKind::dropped, "faces with missing corners", object.name, counts.broken);
+        warn(WarningKind::dropped, "faces that cross themselves too often", object.name, counts.tangled);
+        warn(WarningKind::mended, "faces without area were left out", object.name, counts.degenerate);
+    }
+
+    void warn(WarningKind kind, const char* what, const std::string& object, std::size_t count) {
+        if (count > 0) warnings.push_back({kind, what, fmt::format("{}: {} ({})", file, object, count)});
+    }
+};
+
+// The position of the mesh's origin: as stated, else the project's origin.
+Result<Frame> frameFor(const std::filesystem::path& file, const ReadSettings& settings) {
+    if (settings.frame) return *settings.frame;
+    if (settings.meshAnchor) return Frame(*settings.meshAnchor);
+    return failure("The mesh has no position", file.string(), anchorAdvice);
+}
+
+// A mesh in map coordinates has lost its precision: its numbers are float32.
+Result<void> checkDistance(const std::vector<NamedMesh>& objects, const std::filesystem::path& file,
+                           glm::dvec2 origin, double farAwayM) {
+    std::vector<double> distances;
+    for (const NamedMesh& object : objects)
+        for (const glm::vec3 vertex : object.mesh.vertices)
+            distances.push_back(std::hypot(double(vertex.x) - origin.x, double(vertex.y) - origin.y));
+    std::erase_if(distances, [](double distance) { return !std::isfinite(distance); });
+    if (distances.empty())
+        return failure("The file holds no triangles", file.string(),
+                       "Export the buildings as triangle or polygon meshes");
+    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    if (*middle <= farAwayM) return {};
+    return failure(
+        fmt::format("The mesh lies {:.0f} km from its own origin", *middle / 1000), file.string(),
+        "Check its unit; if its coordinates are those of a map, export it with an origin near the buildings");
+}
+
+// Drops triangles with a corner beyond the range of a Frame, as in broken files.
+void dropFarTriangles(SceneReader& reader) {
+    constexpr float mostM = 1e6F;  // limit of a Frame
+    for (NamedMesh& object : reader.objects) {
+        const auto isFar = [&](const glm::uvec3& corners) {
+            for (int i = 0; i < 3; ++i)
+                if (!glm::all(glm::lessThan(glm::abs(object.mesh.vertices[corners[i]]), glm::vec3(mostM))))
+                    return true;
+            return false;
+        };
+        const std::size_t dropped = std::erase_if(object.mesh.triangles, isFar);
+        reader.warn(WarningKind::dropped, "triangles more than 1,000 km away", object.name, dropped);
+    }
+}
+
+std::string formatOf(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    if (extension == ".obj") return "Wavefront OBJ";
+    if (extension == ".ply") return "PLY";
+    return extension == ".gltf" || extension == ".glb" ? "glTF" : "mesh";
+}
+
+}  // namespace
+
+Result<FilePiece> describeScenePiece(const MeshScene& scene, const std::filesystem::path& file,
+                                     const ReadSettings& settings, Progress& progress,
+                                     const std::stop_token& stop) {
+    const Result<Frame> frame = frameFor(file, settings);
+    if (!frame) return tl::make_unexpected(frame.error());
+    const glm::dvec2 origin =
+        settings.meshAnchor ? frame->localFromLonLat(*settings.meshAnchor) : glm::dvec2(0);
+    const Placement placement(settings, origin);
+    SceneReader reader{placement, file.filename().string(), {}, {}};
+    for (const MeshObject& object : scene) {
+        if (stop.stop_requested()) return cancelled();
+        reader.add(object);
+    }
+    if (const auto near = checkDistance(reader.objects, file, origin, settings.farAwayM); !near)
+        return tl::make_unexpected(near.error());
+    dropFarTriangles(reader);
+    FilePiece result{
+        .warnings = std::move(reader.warnings), .format = formatOf(file), .features = reader.objects.size()};
+    if (!settings.frame) result.frame = *frame;
+    if (!settings.meshAnchor)
+        result.warnings.push_back(
+            {WarningKind::assumed, "the project's origin is used as the mesh's origin", reader.file});
+    if (!addBuildings(reader.objects, reader.file, result, progress, stop)) return cancelled();
+    if (result.buildings.empty())
+        return failure("The file holds no building", file.string(),
+                       "Its meshes are flat ground or have no area");
+    return result;
+}
+
+Result<FilePiece> readMesh(const std::filesystem::path& file, const ReadSettings& settings,
+                           Progress& progress, std::stop_token stop) try {
+    if (!settings.frame && !settings.meshAnchor)
+        return failure("The mesh has no position", file.string(), anchorAdvice);
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+    if (error)
+        return failure("The file cannot be opened", file.string(),
+                       "Check that it is a plain file, and that you have permission to read it");
+    progress.report(0, "reading the mesh");
+    const auto scene = readMeshScene(file, meshReaderLimits(bytes), stop);
+    if (!scene) return tl::make_unexpected(scene.error());
+    return describeScenePiece(*scene, file, settings, progress, stop);
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The mesh cannot be read ({})", exception.what()), file.string(),
+                   "Export it again");
+}
+
+}  // namespace noonmark

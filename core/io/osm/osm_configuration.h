@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+namespace noonmark {
+
+/// The configuration file for GDAL's OpenStreetMap driver, in memory for the lifetime of this object. It
+/// makes closed ways tagged building or building:part polygons, and gives the tags for heights and parts
+/// columns of their own. During that time the driver writes its temporary files on this thread to the folder
+/// for temporary files. Backend: osm_configuration_gdal.cpp.
+class OsmConfiguration {
+public:
+    /// `heightTag`, `levelsTag`: tags that the user named; they become columns too; may be empty.
+    OsmConfiguration(const std::string& heightTag, const std::string& levelsTag);
+    ~OsmConfiguration();
+    OsmConfiguration(const OsmConfiguration&) = delete;
+    OsmConfiguration& operator=(const OsmConfiguration&) = delete;
+
+    [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+    std::string oldTemporaryFolder_;
+};
+
+}  // namespace noonmark

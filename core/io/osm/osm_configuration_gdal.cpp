@@ -1,0 +1,71 @@
+#include <cpl_conv.h>
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <filesystem>
+#include <string_view>
+
+#include "core/io/osm/osm_configuration.h"
+
+namespace noonmark {
+
+namespace {
+
+// Each {} is one more tag, or empty.
+constexpr std::string_view configuration = R"(closed_ways_are_polygons=building,building:part
+attribute_name_laundering=no
+[points]
+osm_id=yes
+other_tags=no
+[lines]
+osm_id=yes
+other_tags=no
+[multipolygons]
+osm_id=yes
+attributes=name,building,building:part,height,building:height,min_height,building:min_height,building:levels,building:min_level,roof:height,roof:levels,roof:shape,location,layer,level,tunnel,entrance,status{}{}
+other_tags=no
+[multilinestrings]
+osm_id=yes
+other_tags=no
+[other_relations]
+osm_id=yes
+other_tags=no
+)";
+
+// A separate path for every reader, so that two can read at the same time.
+std::string freshPath() {
+    static std::atomic<unsigned> count = 0;
+    return fmt::format("/vsimem/noonmark_osm_{}.ini", ++count);
+}
+
+// A tag that is not a plain key could end the list, or the line.
+std::string columnFor(std::string_view tag) {
+    const bool plain = !tag.empty() && tag.find_first_of(",=\r\n[]") == tag.npos;
+    return plain ? fmt::format(",{}", tag) : "";
+}
+
+constexpr const char* temporaryFolder = "CPL_TMPDIR";
+
+}  // namespace
+
+OsmConfiguration::OsmConfiguration(const std::string& heightTag, const std::string& levelsTag)
+    : path_(freshPath()) {
+    if (VSILFILE* file = VSIFOpenL(path_.c_str(), "wb")) {
+        const std::string text = fmt::format(configuration, columnFor(heightTag), columnFor(levelsTag));
+        VSIFWriteL(text.data(), 1, text.size(), file);
+        VSIFCloseL(file);
+    }
+    if (const char* old = CPLGetThreadLocalConfigOption(temporaryFolder, nullptr)) oldTemporaryFolder_ = old;
+    std::error_code none;
+    const auto folder = std::filesystem::temp_directory_path(none);
+    if (!none) CPLSetThreadLocalConfigOption(temporaryFolder, folder.c_str());
+}
+
+OsmConfiguration::~OsmConfiguration() {
+    VSIUnlink(path_.c_str());
+    CPLSetThreadLocalConfigOption(temporaryFolder,
+                                  oldTemporaryFolder_.empty() ? nullptr : oldTemporaryFolder_.c_str());
+}
+
+}  // namespace noonmark

@@ -1,0 +1,110 @@
+#include "core/io/osm/osm_semantics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/city/settle_parts.h"
+#include "core/io/footprints/outline_remainder.h"
+
+namespace noonmark {
+
+namespace {
+
+using Features = std::vector<PlacedFeature>;
+
+double computeArea(const PlacedFeature& feature) {
+    double sum = 0;
+    for (const Footprint& piece : feature.pieces) sum += area(piece);
+    return sum;
+}
+
+// The feature that gives the building its name: its outline, else its largest part.
+const PlacedFeature& headOf(const BuildingGroup& group, const Features& features) {
+    if (group.outline) return features[*group.outline];
+    return features[*std::ranges::max_element(group.parts, {},
+                                              [&](std::size_t i) { return computeArea(features[i]); })];
+}
+
+void addPieces(Building& building, const PlacedFeature& feature, Warnings& warnings) {
+    const HeightReading& heights = feature.facts.heights;
+    if (heights.byDefault)
+        warnings.push_back({WarningKind::assumed,
+                            fmt::format("no height in the data; {:g} m is assumed", heights.topM),
+                            feature.facts.id});
+    for (const Footprint& piece : feature.pieces)
+        building.parts.push_back({.sourceId = feature.facts.id,
+                                  .footprint = piece,
+                                  .bottomM = float(heights.bottomM),
+                                  .topM = float(heights.topM),
+                                  .heightSource = heights.source,
+                                  .isOverhanging = feature.facts.isOverhanging.value_or(heights.slab)});
+}
+
+void addRemainder(Building& building, const PlacedFeature& outline,
+                  const std::vector<const PlacedFeature*>& parts, Warnings& warnings) {
+    OutlineRemainder rest = computeRemainder(outline, parts);
+    if (rest.pieces.empty()) return;
+    if (rest.guessed)
+        warnings.push_back({WarningKind::assumed,
+                            "its parts leave some of its outline uncovered; that area is given the height of "
+                            "its lowest part",
+                            outline.facts.id});
+    PlacedFeature feature{outline.facts, std::move(rest.pieces)};
+    feature.facts.heights.bottomM = rest.bottomM;
+    feature.facts.heights.topM = rest.topM;
+    feature.facts.heights.source = rest.source;
+    feature.facts.heights.byDefault &= !rest.guessed;
+    addPieces(building, feature, warnings);
+}
+
+// Uses what the features state about overhangs; otherwise decides by what is below each raised part.
+void settle(Building& building, const BuildingGroup& group, const Features& features, double metresPerLevel,
+            Warnings& warnings) {
+    const bool stated = std::ranges::any_of(
+        group.parts, [&](std::size_t i) { return features[i].facts.isOverhanging.has_value(); });
+    if (stated) return;
+    settleParts(building.parts, {.groundM = 0, .carryGapM = float(metresPerLevel)}, warnings);
+}
+
+std::optional<double> lowestGround(const BuildingGroup& group, const Features& features) {
+    std::optional<double> lowest;
+    const auto look = [&](std::size_t i) {
+        const auto ground = features[i].facts.heights.groundElevationM;
+        if (ground) lowest = std::min(lowest.value_or(*ground), *ground);
+    };
+    if (group.outline) look(*group.outline);
+    for (const std::size_t part : group.parts) look(part);
+    return lowest;
+}
+
+AssembledBuilding assemble(const BuildingGroup& group, const Features& features, double metresPerLevel,
+                           Warnings& warnings) {
+    const FeatureFacts& head = headOf(group, features).facts;
+    Building building{.sourceId = head.buildingId.empty() ? head.id : head.buildingId,
+                      .name = head.name,
+                      .status = head.status};
+    std::vector<const PlacedFeature*> parts;
+    for (const std::size_t i : group.parts) parts.push_back(&features[i]);
+    const bool outlineIsPart =
+        group.outline && std::ranges::find(group.parts, *group.outline) != group.parts.end();
+    if (group.outline && !outlineIsPart) addRemainder(building, features[*group.outline], parts, warnings);
+    for (const PlacedFeature* part : parts) addPieces(building, *part, warnings);
+    settle(building, group, features, metresPerLevel, warnings);
+    return {std::move(building), lowestGround(group, features)};
+}
+
+}  // namespace
+
+std::vector<AssembledBuilding> assembleBuildings(const Features& features, double metresPerLevel,
+                                                 Warnings& warnings, const std::stop_token& stop) {
+    std::vector<AssembledBuilding> buildings;
+    for (const BuildingGroup& group : groupIntoBuildings(features)) {
+        if (stop.stop_requested()) break;
+        AssembledBuilding made = assemble(group, features, metresPerLevel, warnings);
+        if (!made.building.parts.empty()) buildings.push_back(std::move(made));
+    }
+    return buildings;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,45 @@
+#include <fstream>
+#include <system_error>
+
+#include "core/io/files/companion_files.h"
+#include "core/study/provenance/provenance.h"
+#include "core/study/provenance/sha256.h"
+
+namespace noonmark {
+
+namespace {
+
+/// Empty if the file cannot be read to its end.
+std::string sha256Of(std::istream& file) {
+    Sha256 sum;
+    std::vector<char> piece(1 << 20);
+    while (file.read(piece.data(), std::streamsize(piece.size())) || file.gcount() > 0)
+        sum.add(piece.data(), std::size_t(file.gcount()));
+    return file.bad() ? std::string() : sum.hex();
+}
+
+}  // namespace
+
+Result<InputFile> describeInputFile(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    std::ifstream file(path, std::ios::binary);
+    const std::string sum = !error && file ? sha256Of(file) : std::string();
+    if (sum.empty())
+        return failure("The file cannot be read", path.string(),
+                       "Check its name and that you have permission to read it");
+    return InputFile{path, bytes, sum};
+}
+
+Result<std::vector<InputFile>> describeInputFiles(const std::filesystem::path& path) {
+    auto main = describeInputFile(path);
+    if (!main) return tl::make_unexpected(main.error());
+    std::vector<InputFile> files{*std::move(main)};
+    for (const std::filesystem::path& name : listCompanionFiles(path)) {
+        auto companion = describeInputFile(name);
+        if (companion) files.push_back(*std::move(companion));
+    }
+    return files;
+}
+
+}  // namespace noonmark

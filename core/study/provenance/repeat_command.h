@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// An option of a command with its values; no values: a flag.
+struct RepeatOption {
+    std::string name;
+    std::vector<std::string> values;
+};
+
+/// Adds --error-sample if it differs from the default.
+void addErrorSample(const ErrorSampleSettings& sample, std::vector<RepeatOption>& options);
+
+/// A question in terms of the command line.
+struct RepeatQuestion {
+    std::string command;  ///< "study"
+    StudySettings settings;
+    Provenance provenance;                ///< its region must be set
+    std::string engineKey;                ///< the engine that was used; empty: the one of the settings
+    std::string hourOption = "--from";    ///< option for the wall-clock time of the first step
+    bool needsProject = false;            ///< the command takes no city files
+    std::vector<RepeatOption> options{};  ///< options of this command only
+};
+
+/// The noonmark-cli command line that reproduces the result, for a POSIX shell, in a folder with copies of
+/// the inputs, or of the project file, and of region.geojson if only that file states the region. Settings
+/// with default values, and those that do not affect the question, are left out. Lines longer than `width`
+/// letters are continued on the next after a backslash. Error, with advice: the project was not saved in the
+/// state that was measured, or the inputs of the city are not known.
+Result<std::string> makeRepeatCommand(const RepeatQuestion& question, std::size_t width = 120);
+
+/// The same for a study. `command`: "study", or another that takes its options plus `more`.
+Result<std::string> makeRepeatCommand(const Study& study, std::size_t width = 120,
+                                      const std::string& command = "study",
+                                      std::vector<RepeatOption> more = {});
+
+/// Whether the command names region.geojson, which must then be written beside the outputs.
+bool needsRegionFile(const Study& study);
+
+}  // namespace noonmark

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "core/study/provenance/provenance.h"
+
+namespace noonmark {
+
+/// The last columns of a table: project, scenario, baseline, content_sha256, so that a copied table still
+/// states its origin; and the values of a row. Both begin with a comma.
+inline constexpr const char* sourceColumns = ",project,scenario,baseline,content_sha256";
+std::string sourceFields(const Provenance& provenance);
+
+/// Quotes a field of a CSV file (RFC 4180).
+std::string csvField(const std::string& text);
+
+}  // namespace noonmark

@@ -1,0 +1,100 @@
+#include "core/study/provenance/study_hash.h"
+
+#include <fmt/format.h>
+
+#include "core/base/version.h"
+#include "core/receivers/roof_receivers.h"
+#include "core/study/provenance/sha256.h"
+
+namespace noonmark {
+
+namespace {
+
+// Increase this number whenever the same study gives other results, so that older tiles are not resumed. 2:
+// the sun is in the frame of the geometry, and rays decide doubtful longest runs.
+constexpr std::uint32_t methodNumber = 2;
+
+template <class T>
+void addAll(Sha256& sum, const std::vector<T>& values) {
+    sum.add(values.size());
+    sum.add(values.data(), values.size() * sizeof(T));
+}
+
+// Hashes the number of points first, so that consecutive rings are delimited.
+void addFootprint(Sha256& sum, const Footprint& footprint) {
+    addAll(sum, footprint.outer);
+    sum.add(footprint.holes.size());
+    for (const Ring& hole : footprint.holes) addAll(sum, hole);
+}
+
+void addPart(Sha256& sum, const Part& part) {
+    addFootprint(sum, part.footprint);
+    sum.add(part.bottomM);
+    sum.add(part.topM);
+    sum.add(part.isOverhanging);
+    sum.add(bool(part.mesh));
+    if (!part.mesh) return;
+    addAll(sum, part.mesh->vertices);
+    addAll(sum, part.mesh->triangles);
+}
+
+// Hashes everything that determines the positions of the posts.
+void addPosts(Sha256& sum, const PostGrid& posts) {
+    for (const glm::dvec2 way : {posts.first, posts.columnStep, posts.rowStep}) {
+        sum.add(way.x);
+        sum.add(way.y);
+    }
+    sum.add(posts.columns);
+    sum.add(posts.rows);
+    for (const glm::dvec2 term : posts.bend) {
+        sum.add(term.x);
+        sum.add(term.y);
+    }
+}
+
+void addCity(Sha256& sum, const City& city) {
+    const LonLat origin = city.frame.origin();
+    for (const double number : {origin.lonDeg, origin.latDeg, city.frame.originElevationM()}) sum.add(number);
+    sum.add(city.buildings.size());
+    for (const auto& building : city.buildings) {
+        sum.add(building->parts.size());
+        for (const Part& part : building->parts) addPart(sum, part);
+    }
+    sum.add(bool(city.terrain));
+    if (!city.terrain) return;
+    addPosts(sum, city.terrain->grid);
+    addAll(sum, city.terrain->elevationM);
+}
+
+// Hashes the settings as text with a fixed place for every setting that matters.
+void addSettings(Sha256& sum, const StudySettings& settings) {
+    const Period& period = settings.period;
+    sum.add(fmt::format("{};{};{};{};{};{};", formatText(period), period.hours, period.stepMinutes,
+                        period.refraction, settings.pressureHPa, settings.temperatureC));
+    if (period.window) sum.add(fmt::format("{};", int(period.window->rule)));
+    sum.add(fmt::format("{};{};{};{};", settings.receivers.cellM, settings.engine,
+                        settings.errorSample.receivers, settings.errorSample.seed));
+    if (settings.receivers.places != ReceiverPlaces::ground)
+        sum.add(fmt::format("{};", nameOf(settings.receivers.places)));
+    for (const auto& [key, value] : settings.engineSettings) sum.add(fmt::format("{}={};", key, value));
+    for (const Footprint& polygon : settings.region.polygons) addFootprint(sum, polygon);
+}
+
+}  // namespace
+
+std::string hashCity(const City& city) {
+    Sha256 sum;
+    addCity(sum, city);
+    return sum.hex();
+}
+
+std::string hashStudy(const City& city, const StudySettings& settings) {
+    Sha256 sum;
+    sum.add(version());
+    sum.add(methodNumber);
+    addCity(sum, city);
+    addSettings(sum, settings);
+    return sum.hex();
+}
+
+}  // namespace noonmark

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "core/study/study.h"
+
+namespace noonmark {
+
+/// SHA-256 of a city's geometry, position and terrain, without names and sources: equal for cities with
+/// identical shadows. Lower-case hex. O(points), some 0.1 s for 43,000 buildings.
+std::string hashCity(const City& city);
+
+/// SHA-256 of everything that a result depends on: the version of the program, the city's geometry, position
+/// and terrain, and the settings. Names, sources and the memory limit are not included. Lower-case hex.
+/// O(points).
+std::string hashStudy(const City& city, const StudySettings& settings);
+
+}  // namespace noonmark

@@ -1,0 +1,62 @@
+#include "core/study/text/height_facts_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/json_number.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+HeightField heightFieldFrom(const Json& json) {
+    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
+            json.at("meaning").get<std::string>(), json.at("unit").get<std::string>(),
+            wholeNumberFrom<std::size_t>(json.at("features"))};
+}
+
+UnknownField unknownFieldFrom(const Json& json) {
+    return {json.at("file").get<std::string>(), json.at("field").get<std::string>(),
+            json.at("low").get<double>(),       json.at("high").get<double>(),
+            json.at("whole").get<bool>(),       wholeNumberFrom<std::size_t>(json.at("features"))};
+}
+
+}  // namespace
+
+Json heightFactsJson(const HeightFacts& facts) {
+    Json json;
+    json["fields"] = Json::array();
+    for (const HeightField& field : facts.fields)
+        json["fields"].push_back({{"file", field.file},
+                                  {"field", field.field},
+                                  {"meaning", field.meaning},
+                                  {"unit", field.unit},
+                                  {"features", field.features}});
+    json["could_be"] = Json::array();
+    for (const UnknownField& field : facts.unknown)
+        json["could_be"].push_back({{"file", field.file},
+                                    {"field", field.field},
+                                    {"low", field.low},
+                                    {"high", field.high},
+                                    {"whole", field.whole},
+                                    {"features", field.features}});
+    return json;
+}
+
+std::optional<HeightFacts> parseHeightFacts(const std::string& text) try {
+    const Json json = Json::parse(text);
+    HeightFacts facts;
+    for (const Json& field : json.at("fields")) facts.fields.push_back(heightFieldFrom(field));
+    for (const Json& field : json.at("could_be")) facts.unknown.push_back(unknownFieldFrom(field));
+    const auto finite = [](const UnknownField& field) {
+        return std::isfinite(field.low) && std::isfinite(field.high);
+    };
+    if (!std::ranges::all_of(facts.unknown, finite)) return std::nullopt;
+    return facts;
+} catch (const std::exception&) {  // not JSON, or of another structure
+    return std::nullopt;
+}
+
+}  // namespace noonmark

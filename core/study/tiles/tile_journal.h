@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/receivers/tile_plan.h"
+#include "core/study/tiles/tile_result.h"
+
+namespace noonmark {
+
+/// The finished tiles of a study, stored in a folder: journal.jsonl, whose first line identifies the study by
+/// its hash and whose other lines are one TileResult each, and a GeoTIFF per tile. If the process is killed,
+/// the next one finds the finished tiles; a truncated line or file counts as missing. One process at a time.
+class TileJournal {
+public:
+    /// Creates the folder or opens an existing one. Error: it belongs to another study, another process works
+    /// on it, or it cannot be written.
+    static Result<TileJournal> open(const std::filesystem::path& folder, const std::string& studyHash,
+                                    const TilePlan& plan);
+    TileJournal(TileJournal&& other) noexcept;
+    TileJournal& operator=(TileJournal&& other) noexcept = delete;
+    ~TileJournal();
+
+    /// By tile number.
+    [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
+
+    /// The file with the cells of a tile: two bands, gross and continuous minutes. Empty tiles have none.
+    [[nodiscard]] std::filesystem::path fileOf(std::size_t tile) const;
+
+    /// Marks a tile as finished; its file must exist.
+    Result<void> add(TileResult result);
+
+    /// Removes the folder and its content.
+    void remove();
+
+private:
+    TileJournal(std::filesystem::path folder, int file);
+    Result<void> read(const std::string& text, const std::string& first, const TilePlan& plan);
+    Result<void> append(const std::string& line);
+    void take(const std::string& line, const TilePlan& plan);
+
+    std::filesystem::path folder_;
+    int file_ = -1;
+    std::map<std::size_t, TileResult> finished_;
+};
+
+}  // namespace noonmark

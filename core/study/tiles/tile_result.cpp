@@ -1,0 +1,69 @@
+#include "core/study/tiles/tile_result.h"
+
+#include <limits>
+
+#include "core/base/json_number.h"
+
+namespace noonmark {
+
+using Json = nlohmann::json;
+
+namespace {
+
+Json toJson(const ComparedCell& cell) {
+    return {cell.centreM.x,         cell.centreM.y,     cell.grossMin,
+            cell.referenceGrossMin, cell.continuousMin, cell.referenceContinuousMin};
+}
+
+// NaN (not counted) is null in JSON.
+double minutesFrom(const Json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+ComparedCell comparedCellFrom(const Json& json) {
+    return {{json.at(0), json.at(1)}, json.at(2), json.at(3), minutesFrom(json.at(4)), json.at(5)};
+}
+
+TileResult resultFrom(const Json& json) {
+    const Json& sums = json.at("sums");
+    TileResult result{wholeNumberFrom<std::size_t>(json.at("tile")),
+                      {wholeNumberFrom<std::size_t>(sums.at(0)), sums.at(1), minutesFrom(sums.at(2)),
+                       sums.at(3), sums.at(4)}};
+    result.cost.rays = wholeNumberFrom<std::uint64_t>(json.at("rays"));
+    for (const auto& [reason, count] : json.at("skipped").items())
+        result.cost.skipped[reason] = wholeNumberFrom<std::uint64_t>(count);
+    result.cost.seconds = json.at("stages");
+    result.engineKey = json.at("engine");
+    result.engine = json.at("engine_settings");
+    for (const Json& cell : json.at("compared")) result.compared.push_back(comparedCellFrom(cell));
+    result.seconds = json.at("seconds");
+    result.errorSeconds = json.at("error_seconds");
+    return result;
+}
+
+}  // namespace
+
+Json toJson(const TileResult& result) {
+    const ShadowSums& sums = result.sums;
+    Json compared = Json::array();
+    for (const ComparedCell& cell : result.compared) compared.push_back(toJson(cell));
+    return {{"tile", result.number},
+            {"sums",
+             {sums.receivers, sums.grossMin, sums.continuousMin, sums.maxGrossMin, sums.maxContinuousMin}},
+            {"rays", result.cost.rays},
+            {"skipped", result.cost.skipped},
+            {"stages", result.cost.seconds},
+            {"engine", result.engineKey},
+            {"engine_settings", result.engine},
+            {"compared", compared},
+            {"seconds", result.seconds},
+            {"error_seconds", result.errorSeconds}};
+}
+
+std::optional<TileResult> tileResultFrom(const Json& json) try {
+    return resultFrom(json);
+} catch (const std::exception&) {  // of another structure, or numbers out of range
+    return std::nullopt;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/measures/error_sample.h"
+#include "core/measures/statistics.h"
+
+namespace noonmark {
+
+/// The stored result of one tile of a study, except for its cells, which are in a raster file.
+struct TileResult {
+    std::size_t number = 0;  ///< tile number in the TilePlan
+    ShadowSums sums;
+    Cost cost;
+    std::string engineKey;  ///< key of the engine that computed it; empty if there was nothing to do
+    std::string engine;     ///< its name for display
+    std::vector<ComparedCell> compared;  ///< cells compared with the ray reference
+    double seconds = 0;
+    double errorSeconds = 0;  ///< the part of `seconds` spent on `compared`
+
+    [[nodiscard]] bool empty() const { return sums.receivers == 0; }
+};
+
+/// One line of a journal, from which the same value is read back, to the last bit.
+nlohmann::json toJson(const TileResult& result);
+/// Nothing if the JSON is not a TileResult.
+std::optional<TileResult> tileResultFrom(const nlohmann::json& json);
+
+}  // namespace noonmark

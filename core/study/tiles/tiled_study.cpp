@@ -1,0 +1,195 @@
+#include "core/study/tiles/tiled_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/engines/common/shadow_reach.h"
+#include "core/measures/has_runs.h"
+#include "core/study/memory_need.h"
+#include "core/study/provenance/study_hash.h"
+#include "core/study/remaining_time.h"
+#include "core/study/tiles/assemble_map.h"
+#include "core/study/tiles/tile_runner.h"
+
+namespace noonmark {
+
+namespace {
+
+Result<void> checkQuestion(const StudySettings& settings) {
+    if (settings.byMonth || settings.contributions)
+        return failure("Months and contributions are not available for tiled studies", "study",
+                       "Leave them out, or choose a region that fits into memory");
+    return validate(settings.period).map([](const Period&) {});
+}
+
+Result<void> checkTileSide(int cells) {
+    if (cells >= TiledStudySettings::minTileCells && cells <= TiledStudySettings::maxTileCells) return {};
+    return failure(fmt::format("A tile of {} cells is out of range", cells), "tile size",
+                   "Choose 64 to 4096 cells");
+}
+
+// Checks the memory of one tile: the size of the region does not matter.
+Result<void> checkTileMemory(const City& city, const TilePlan& plan, StudySettings settings,
+                             const EngineList& engines) {
+    const auto cellM = float(plan.whole.cellM);
+    const float widthM = cellM * float(std::min(plan.side, plan.whole.columns));
+    const float heightM = cellM * float(std::min(plan.side, plan.whole.rows));
+    settings.region = makeRegionFromLocalBox({{0, 0}, {widthM, heightM}});
+    return checkMemory(city, settings, engines);
+}
+
+Result<SunSteps> computeSunOver(const Study& study, const std::stop_token& stop) {
+    return computeDaylightSteps(study.settings.period, makeObserver(study), stop);
+}
+
+double cellsOf(const TilePlan& plan, const std::map<std::size_t, TileResult>& tiles) {
+    double cells = 0;
+    for (const auto& [number, result] : tiles) cells += double(plan.tile(number).size());
+    return cells;
+}
+
+Result<void> runTiles(TileRunner& runner, const TilePlan& plan, const TileJournal& journal,
+                      Progress& progress, const std::stop_token& stop) {
+    PiecewiseProgress pieces(progress, double(plan.whole.size()), cellsOf(plan, journal.finished()));
+    for (std::size_t tile = 0; tile < plan.count(); ++tile) {
+        if (stop.stop_requested()) return cancelled();
+        if (journal.finished().contains(tile)) continue;
+        pieces.begin(fmt::format("tile {} of {}", tile + 1, plan.count()), double(plan.tile(tile).size()));
+        if (auto done = runner.run(tile, pieces, stop); !done) return done;
+        pieces.end();
+    }
+    return {};
+}
+
+void addCost(Cost& sum, const Cost& piece) {
+    sum.rays += piece.rays;
+    for (const auto& [stage, seconds] : piece.seconds) sum.seconds[stage] += seconds;
+    for (const auto& [reason, count] : piece.skipped) sum.skipped[reason] += count;
+}
+
+std::uint32_t buildingsUsed(const City& city, const Region& region, const SunSteps& sun) {
+    const ShadowReach reach(sun);
+    const float lowest = city.terrain ? *std::ranges::min_element(city.terrain->elevationM) : 0;
+    return std::uint32_t(std::ranges::count_if(city.buildings, [&](const auto& building) {
+        return reach.touches(bounds(*building), double(topM(*building) - lowest), bounds(region));
+    }));
+}
+
+// Every tile skipped other buildings: only those that no tile needed count as skipped.
+void countBuildings(Study& study) {
+    const auto skipped = study.field.cost.skipped.find("buildings whose shadow cannot reach a receiver");
+    if (skipped != study.field.cost.skipped.end())
+        skipped->second = study.city.buildings.size() - study.field.cost.buildingsUsed;
+}
+
+std::string engineWords(const TiledStudy& tiled, const std::string& first) {
+    std::string keys;
+    for (const auto& [key, count] : tiled.tilesByEngine)
+        keys += fmt::format("{}{} in {}", keys.empty() ? "" : ", ", key, count);
+    return fmt::format("{}; {} tiles of {} cells per side: {}", first, tiled.plan.count(), tiled.plan.side,
+                       keys);
+}
+
+void addTiles(TiledStudy& tiled, const TileJournal& journal) {
+    Study& study = tiled.study;
+    ShadowSums sums;
+    std::vector<ComparedCell> compared;
+    std::string first;
+    for (const auto& [number, result] : journal.finished()) {
+        sums.add(result.sums);
+        addCost(study.field.cost, result.cost);
+        compared.insert(compared.end(), result.compared.begin(), result.compared.end());
+        study.seconds["accumulate"] += result.seconds - result.errorSeconds;
+        if (!result.compared.empty()) study.seconds["error_sample"] += result.errorSeconds;
+        if (result.empty()) ++tiled.emptyTiles;
+        if (result.empty()) continue;
+        ++tiled.tilesByEngine[result.engineKey];
+        if (first.empty()) first = result.engine;
+    }
+    countBuildings(study);
+    const ShadowField& field = study.field;
+    study.statistics = computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
+    study.field.engine = engineWords(tiled, first);
+    study.field.engineKey =
+        tiled.tilesByEngine.size() == 1 ? tiled.tilesByEngine.begin()->first : study.settings.engine;
+    if (compared.empty()) return;
+    study.error = errorOf(compared, field.sunlitMinutesPerDay, longestDayMinutes(study.sun));
+    study.error->ofReceivers = sums.receivers;
+    study.error->rays = std::uint64_t(compared.size()) * study.sun.steps.size();
+}
+
+void setGrid(Study& study, const Grid& grid) {
+    study.receivers.grid = grid;
+    study.field.grid = grid;
+    study.field.stepMinutes = study.sun.stepMinutes;
+    study.field.days = std::max(1, int(study.sun.dayCount()));
+    study.field.sunlitMinutesPerDay = study.sun.sunlitMinutes() / study.field.days;
+    study.field.cost.buildingsUsed = buildingsUsed(study.city, study.settings.region, study.sun);
+}
+
+Result<void> checkOpenGround(const Study& study) {
+    if (study.statistics.receivers > 0) return {};
+    return failure("No cell of the region lies on open ground", study.settings.region.name,
+                   "Choose a region outside the buildings, or smaller cells");
+}
+
+Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const MapFile& file,
+                                Progress& progress, const std::stop_token& stop) {
+    const Stopwatch watch;
+    Study& study = tiled.study;
+    auto sun = computeSunOver(study, stop);
+    if (!sun) return tl::make_unexpected(sun.error());
+    study.sun = *std::move(sun);
+    setGrid(study, tiled.plan.whole);
+    study.terrainCoverage =
+        computeTerrainCoverage(study.city, study.settings.region, tiled.plan.whole, study.sun);
+    if (auto covered = checkCoverage(study.terrainCoverage, study.settings.region.name); !covered)
+        return tl::make_unexpected(covered.error());
+    study.warnings = makeWarnings(study.terrainCoverage);
+    auto journal =
+        TileJournal::open(file.path.string() + ".tiles", hashStudy(study.city, study.settings), tiled.plan);
+    if (!journal) return tl::make_unexpected(journal.error());
+    tiled.resumedTiles = journal->finished().size();
+    TileRunner runner(study.city, study.settings, study.sun, engine, tiled.plan, *journal);
+    if (auto done = runTiles(runner, tiled.plan, *journal, progress, stop); !done)
+        return tl::make_unexpected(done.error());
+    addTiles(tiled, *journal);
+    if (auto some = checkOpenGround(study); !some) return tl::make_unexpected(some.error());
+    const Stopwatch writing;
+    if (auto made = assembleMap(tiled.plan, *journal, study.city.frame, file, hasRuns(study.statistics),
+                                progress, stop);
+        !made)
+        return tl::make_unexpected(made.error());
+    journal->remove();
+    study.seconds["write"] = writing.seconds();
+    study.seconds["total"] = watch.seconds();
+    return tiled;
+}
+
+}  // namespace
+
+Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& settings,
+                                 const std::filesystem::path& file, Progress& progress, std::stop_token stop,
+                                 const EngineList& engines) try {
+    const StudySettings& question = settings.study;
+    if (const auto side = checkTileSide(settings.tileCells); !side) return tl::make_unexpected(side.error());
+    if (const auto sound = checkQuestion(question); !sound) return tl::make_unexpected(sound.error());
+    const auto engine = makeEngine(question.engine, question.engineSettings, engines);
+    if (!engine) return tl::make_unexpected(engine.error());
+    const auto grid = gridOver(question.region, question.receivers);
+    if (!grid) return tl::make_unexpected(grid.error());
+    const TilePlan plan{*grid, settings.tileCells};
+    if (auto fits = checkTileMemory(city, plan, question, engines); !fits)
+        return tl::make_unexpected(fits.error());
+    return computeTiles({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
+                        {file, settings.tags}, progress, stop);
+} catch (const std::bad_alloc&) {
+    return limitReached("There is not enough memory for this study", "",
+                        "Choose smaller tiles or fewer steps");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,61 @@
+#pragma once
+
+// The folder core/study/tiles computes regions of any size, tile after tile. runTiledStudy() (this file)
+// divides the region (core/receivers/tile_plan.h); tile_runner.h computes one tile into a TileResult
+// (tile_result.h) and a raster file; tile_journal.h stores finished tiles, so that a killed run can be
+// resumed; assemble_map.h joins the tiles into one GeoTIFF, with the bands of map_bands.h.
+
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+
+#include "core/io/files/file_tags.h"
+#include "core/receivers/tile_plan.h"
+#include "core/study/study.h"
+
+namespace noonmark {
+
+struct TiledStudySettings {
+    /// As many cells as the horizon sweep computes in one piece for a year, and whole blocks of the file.
+    static constexpr int usualTileCells = 768;
+    static constexpr int minTileCells = 64;
+    static constexpr int maxTileCells = 4096;
+
+    StudySettings study;
+    int tileCells = usualTileCells;  ///< cells along a side
+    FileTags tags = {};              ///< tags of the map: makeProvenanceTags()
+};
+
+/// A study whose cells were never in memory all at once.
+struct TiledStudy {
+    /// The study as by runStudy, but without cells: `receivers` and `field` hold the grid and no arrays, Cost
+    /// the sums over the tiles.
+    Study study;
+    TilePlan plan;
+    /// Number of tiles by the key of the engine that computed them
+    std::map<std::string, std::size_t> tilesByEngine;
+    std::size_t emptyTiles = 0;    ///< tiles without a receiver
+    std::size_t resumedTiles = 0;  ///< tiles that an earlier run had finished
+};
+
+/// Computes the shadow over a region of any size, tile after tile, into one GeoTIFF with overviews: gross
+/// and, if every tile counted them, continuous minutes; NaN where there is no receiver. If the engine's cells
+/// do not depend on their surroundings, cells and statistics equal those of runStudy over the whole region
+/// (sums are added in another order: 1e-12).
+///
+/// Finished tiles are stored in the folder `file` + ".tiles" until all are done (TileJournal): running the
+/// same study again after a kill resumes there. The engine `auto` may pick a different engine for each tile;
+/// tilesByEngine says which. The error is measured on a sample in each tile and stated for the whole region.
+///
+/// Memory: the city, its ray scene if rays are traced, and one tile; not the region. Errors: as runStudy,
+/// TileJournal and GeoTiffWriter. Reports progress with the remaining time; cancelled() within 0.2 s,
+/// finished tiles remain.
+Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& settings,
+                                 const std::filesystem::path& file, Progress& progress, std::stop_token stop,
+                                 const EngineList& engines = coreEngines());
+
+/// studyJson, plus `tiles`: side_cells, count, empty, resumed, by_engine.
+std::string tiledStudyJson(const TiledStudy& tiled);
+
+}  // namespace noonmark

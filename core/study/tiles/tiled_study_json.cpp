@@ -1,0 +1,27 @@
+#include <limits>
+
+#include "core/study/provenance/provenance_json.h"
+#include "core/study/provenance/repeat_command.h"
+#include "core/study/text/warnings_json.h"
+#include "core/study/tiles/tiled_study.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+std::string tiledStudyJson(const TiledStudy& tiled) {
+    Json json = Json::parse(studyJson(tiled.study));
+    json["tiles"] = {{"side_cells", tiled.plan.side},
+                     {"count", tiled.plan.count()},
+                     {"empty", tiled.emptyTiles},
+                     {"resumed", tiled.resumedTiles},
+                     {"by_engine", tiled.tilesByEngine}};
+    std::vector<RepeatOption> tiles;
+    if (tiled.plan.side != TiledStudySettings::usualTileCells)
+        tiles.push_back({"--tile", {std::to_string(tiled.plan.side)}});
+    addRepeat(json,
+              makeRepeatCommand(tiled.study, std::numeric_limits<std::size_t>::max(), "city-study", tiles));
+    return toJsonText(json);
+}
+
+}  // namespace noonmark

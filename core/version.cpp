@@ -1,7 +1,0 @@
-#include "core/version.h"
-
-namespace noonmark {
-
-std::string_view version() { return NOONMARK_VERSION; }
-
-}  // namespace noonmark

@@ -1,0 +1,27 @@
+#include "render/scene/array_entity.h"
+
+#include <Qt3DRender/QLayer>
+
+#include "render/scene/shader_material.h"
+
+namespace noonmark {
+
+ArrayGeometry* makeIndexedGeometry(Qt3DRender::QGeometryRenderer::PrimitiveType primitive,
+                                   const std::vector<glm::vec3>& points,
+                                   const std::vector<std::uint32_t>& indices) {
+    auto* geometry = new ArrayGeometry(primitive);
+    geometry->addPoints(QStringLiteral("vertexPosition"), points);
+    geometry->setIndices(indices);
+    return geometry;
+}
+
+Qt3DCore::QEntity* makeArrayEntity(ArrayGeometry* geometry, ShaderMaterial& material,
+                                   Qt3DCore::QEntity* parent, Qt3DRender::QLayer* layer) {
+    auto* entity = new Qt3DCore::QEntity(parent);
+    entity->addComponent(geometry);
+    entity->addComponent(&material);
+    if (layer) entity->addComponent(layer);
+    return entity;
+}
+
+}  // namespace noonmark

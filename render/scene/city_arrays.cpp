@@ -1,0 +1,117 @@
+#include "render/scene/city_arrays.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "render/scene/feature_edges.h"
+
+namespace noonmark {
+
+namespace {
+
+// The index in `entries` where each building's entries begin, plus the end of the last building. Entries are
+// sorted by building.
+std::vector<std::size_t> startsOf(const CityArrays& arrays, const std::vector<std::uint32_t>& entries) {
+    std::vector<std::size_t> starts(arrays.buildings.size() + 1, 0);
+    for (const std::uint32_t point : entries) ++starts[std::size_t(arrays.buildingOfPoint[point]) + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    return starts;
+}
+
+using Shared = std::shared_ptr<const Building>;
+
+std::vector<const Building*> sortedAddresses(const std::vector<Shared>& buildings) {
+    std::vector<const Building*> addresses;
+    addresses.reserve(buildings.size());
+    for (const Shared& building : buildings) addresses.push_back(building.get());
+    std::ranges::sort(addresses);
+    return addresses;
+}
+
+void addBuildings(CityArrays& arrays, const City& city, std::size_t mostEdgeTriangles) {
+    const CityMesh mesh = meshOf(city);
+    arrays.buildings = city.buildings;
+    arrays.points = mesh.mesh.vertices;
+    arrays.buildingOfPoint.resize(arrays.points.size());
+    arrays.triangles.reserve(mesh.mesh.triangles.size() * 3);
+    for (std::size_t i = 0; i < mesh.mesh.triangles.size(); ++i)
+        for (int corner = 0; corner < 3; ++corner) {
+            const std::uint32_t point = mesh.mesh.triangles[i][corner];
+            arrays.triangles.push_back(point);
+            arrays.buildingOfPoint[point] = float(mesh.buildingOfTriangle[i]);
+        }
+    if (mesh.mesh.triangles.size() <= mostEdgeTriangles) arrays.edges = findFeatureEdges(mesh.mesh);
+    arrays.triangleStart = startsOf(arrays, arrays.triangles);
+    arrays.edgeStart = startsOf(arrays, arrays.edges);
+}
+
+// The ground continues beyond the city until it fades into the background.
+Box2 groundBox(const ViewBounds& bounds) {
+    const glm::vec2 centre(bounds.centre());
+    const glm::vec2 reach(float(20 * bounds.radiusM()));
+    return {centre - reach, centre + reach};
+}
+
+void addSquare(CityArrays& arrays, const Box2& box, float z) {
+    const auto first = std::uint32_t(arrays.groundPoints.size());
+    arrays.groundPoints.insert(arrays.groundPoints.end(), {{box.low.x, box.low.y, z},
+                                                           {box.high.x, box.low.y, z},
+                                                           {box.high.x, box.high.y, z},
+                                                           {box.low.x, box.high.y, z}});
+    for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
+        arrays.groundTriangles.push_back(first + corner);
+}
+
+void addTerrain(CityArrays& arrays, const Terrain& terrain) {
+    const TriangleMesh mesh = meshOf(terrain);
+    arrays.groundPoints = mesh.vertices;
+    for (const glm::uvec3 triangle : mesh.triangles)
+        arrays.groundTriangles.insert(arrays.groundTriangles.end(), {triangle.x, triangle.y, triangle.z});
+}
+
+}  // namespace
+
+CityArrays makeBuildingArrays(const City& city, std::size_t mostEdgeTriangles) {
+    CityArrays arrays;
+    addBuildings(arrays, city, mostEdgeTriangles);
+    return arrays;
+}
+
+ArrayDifference computeDifference(const CityArrays& drawn, const City& city) {
+    ArrayDifference difference;
+    const auto before = sortedAddresses(drawn.buildings);
+    const auto after = sortedAddresses(city.buildings);
+    for (std::size_t i = 0; i < drawn.buildings.size(); ++i)
+        if (!std::ranges::binary_search(after, drawn.buildings[i].get()))
+            difference.gone.push_back(std::uint32_t(i));
+    for (const Shared& building : city.buildings)
+        if (!std::ranges::binary_search(before, building.get()))
+            difference.added.buildings.push_back(building);
+    return difference;
+}
+
+CityArrays makeArrays(const City& city, std::size_t mostEdgeTriangles) {
+    CityArrays arrays = makeBuildingArrays(city, mostEdgeTriangles);
+    arrays.bounds = computeViewBounds(city);
+    if (city.terrain) addTerrain(arrays, *city.terrain);
+    // Below a terrain the square only fills the view up to the horizon.
+    const float below = city.terrain ? 0.5F + float(arrays.bounds.radiusM()) * 1e-3F : 0;
+    addSquare(arrays, groundBox(arrays.bounds), arrays.bounds.groundM - below);
+    return arrays;
+}
+
+ViewBounds computeViewBounds(const City& city) {
+    ViewBounds view;
+    view.box = bounds(city);
+    for (const auto& building : city.buildings) view.topM = std::max(view.topM, topM(*building));
+    if (city.terrain) {
+        const auto [low, high] = std::ranges::minmax(city.terrain->elevationM);
+        view.groundM = low;
+        view.topM = std::max(view.topM, high);
+        if (view.box.empty()) view.box = bounds(city.terrain->grid);
+    }
+    if (view.box.empty()) view.box = {{-500, -500}, {500, 500}};
+    return view;
+}
+
+}  // namespace noonmark

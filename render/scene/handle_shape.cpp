@@ -1,0 +1,42 @@
+#include "render/scene/handle_shape.h"
+
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <numbers>
+
+namespace noonmark {
+
+namespace {
+
+constexpr int sides = 24;
+
+// A surface of revolution about the z axis, through points (radius, z) from bottom to top.
+void addTurned(TriangleMesh& mesh, const std::vector<glm::vec2>& profile) {
+    const auto first = std::uint32_t(mesh.vertices.size());
+    const auto ring = std::uint32_t(sides);
+    for (const glm::vec2 point : profile)
+        for (int side = 0; side < sides; ++side) {
+            const float angle = 2 * std::numbers::pi_v<float> * float(side) / float(sides);
+            mesh.vertices.emplace_back(point.x * std::cos(angle), point.x * std::sin(angle), point.y);
+        }
+    for (std::uint32_t row = 0; row + 1 < profile.size(); ++row)
+        for (std::uint32_t side = 0; side < ring; ++side) {
+            const std::uint32_t a = first + row * ring + side;
+            const std::uint32_t b = first + row * ring + (side + 1) % ring;
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, b + ring}, {a, b + ring, a + ring}});
+        }
+}
+
+}  // namespace
+
+TriangleMesh makeDoubleArrow(float height) {
+    const float neck = height * 0.34F;  // length of an arrowhead
+    const float wide = height * 0.17F, thin = height * 0.06F;
+    TriangleMesh mesh;
+    addTurned(
+        mesh,
+        {{0, 0}, {wide, neck}, {thin, neck}, {thin, height - neck}, {wide, height - neck}, {0, height}});
+    return mesh;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,126 @@
+#include "render/scene/overlay_bodies.h"
+
+#include <QColor>
+#include <QVector2D>
+#include <QVector3D>
+#include <QVector4D>
+#include <Qt3DCore/QEntity>
+#include <Qt3DRender/QLayer>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "render/scene/array_entity.h"
+#include "render/scene/city_arrays.h"
+#include "render/scene/handle_shape.h"
+#include "render/scene/shader_material.h"
+
+namespace noonmark {
+
+namespace {
+
+constexpr QColor hoveredColour{0x5b, 0x9b, 0xe0, 90};
+constexpr QColor selectedColour{0x2f, 0x7d, 0xe0, 165};
+constexpr QColor proposedColour{0x4f, 0xc2, 0xa4, 255};
+constexpr QColor edgeColour{0x05, 0x3d, 0x30};
+constexpr QColor lotColour{0x0a, 0x6f, 0x4f, 235};
+constexpr QColor handleColour{0xc2, 0x18, 0x8b, 255};
+constexpr QColor litHandleColour{0xff, 0x5c, 0xc8, 255};
+
+QVector4D vectorOf(const QColor& c) { return QVector4D(c.redF(), c.greenF(), c.blueF(), c.alphaF()); }
+
+std::vector<std::uint32_t> indicesOf(const TriangleMesh& mesh) {
+    std::vector<std::uint32_t> indices;
+    for (const glm::uvec3 t : mesh.triangles) indices.insert(indices.end(), {t.x, t.y, t.z});
+    return indices;
+}
+
+template <class Node>
+void drop(Node*& node) {
+    delete node;
+    node = nullptr;
+}
+
+}  // namespace
+
+OverlayBodies::OverlayBodies(Qt3DRender::QLayer* blended, Qt3DCore::QEntity* parent)
+    : root_(new Qt3DCore::QEntity(parent)), layer_(new Qt3DRender::QLayer(root_)), blended_(blended) {
+    layer_->setRecursive(true);
+    root_->addComponent(layer_);
+    const auto made = [this](const char* name) {
+        return new ShaderMaterial(QString::fromLatin1(name), QStringLiteral("overlay"), root_);
+    };
+    for (const auto& [tint, colour] : {std::pair(Tint::hovered, hoveredColour),
+                                       {Tint::selected, selectedColour},
+                                       {Tint::proposed, proposedColour}}) {
+        of(tint).material = made("overlay");
+        of(tint).material->set(QStringLiteral("tint"), vectorOf(colour));
+        if (tint != Tint::proposed) of(tint).material->blend();
+    }
+    edge_ = new ShaderMaterial(QStringLiteral("edge"), root_);
+    edge_->set(QStringLiteral("edgeColour"), vectorOf(edgeColour).toVector3D());
+    edge_->set(QStringLiteral("hazeDistance"), 1e6F);
+    edge_->blend();
+    line_ = new ShaderMaterial(QStringLiteral("ribbon"), root_);
+    line_->set(QStringLiteral("lineColour"), vectorOf(lotColour));
+    line_->set(QStringLiteral("widthPx"), 2.5F);
+    line_->blend();
+    line_->alwaysVisible();
+    line_->bothSides();
+    handleMaterial_ = made("handle");
+    lightHandle(false);
+}
+
+OverlayBodies::~OverlayBodies() { delete root_; }
+
+void OverlayBodies::show(Tint tint, const City& some) {
+    Body& body = of(tint);
+    drop(body.faces);
+    drop(body.edges);
+    if (some.buildings.empty()) return;
+    const CityArrays arrays = makeBuildingArrays(some);
+    body.faces = makeArrayEntity(
+        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrays.points, arrays.triangles),
+        *body.material, root_, tint == Tint::proposed ? nullptr : blended_);
+    if (tint != Tint::proposed) return;
+    body.edges = makeArrayEntity(
+        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Lines, arrays.points, arrays.edges), *edge_, root_,
+        blended_);
+}
+
+void OverlayBodies::showLines(const std::vector<GroundLine>& lines) {
+    drop(lines_);
+    if (!lines.empty()) lines_ = makeArrayEntity(makeOutlineGeometry(lines), *line_, root_, blended_);
+}
+
+void OverlayBodies::makeHandle() {
+    const TriangleMesh arrow = makeDoubleArrow(float(handlePx));
+    handle_ = makeArrayEntity(
+        makeIndexedGeometry(Qt3DRender::QGeometryRenderer::Triangles, arrow.vertices, indicesOf(arrow)),
+        *handleMaterial_, root_);
+}
+
+void OverlayBodies::showHandle(std::optional<glm::dvec3> foot) {
+    foot_ = foot;
+    if (!foot) return drop(handle_);
+    handleMaterial_->set(QStringLiteral("anchor"), QVector3D(float(foot->x), float(foot->y), float(foot->z)));
+    if (!handle_) makeHandle();
+}
+
+void OverlayBodies::lightHandle(bool lit) {
+    handleMaterial_->set(QStringLiteral("tint"), vectorOf(lit ? litHandleColour : handleColour));
+}
+
+std::optional<glm::dvec2> OverlayBodies::handlePixel(const CameraPose& pose, const ViewLens& lens) const {
+    if (!foot_) return std::nullopt;
+    const auto foot = pixelOf(pose, lens, *foot_);
+    if (!foot) return foot;
+    return *foot - glm::dvec2(0, handlePx / 2);
+}
+
+void OverlayBodies::setLens(const ViewLens& lens) {
+    const double atOneMetre = 2 * std::tan(glm::radians(lens.verticalDeg) / 2) / lens.heightPx;
+    handleMaterial_->set(QStringLiteral("metresPerPixel"), float(atOneMetre));
+    line_->set(QStringLiteral("viewSize"), QVector2D(float(lens.widthPx), float(lens.heightPx)));
+}
+
+}  // namespace noonmark

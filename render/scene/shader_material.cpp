@@ -1,0 +1,87 @@
+#include "render/scene/shader_material.h"
+
+#include <QUrl>
+#include <Qt3DRender/QBlendEquation>
+#include <Qt3DRender/QBlendEquationArguments>
+#include <Qt3DRender/QCullFace>
+#include <Qt3DRender/QDepthTest>
+#include <Qt3DRender/QEffect>
+#include <Qt3DRender/QFilterKey>
+#include <Qt3DRender/QGraphicsApiFilter>
+#include <Qt3DRender/QNoDepthMask>
+#include <Qt3DRender/QParameter>
+#include <Qt3DRender/QRenderPass>
+#include <Qt3DRender/QShaderProgram>
+#include <Qt3DRender/QTechnique>
+
+namespace noonmark {
+
+namespace {
+
+Qt3DRender::QShaderProgram* programOf(const QString& vertex, const QString& fragment) {
+    auto* program = new Qt3DRender::QShaderProgram;
+    const QString folder = QStringLiteral("qrc:/shaders/");
+    program->setVertexShaderCode(
+        Qt3DRender::QShaderProgram::loadSource(QUrl(folder + vertex + QStringLiteral(".vert"))));
+    program->setFragmentShaderCode(
+        Qt3DRender::QShaderProgram::loadSource(QUrl(folder + fragment + QStringLiteral(".frag"))));
+    return program;
+}
+
+// The filter key that the frame graph's technique filter expects.
+Qt3DRender::QTechnique* forwardTechnique(Qt3DRender::QRenderPass* pass) {
+    auto* technique = new Qt3DRender::QTechnique;
+    auto* key = new Qt3DRender::QFilterKey(technique);
+    key->setName(QStringLiteral("renderingStyle"));
+    key->setValue(QStringLiteral("forward"));
+    technique->addFilterKey(key);
+    technique->graphicsApiFilter()->setApi(Qt3DRender::QGraphicsApiFilter::OpenGL);
+    technique->graphicsApiFilter()->setProfile(Qt3DRender::QGraphicsApiFilter::CoreProfile);
+    technique->graphicsApiFilter()->setMajorVersion(3);
+    technique->graphicsApiFilter()->setMinorVersion(2);
+    technique->addRenderPass(pass);
+    return technique;
+}
+
+}  // namespace
+
+ShaderMaterial::ShaderMaterial(const QString& vertex, const QString& fragment, Qt3DCore::QNode* parent)
+    : QMaterial(parent), pass_(new Qt3DRender::QRenderPass) {
+    pass_->setShaderProgram(programOf(vertex, fragment));
+    auto* effect = new Qt3DRender::QEffect(this);
+    effect->addTechnique(forwardTechnique(pass_));
+    setEffect(effect);
+}
+
+void ShaderMaterial::set(const QString& uniform, const QVariant& value) {
+    for (Qt3DRender::QParameter* parameter : parameters())
+        if (parameter->name() == uniform) return parameter->setValue(value);
+    addParameter(new Qt3DRender::QParameter(uniform, value, this));
+}
+
+void ShaderMaterial::blend() {
+    auto* arguments = new Qt3DRender::QBlendEquationArguments;
+    arguments->setSourceRgb(Qt3DRender::QBlendEquationArguments::SourceAlpha);
+    arguments->setDestinationRgb(Qt3DRender::QBlendEquationArguments::OneMinusSourceAlpha);
+    arguments->setSourceAlpha(Qt3DRender::QBlendEquationArguments::Zero);
+    arguments->setDestinationAlpha(Qt3DRender::QBlendEquationArguments::One);
+    auto* equation = new Qt3DRender::QBlendEquation;
+    equation->setBlendFunction(Qt3DRender::QBlendEquation::Add);
+    pass_->addRenderState(arguments);
+    pass_->addRenderState(equation);
+    pass_->addRenderState(new Qt3DRender::QNoDepthMask);
+}
+
+void ShaderMaterial::alwaysVisible() {
+    auto* test = new Qt3DRender::QDepthTest;
+    test->setDepthFunction(Qt3DRender::QDepthTest::Always);
+    pass_->addRenderState(test);
+}
+
+void ShaderMaterial::bothSides() {
+    auto* culling = new Qt3DRender::QCullFace;
+    culling->setMode(Qt3DRender::QCullFace::NoCulling);
+    pass_->addRenderState(culling);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QString>
+#include <Qt3DRender/QMaterial>
+
+namespace Qt3DRender {
+class QRenderPass;
+}
+
+namespace noonmark {
+
+/// A material of the shaders `vertex`.vert and `fragment`.frag in resources/shaders, drawn by the window's
+/// own frame graph. Uniforms are set by name.
+class ShaderMaterial final : public Qt3DRender::QMaterial {
+    Q_OBJECT
+public:
+    ShaderMaterial(const QString& vertex, const QString& fragment, Qt3DCore::QNode* parent);
+    explicit ShaderMaterial(const QString& both, Qt3DCore::QNode* parent = nullptr)
+        : ShaderMaterial(both, both, parent) {}
+
+    void set(const QString& uniform, const QVariant& value);
+
+    void blend();          ///< alpha blending, without writing depth
+    void alwaysVisible();  ///< ignores depth: drawn over nearer objects
+    void bothSides();      ///< disables culling
+
+private:
+    Qt3DRender::QRenderPass* pass_;
+};
+
+}  // namespace noonmark

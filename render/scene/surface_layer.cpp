@@ -1,0 +1,57 @@
+#include "render/scene/surface_layer.h"
+
+#include <QVariant>
+#include <QVector3D>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "render/scene/picture_texture.h"
+#include "render/scene/shader_material.h"
+
+namespace noonmark {
+
+namespace {
+
+QVector3D vectorOf(const glm::dvec3& v) { return {float(v.x), float(v.y), float(v.z)}; }
+
+}  // namespace
+
+SurfaceLayer::SurfaceLayer(std::vector<ShaderMaterial*> materials, Qt3DCore::QNode* parent)
+    : materials_(std::move(materials)), parent_(parent) {
+    setPalette({{0, 0, 0, 255}});
+    clear();
+}
+
+void SurfaceLayer::set(const char* uniform, const QVariant& value) {
+    for (ShaderMaterial* material : materials_) material->set(QString::fromLatin1(uniform), value);
+}
+
+void SurfaceLayer::setPalette(const std::vector<GroundPicture::Pixel>& colours) {
+    Qt3DRender::QAbstractTexture* texture = makeTexture(colours, parent_);
+    set("palette", QVariant::fromValue(texture));
+    delete palette_;
+    palette_ = texture;
+}
+
+void SurfaceLayer::show(const SurfacePicture& picture) {
+    Qt3DRender::QAbstractTexture* texture = makeTexture(picture, parent_);
+    set("samples", QVariant::fromValue(texture));
+    delete samples_;
+    samples_ = texture;
+    const PixelCamera& camera = picture.camera;
+    set("samplesEye", vectorOf(camera.eye));
+    set("samplesForward", vectorOf(camera.forward));
+    set("samplesRight", vectorOf(camera.right));
+    set("samplesUp", vectorOf(camera.up));
+    set("samplesScale", float(camera.heightPx / (2 * std::tan(glm::radians(camera.verticalDeg) / 2))));
+    set("soFar", picture.soFar ? 1.0F : 0.0F);
+}
+
+void SurfaceLayer::clear() {
+    SurfacePicture nothing;
+    nothing.samples = {{0, 0, 0, -1}};
+    show(nothing);
+    set("samplesScale", 0.0F);
+}
+
+}  // namespace noonmark

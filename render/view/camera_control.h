@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/view/view_ray.h"
+
+namespace noonmark {
+
+/// Limits of the camera.
+struct CameraLimits {
+    static constexpr double lowestPitchDeg = 2;
+    static constexpr double clearanceM = 1.7;  ///< minimum height of the eye above the ground
+    double nearestM = 5;                       ///< shortest distance to the target
+    double furthestM = 50000;
+    Box2 box;  ///< the target stays within it
+};
+
+CameraLimits computeLimits(const ViewBounds& bounds);
+
+/// The whole city from the south, looking obliquely down.
+CameraPose wholeCity(const ViewBounds& bounds, const ViewLens& lens);
+
+/// A box on the ground from straight above, north up.
+CameraPose fromAbove(const Box2& box, double groundM, const ViewLens& lens);
+
+/// Rotates around the target; dragging across the full width of the window is half a turn.
+CameraPose orbit(const CameraPose& pose, glm::dvec2 dragPx, const ViewLens& lens);
+
+/// Moves the camera so that the ground under `fromPx` comes to lie under `toPx`.
+CameraPose pan(const CameraPose& pose, glm::dvec2 fromPx, glm::dvec2 toPx, const ViewLens& lens);
+
+/// Moves towards `point`, which stays under the same pixel; factor < 1 moves closer.
+CameraPose zoom(const CameraPose& pose, glm::dvec3 point, double factor);
+
+/// Moves over the ground by shares of the distance to the target, to the right and ahead in the view
+/// direction.
+CameraPose moveCamera(const CameraPose& pose, double right, double ahead);
+
+/// The same pose with its target on the ground and within the limits, and its eye above the ground. Where
+/// needed the pitch increases, which raises the eye.
+CameraPose keepAboveGround(CameraPose pose, const CameraLimits& limits, const GroundHeight& ground);
+
+}  // namespace noonmark

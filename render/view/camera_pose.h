@@ -1,0 +1,42 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/city/footprints/footprint.h"
+
+namespace noonmark {
+
+/// Position and direction of the camera in local metres. A value.
+struct CameraPose {
+    glm::dvec3 target{0};     ///< point that the camera looks at and rotates around, on the ground
+    double distanceM = 1000;  ///< from the eye to the target, > 0
+    double headingDeg = 0;    ///< azimuth of the view, clockwise from true north
+    double pitchDeg = 45;     ///< angle below the horizontal: 0 level, 90 straight down
+    bool operator==(const CameraPose&) const = default;
+};
+
+glm::dvec3 computeForward(const CameraPose& pose);  ///< unit vector from eye to target
+glm::dvec3 computeUp(
+    const CameraPose& pose);  ///< unit vector, up on the screen; also defined when looking straight down
+glm::dvec3 computeRight(const CameraPose& pose);
+glm::dvec3 computeEye(const CameraPose& pose);
+
+/// The extent that the camera must show: the bounding box of a city and its heights.
+struct ViewBounds {
+    Box2 box;
+    float topM = 0;
+    float groundM = 0;  ///< lowest ground
+    [[nodiscard]] glm::dvec3 centre() const;
+    [[nodiscard]] double radiusM() const;  ///< radius of the bounding sphere, >= 1
+};
+
+/// Distances of the near and far planes, chosen so that nothing of `bounds` is clipped and depth stays
+/// precise.
+struct ClipRange {
+    double nearM = 1;
+    double farM = 10000;
+};
+ClipRange computeClipRange(const CameraPose& pose, const ViewBounds& bounds);
+
+}  // namespace noonmark

@@ -1,0 +1,109 @@
+#pragma once
+
+// The folder render/view/ shows a city on the screen. city_view.h is the Qt3D window, view_navigator.h moves
+// its camera with mouse and keys, camera_pose.h and camera_control.h are the camera as a value and its
+// movements, view_ray.h and scene_picker.h find what lies under a pixel, and explored_view.h holds shadow on
+// the surfaces that a camera sees.
+
+#include <QImage>
+#include <Qt3DExtras/Qt3DWindow>
+#include <functional>
+#include <memory>
+
+#include "render/scene/building_bodies.h"
+#include "render/scene/ground_picture.h"
+#include "render/scene/overlay_bodies.h"
+#include "render/scene/surface_layer.h"
+#include "render/view/view_ray.h"
+
+class QTimer;
+
+namespace Qt3DRender {
+class QFrameGraphNode;
+class QLayer;
+class QLayerFilter;
+class QRenderCapture;
+}  // namespace Qt3DRender
+
+namespace noonmark {
+
+class ShaderMaterial;
+
+/// The city on the screen: buildings, ground and lines over it. Draws only after a change. Embed it with
+/// QWidget::createWindowContainer. Requires the OpenGL renderer of Qt3D: set QT3D_RENDERER=opengl before
+/// creating the application.
+class CityView final : public Qt3DExtras::Qt3DWindow {
+    Q_OBJECT
+public:
+    CityView();
+    ~CityView() override;
+
+    /// Replaces the city (not null), removes pictures and lines, and shows the whole city.
+    void showCity(std::shared_ptr<const CityArrays> arrays);
+    /// Shows the differences from the arrays of showCity(), replacing earlier differences; camera, pictures
+    /// and lines stay. Costs only what changed.
+    void showChanges(const ArrayDifference& changes);
+    /// The arrays of showCity(); null before its first call.
+    [[nodiscard]] std::shared_ptr<const CityArrays> arrays() const;
+    [[nodiscard]] OverlayBodies& overlay() { return *overlay_; }
+    /// Shows a picture on the ground. `soFar`: it covers only a part of the period or region and is striped.
+    void showPicture(const GroundPicture& picture, bool soFar = false);
+    /// Shows a picture on the roofs, in addition to showPicture(). clearPicture() and the next showPicture()
+    /// remove it.
+    void showRoofPicture(const GroundPicture& picture);
+    void clearPicture();
+    /// Pictures on ground, roofs and facades; they cover the picture on the ground.
+    [[nodiscard]] SurfaceLayer& surfaces() { return *surfaces_; }
+    /// Shows or hides the faces; without them only the buildings' edges cover the ground.
+    void showFaces(bool shown);
+    void showLines(const std::vector<GroundLine>& lines);
+
+    [[nodiscard]] const CameraPose& pose() const { return pose_; }
+    void setPose(const CameraPose& pose);
+    [[nodiscard]] const ViewBounds& viewBounds() const { return bounds_; }
+    [[nodiscard]] ViewLens lens() const;
+
+    /// Captures the next frame in device pixels; calls back in this thread.
+    void capture(std::function<void(QImage)> done);
+
+Q_SIGNALS:
+    void poseChanged();  ///< also emitted when the size of the view changes
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void exposeEvent(QExposeEvent* event) override;
+
+private:
+    void makeFrameGraph();
+    Qt3DRender::QLayerFilter* drawn(bool overlay, bool blended, Qt3DRender::QFrameGraphNode* parent);
+    void makeMaterials();
+    void applyCamera();
+    void showEdges(bool shown);
+    void showGround(const CityArrays& arrays);
+    Qt3DCore::QEntity* add(Qt3DRender::QGeometryRenderer* geometry, ShaderMaterial* material,
+                           Qt3DRender::QLayer* layer = nullptr);
+
+    CameraPose pose_;
+    ViewBounds bounds_;
+    Qt3DCore::QEntity* root_;
+    Qt3DRender::QLayer* blended_;  ///< edges, lines and translucent faces
+    Qt3DCore::QEntity* groundEntity_ = nullptr;
+    std::unique_ptr<BuildingBodies> city_;
+    std::unique_ptr<BuildingBodies> added_;
+    bool manyEdges_ = false;
+    bool exposed_ = false;
+    QTimer* rest_;
+    Qt3DCore::QEntity* lines_ = nullptr;
+    bool facesShown_ = true;
+    ShaderMaterial* building_ = nullptr;
+    ShaderMaterial* edge_ = nullptr;
+    ShaderMaterial* ground_ = nullptr;
+    ShaderMaterial* ribbon_ = nullptr;
+    Qt3DCore::QNode* texture_ = nullptr;
+    Qt3DCore::QNode* roofTexture_ = nullptr;
+    std::unique_ptr<SurfaceLayer> surfaces_;
+    std::unique_ptr<OverlayBodies> overlay_;
+    Qt3DRender::QRenderCapture* capture_ = nullptr;
+};
+
+}  // namespace noonmark

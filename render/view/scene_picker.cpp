@@ -1,0 +1,32 @@
+#include "render/view/scene_picker.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace noonmark {
+
+ScenePicker::ScenePicker(City city, RayScene scene) : city_(std::move(city)), scene_(std::move(scene)) {
+    if (!city_.terrain) return;
+    const auto [low, high] = std::ranges::minmax(city_.terrain->elevationM);
+    lowM_ = low;
+    highM_ = high;
+}
+
+double ScenePicker::groundAt(glm::dvec2 point) const { return double(noonmark::groundAt(city_, point)); }
+
+std::optional<glm::dvec3> ScenePicker::ground(const ViewRay& ray) const {
+    return findGroundHit(
+        ray, [this](glm::dvec2 point) { return groundAt(point); }, lowM_, highM_);
+}
+
+std::optional<Pick> ScenePicker::pick(const ViewRay& ray) const {
+    std::optional<Pick> nearest;
+    if (const auto point = ground(ray)) nearest = Pick{*point, std::nullopt};
+    if (!scene_) return nearest;
+    const auto hit = scene_->firstHit(glm::vec3(ray.origin), glm::vec3(ray.direction));
+    if (!hit || !hit->building) return nearest;
+    const bool before = !nearest || double(hit->distanceM) < glm::length(nearest->position - ray.origin);
+    return before ? Pick{glm::dvec3(hit->position), hit->building} : nearest;
+}
+
+}  // namespace noonmark

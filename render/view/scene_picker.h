@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/engines/ray/ray_scene.h"
+#include "render/view/view_ray.h"
+
+namespace noonmark {
+
+/// The object under a pixel.
+struct Pick {
+    glm::dvec3 position{0};
+    std::optional<std::uint32_t> building;  ///< index into City::buildings; empty: the ground
+};
+
+/// Intersects rays of the view with a city. Immutable, cheap to copy; a pick takes microseconds.
+class ScenePicker {
+public:
+    ScenePicker() = default;  ///< flat ground without buildings
+    ScenePicker(City city, RayScene scene);
+
+    /// The first hit of the ray: a building or the ground. Empty above the horizon.
+    [[nodiscard]] std::optional<Pick> pick(const ViewRay& ray) const;
+
+    /// Where the ray hits the ground, ignoring buildings.
+    [[nodiscard]] std::optional<glm::dvec3> ground(const ViewRay& ray) const;
+
+    [[nodiscard]] double groundAt(glm::dvec2 point) const;
+
+    /// The whole city, ready for rays; empty without a city.
+    [[nodiscard]] const std::optional<RayScene>& scene() const { return scene_; }
+
+private:
+    City city_;
+    std::optional<RayScene> scene_;
+    double lowM_ = 0;
+    double highM_ = 0;
+};
+
+}  // namespace noonmark

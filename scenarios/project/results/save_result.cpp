@@ -1,0 +1,133 @@
+#include "scenarios/project/results/save_result.h"
+
+#include <fmt/chrono.h>
+
+#include "core/study/provenance/inputs_json.h"
+#include "core/study/provenance/study_hash.h"
+#include "core/study/text/warnings_json.h"
+#include "scenarios/impact/impact_runs.h"
+#include "scenarios/project/results/changed_cells_json.h"
+#include "scenarios/settings_json.h"
+#include "scenarios/weights/weights_text.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string hashOf(const Project& project, const std::string& scenario) {
+    const auto city = cityOf(project, scenario);
+    return city ? hashCity(city->city) : std::string();
+}
+
+std::string formatText(std::chrono::sys_seconds at) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(at)));
+}
+
+Json originJson(std::chrono::sys_seconds at, const std::string& citySha256) {
+    return {{"at", formatText(at)}, {"city_sha256", citySha256}};
+}
+
+std::string withOrigin(const std::string& settings, Json origin) {
+    Json json = Json::parse(settings);
+    json["kept"] = std::move(origin);
+    return toJsonText(json);
+}
+
+Json originOf(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
+    Json json = originJson(at, hashOf(project, answer.to));
+    if (const std::string hash = hashOf(project, answer.from); !hash.empty()) json["baseline_sha256"] = hash;
+    json["changed_cells"] = changedCellsJson(answer.study.total.change);
+    return json;
+}
+
+Json originOf(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {
+    Json json = originJson(at, hashOf(project, answer.scenario));
+    json["weights"] = Json::parse(weightsJson(answer.weights));
+    return json;
+}
+
+std::string inputsOf(const Project& project) { return inputsJson(project.inputs).dump(); }
+
+// Other programs open each layer as a map, so layers without any value are left out.
+std::vector<SavedLayer> layersOf(const ShadowField& field) {
+    std::vector<SavedLayer> layers{{"gross shadow", "min/day", field.grossMin}};
+    if (hasRuns(field)) layers.push_back({"continuous shadow", "min", field.continuousMin});
+    return layers;
+}
+
+std::vector<SavedLayer> layersOf(const Impact& impact) {
+    std::vector<SavedLayer> layers{{"change of gross shadow", "min/day", impact.grossMin}};
+    if (hasRuns(impact)) layers.push_back({"change of continuous shadow", "min", impact.continuousMin});
+    return layers;
+}
+
+Project nameResult(Project project, const std::string& name, SavedResult result) {
+    result.name = name;
+    return addResult(std::move(project), std::move(result));
+}
+
+}  // namespace
+
+SavedResult makeSavedResult(const Project& project, const std::string& scenario, const Study& study,
+                            std::chrono::sys_seconds at) {
+    const ShadowField& field = study.field;
+    return {{},
+            "study",
+            scenario,
+            {},
+            withOrigin(studyJson(study), originJson(at, hashCity(study.city))),
+            inputsOf(project),
+            field.grid,
+            layersOf(field)};
+}
+
+SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer, std::chrono::sys_seconds at) {
+    const Impact& impact = answer.study.total;
+    return {{},
+            "impact",
+            answer.to,
+            answer.from,
+            withOrigin(impactJson(answer), originOf(project, answer, at)),
+            inputsOf(project),
+            impact.grid,
+            layersOf(impact)};
+}
+
+SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer, std::chrono::sys_seconds at) {
+    return {{},
+            "score",
+            answer.scenario,
+            {},
+            withOrigin(scoreJson(answer), originOf(project, answer, at)),
+            inputsOf(project),
+            answer.score.grid,
+            {{"shadow score", "", answer.score.score}}};
+}
+
+Project addResult(Project project, SavedResult result) {
+    std::erase_if(project.results, [&](const auto& old) { return old->name == result.name; });
+    project.results.push_back(std::make_shared<const SavedResult>(std::move(result)));
+    return project;
+}
+
+Project addResult(Project project, const std::string& name, const std::string& scenario, const Study& study,
+                  std::chrono::sys_seconds at) {
+    SavedResult result = makeSavedResult(project, scenario, study, at);
+    return nameResult(std::move(project), name, std::move(result));
+}
+
+Project addResult(Project project, const std::string& name, const ImpactAnswer& answer,
+                  std::chrono::sys_seconds at) {
+    SavedResult result = makeSavedResult(project, answer, at);
+    return nameResult(std::move(project), name, std::move(result));
+}
+
+Project addResult(Project project, const std::string& name, const ScoreAnswer& answer,
+                  std::chrono::sys_seconds at) {
+    SavedResult result = makeSavedResult(project, answer, at);
+    return nameResult(std::move(project), name, std::move(result));
+}
+
+}  // namespace noonmark

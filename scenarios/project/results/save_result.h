@@ -1,0 +1,40 @@
+#pragma once
+
+// The folder scenarios/project/results/ converts results for the project. save_result.h makes a SavedResult
+// from a computed answer, saved_answer.h turns it back into figures and maps, saved_figures_json.h and
+// changed_cells_json.h parse its JSON, and write_results.cpp writes it into the tables.
+
+#include <chrono>
+
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/project/project.h"
+#include "scenarios/weights/score_text.h"
+
+namespace noonmark {
+
+inline std::chrono::sys_seconds timeNow() {
+    return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
+/// Makes a saved result without a name. `scenario`: the one whose city was measured. Its settings are the
+/// JSON of the answer plus an object `kept`: time, hashes of the measured cities, and for a score the weight
+/// table (saved_answer.h reads it back). Costs a hash of each city.
+SavedResult makeSavedResult(const Project& project, const std::string& scenario, const Study& study,
+                            std::chrono::sys_seconds at = timeNow());
+SavedResult makeSavedResult(const Project& project, const ImpactAnswer& answer,
+                            std::chrono::sys_seconds at = timeNow());
+SavedResult makeSavedResult(const Project& project, const ScoreAnswer& answer,
+                            std::chrono::sys_seconds at = timeNow());
+
+/// Adds a result to the project; a result of the same name is replaced.
+Project addResult(Project project, SavedResult result);
+
+/// makeSavedResult() and addResult() in one call.
+Project addResult(Project project, const std::string& name, const std::string& scenario, const Study& study,
+                  std::chrono::sys_seconds at = timeNow());
+Project addResult(Project project, const std::string& name, const ImpactAnswer& answer,
+                  std::chrono::sys_seconds at = timeNow());
+Project addResult(Project project, const std::string& name, const ScoreAnswer& answer,
+                  std::chrono::sys_seconds at = timeNow());
+
+}  // namespace noonmark

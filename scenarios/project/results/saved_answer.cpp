@@ -1,0 +1,150 @@
+#include "scenarios/project/results/saved_answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/base/json_number.h"
+#include "core/study/provenance/inputs_json.h"
+#include "core/study/provenance/study_hash.h"
+#include "scenarios/impact/impact_runs.h"
+#include "scenarios/project/results/changed_cells_json.h"
+#include "scenarios/project/results/saved_figures_json.h"
+#include "scenarios/weights/weights_text.h"
+
+namespace noonmark {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::vector<float>& layerOf(const SavedResult& result, std::size_t number) {
+    if (number >= result.layers.size()) throw std::invalid_argument("a layer is missing");
+    const std::vector<float>& values = result.layers[number].values;
+    if (values.size() != result.grid.size()) throw std::invalid_argument("a layer has another size");
+    return values;
+}
+
+// The layer of continuous shadow; it is not stored where it was not computed.
+std::vector<float> takeRuns(const SavedResult& result, std::size_t number, bool counted) {
+    if (counted) return layerOf(result, number);
+    return std::vector<float>(result.grid.size(), std::numeric_limits<float>::quiet_NaN());
+}
+
+std::optional<TimeWeights> weightsOf(const Json& json, const Json& saved) {
+    if (!saved.contains("weights")) return std::nullopt;
+    const auto table = parseWeightsJson(saved.at("weights").dump(), json.at("weights"));
+    if (!table) throw std::invalid_argument(table.error().what);
+    return *table;
+}
+
+SavedOrigin originOf(const Json& json) {
+    const Json saved = json.value("kept", Json::object());
+    const Json& region = json.at("region");
+    return {saved.value("at", ""),
+            saved.value("city_sha256", ""),
+            saved.value("baseline_sha256", ""),
+            json.at("program"),
+            json.at("engine_settings"),
+            json.at("period").at("text"),
+            region.is_object() ? region.at("name").get<std::string>() : region.get<std::string>(),
+            weightsOf(json, saved)};
+}
+
+// Older results store only the requested step length, which was used as it was.
+double countedStepOf(const Json& json) {
+    const Json& period = json.at("period");
+    return period.value("counted_step_min", period.at("step_min").get<double>());
+}
+
+SavedStudy studyOf(const SavedResult& result, const Json& json) {
+    SavedStudy study;
+    ShadowField& field = study.field;
+    field.grid = result.grid;
+    field.grossMin = layerOf(result, 0);
+    study.statistics = parseStatistics(json);
+    field.continuousMin = takeRuns(result, 1, hasRuns(study.statistics));
+    field.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
+    field.stepMinutes = countedStepOf(json);
+    field.days = wholeNumberFrom<int>(json.at("period").at("days"));
+    field.engine = json.at("engine_settings");
+    study.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
+    study.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
+    study.seconds = json.at("seconds").value("accumulate", 0.0);
+    study.error = parseErrorWords(json);
+    return study;
+}
+
+SavedImpact impactOf(const SavedResult& result, const Json& json) {
+    SavedImpact saved{{}, parseComparison(json)};
+    Impact& impact = saved.impact;
+    impact.grid = result.grid;
+    impact.grossMin = layerOf(result, 0);
+    impact.continuousMin = takeRuns(result, 1, hasRuns(saved.figures.all.front()));
+    impact.change = parseChangedCells(
+        json.value("kept", Json::object()).value("changed_cells", Json::array()), result.grid.size());
+    impact.sunlitMinutesPerDay = json.at("sunlit_min_per_day");
+    impact.stepMinutes = countedStepOf(json);
+    impact.engine = saved.figures.engine;
+    return saved;
+}
+
+SavedScore readScore(const SavedResult& result, const Json& json) {
+    SavedScore saved{parseScore(json), json.at("weights")};
+    saved.score.grid = result.grid;
+    saved.score.score = layerOf(result, 0);
+    return saved;
+}
+
+void compareCity(std::vector<std::string>& changes, const Project& project, const std::string& scenario,
+                 const std::string& hash) {
+    const auto city = cityOf(project, scenario);
+    if (!city)
+        changes.push_back(fmt::format("The scenario '{}' no longer exists.", scenario));
+    else if (!hash.empty() && hashCity(city->city) != hash)
+        changes.push_back(fmt::format("'{}' has changed since: its buildings or its terrain.", scenario));
+}
+
+}  // namespace
+
+Result<SavedAnswer> readSavedAnswer(const SavedResult& result) try {
+    const Json json = Json::parse(result.settings);
+    const SavedOrigin origin = originOf(json);
+    if (result.kind == "study") return SavedAnswer{origin, studyOf(result, json)};
+    if (result.kind == "impact") return SavedAnswer{origin, impactOf(result, json)};
+    if (result.kind == "score") return SavedAnswer{origin, readScore(result, json)};
+    return failure(fmt::format("This version cannot show results of the kind '{}'", result.kind), result.name,
+                   "Open the project with a newer Noonmark");
+} catch (const std::exception& problem) {  // JSON or layers of the wrong shape
+    return failure(fmt::format("The saved result cannot be shown ({})", problem.what()), result.name,
+                   "Measure and save it again");
+}
+
+std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
+                                          const Project& project) {
+    std::vector<std::string> changes;
+    compareCity(changes, project, result.scenario, origin.citySha256);
+    if (!result.baseline.empty()) compareCity(changes, project, result.baseline, origin.baselineSha256);
+    if (result.inputs != inputsJson(project.inputs).dump())
+        changes.emplace_back("The city has been read from other files since.");
+    if (origin.citySha256.empty())
+        changes.emplace_back(
+            "It is not known whether buildings have changed since: the result was saved without a hash.");
+    return changes;
+}
+
+// The name does not matter: a table with equal intervals counts as unchanged.
+std::vector<std::string> findWeightChangesSince(const SavedOrigin& origin, const Project& project) {
+    if (!origin.weights) return {};
+    const TimeWeights& then = *origin.weights;
+    if (const auto now = findWeights(project, then.name)) {
+        if (*now == then) return {};
+        return {fmt::format("The weight table '{}' has changed since.", then.name)};
+    }
+    if (std::ranges::find(project.weights, then.intervals, &TimeWeights::intervals) != project.weights.end())
+        return {};
+    return {fmt::format("The weight table '{}' no longer exists.", then.name)};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/engines/api/shadow_field.h"
+#include "core/measures/statistics.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/project/project.h"
+#include "scenarios/weights/score.h"
+
+namespace noonmark {
+
+/// How a saved result was made, from its settings.
+struct SavedOrigin {
+    std::string at;  ///< UTC, "2026-11-22T03:10:28Z"; empty in results of versions that did not store it
+    std::string citySha256;              ///< hashCity() of the scenario at that time; empty likewise
+    std::string baselineSha256;          ///< impact: hashCity() of the baseline
+    std::string program;                 ///< "Noonmark 0.1.0"
+    std::string engine;                  ///< name and settings, as text
+    std::string period;                  ///< as text
+    std::string region;                  ///< its name; may be empty
+    std::optional<TimeWeights> weights;  ///< score: the table at that time; empty where not stored
+};
+
+struct SavedStudy {
+    ShadowField field;  ///< without cost and warnings
+    ShadowStatistics statistics;
+    std::uint64_t steps = 0;         ///< of the sun
+    std::uint64_t belowHorizon = 0;  ///< steps left out because the sun was below the horizon
+    double seconds = 0;              ///< run time of the engine; 0: unknown
+    std::string error;               ///< against the ray reference, as text
+};
+
+struct SavedImpact {
+    Impact impact;  ///< cells that were built over count as outside where the version did not store them
+    ComparisonFigures figures;
+};
+
+struct SavedScore {
+    Score score;
+    std::string weights;  ///< name of the weight table
+};
+
+/// A saved result read back, with the figures it was saved with.
+struct SavedAnswer {
+    SavedOrigin origin;
+    std::variant<SavedStudy, SavedImpact, SavedScore> answer;
+};
+
+/// Copies the layers. Error: the settings or layers do not match the kind.
+Result<SavedAnswer> readSavedAnswer(const SavedResult& result);
+
+/// Reasons why the current project would not give this result, one sentence each: other buildings, terrain or
+/// files. Empty where there is none. Costs a hash of the scenario's city and of the baseline's.
+std::vector<std::string> findChangesSince(const SavedResult& result, const SavedOrigin& origin,
+                                          const Project& project);
+
+/// The same for the weight table of a score; needs no hash.
+std::vector<std::string> findWeightChangesSince(const SavedOrigin& origin, const Project& project);
+
+}  // namespace noonmark

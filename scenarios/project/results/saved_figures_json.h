@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/measures/statistics.h"
+#include "scenarios/impact/impact_text.h"
+#include "scenarios/weights/score.h"
+
+namespace noonmark {
+
+/// Parse the figures that studyJson(), impactJson() and scoreJson() write. They throw nlohmann's exceptions
+/// or std::invalid_argument where the JSON does not match.
+ShadowStatistics parseStatistics(const nlohmann::ordered_json& study);
+ComparisonFigures parseComparison(const nlohmann::ordered_json& impact);
+Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells and warnings
+
+/// The study's error against the ray reference in one line, or the reason why it was not measured; empty
+/// where the JSON holds neither.
+std::string parseErrorWords(const nlohmann::ordered_json& study);
+
+}  // namespace noonmark

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/city/footprints/footprint.h"
+#include "scenarios/project/tables/database.h"
+
+namespace noonmark {
+
+/// Id of the project's own spatial reference system: local metres (docs/project-file.md).
+inline constexpr int localSrsId = 100000;
+
+/// GeoPackage geometry in local metres, little-endian, with its envelope. Points are float32 and round-trip
+/// exactly.
+Bytes polygonBlob(const Footprint& footprint);
+Bytes multiPolygonBlob(const std::vector<Footprint>& polygons);
+
+/// Parses a POLYGON or MULTIPOLYGON and repairs polygons that another program drew. Empty where the bytes are
+/// not such a geometry.
+std::optional<std::vector<Footprint>> toPolygons(std::string_view blob);
+
+}  // namespace noonmark

@@ -1,0 +1,197 @@
+#include "scenarios/project/tables/schema.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "core/base/warnings.h"
+#include "scenarios/project/tables/geometry_blob.h"
+#include "scenarios/project/tables/geopackage.h"
+#include "scenarios/project/tables/layer_styles.h"
+
+namespace noonmark {
+
+namespace {
+
+// docs/project-file.md documents every column.
+constexpr const char* projectTables = R"sql(
+CREATE TABLE noonmark (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value TEXT NOT NULL);
+CREATE TABLE inputs (id INTEGER PRIMARY KEY NOT NULL, path TEXT NOT NULL, bytes INTEGER NOT NULL, sha256 TEXT NOT NULL);
+CREATE TABLE buildings (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, building_id TEXT, source_id TEXT, name TEXT,
+  status TEXT, height REAL, min_height REAL, ground_elevation REAL, height_source TEXT, hangs INTEGER,
+  bottom_m REAL NOT NULL, top_m REAL NOT NULL, building INTEGER NOT NULL);
+CREATE INDEX buildings_building ON buildings (building);
+CREATE TABLE meshes (id INTEGER PRIMARY KEY NOT NULL, vertices BLOB NOT NULL, triangles BLOB NOT NULL);
+CREATE TABLE terrain (id INTEGER PRIMARY KEY NOT NULL, west_m REAL NOT NULL, south_m REAL NOT NULL, cell_m REAL NOT NULL,
+  columns INTEGER NOT NULL, rows INTEGER NOT NULL, elevations_m BLOB NOT NULL);
+CREATE TABLE lots (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, area_m2 REAL);
+CREATE TABLE regions (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, area_m2 REAL);
+CREATE TABLE scenarios (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL, base TEXT NOT NULL);
+CREATE TABLE edits (id INTEGER PRIMARY KEY NOT NULL, scenario INTEGER NOT NULL, position INTEGER NOT NULL,
+  kind TEXT NOT NULL, words TEXT NOT NULL, value TEXT NOT NULL, UNIQUE (scenario, position));
+CREATE TABLE proposals (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, scenario TEXT, building_id TEXT, name TEXT,
+  height REAL, min_height REAL, edit INTEGER NOT NULL);
+CREATE INDEX proposals_edit ON proposals (edit);
+CREATE TABLE time_weight_tables (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL);
+CREATE TABLE time_weights (id INTEGER PRIMARY KEY NOT NULL, weight_table INTEGER NOT NULL, name TEXT NOT NULL,
+  first_month INTEGER NOT NULL, first_day INTEGER NOT NULL, last_month INTEGER NOT NULL, last_day INTEGER NOT NULL,
+  from_min INTEGER NOT NULL, to_min INTEGER NOT NULL, weight REAL NOT NULL);
+CREATE TABLE periods (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL, start TEXT NOT NULL, days INTEGER NOT NULL,
+  from_min INTEGER NOT NULL, hours REAL NOT NULL, step_min REAL NOT NULL, after_sunrise_min INTEGER,
+  before_sunset_min INTEGER, sunrise_rule TEXT, zone TEXT NOT NULL, refraction INTEGER NOT NULL);
+CREATE TABLE results (id INTEGER PRIMARY KEY NOT NULL, name TEXT NOT NULL UNIQUE, kind TEXT NOT NULL, scenario TEXT NOT NULL,
+  baseline TEXT NOT NULL, settings TEXT NOT NULL, inputs TEXT NOT NULL, west_m REAL NOT NULL, south_m REAL NOT NULL,
+  cell_m REAL NOT NULL, columns INTEGER NOT NULL, rows INTEGER NOT NULL);
+CREATE TABLE result_layers (id INTEGER PRIMARY KEY NOT NULL, result INTEGER NOT NULL, name TEXT NOT NULL,
+  unit TEXT NOT NULL, tiles TEXT NOT NULL);
+CREATE TABLE view_state (id INTEGER PRIMARY KEY NOT NULL, key TEXT NOT NULL UNIQUE, value TEXT NOT NULL);
+)sql";
+
+// Since version 2. Many warnings share a text, so each text is stored once.
+constexpr const char* readingTables = R"sql(
+CREATE TABLE warning_texts (id INTEGER PRIMARY KEY NOT NULL, kind TEXT NOT NULL, what TEXT NOT NULL);
+CREATE TABLE warnings (id INTEGER PRIMARY KEY NOT NULL, text INTEGER NOT NULL, place TEXT NOT NULL);
+)sql";
+constexpr std::array readingTableNames{"warning_texts", "warnings"};
+
+struct FeatureTable {
+    const char* table;
+    const char* type;
+    const char* identifier;
+    const char* description;
+};
+constexpr std::array featureTables{
+    FeatureTable{"buildings", "POLYGON", "Buildings",
+                 "The existing city, one feature per building part; heights in metres"},
+    FeatureTable{"proposals", "POLYGON", "Proposed buildings",
+                 "Buildings that the scenarios add, one feature per building part"},
+    FeatureTable{"lots", "POLYGON", "Lots", "Ground that may be built on"},
+    FeatureTable{"regions", "MULTIPOLYGON", "Regions", "Where shadow is measured"},
+};
+constexpr std::array attributeTables{
+    "noonmark",           "inputs",       "meshes",  "terrain", "scenarios",     "edits",
+    "time_weight_tables", "time_weights", "periods", "results", "result_layers", "view_state"};
+
+Statement contentsOf(Database& database) {
+    return database.prepare(
+        "INSERT INTO gpkg_contents (table_name, data_type, identifier, description, srs_id) VALUES (?, ?, ?, "
+        "?, ?)");
+}
+
+void addReadingTables(Database& database) {
+    database.execute(readingTables);
+    Statement contents = contentsOf(database);
+    for (const char* table : readingTableNames)
+        contents.run(table, "attributes", table, "", std::optional<int>{});
+}
+
+void registerTables(Database& database) {
+    Statement contents = contentsOf(database);
+    Statement geometry = database.prepare("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)");
+    for (const FeatureTable& layer : featureTables) {
+        contents.run(layer.table, "features", layer.identifier, layer.description, localSrsId);
+        geometry.run(layer.table, layer.type, localSrsId);
+    }
+    for (const char* table : attributeTables)
+        contents.run(table, "attributes", table, "", std::optional<int>{});
+}
+
+// Names of the tables and their columns as this program creates them.
+const std::map<std::string, std::vector<std::string>>& ourTables() {
+    static const auto tables = [] {
+        std::map<std::string, std::vector<std::string>> made;
+        Database memory(":memory:", Database::Access::create);
+        memory.execute(projectTables);
+        memory.execute(readingTables);
+        Statement table = memory.prepare(
+            "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
+        while (table.step()) made[table.text(0)].push_back(table.text(1));
+        return made;
+    }();
+    return tables;
+}
+
+// Version 1 stored neither the warnings of reading nor the settings; every later report states that.
+void toVersion2(Database& database) {
+    addReadingTables(database);
+    database.prepare("INSERT INTO warning_texts (id, kind, what) VALUES (1, ?, ?)")
+        .run(nameOf(WarningKind::leftOut), noReadingWords);
+    database.prepare("INSERT INTO warnings (text, place) VALUES (1, ?)").run("project file");
+}
+
+// Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
+const std::vector<std::function<void(Database&)>>& migrations() {
+    static const std::vector<std::function<void(Database&)>> steps{toVersion2};
+    return steps;
+}
+
+}  // namespace
+
+void createSchema(Database& database, const std::string& localWkt) {
+    createGeoPackage(database, localWkt);
+    database.execute(projectTables);
+    registerTables(database);
+    addReadingTables(database);
+    addLayerStyles(database);
+    database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
+        .run(std::to_string(schemaVersion));
+}
+
+void checkTable(Database& database, const std::string& table, const std::vector<std::string>& columns) {
+    Statement kind = database.prepare(
+        "SELECT 1 FROM sqlite_master WHERE name = ? AND type = 'table' AND rootpage > 0 "
+        "AND sql NOT LIKE 'create virtual%'");
+    kind.begin(table);
+    if (!kind.step()) throwDamaged(fmt::format("'{}' is not a table", table));
+    std::set<std::string> found;
+    Statement column = database.prepare("SELECT name FROM pragma_table_xinfo(?) WHERE hidden = 0");
+    for (column.begin(table); column.step();) found.insert(column.text(0));
+    for (const std::string& name : columns)
+        if (!found.contains(name)) throwDamaged(fmt::format("table {} has no column {}", table, name));
+}
+
+void checkTables(Database& database) {
+    for (const auto& [table, columns] : ourTables()) checkTable(database, table, columns);
+}
+
+void removeSpatialIndexes(Database& database) {
+    for (const FeatureTable& layer : featureTables) {
+        const std::string index = fmt::format("rtree_{}_geom", layer.table);
+        std::vector<std::string> statements;
+        Statement found = database.prepare(
+            "SELECT printf('DROP %s IF EXISTS \"%w\"', type, name) FROM sqlite_master WHERE (type = "
+            "'trigger' AND "
+            "tbl_name = ?1 COLLATE NOCASE AND substr(name, 1, length(?2)) = ?2) OR (type = 'table' AND name "
+            "= ?2)");
+        for (found.begin(layer.table, index); found.step();) statements.push_back(found.text(0));
+        if (statements.empty()) continue;
+        for (const std::string& statement : statements) database.execute(statement);
+        database
+            .prepare(
+                "DELETE FROM gpkg_extensions WHERE table_name = ? AND extension_name = 'gpkg_rtree_index'")
+            .run(layer.table);
+    }
+}
+
+int versionOf(Database& database) {
+    const auto table = database.value(
+        "SELECT 1 FROM sqlite_master WHERE name = 'noonmark' AND type = 'table' AND rootpage > 0");
+    if (!table) return 0;
+    const auto version = database.value("SELECT value FROM noonmark WHERE key = 'schema_version'");
+    return version ? std::atoi(version->c_str()) : 0;
+}
+
+void migrate(Database& database) {
+    const int version = versionOf(database);
+    for (int next = version; next < schemaVersion; ++next) migrations().at(std::size_t(next - 1))(database);
+    if (version < schemaVersion)
+        database.prepare("UPDATE noonmark SET value = ? WHERE key = 'schema_version'")
+            .run(std::to_string(schemaVersion));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/project/tables/database.h"
+
+namespace noonmark {
+
+/// Schema version that this program writes; docs/project-file.md lists all versions.
+inline constexpr int schemaVersion = 2;
+
+/// Warning added to files of version 1, which store no warnings.
+inline constexpr const char* noReadingWords =
+    "warnings and settings of reading the city's files: the project was saved by a version that did not save "
+    "them (file version 1); read the files again to have them";
+
+/// Creates all tables in an empty database, a GeoPackage 1.3. `localWkt`: the project's coordinate system.
+void createSchema(Database& database, const std::string& localWkt);
+
+/// Schema version of the file; 0 where it is not a Noonmark project.
+int versionOf(Database& database);
+
+/// Throws DatabaseTrouble where a table of schemaVersion is missing, is a view or a virtual table, or lacks a
+/// column. Generated columns count as missing. Other tables are ignored.
+void checkTables(Database& database);
+
+/// Checks one table in the same way.
+void checkTable(Database& database, const std::string& table, const std::vector<std::string>& columns);
+
+/// Removes the spatial indexes that a GIS program added to our layers. Their triggers do not run here, so
+/// saving would leave the indexes wrong; a GIS program creates them again.
+void removeSpatialIndexes(Database& database);
+
+/// Migrates the tables version by version to schemaVersion, inside the caller's transaction.
+void migrate(Database& database);
+
+}  // namespace noonmark

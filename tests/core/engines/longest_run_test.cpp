@@ -1,0 +1,188 @@
+#include "core/engines/horizon/counting/longest_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "core/engines/horizon/counting/run_search.h"
+
+namespace noonmark {
+namespace {
+
+std::vector<RunLanes> randomHorizons(std::mt19937& random, std::size_t bins) {
+    std::vector<RunLanes> horizons(bins);
+    std::array<int, lanesPerPart> level{};
+    for (RunLanes& bin : horizons)
+        for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
+            if (random() % 6 == 0) level[lane] = int(random() % 200);
+            bin.values[lane] = std::int16_t(level[lane]);
+        }
+    return horizons;
+}
+
+// Days that begin and end at different times, skip bins, go back, and stand still.
+std::vector<TimedStep> pickRandomDays(std::mt19937& random, int days, int bins) {
+    std::vector<TimedStep> steps;
+    for (int day = 0; day < days; ++day) {
+        const int first = int(random() % 10), count = 60 + int(random() % 60), turn = int(random() % 400);
+        const int height = 100 + int(random() % 40) - day;
+        for (int i = 0; i < count; ++i) {
+            const int along = i < turn ? i : 2 * turn - i;
+            const int bin = std::clamp(first + along * (2 + day % 3) / 3, 0, bins - 1);
+            steps.push_back({{std::uint16_t(bin), std::int16_t(height - std::abs(60 - i))},
+                             i == 0 || random() % 90 == 0});
+        }
+    }
+    return steps;
+}
+
+// Days that are grouped as similar need not be similar.
+std::vector<DaySteps> randomOrder(std::mt19937& random, const std::vector<TimedStep>& steps) {
+    std::vector<DaySteps> days;
+    for (std::uint32_t i = 0; i < steps.size(); ++i)
+        if (steps[i].startsRun)
+            days.push_back({i, i + 1, float(random() % 5) * 0.02F});
+        else
+            days.back().end = i + 1;
+    std::ranges::sort(days, {}, &DaySteps::declination);
+    return days;
+}
+
+int walked(const LongestRuns& runs, const std::vector<RunLanes>& horizons, std::size_t lane) {
+    return runs.ofOne([&](const StepPlace& place) { return place.sun < horizons[place.bin].values[lane]; });
+}
+
+TEST(LongestRuns, AreThoseOfAStepByStepWalk) {
+    std::mt19937 random(5);
+    for (int round = 0; round < 40; ++round) {
+        const std::vector<RunLanes> horizons = randomHorizons(random, 130);
+        const std::vector<TimedStep> steps = pickRandomDays(random, 1 + round, 130);
+        const LongestRuns runs(steps, randomOrder(random, steps));
+        const LongestRuns::Found found = runs.of(horizons);
+        for (std::size_t lane = 0; lane < lanesPerPart; ++lane) {
+            const int longest = found.longest.values[lane];
+            EXPECT_EQ(longest, walked(runs, horizons, lane)) << lane;
+            if (longest == 0) continue;
+            const LongestRuns::Run run = runs.run(horizons, lane, found.day[lane], longest);
+            ASSERT_EQ(int(run.end - run.first), longest);
+            for (std::uint32_t step = run.first; step < run.end; ++step) {
+                const StepPlace& place = runs.steps()[step].place;
+                EXPECT_LT(place.sun, horizons[place.bin].values[lane]);
+                EXPECT_FALSE(step > run.first && runs.steps()[step].startsRun);
+            }
+        }
+    }
+}
+
+TEST(LongestRuns, AreReachedUpToTheLongest) {
+    std::mt19937 random(6);
+    const std::vector<RunLanes> horizons = randomHorizons(random, 130);
+    const std::vector<TimedStep> steps = pickRandomDays(random, 20, 130);
+    const LongestRuns runs(steps, randomOrder(random, steps));
+    RunLanes wanted;
+    for (int more = -3; more <= 3; ++more) {
+        for (std::size_t lane = 0; lane < lanesPerPart; ++lane)
+            wanted.values[lane] = std::int16_t(std::max(0, walked(runs, horizons, lane) + more));
+        const std::uint64_t reached = runs.reached(horizons, wanted);
+        for (std::size_t lane = 0; lane < lanesPerPart; ++lane)
+            EXPECT_EQ(reached >> lane & 1, wanted.values[lane] <= walked(runs, horizons, lane)) << lane;
+    }
+}
+
+/// The steps hidden from one receiver, and horizons that agree with them except for `doubtful` percent of the
+/// steps: those are hidden by the highest horizon and not by the lowest.
+struct Doubtful {
+    std::vector<bool> hidden;
+    RunSearch::Horizons horizons;
+};
+
+// One bin per step, so that any combination of steps may be hidden.
+std::vector<TimedStep> stepsOfOwnBins(std::mt19937& random, int days, int stepsADay) {
+    std::vector<TimedStep> steps;
+    for (int i = 0; i < days * stepsADay; ++i)
+        steps.push_back({{std::uint16_t(i), 0}, i % stepsADay == 0 || random() % 40 == 0});
+    return steps;
+}
+
+Doubtful doubtful(std::mt19937& random, std::size_t steps, unsigned percent) {
+    Doubtful made;
+    bool hidden = true;
+    for (std::size_t i = 0; i < steps; ++i) {
+        if (random() % 8 == 0) hidden = !hidden;
+        const bool doubt = random() % 100 < percent;
+        made.hidden.push_back(hidden);
+        made.horizons.highest.push_back(hidden || doubt ? 1 : -1);
+        made.horizons.lowest.push_back(hidden && !doubt ? 1 : -1);
+    }
+    return made;
+}
+
+int longestOf(const std::vector<bool>& hidden, std::span<const TimedStep> steps) {
+    int run = 0, longest = 0;
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+        if (steps[i].startsRun) run = 0;
+        run = hidden[i] ? run + 1 : 0;
+        longest = std::max(longest, run);
+    }
+    return longest;
+}
+
+std::vector<DaySteps> partsOf(std::span<const TimedStep> steps) {
+    std::vector<DaySteps> parts;
+    for (std::uint32_t i = 0; i < steps.size(); ++i) {
+        if (steps[i].startsRun) parts.push_back({i, i, 0});
+        parts.back().end = i + 1;
+    }
+    return parts;
+}
+
+TEST(RunSearch, FindsTheLongestRunAndAsksFewRays) {
+    std::mt19937 random(7);
+    std::size_t asked = 0, doubts = 0;
+    for (int round = 0; round < 200; ++round) {
+        const std::vector<TimedStep> steps = stepsOfOwnBins(random, 10, 48);
+        const Doubtful scene = doubtful(random, steps.size(), 20);
+        RunSearch search;
+        search.horizons() = scene.horizons;
+        const auto hidden = [&](std::uint32_t step) {
+            EXPECT_GT(scene.horizons.highest[step], 0);
+            EXPECT_LT(scene.horizons.lowest[step], 0);
+            ++asked;
+            return bool(scene.hidden[step]);
+        };
+        search.begin({hidden, nullptr}, steps, 0);
+        for (const DaySteps& part : partsOf(steps)) search.walk(part);
+        EXPECT_EQ(search.longest(), longestOf(scene.hidden, steps)) << round;
+        doubts += steps.size() / 5;
+    }
+    EXPECT_LT(asked, doubts / 2);
+}
+
+// Gaps that no horizon shows: steps hidden by the lowest horizon may be lit.
+TEST(RunSearch, FindsGapsThatNoHorizonKnowsOf) {
+    std::mt19937 random(8);
+    for (int round = 0; round < 200; ++round) {
+        const std::vector<TimedStep> steps = stepsOfOwnBins(random, 10, 48);
+        Doubtful scene = doubtful(random, steps.size(), 10);
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            if (random() % 12 == 0) scene.hidden[i] = false;
+        RunSearch search;
+        search.horizons() = scene.horizons;
+        const auto hidden = [&](std::uint32_t step) { return bool(scene.hidden[step]); };
+        const auto findLit = [&](std::uint32_t first, std::uint32_t end) -> std::optional<std::uint32_t> {
+            for (std::uint32_t step = first; step < end; ++step)
+                if (!scene.hidden[step]) return step;
+            return std::nullopt;
+        };
+        search.begin({hidden, findLit}, steps, 0);
+        for (const DaySteps& part : partsOf(steps)) search.walk(part);
+        EXPECT_EQ(search.longest(), longestOf(scene.hidden, steps)) << round;
+    }
+}
+
+}  // namespace
+}  // namespace noonmark

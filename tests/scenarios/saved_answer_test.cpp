@@ -1,0 +1,255 @@
+#include "scenarios/project/results/saved_answer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/impact/impact_runs.h"
+#include "scenarios/project/project_file.h"
+#include "scenarios/project/results/save_result.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/scenarios/small_town.h"
+
+namespace noonmark::tests {
+namespace {
+
+using namespace std::chrono;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr sys_seconds keptAt = sys_days(2026y / March / 4) + hours(5) + minutes(6) + seconds(7);
+
+Project town() {
+    Project project;
+    project.city = std::make_shared<const City>(threeHouses());
+    project.inputs = {{"town.gpkg", 12, "ab"}};
+    project.scenarios = {{"Tower", "", {AddBuilding{shared(house("t", box(12, 0, 22, 10), 40))}}}};
+    return project;
+}
+
+StudySettings question() {
+    StudySettings settings;
+    settings.region = makeRegionFromLocalBox({{-10, -10}, {60, 60}});
+    settings.region.name = "Square";
+    settings.receivers.cellM = 2;
+    settings.period = {
+        .start = 2026y / June / 1, .days = 2, .hours = 4, .stepMinutes = 10, .zone = "America/New_York"};
+    settings.engine = "ray";
+    return settings;
+}
+
+Study studied(const Project& project) {
+    NoProgress progress;
+    return runStudy(*project.city, question(), progress, {}).value();
+}
+
+ImpactAnswer compared(const Project& project) {
+    NoProgress progress;
+    ImpactAnswer answer{existingCity, "Tower", {question(), true}, {30, 60}, {}};
+    answer.study =
+        runImpact(*project.city, cityOf(project, "Tower")->city, answer.settings, progress, {}).value();
+    return answer;
+}
+
+ScoreAnswer scored(const Project& project) {
+    NoProgress progress;
+    return {existingCity, question(), makeMonthlyWeights(),
+            runScore(*project.city, question(), makeMonthlyWeights(), progress, {}).value()};
+}
+
+// The project after a round trip through a file.
+Project saved(const Project& project) {
+    const TemporaryFolder folder;
+    const auto file = folder.path("kept.noonmark.gpkg");
+    EXPECT_TRUE(ProjectFile::create(file, project));
+    return ProjectFile::open(file)->project();
+}
+
+bool same(const std::vector<float>& a, const std::vector<float>& b) {
+    return std::ranges::equal(a, b,
+                              [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+TEST(SavedAnswers, AStudyComesBackWithItsFiguresAndOrigin) {
+    const Study study = studied(town());
+    const Project project = saved(addResult(town(), "June", existingCity, study, keptAt));
+    const auto result = project.results.at(0);
+    const SavedAnswer saved = readSavedAnswer(*result).value();
+    EXPECT_EQ(saved.origin.at, "2026-03-04T05:06:07Z");
+    EXPECT_EQ(saved.origin.engine, study.field.engine);
+    EXPECT_EQ(saved.origin.region, "Square");
+    EXPECT_EQ(saved.origin.period, formatText(question().period));
+    const auto& back = std::get<SavedStudy>(saved.answer);
+    EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
+    EXPECT_TRUE(same(back.field.continuousMin, study.field.continuousMin));
+    EXPECT_EQ(back.field.days, 2);
+    EXPECT_EQ(back.field.sunlitMinutesPerDay, study.field.sunlitMinutesPerDay);
+    EXPECT_EQ(back.statistics.shadowAreaM2, study.statistics.shadowAreaM2);
+    EXPECT_EQ(back.statistics.receivers, study.statistics.receivers);
+    EXPECT_EQ(back.steps, study.sun.steps.size());
+    EXPECT_THAT(back.error, HasSubstr("ray reference itself"));
+    EXPECT_THAT(findChangesSince(*result, saved.origin, project), IsEmpty());
+}
+
+TEST(SavedAnswers, AnImpactComesBackWithThresholdsAndBuildings) {
+    const ImpactAnswer answer = compared(town());
+    const Project project = saved(addResult(town(), "Tower", answer, keptAt));
+    const auto result = project.results.at(0);
+    const SavedAnswer saved = readSavedAnswer(*result).value();
+    const auto& back = std::get<SavedImpact>(saved.answer);
+    const ComparisonFigures wanted = computeFigures(answer);
+    EXPECT_TRUE(same(back.impact.grossMin, answer.study.total.grossMin));
+    EXPECT_EQ(back.impact.change, answer.study.total.change) << "what was built over";
+    EXPECT_EQ(std::ranges::count(back.impact.change, CellChange::becameBuilding), 25);
+    ASSERT_EQ(back.figures.all.size(), 2U);
+    EXPECT_EQ(back.figures.all[1].thresholdMin, 60);
+    EXPECT_EQ(back.figures.all[0].gross.gainedM2, wanted.all[0].gross.gainedM2);
+    EXPECT_EQ(back.figures.all[0].becameBuildingM2, 100);
+    ASSERT_EQ(back.figures.byBuilding.size(), 1U);
+    EXPECT_EQ(back.figures.byBuilding[0].name, "t");
+    EXPECT_EQ(back.figures.byBuilding[0].figures.gross.touchedM2,
+              wanted.byBuilding[0].figures.gross.touchedM2);
+    EXPECT_THAT(findChangesSince(*result, saved.origin, project), IsEmpty());
+}
+
+TEST(SavedAnswers, WhatHasNoRunsComesBackWithoutThem) {
+    StudySettings gross = question();
+    gross.engine = "horizon";
+    gross.engineSettings["runs"] = 0;
+    NoProgress progress;
+    const Study study = runStudy(*town().city, gross, progress, {}).value();
+    ImpactAnswer answer{existingCity, "Tower", {gross, true}, {30, 60}, {}};
+    answer.study =
+        runImpact(*town().city, cityOf(town(), "Tower")->city, answer.settings, progress, {}).value();
+    const Project project =
+        saved(addResult(addResult(town(), "June", existingCity, study, keptAt), "Tower", answer, keptAt));
+    for (const auto& result : project.results) EXPECT_EQ(result->layers.size(), 1U) << result->name;
+    const auto june = readSavedAnswer(*project.results.at(0));
+    ASSERT_TRUE(june) << june.error().text();
+    const auto& back = std::get<SavedStudy>(june->answer);
+    EXPECT_FALSE(hasRuns(back.field));
+    EXPECT_FALSE(hasRuns(back.statistics));
+    EXPECT_EQ(back.statistics.meanGrossMin, study.statistics.meanGrossMin);
+    EXPECT_TRUE(same(back.field.grossMin, study.field.grossMin));
+    const auto tower = readSavedAnswer(*project.results.at(1));
+    ASSERT_TRUE(tower) << tower.error().text();
+    const auto& impact = std::get<SavedImpact>(tower->answer);
+    EXPECT_FALSE(hasRuns(impact.impact));
+    EXPECT_FALSE(hasRuns(impact.figures.all.at(0)));
+    EXPECT_FALSE(hasRuns(impact.figures.byBuilding.at(0).figures));
+    EXPECT_GT(impact.figures.all.at(0).gross.touchedM2, 0);
+}
+
+TEST(SavedAnswers, AScoreComesBackMonthByMonth) {
+    const ScoreAnswer answer = scored(town());
+    const Project project = saved(addResult(town(), "Score", answer, keptAt));
+    const auto result = project.results.at(0);
+    const SavedAnswer saved = readSavedAnswer(*result).value();
+    const auto& back = std::get<SavedScore>(saved.answer);
+    EXPECT_EQ(back.weights, "default");
+    EXPECT_EQ(saved.origin.weights, makeMonthlyWeights());
+    EXPECT_THAT(findWeightChangesSince(saved.origin, project), IsEmpty());
+    EXPECT_EQ(back.score.scoreM2, answer.score.scoreM2);
+    ASSERT_EQ(back.score.months.size(), 1U);
+    EXPECT_EQ(back.score.months[0].month, 2026y / June);
+    EXPECT_EQ(back.score.months[0].shadowAreaM2, answer.score.months[0].shadowAreaM2);
+    EXPECT_EQ(back.score.intervals.size(), 12U);
+    EXPECT_TRUE(same(back.score.score, answer.score.score));
+}
+
+TEST(SavedAnswers, WhatChangedSinceIsSaid) {
+    const Project project = addResult(town(), "Tower", compared(town()), keptAt);
+    const SavedResult& result = *project.results[0];
+    const SavedOrigin origin = readSavedAnswer(result)->origin;
+    Project higher = project;
+    higher.scenarios[0].edits.emplace_back(ChangeHeight{"t", 41});
+    EXPECT_THAT(findChangesSince(result, origin, higher),
+                ElementsAre(HasSubstr("'Tower' has changed since")));
+    Project demolished = project;
+    City city = *project.city;
+    city.buildings.pop_back();
+    demolished.city = std::make_shared<const City>(city);
+    EXPECT_EQ(findChangesSince(result, origin, demolished).size(), 2U)
+        << "the scenario and what it starts from";
+    Project gone = project;
+    gone.scenarios.clear();
+    EXPECT_THAT(findChangesSince(result, origin, gone),
+                ElementsAre(HasSubstr("scenario 'Tower' no longer exists")));
+    Project other = project;
+    other.inputs[0].sha256 = "cd";
+    EXPECT_THAT(findChangesSince(result, origin, other), ElementsAre(HasSubstr("other files")));
+    Project named = project;
+    named.lots.push_back({"new", box(0, 0, 5, 5)});
+    EXPECT_THAT(findChangesSince(result, origin, named), IsEmpty()) << "lots shade nothing";
+}
+
+TEST(SavedAnswers, AScoreIsOutOfDateWhenItsWeightsAre) {
+    const Project project = addResult(town(), "Score", scored(town()), keptAt);
+    const SavedOrigin origin = readSavedAnswer(*project.results[0])->origin;
+    Project other = project;
+    other.weights[0].intervals[5].weight = 0.25;
+    EXPECT_THAT(findWeightChangesSince(origin, other), ElementsAre(HasSubstr("'default' has changed since")));
+    EXPECT_THAT(findChangesSince(*project.results[0], origin, other), IsEmpty()) << "the city is the same";
+    other = project;
+    other.weights[0].name = "months";
+    EXPECT_THAT(findWeightChangesSince(origin, other), IsEmpty()) << "under another name";
+    other.weights[0].intervals.pop_back();
+    EXPECT_THAT(findWeightChangesSince(origin, other),
+                ElementsAre(HasSubstr("weight table 'default' no longer exists")));
+}
+
+TEST(SavedAnswers, CellsThatChangedOutsideOfTheGridAreAnError) {
+    SavedResult result = *addResult(town(), "Tower", compared(town()), keptAt).results[0];
+    auto json = nlohmann::ordered_json::parse(result.settings);
+    using Cells = nlohmann::ordered_json;
+    const auto withCells = [&](const Cells& cells) {
+        json["kept"]["changed_cells"] = cells;
+        result.settings = json.dump();
+        return readSavedAnswer(result);
+    };
+    EXPECT_TRUE(withCells(Cells::array({Cells::array({0, result.grid.size(), "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({1, result.grid.size(), "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({result.grid.size() + 1, 0, "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({0, -1, "ground"})})));
+    EXPECT_FALSE(withCells(Cells::array({Cells::array({0, 1, "water"})})));
+    EXPECT_FALSE(withCells(Cells::array({5})));
+    json["kept"].erase("changed_cells");
+    result.settings = json.dump();
+    const auto older = std::get<SavedImpact>(readSavedAnswer(result)->answer);
+    EXPECT_EQ(std::ranges::count(older.impact.change, CellChange::none), std::ptrdiff_t(result.grid.size()));
+}
+
+TEST(SavedAnswers, SettingsOfAnotherShapeAreAnError) {
+    SavedResult result = *addResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
+    SavedResult broken = result;
+    broken.settings = "{";
+    EXPECT_THAT(readSavedAnswer(broken).error().text(), HasSubstr("June: The saved result cannot be shown"));
+    broken.settings = R"({"engine": "ray"})";
+    EXPECT_FALSE(readSavedAnswer(broken));
+    broken = result;
+    broken.layers.pop_back();
+    EXPECT_THAT(readSavedAnswer(broken).error().what, HasSubstr("a layer is missing"));
+    broken = result;
+    broken.layers[0].values.pop_back();
+    EXPECT_THAT(readSavedAnswer(broken).error().what, HasSubstr("another size"));
+    broken = result;
+    broken.kind = "dream";
+    EXPECT_THAT(readSavedAnswer(broken).error().advice, HasSubstr("newer Noonmark"));
+}
+
+TEST(SavedAnswers, AResultWithoutAHashSaysThatChangesAreNotKnown) {
+    SavedResult result = *addResult(town(), "June", existingCity, studied(town()), keptAt).results[0];
+    auto json = nlohmann::ordered_json::parse(result.settings);
+    json.erase("kept");
+    result.settings = json.dump();
+    const SavedAnswer saved = readSavedAnswer(result).value();
+    EXPECT_EQ(saved.origin.at, "");
+    EXPECT_THAT(findChangesSince(result, saved.origin, town()), ElementsAre(HasSubstr("not known")));
+}
+
+}  // namespace
+}  // namespace noonmark::tests
