@@ -2,8 +2,9 @@
 
 // The folder core/io/meshes reads mesh files (OBJ, PLY, glTF 2). read_mesh.cpp runs the steps:
 // mesh_reader_process.h starts the process that parses the file (core/mesh_reader) and returns a MeshScene
-// (mesh_scene.h); mesh_units.h (this file) divides its objects into buildings, with surface_names.h reading
-// the objects' names; mesh_buildings.h makes parts from them by core/city/meshes.
+// (mesh_scene.h); mesh_units.h (this file) divides its objects into buildings by separate_roofs.h,
+// assign_walls.h and join_storeys.h, with surface_names.h reading the objects' names; mesh_buildings.h makes
+// parts from them by core/city/meshes.
 
 #include <cstddef>
 #include <stop_token>
@@ -11,14 +12,9 @@
 #include <vector>
 
 #include "core/io/meshes/mesh_buildings.h"
+#include "core/io/meshes/mesh_unit.h"
 
 namespace noonmark {
-
-/// The geometry of one building of a mesh file.
-struct MeshUnit {
-    TriangleMesh mesh;
-    std::size_t object = 0;  ///< index of the object that gives its name
-};
 
 /// Joins objects that are surfaces of one building, according to their names (surface_names.h), or according
 /// to their parent's name if their own only names a surface ("building 12" over "WallSurface" and

@@ -1,0 +1,115 @@
+#include "core/io/meshes/separate_roofs.h"
+
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/city/footprints/plan_overlay.h"
+#include "core/city/meshes/mesh_sheets.h"
+
+namespace noonmark {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+// Divides roof faces into roofs: faces that share an edge belong together, unless a wall ends at that edge.
+class RoofPartition {
+public:
+    RoofPartition(const std::vector<MeshUnit>& roofs, const std::vector<MeshUnit>& walls) : roofs_(roofs) {
+        for (const MeshUnit& roof : roofs) append(all_, roof.mesh);
+        const std::size_t roofPoints = all_.vertices.size(), roofFaces = all_.triangles.size();
+        for (const MeshUnit& wall : walls) append(all_, wall.mesh);
+        point_ = weldIndices(all_.vertices, touchM);
+        for (std::size_t i = roofFaces; i < all_.triangles.size(); ++i)
+            for (int k = 0; k < 3; ++k) wallEdges_.insert(edgeAt(i, k));
+        all_.triangles.resize(roofFaces);
+        all_.vertices.resize(roofPoints);
+    }
+
+    std::vector<MeshUnit> make() {
+        DisjointSets faces(all_.triangles.size());
+        joinAcrossEdges(faces);
+        joinWhatOverlaps(faces);
+        return gathered(faces);
+    }
+
+private:
+    [[nodiscard]] std::uint64_t edgeAt(std::size_t face, int side) const {
+        const glm::uvec3 t = all_.triangles[face];
+        return edgeOf(point_[t[side]], point_[t[(side + 1) % 3]]);
+    }
+
+    void joinAcrossEdges(DisjointSets& faces) {
+        std::unordered_map<std::uint64_t, std::size_t> faceOf;
+        for (std::size_t i = 0; i < all_.triangles.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const std::uint64_t edge = edgeAt(i, k);
+                if (wallEdges_.contains(edge)) continue;
+                const auto [place, isNew] = faceOf.try_emplace(edge, i);
+                if (!isNew) faces.join(i, place->second);
+            }
+    }
+
+    // Joins pieces of one unit that overlap in plan, such as a dormer over its roof.
+    void joinWhatOverlaps(DisjointSets& faces) {
+        std::size_t first = 0;
+        for (const MeshUnit& roof : roofs_) {
+            const std::size_t end = first + roof.mesh.triangles.size();
+            joinWhatOverlaps(faces, first, end);
+            first = end;
+        }
+    }
+
+    void joinWhatOverlaps(DisjointSets& faces, std::size_t first, std::size_t end) {
+        std::map<std::size_t, TriangleMesh> pieces;
+        for (std::size_t i = first; i < end; ++i) addFace(pieces[faces.of(i)], i);
+        if (pieces.size() < 2) return;
+        std::vector<std::vector<Footprint>> outlines;
+        Indices roots;
+        for (const auto& [root, mesh] : pieces) outlines.push_back(computeCover(mesh)), roots.push_back(root);
+        const Indices groups = groupOverlapping(outlines);
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            faces.join(roots[std::size_t(std::ranges::find(groups, groups[i]) - groups.begin())], roots[i]);
+    }
+
+    void addFace(TriangleMesh& mesh, std::size_t face) const {
+        const auto first = std::uint32_t(mesh.vertices.size());
+        for (int k = 0; k < 3; ++k) mesh.vertices.push_back(all_.vertices[all_.triangles[face][k]]);
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+    }
+
+    std::vector<MeshUnit> gathered(DisjointSets& faces) {
+        std::map<std::size_t, MeshUnit> units;
+        std::size_t face = 0;
+        for (const MeshUnit& roof : roofs_)
+            for (std::size_t i = 0; i < roof.mesh.triangles.size(); ++i, ++face) {
+                MeshUnit& unit = units.try_emplace(faces.of(face), MeshUnit{{}, roof.object}).first->second;
+                addFace(unit.mesh, face);
+            }
+        std::vector<MeshUnit> made;
+        for (auto& [root, unit] : units) made.push_back({weld(unit.mesh), unit.object});
+        return made;
+    }
+
+    const std::vector<MeshUnit>& roofs_;
+    TriangleMesh all_;
+    std::vector<std::uint32_t> point_;
+    std::unordered_set<std::uint64_t> wallEdges_;
+};
+
+}  // namespace
+
+std::vector<MeshUnit> separateRoofs(std::vector<MeshUnit> units, const std::vector<MeshUnit>& walls) {
+    const auto isRoof = [](const MeshUnit& unit) { return isSheet(unit.mesh); };
+    const auto others = std::stable_partition(units.begin(), units.end(), isRoof);
+    const std::vector<MeshUnit> roofs(std::make_move_iterator(units.begin()),
+                                      std::make_move_iterator(others));
+    units.erase(units.begin(), others);
+    std::ranges::move(RoofPartition(roofs, walls).make(), std::back_inserter(units));
+    return units;
+}
+
+}  // namespace noonmark
