@@ -38,7 +38,10 @@ Result<ImportMesh> readShape(const std::filesystem::path& file, const std::strin
     if (whole.parts.empty())
         return failure("The file contains no building", file.string(),
                        "Export the building as a closed solid");
-    if (*kind != FileKind::mesh) whole = liftBuilding(std::move(whole), -lowestM(whole));
+    if (*kind != FileKind::mesh) {
+        const float footM = lowestM(whole);  // before the building is moved from: arguments have no order
+        whole = liftBuilding(std::move(whole), -footM);
+    }
     return ImportMesh{std::make_shared<const Building>(std::move(whole)), {}, file.filename().string()};
 }
 
