@@ -67,9 +67,9 @@ inline City with(City city, const LiveReceivers::Shape& shape) {
 /// The shadow from newly computed horizons, without a cache.
 inline ShadowField freshHorizons(const City& city, const Receivers& receivers, const Period& period) {
     NoProgress progress;
-    auto saved = HorizonCache::make(city, receivers, {SharedHorizonCache::binDeg}).value();
+    auto cache = HorizonCache::make(city, receivers, {SharedHorizonCache::binDeg}).value();
     const SunQuestion question = sunOf(period);
-    return saved.retime(computeSunSteps(question.period, question.observer).value(), progress, {}).value();
+    return cache.retime(computeSunSteps(question.period, question.observer).value(), progress, {}).value();
 }
 
 inline bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {

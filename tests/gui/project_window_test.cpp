@@ -651,7 +651,7 @@ TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
     EXPECT_EQ(buildingNamed(city, ""), std::nullopt);
 }
 
-TEST(UnsavedPlaces, WhatManyRunsLeftDoesNotGrowForEver) {
+TEST(RecoveryStores, WhatManyRunsLeftDoesNotGrowForEver) {
     const QTemporaryDir folder;
     const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
     const int runs = RecoveryStore::mostLeft + 3;
@@ -671,7 +671,7 @@ TEST(UnsavedPlaces, WhatManyRunsLeftDoesNotGrowForEver) {
     EXPECT_FALSE(RecoveryStore(folder.path()).left());
 }
 
-TEST(UnsavedPlaces, WhatTwoRunsLeftIsKeptTheNewestFirst) {
+TEST(RecoveryStores, WhatTwoRunsLeftIsKeptTheNewestFirst) {
     const QTemporaryDir folder;
     const auto recovery = recoveryPath(folder.filePath("Untitled 1.noonmark.gpkg").toStdString());
     const auto leave = [&](const char* text) {

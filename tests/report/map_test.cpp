@@ -47,8 +47,7 @@ TEST(Map, BuildingsAreGreyAndPaleOutsideTheRegion) {
     const QImage image = mapOf(study);
     EXPECT_EQ(colourAt(image, study, 55, 35), ink::building);
     EXPECT_EQ(colourAt(image, study, -3.8, 40), ink::context);
-    EXPECT_EQ(colourAt(image, study, 60.5, 55.5), shadowColour(1))
-        << "the ground below a part that hangs is shown";
+    EXPECT_EQ(colourAt(image, study, 60.5, 55.5), shadowColour(1)) << "the ground below an overhang is shown";
 }
 
 TEST(Map, EdgesOfCellsAreExact) {

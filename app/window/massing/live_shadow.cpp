@@ -97,10 +97,10 @@ Result<void> LiveShadow::begin(LiveEngine engine, const SunSteps& sun, Progress&
         });
     const SunSteps steps = engine == LiveEngine::moments ? spread(sun) : sun;
     City around = shading(city_, receivers(), steps);
-    auto saved = ShadowCache::make(around, receivers(), steps, progress, stop);
-    if (!saved) return tl::make_unexpected(saved.error());
+    auto cache = ShadowCache::make(around, receivers(), steps, progress, stop);
+    if (!cache) return tl::make_unexpected(cache.error());
     city_ = std::move(around);
-    shadows_ = std::move(*saved);
+    shadows_ = std::move(*cache);
     return {};
 }
 

@@ -49,17 +49,17 @@ void updateBuildings(ViewAnswer& answer, const ViewAnswer& coarser) {
 
 // Leaves out the ground beyond the city: its surroundings are not known, and it would wrongly appear sunlit.
 VisibleSurface within(const Box2& box, const VisibleSurface& seen) {
-    VisibleSurface saved;
-    saved.points.eye = seen.points.eye;
+    VisibleSurface kept;
+    kept.points.eye = seen.points.eye;
     for (std::size_t i = 0; i < seen.points.size(); ++i) {
         const glm::vec3 place = seen.points.positions[i];
         if (place.x < box.low.x || place.x > box.high.x || place.y < box.low.y || place.y > box.high.y)
             continue;
-        saved.points.positions.push_back(place);
-        saved.points.normals.push_back(seen.points.normals[i]);
-        saved.pixel.push_back(seen.pixel[i]);
+        kept.points.positions.push_back(place);
+        kept.points.normals.push_back(seen.points.normals[i]);
+        kept.pixel.push_back(seen.pixel[i]);
     }
-    return saved;
+    return kept;
 }
 
 Box2 surroundingsOf(const OpenCity& city) {

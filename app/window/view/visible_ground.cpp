@@ -25,14 +25,14 @@ std::vector<glm::dvec2> borderPixels(const ViewLens& lens) {
 // Sutherland-Hodgman clipping: the part of a ring on the inner side of one side of the box.
 template <class Inside, class Cut>
 RawRing clippedBy(const RawRing& ring, Inside inside, Cut cut) {
-    RawRing saved;
+    RawRing clipped;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const glm::dvec2 from = ring[i];
         const glm::dvec2 to = ring[(i + 1) % ring.size()];
-        if (inside(from)) saved.push_back(from);
-        if (inside(from) != inside(to)) saved.push_back(cut(from, to));
+        if (inside(from)) clipped.push_back(from);
+        if (inside(from) != inside(to)) clipped.push_back(cut(from, to));
     }
-    return saved;
+    return clipped;
 }
 
 RawRing clippedBy(const RawRing& ring, int axis, double border, double sign) {

@@ -34,7 +34,7 @@ std::vector<SweptBin> binsAllAround() {
     return bins;
 }
 
-TEST(AzimuthBatch, FansHoldEachBinOnceInOrder) {
+TEST(AzimuthBatch, BatchesHoldEachBinOnceInOrder) {
     const std::vector<SweptBin> bins = binsAllAround();
     std::size_t next = 0;
     for (const BatchRange& batch : groupIntoBatches(bins)) {
