@@ -6,10 +6,10 @@ namespace noonmark {
 
 /// The horizons of a block's cells together with the buildings that make them.
 struct AttributedHorizons {
-    Floats16 lines[ReceiverBlocks::side];    ///< as in BlockHorizons
-    Ints16 buildings[ReceiverBlocks::side];  ///< building that makes the horizon; -1: none
-    Floats16 others[ReceiverBlocks::side];   ///< horizon without that building
-    Floats16 grounds[ReceiverBlocks::side];  ///< as in UnevenHorizons
+    BlockHorizons highest;
+    Line<std::int32_t> buildings[ReceiverBlocks::side];  ///< building that makes the horizon; -1: none
+    BlockHorizons others;                                ///< horizons without that building
+    Line<float> grounds[ReceiverBlocks::side];           ///< as in UnevenHorizons
 };
 
 /// The codes of these horizons, 16 per row.
@@ -22,7 +22,7 @@ struct AttributedCodes {
 /// As for BlockHorizons. If two buildings give equally steep horizons, the cell is attributed to the first
 /// one processed.
 void clearBlock(const ReceiverBlocks::Masks& masks, AttributedHorizons& horizons);
-void raiseBlock(const WallOnBlock& wall, const BlockRows& lines, AttributedHorizons& horizons);
+void raiseBlock(const WallOnBlock& wall, const BlockRows& rows, AttributedHorizons& horizons);
 void toCodes(const AttributedHorizons& horizons, HorizonCode lowest, AttributedCodes& codes);
 
 }  // namespace noonmark

@@ -9,7 +9,7 @@ namespace noonmark {
 
 /// Ground heights of the cells of a block.
 struct BlockGround {
-    const Line<float>* linesM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
+    const Line<float>* rowsM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
     float lowestM = 0;                    ///< lowest of the receivers
 };
 

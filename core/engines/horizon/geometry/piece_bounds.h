@@ -20,6 +20,11 @@ class PieceBounds {
 public:
     static constexpr std::size_t together = 16;
 
+    /// The bounds of some neighbouring pieces, at least `together`.
+    struct Arrays {
+        const float *lowQ, *highQ, *highAlong, *rise;
+    };
+
     void resize(std::size_t pieces);
     void set(std::size_t piece, float lowQ, float highQ, float highAlong, float rise);
 

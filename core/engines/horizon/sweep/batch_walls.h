@@ -21,8 +21,8 @@ struct WallInBatch {
 
 /// Fills `in` and returns as bits the azimuths at which the wall faces away from the sun and may raise a
 /// horizon with one of these cotangents; entries of other azimuths are unspecified. The margin exceeds
-/// rounding, so azimuths that are left out change no bit. The same bits on every instruction set. 5 ns.
-unsigned findRaisingAzimuths(const BatchLanes& lanes, const float* cots, const WallAhead& wall,
+/// rounding, so azimuths that are left out change no bit. 5 ns.
+unsigned findRaisingAzimuths(const BatchLanes& batch, const float* cots, const WallAhead& wall,
                              WallInBatch& in);
 
 }  // namespace noonmark

@@ -15,8 +15,8 @@ namespace noonmark {
 /// The horizon of each cell of a 16 x 16 block, row by row, as the cotangent of its altitude: distance over
 /// height, which needs no division per cell. The higher a horizon, the smaller the cotangent.
 struct BlockHorizons {
-    static constexpr float nobody = -1;  ///< for cells that are not receivers: no horizon is higher
-    Floats16 lines[ReceiverBlocks::side];
+    static constexpr float notReceiver = -1;  ///< for cells that are not receivers: no horizon is higher
+    Line<float> rows[ReceiverBlocks::side];
 };
 
 /// In cells; larger than any computeNearestAlong().
@@ -35,7 +35,7 @@ struct BlockRows {
     BlockRows(double k, double sign);
     std::array<float, ReceiverBlocks::side> shifts;  ///< decrease of q
     std::array<float, ReceiverBlocks::side> alongs;  ///< increase of `along`
-    float linesAQ;                                   ///< rows per unit of q; 0 if q does not change
+    float rowsPerQ;                                  ///< rows per unit of q; 0 if q does not change
 };
 
 /// A piece of wall relative to a block's first cell; in cells.
@@ -53,16 +53,16 @@ struct WallOnBlock {
 struct RowRange {
     int first, end;
 };
-RowRange linesOf(const WallOnBlock& wall, const BlockRows& lines);
+RowRange findRows(const WallOnBlock& wall, const BlockRows& rows);
 
-/// Sets the horizons of receivers to level and those of other cells to `nobody`.
+/// Sets the horizons of receivers to level and those of other cells to `notReceiver`.
 void clearBlock(const ReceiverBlocks::Masks& masks, BlockHorizons& horizons);
 
 /// Raises horizons to those of some walls. A wall affects cells with low + place >= 0 > high + place that are
 /// farther behind it than `nearest`. A cell on a wall gets cotangent 0. Returns the cotangent of the lowest
-/// horizon of all cells afterwards; `nobody` if there are no receivers. The same bits on every instruction
-/// set, in whatever order walls come. Some 20 ns per wall.
-float raiseBlock(std::span<const WallOnBlock> walls, const BlockRows& lines, BlockHorizons& horizons);
+/// horizon of all cells afterwards; `notReceiver` if there are no receivers. The same bits in whatever order
+/// walls come. Some 20 ns per wall with AVX-512.
+float raiseBlock(std::span<const WallOnBlock> walls, const BlockRows& rows, BlockHorizons& horizons);
 
 /// Codes of all cells, 16 per row; noHorizon for cells whose horizon hides no sun of code `lowest` and for
 /// cells that are not receivers.

@@ -1,0 +1,62 @@
+// Helpers for vectors, compiled for each instruction set; included by kernel.h only.
+#if defined(NOONMARK_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef NOONMARK_SIMD_LANES_INL_H
+#undef NOONMARK_SIMD_LANES_INL_H
+#else
+#define NOONMARK_SIMD_LANES_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace noonmark::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The widest vector of T with at most `most` lanes; its number of lanes is a constant.
+template <class T, std::size_t most>
+using LanesUpTo = hn::CappedTag<T, most>;
+
+/// 0, 1, 2, ... as floats.
+template <class D>
+HWY_INLINE hn::Vec<D> countLanes(D d) {
+    return hn::Iota(d, 0);
+}
+
+/// The lanes whose bits are set; bit 0 belongs to lane 0. Bits beyond the last lane are ignored.
+template <class D>
+HWY_INLINE hn::Mask<D> maskOfBits(D d, std::uint32_t bits) {
+#if HWY_TARGET == HWY_AVX3
+    const auto bytes = bits;
+    return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bytes));
+#else
+    const hn::RebindToUnsigned<D> du;
+    using Word = hn::TFromD<decltype(du)>;
+    const auto bit = hn::Shl(hn::Set(du, Word{1}), hn::Iota(du, Word{0}));
+    return hn::RebindMask(d, hn::TestBit(hn::Set(du, Word(bits)), bit));
+#endif
+}
+
+/// Bit k: whether lane k is set.
+template <class D>
+HWY_INLINE std::uint32_t bitsOfMask(D d, hn::Mask<D> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    std::uint32_t bits = 0;
+    __builtin_memcpy(&bits, bytes, sizeof bits);
+    return bits;
+}
+
+/// The same pointer, but the compiler does not know how it was computed and makes no address from its parts.
+template <class T>
+HWY_INLINE T* forgetOrigin(T* pointer) {
+#if HWY_COMPILER_GCC || HWY_COMPILER_CLANG
+    asm("" : "+r"(pointer));
+#endif
+    return pointer;
+}
+
+}  // namespace noonmark::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
