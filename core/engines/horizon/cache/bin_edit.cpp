@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/simd/prefetch.h"
+
 namespace noonmark {
 
 namespace {
@@ -171,9 +173,9 @@ const HorizonCode* BinEdit::comingCodes(const TileEdit& edit, std::size_t i, con
 void BinEdit::prefetch(const TileEdit& edit, std::size_t block) const {
     const std::uint32_t first = edit.blocks.blocks()[block].first;
     for (std::uint32_t cell = 0; cell < ReceiverBlocks::cells; cell += 32) {
-        __builtin_prefetch(bin_->codes.data() + first + cell, 1);
-        __builtin_prefetch(steps_->more.data() + first + cell, 1);
-        __builtin_prefetch(steps_->more.data() + first + cell + 16, 1);
+        prefetchForWrite(bin_->codes.data() + first + cell);
+        prefetchForWrite(steps_->more.data() + first + cell);
+        prefetchForWrite(steps_->more.data() + first + cell + 16);
     }
 }
 

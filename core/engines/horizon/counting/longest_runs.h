@@ -7,18 +7,10 @@
 #include <vector>
 
 #include "core/engines/horizon/counting/day_groups.h"
+#include "core/engines/horizon/counting/run_bounds.h"
 #include "core/engines/horizon/counting/run_search.h"
-#include "core/simd/simd_lanes.h"
 
 namespace noonmark {
-
-/// Number of receivers that are counted together.
-inline constexpr std::size_t lanesPerPart = 64;
-
-/// Horizon codes of one bin, or counts of steps, one per receiver.
-struct alignas(64) RunLanes {
-    std::int16_t values[lanesPerPart] = {};
-};
 
 /// Finds the longest unbroken runs in shadow over a period. Groups of days whose bound cannot exceed the
 /// longest run found so far are skipped; the others are walked step by step.

@@ -23,13 +23,11 @@ public:
     /// Largest absolute change of any horizon.
     [[nodiscard]] int most() const { return most_; }
 
-    /// Adds the change of each horizon to its sum. The same bits on every instruction set. From 0.05 ns for a
-    /// horizon that hides none or all of the changed suns, to 0.5 ns.
+    /// Adds the change of each horizon to its sum (addCounts).
     void addTo(const HorizonCode* horizons, std::size_t count, std::int16_t* sums) const;
 
     /// For a block's cells in `masks` (row by row), adds to the sums the change of the horizons `after` minus
-    /// that of `before`, modulo 2^32. Returns as bits the rows with sums that changed. 20 ns per row with
-    /// such cells.
+    /// that of `before`, modulo 2^32. Returns as bits the rows with sums that changed (addDifferences).
     std::uint16_t addDifference(const HorizonCode* before, const HorizonCode* after,
                                 const ReceiverBlocks::Masks& masks, std::uint32_t* sums) const;
 

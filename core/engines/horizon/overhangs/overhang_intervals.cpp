@@ -1,37 +1,6 @@
 #include "core/engines/horizon/overhangs/overhang_intervals.h"
 
-#include "core/simd/simd_lanes.h"
-
 namespace noonmark {
-
-namespace {
-
-constexpr HorizonCode zenith = HorizonCode(steepnessLevels - 1 + int(noHorizon));
-
-[[gnu::always_inline]] inline HorizonCode codeOfRise(float rise, float distance) {
-    const float steepness = rise > 0 ? rise / (rise + distance) : 0;
-    const int level = int(steepness * float(steepnessLevels));
-    return rise > 0 ? HorizonCode(std::min(level, steepnessLevels - 1) + int(noHorizon)) : noHorizon;
-}
-
-// If the near side lies behind the cell, the cell is below or above the overhang; an overhang above it hides
-// everything up to the zenith.
-NOONMARK_EVERY_ISA
-void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, HorizonCode* high) {
-    const int count = seen.count;
-    for (int i = 0; i < count; ++i) {
-        const float toNear = seen.toNear[i], toFar = seen.toFar[i], near = seen.nearRise[i],
-                    far = seen.farRise[i];
-        const float over = solid ? far : near * toFar - far * toNear;
-        const HorizonCode behind = over > 0 ? zenith : noHorizon;
-        const HorizonCode ahead = codeOfRise(near, toNear > 0 ? toNear : 1);
-        const HorizonCode atNear = toNear > 0 ? ahead : behind, atFar = codeOfRise(far, toFar);
-        low[i] = std::min(atNear, atFar);
-        high[i] = std::max(atNear, atFar);
-    }
-}
-
-}  // namespace
 
 void OverhangIntervals::begin(const ViewingBlock& from, const BlockAxes& axes, HorizonCode lowest) {
     block_ = from;

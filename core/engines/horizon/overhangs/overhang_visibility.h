@@ -49,9 +49,13 @@ struct VisibleCells {
 };
 
 /// Adds the cells within lowQ <= q < highQ of a strip that lie behind its far side and whose horizons are no
-/// higher than `highest`. Strips that share a corner divide the cells there between them. The same bits on
-/// every instruction set. From 5 ns per row.
+/// higher than `highest`. Strips must ascend; those that share a corner divide the cells there between them.
+/// From 5 ns per row.
 void addVisibleCells(const StripLanes& strips, const ViewingBlock& block, const BlockAxes& axes,
                      HorizonCode highest, VisibleCells& seen);
+
+/// The altitudes that a layer hides from each of these cells: codes of its lower and upper end, with room for
+/// VisibleCells::most. `solid`: the layer's far side is its upper one.
+void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, HorizonCode* high);
 
 }  // namespace noonmark

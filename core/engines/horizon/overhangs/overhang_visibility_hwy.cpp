@@ -1,121 +1,130 @@
-#include "core/engines/horizon/overhangs/overhang_visibility.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/engines/horizon/overhangs/overhang_visibility_hwy.cpp"
+#include <hwy/foreach_target.h>
 
 #include <algorithm>
 
-#include "core/simd/simd_lanes.h"
+#include "core/engines/horizon/overhangs/overhang_visibility.h"
+#include "core/simd/kernel.h"
 
-#ifdef NOONMARK_PICKS_ISA
-#include <immintrin.h>
-#endif
-
-namespace noonmark {
-
+HWY_BEFORE_NAMESPACE();
+namespace noonmark::HWY_NAMESPACE {
 namespace {
 
 constexpr int side = ReceiverBlocks::side;
 constexpr float onOverhangs = 1e-3F;  // in cells; a receiver closer than this is on the overhang
+constexpr HorizonCode zenith = HorizonCode(steepnessLevels - 1 + int(noHorizon));
 
-/// A row of a block.
-struct Line16 {
-    int first;  // first cell
-    float shift, along;
+using D = LanesUpTo<float, std::size_t(side)>;
+using V = hn::Vec<D>;
+using Mask = hn::Mask<D>;
+constexpr D d;
+constexpr hn::RebindToSigned<D> di;
+constexpr hn::Rebind<HorizonCode, D> dc;
+constexpr int lanes = int(hn::MaxLanes(d));
+
+/// Neighbouring cells of a row of the block.
+struct Cells {
+    int first;           // number of the first one, in the block
+    V places;            // in the row
+    float shift, along;  // of the row (BlockAxes)
 };
 
-[[maybe_unused]] void addCell(const StripLanes& strips, int strip, const ViewingBlock& block,
-                              const Line16& line, int place, float alongPerMetre, VisibleCells& seen) {
-    const int cell = line.first + place, i = seen.count;
-    const float width = float(place) - (strips.low[strip] + line.shift);
-    const auto &near = strips.near, &far = strips.far;
-    const float ground = block.groundsM == nullptr ? 0 : block.groundsM[cell] * alongPerMetre;
-    seen.cell[i] = cell;
-    seen.toFar[i] = (far.distance[strip] + line.along) - far.slope[strip] * width;
-    seen.toNear[i] = (near.distance[strip] + line.along) - near.slope[strip] * width;
-    seen.nearRise[i] = (near.rise[strip] + near.riseSlope[strip] * width) - ground;
-    seen.farRise[i] = (far.rise[strip] + far.riseSlope[strip] * width) - ground;
-    seen.count += int(seen.toFar[i] > onOverhangs);
+// Distance of each cell from a side of the strip, and the side's rise above the cell's ground.
+HWY_INLINE V distanceTo(const StripLanes::Side& of, int strip, V width, float along) {
+    return hn::Sub(hn::Set(d, of.distance[strip] + along), hn::Mul(hn::Set(d, of.slope[strip]), width));
+}
+HWY_INLINE V riseOf(const StripLanes::Side& of, int strip, V width, V ground) {
+    return hn::Sub(hn::Add(hn::Set(d, of.rise[strip]), hn::Mul(hn::Set(d, of.riseSlope[strip]), width)),
+                   ground);
 }
 
-[[maybe_unused]] void addLine(const StripLanes& strips, const ViewingBlock& block, const Line16& line,
-                              HorizonCode highest, float alongPerMetre, VisibleCells& seen) {
-    int strip = 0;
-    for (int place = 0; place < side; ++place) {
-        while (strip < strips.count && strips.high[strip] + line.shift <= float(place)) ++strip;
-        if (strip == strips.count) return;
-        if (strips.low[strip] + line.shift <= float(place) &&
-            block.horizons.values[line.first + place] <= highest)
-            addCell(strips, strip, block, line, place, alongPerMetre, seen);
+HWY_INLINE void addCells(const StripLanes& strips, int strip, const Cells& cells, Mask within, V ground,
+                         VisibleCells& seen) {
+    const V width = hn::Sub(cells.places, hn::Set(d, strips.low[strip] + cells.shift));
+    const V toFar = distanceTo(strips.far, strip, width, cells.along);
+    const Mask behind = hn::And(within, hn::Gt(toFar, hn::Set(d, onOverhangs)));
+    if (hn::AllFalse(d, behind)) return;
+    const int at = seen.count;
+    hn::CompressStore(toFar, behind, d, seen.toFar + at);
+    hn::CompressStore(distanceTo(strips.near, strip, width, cells.along), behind, d, seen.toNear + at);
+    hn::CompressStore(riseOf(strips.near, strip, width, ground), behind, d, seen.nearRise + at);
+    hn::CompressStore(riseOf(strips.far, strip, width, ground), behind, d, seen.farRise + at);
+    hn::CompressStore(hn::Iota(di, cells.first), hn::RebindMask(di, behind), di, seen.cell + at);
+    seen.count += int(hn::CountTrue(d, behind));
+}
+
+// `left`: cells that may see the layer and belong to no strip yet.
+HWY_INLINE void addStrips(const StripLanes& strips, const Cells& cells, Mask left, V ground,
+                          VisibleCells& seen) {
+    for (int strip = 0; strip < strips.count && !hn::AllFalse(d, left); ++strip) {
+        const Mask from = hn::Le(hn::Set(d, strips.low[strip] + cells.shift), cells.places),
+                   to = hn::Gt(hn::Set(d, strips.high[strip] + cells.shift), cells.places);
+        const Mask within = hn::And(hn::And(from, to), left);
+        if (hn::AllFalse(d, within)) continue;
+        addCells(strips, strip, cells, within, ground, seen);
+        left = hn::AndNot(within, left);
     }
 }
 
-#ifdef NOONMARK_PICKS_ISA
-[[gnu::target("avx512f")]] inline __m512 pick(const float* table, __m512i strips) {
-    return _mm512_maskz_permutexvar_ps(0xFFFF, strips, _mm512_load_ps(table));
-}
-
-/// Values for each cell of a row.
-struct Sight512 {
-    __m512i strips;
-    __m512 width, along;
-
-    [[gnu::target("avx512f")]] [[nodiscard]] __m512 distance(const StripLanes::Side& of) const {
-        return _mm512_sub_ps(_mm512_add_ps(pick(of.distance, strips), along),
-                             _mm512_mul_ps(pick(of.slope, strips), width));
+HWY_INLINE void addRow(const StripLanes& strips, const ViewingBlock& block, int row, const BlockAxes& axes,
+                       HorizonCode highest, VisibleCells& seen) {
+    const float shift = axes.shift * float(row), along = axes.sign * float(row);
+    if (strips.low[0] + shift > float(side - 1) || strips.high[strips.count - 1] + shift <= 0) return;
+    for (int place = 0; place < side; place += lanes) {
+        const int first = row * side + place;
+        const auto codes = hn::PromoteTo(di, hn::Load(dc, block.horizons.values + first));
+        const Mask low = hn::RebindMask(d, hn::Lt(codes, hn::Set(di, highest + 1)));
+        const V ground = block.groundsM == nullptr ? hn::Zero(d)
+                                                   : hn::Mul(hn::LoadU(d, block.groundsM + first),
+                                                             hn::Set(d, axes.alongPerMetre));
+        addStrips(strips, {first, hn::Iota(d, float(place)), shift, along}, low, ground, seen);
     }
-    [[gnu::target("avx512f")]] [[nodiscard]] __m512 rise(const StripLanes::Side& of, __m512 ground) const {
-        return _mm512_sub_ps(
-            _mm512_add_ps(pick(of.rise, strips), _mm512_mul_ps(pick(of.riseSlope, strips), width)), ground);
-    }
-};
-
-// The last strip that begins at or before a cell's q.
-[[gnu::target("avx512f")]] inline __m512i stripsAt(const StripLanes& strips, __m512 places, float shift) {
-    __m512i at = _mm512_setzero_si512();
-    for (int strip = 1; strip < strips.count; ++strip) {
-        const __mmask16 from =
-            _mm512_cmp_ps_mask(_mm512_set1_ps(strips.low[strip] + shift), places, _CMP_LE_OQ);
-        at = _mm512_mask_add_epi32(at, from, at, _mm512_set1_epi32(1));
-    }
-    return at;
 }
 
-[[gnu::target("avx512f")]] inline void keep(__mmask16 some, __m512 values, float* to) {
-    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(some, values));
+HWY_INLINE auto codesOfRise(V rise, V distance) {
+    const V level = hn::Mul(hn::Div(rise, hn::Add(rise, distance)), hn::Set(d, float(steepnessLevels)));
+    const auto code = hn::Add(hn::ConvertTo(di, hn::Min(level, hn::Set(d, float(steepnessLevels - 1)))),
+                              hn::Set(di, std::int32_t{noHorizon}));
+    return hn::IfThenElse(hn::RebindMask(di, hn::Gt(rise, hn::Zero(d))), code,
+                          hn::Set(di, std::int32_t{noHorizon}));
 }
-
-[[gnu::target("avx512f")]] void addLine512(const StripLanes& strips, const ViewingBlock& block,
-                                           const Line16& line, HorizonCode highest, float alongPerMetre,
-                                           VisibleCells& seen) {
-    const __m512i numbers = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    const __m512 places = _mm512_maskz_cvtepi32_ps(0xFFFF, numbers), shift = _mm512_set1_ps(line.shift);
-    const auto* codes = reinterpret_cast<const __m256i*>(block.horizons.values + line.first);
-    __mmask16 some = _mm512_cmple_epi32_mask(_mm512_maskz_cvtepi16_epi32(0xFFFF, _mm256_load_si256(codes)),
-                                             _mm512_set1_epi32(highest));
-    if (some == 0) return;
-    const __m512i at = stripsAt(strips, places, line.shift);
-    const Sight512 sight{at, _mm512_sub_ps(places, _mm512_add_ps(pick(strips.low, at), shift)),
-                         _mm512_set1_ps(line.along)};
-    some = _mm512_mask_cmp_ps_mask(some, _mm512_add_ps(pick(strips.high, at), shift), places, _CMP_GT_OQ);
-    some = _mm512_mask_cmp_ps_mask(some, _mm512_add_ps(pick(strips.low, at), shift), places, _CMP_LE_OQ);
-    const __m512 toFar = sight.distance(strips.far);
-    some = _mm512_mask_cmp_ps_mask(some, toFar, _mm512_set1_ps(onOverhangs), _CMP_GT_OQ);
-    if (some == 0) return;
-    const __m512 ground =
-        block.groundsM == nullptr
-            ? _mm512_setzero_ps()
-            : _mm512_mul_ps(_mm512_loadu_ps(block.groundsM + line.first), _mm512_set1_ps(alongPerMetre));
-    keep(some, toFar, seen.toFar + seen.count);
-    keep(some, sight.distance(strips.near), seen.toNear + seen.count);
-    keep(some, sight.rise(strips.near, ground), seen.nearRise + seen.count);
-    keep(some, sight.rise(strips.far, ground), seen.farRise + seen.count);
-    const __m512i cells = _mm512_add_epi32(numbers, _mm512_set1_epi32(line.first));
-    _mm512_storeu_si512(seen.cell + seen.count, _mm512_maskz_compress_epi32(some, cells));
-    seen.count += __builtin_popcount(some);
-}
-#endif
 
 }  // namespace
 
+void addVisibleCells(const StripLanes& strips, const ViewingBlock& block, const BlockAxes& axes,
+                     HorizonCode highest, VisibleCells& seen) {
+    for (int row = 0; row < side; ++row) addRow(strips, block, row, axes, highest, seen);
+}
+
+// If the near side lies behind the cell, the cell is below or above the overhang; an overhang above it hides
+// everything up to the zenith.
+void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, HorizonCode* high) {
+    const V zero = hn::Zero(d);
+    for (int i = 0; i < seen.count; i += lanes) {
+        const V toNear = hn::Load(d, seen.toNear + i), toFar = hn::Load(d, seen.toFar + i),
+                near = hn::Load(d, seen.nearRise + i), far = hn::Load(d, seen.farRise + i);
+        const V over = solid ? far : hn::Sub(hn::Mul(near, toFar), hn::Mul(far, toNear));
+        const auto behind = hn::IfThenElse(hn::RebindMask(di, hn::Gt(over, zero)),
+                                           hn::Set(di, std::int32_t{zenith}),
+                                           hn::Set(di, std::int32_t{noHorizon}));
+        const Mask before = hn::Gt(toNear, zero);
+        const auto ahead = codesOfRise(near, hn::IfThenElse(before, toNear, hn::Set(d, 1)));
+        const auto atNear = hn::IfThenElse(hn::RebindMask(di, before), ahead, behind),
+                   atFar = codesOfRise(far, toFar);
+        hn::Store(hn::DemoteTo(dc, hn::Min(atNear, atFar)), dc, low + i);
+        hn::Store(hn::DemoteTo(dc, hn::Max(atNear, atFar)), dc, high + i);
+    }
+}
+
+}  // namespace noonmark::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace noonmark {
+
 void StripLanes::add(const OverhangStrip& strip, const BlockAxes& axes) {
+    constexpr int side = ReceiverBlocks::side;
     const float all = -axes.shift * float(side - 1), lowest = std::min(0.0F, all) - 1,
                 highest = std::max(0.0F, all) + float(side);
     const auto from = float(strip.lowQ - axes.q), to = float(strip.highQ - axes.q);
@@ -133,18 +142,16 @@ void StripLanes::add(const OverhangStrip& strip, const BlockAxes& axes) {
     ++count;
 }
 
+NOONMARK_KERNEL(addVisibleCells);
 void addVisibleCells(const StripLanes& strips, const ViewingBlock& block, const BlockAxes& axes,
                      HorizonCode highest, VisibleCells& seen) {
-    auto add = addLine;
-#ifdef NOONMARK_PICKS_ISA
-    if (__builtin_cpu_supports("avx512f")) add = addLine512;
-#endif
-    for (int i = 0; i < side; ++i) {
-        const Line16 line{i * side, axes.shift * float(i), axes.sign * float(i)};
-        if (strips.low[0] + line.shift > float(side - 1) || strips.high[strips.count - 1] + line.shift <= 0)
-            continue;
-        add(strips, block, line, highest, axes.alongPerMetre, seen);
-    }
+    NOONMARK_CALL(addVisibleCells)(strips, block, axes, highest, seen);
+}
+
+NOONMARK_KERNEL(findIntervals);
+void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, HorizonCode* high) {
+    NOONMARK_CALL(findIntervals)(seen, solid, low, high);
 }
 
 }  // namespace noonmark
+#endif
