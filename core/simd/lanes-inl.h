@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/simd/pack_order.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace noonmark::HWY_NAMESPACE {
 
@@ -47,6 +49,37 @@ HWY_INLINE std::uint32_t bitsOfMask(D d, hn::Mask<D> mask) {
     __builtin_memcpy(&bits, bytes, sizeof bits);
     return bits;
 }
+
+/// Moves the lanes of a mask to the front of vectors of 32-bit numbers. Highway's own Compress() copies its
+/// table at each call where GCC compiles it for AVX2 (version 1.0.3).
+template <class D>
+class Packer {
+public:
+    HWY_INLINE Packer(D d, hn::Mask<D> mask) : Packer(mask, bitsOfMask(d, mask)) {}
+
+    template <class V>
+    HWY_INLINE V pack(V values) const {
+        const hn::Vec<D> bits = hn::BitCast(D{}, values);
+#if HWY_TARGET == HWY_AVX3
+        return hn::BitCast(hn::DFromV<V>{}, hn::Compress(bits, mask_));
+#else
+        return hn::BitCast(hn::DFromV<V>{}, hn::TableLookupLanes(bits, order_));
+#endif
+    }
+
+private:
+#if HWY_TARGET == HWY_AVX3
+    HWY_INLINE Packer(hn::Mask<D> mask, std::uint32_t) : mask_(mask) {}
+    hn::Mask<D> mask_;
+#else
+    using Lanes32 = hn::RebindToSigned<D>;
+    using Order = decltype(hn::IndicesFromVec(D{}, hn::Zero(Lanes32{})));
+    HWY_INLINE Packer(hn::Mask<D>, std::uint32_t bits)
+        : order_(hn::IndicesFromVec(
+              D{}, hn::PromoteTo(Lanes32{}, hn::LoadU(hn::Rebind<std::uint8_t, D>{}, packOrder[bits].data())))) {}
+    Order order_;
+#endif
+};
 
 /// The same pointer, but the compiler does not know how it was computed and makes no address from its parts.
 template <class T>

@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "core/engines/horizon/overhangs/overhang_visibility.h"
 #include "core/simd/kernel.h"
@@ -45,41 +46,63 @@ HWY_INLINE void addCells(const StripLanes& strips, int strip, const Cells& cells
     const V toFar = distanceTo(strips.far, strip, width, cells.along);
     const Mask behind = hn::And(within, hn::Gt(toFar, hn::Set(d, onOverhangs)));
     if (hn::AllFalse(d, behind)) return;
+    const Packer packer(d, behind);
     const int at = seen.count;
-    hn::CompressStore(toFar, behind, d, seen.toFar + at);
-    hn::CompressStore(distanceTo(strips.near, strip, width, cells.along), behind, d, seen.toNear + at);
-    hn::CompressStore(riseOf(strips.near, strip, width, ground), behind, d, seen.nearRise + at);
-    hn::CompressStore(riseOf(strips.far, strip, width, ground), behind, d, seen.farRise + at);
-    hn::CompressStore(hn::Iota(di, cells.first), hn::RebindMask(di, behind), di, seen.cell + at);
+    hn::StoreU(packer.pack(toFar), d, seen.toFar + at);
+    hn::StoreU(packer.pack(distanceTo(strips.near, strip, width, cells.along)), d, seen.toNear + at);
+    hn::StoreU(packer.pack(riseOf(strips.near, strip, width, ground)), d, seen.nearRise + at);
+    hn::StoreU(packer.pack(riseOf(strips.far, strip, width, ground)), d, seen.farRise + at);
+    hn::StoreU(packer.pack(hn::Iota(di, cells.first)), di, seen.cell + at);
     seen.count += int(hn::CountTrue(d, behind));
 }
 
-// `left`: cells that may see the layer and belong to no strip yet.
-HWY_INLINE void addStrips(const StripLanes& strips, const Cells& cells, Mask left, V ground,
-                          VisibleCells& seen) {
-    for (int strip = 0; strip < strips.count && !hn::AllFalse(d, left); ++strip) {
-        const Mask from = hn::Le(hn::Set(d, strips.low[strip] + cells.shift), cells.places),
-                   to = hn::Gt(hn::Set(d, strips.high[strip] + cells.shift), cells.places);
-        const Mask within = hn::And(hn::And(from, to), left);
-        if (hn::AllFalse(d, within)) continue;
-        addCells(strips, strip, cells, within, ground, seen);
-        left = hn::AndNot(within, left);
+// The strips that overlap a row of the block, as bits.
+HWY_INLINE std::uint32_t findStrips(const StripLanes& strips, float shift) {
+    std::uint32_t found = 0;
+    for (int i = 0; i < strips.count; i += lanes) {
+        const V low = hn::Add(hn::Load(d, strips.low + i), hn::Set(d, shift)),
+                high = hn::Add(hn::Load(d, strips.high + i), hn::Set(d, shift));
+        const Mask overlaps = hn::And(hn::Le(low, hn::Set(d, float(side - 1))), hn::Gt(high, hn::Zero(d)));
+        found |= bitsOfMask(d, overlaps) << i;
     }
+    return found & ((1U << strips.count) - 1);
+}
+
+/// Some cells of a row, and which of them may see the layer and belong to no strip yet.
+struct OpenCells : Cells {
+    Mask left;
+    V ground;
+};
+
+HWY_INLINE OpenCells openCells(const ViewingBlock& block, int row, int place, const BlockAxes& axes,
+                               HorizonCode highest) {
+    const int first = row * side + place;
+    const auto codes = hn::PromoteTo(di, hn::Load(dc, block.horizons.values + first));
+    const Mask low = hn::RebindMask(d, hn::Lt(codes, hn::Set(di, highest + 1)));
+    const V ground = block.groundsM == nullptr
+                         ? hn::Zero(d)
+                         : hn::Mul(hn::LoadU(d, block.groundsM + first), hn::Set(d, axes.alongPerMetre));
+    return {{first, hn::Iota(d, float(place)), axes.shift * float(row), axes.sign * float(row)}, low, ground};
+}
+
+HWY_INLINE void addStrip(const StripLanes& strips, int strip, OpenCells& cells, VisibleCells& seen) {
+    const Mask from = hn::Le(hn::Set(d, strips.low[strip] + cells.shift), cells.places),
+               to = hn::Gt(hn::Set(d, strips.high[strip] + cells.shift), cells.places);
+    const Mask within = hn::And(hn::And(from, to), cells.left);
+    if (hn::AllFalse(d, within)) return;
+    addCells(strips, strip, cells, within, cells.ground, seen);
+    cells.left = hn::AndNot(within, cells.left);
 }
 
 HWY_INLINE void addRow(const StripLanes& strips, const ViewingBlock& block, int row, const BlockAxes& axes,
                        HorizonCode highest, VisibleCells& seen) {
-    const float shift = axes.shift * float(row), along = axes.sign * float(row);
-    if (strips.low[0] + shift > float(side - 1) || strips.high[strips.count - 1] + shift <= 0) return;
-    for (int place = 0; place < side; place += lanes) {
-        const int first = row * side + place;
-        const auto codes = hn::PromoteTo(di, hn::Load(dc, block.horizons.values + first));
-        const Mask low = hn::RebindMask(d, hn::Lt(codes, hn::Set(di, highest + 1)));
-        const V ground = block.groundsM == nullptr ? hn::Zero(d)
-                                                   : hn::Mul(hn::LoadU(d, block.groundsM + first),
-                                                             hn::Set(d, axes.alongPerMetre));
-        addStrips(strips, {first, hn::Iota(d, float(place)), shift, along}, low, ground, seen);
-    }
+    std::uint32_t found = findStrips(strips, axes.shift * float(row));
+    if (found == 0) return;
+    OpenCells cells[side / lanes];
+    for (int part = 0; part < side / lanes; ++part)
+        cells[part] = openCells(block, row, part * lanes, axes, highest);
+    for (; found != 0; found &= found - 1)
+        for (OpenCells& some : cells) addStrip(strips, std::countr_zero(found), some, seen);
 }
 
 HWY_INLINE auto codesOfRise(V rise, V distance) {
