@@ -7,34 +7,40 @@ namespace noonmark {
 void RunSearch::begin(Rays rays, std::span<const TimedStep> steps, int atLeast) {
     rays_ = std::move(rays);
     steps_ = steps;
-    longest_ = std::max(0, atLeast);
-    lit_.clear();
+    longest_ = std::uint32_t(std::max(0, atLeast));
+    foundLit_ = false;
+    isLitBin_.assign(horizons_.highest.size(), 0);
 }
 
+// A run longer than `longest_` that begins at `first` or later contains the step `longest_` after it. If that
+// step, or one between, is certainly lit, the run begins after it: most steps are never looked at.
 void RunSearch::walk(const DaySteps& day) {
-    for (std::uint32_t first = day.first, end = first; first < day.end; first = end + 1) {
-        for (end = first; end < day.end && mayBeHidden(end);) ++end;
-        if (int(end - first) <= longest_) continue;
+    std::uint32_t first = day.first;
+    std::uint32_t known = first;  // steps [first, known) may be hidden
+    while (first + longest_ < day.end) {
+        const std::uint32_t end = first + longest_ + 1;
+        std::uint32_t begin = end;
+        while (begin > known && mayBeHidden(begin - 1)) --begin;
+        const bool isLitBefore = begin > known;
+        known = end;
+        if (isLitBefore) {
+            first = begin;
+            continue;
+        }
+        while (known < day.end && mayBeHidden(known)) ++known;
         first_ = first;
-        states_.clear();
-        for (std::uint32_t step = first; step < end; ++step) states_.push_back(firstState(step));
-        search(first, end);
+        isHidden_.assign(known - first, 0);
+        search(first, known);
+        first = known = known + 1;
     }
-}
-
-// For a step that may be hidden.
-RunSearch::State RunSearch::firstState(std::uint32_t step) const {
-    const auto [bin, sun] = place(step);
-    if (horizons_.lowest[bin] <= sun) return State::doubt;
-    return rays_.findLit && isKnownLit(bin) ? State::doubt : State::hidden;
 }
 
 // No step of [first, end) is known to be lit.
 void RunSearch::search(std::uint32_t first, std::uint32_t end) {
-    while (int(end - first) > longest_) {
+    while (first < end && end - first > longest_) {
         const auto lit = litIn(first, end);
         if (!lit) {
-            longest_ = int(end - first);
+            longest_ = end - first;
             return;
         }
         noteLit(*lit);
@@ -44,33 +50,38 @@ void RunSearch::search(std::uint32_t first, std::uint32_t end) {
 }
 
 std::optional<std::uint32_t> RunSearch::litIn(std::uint32_t first, std::uint32_t end) {
-    while (const auto step = nextDoubt(first, end)) {
-        if (!rays_.hidden(*step)) return step;
-        stateOf(*step) = State::hidden;
-    }
+    if (foundLit_)
+        if (const auto lit = litFromMiddle(first, end, true)) return lit;
+    if (const auto lit = litFromMiddle(first, end, false)) return lit;
     return rays_.findLit ? rays_.findLit(first, end) : std::nullopt;
 }
 
-// The step to decide next, if any.
-std::optional<std::uint32_t> RunSearch::nextDoubt(std::uint32_t first, std::uint32_t end) {
+// Decides the doubtful steps, from the middle outwards, until one is lit. `onlyLitBins`: only those in bins
+// where a step was found lit.
+std::optional<std::uint32_t> RunSearch::litFromMiddle(std::uint32_t first, std::uint32_t end,
+                                                      bool onlyLitBins) {
     const std::uint32_t middle = first + (end - first) / 2;
-    std::optional<std::uint32_t> best;
-    std::uint32_t bestRank = 0;
-    for (std::uint32_t step = first; step < end; ++step) {
-        if (stateOf(step) != State::doubt) continue;
-        const std::uint32_t fromMiddle = step < middle ? middle - step : step - middle;
-        const std::uint32_t rank = (isKnownLit(place(step).bin) ? 0 : end - first) + fromMiddle;
-        if (best && rank >= bestRank) continue;
-        best = step;
-        bestRank = rank;
+    for (std::uint32_t off = 0; off <= middle - first; ++off) {
+        if (isLit(middle - off, onlyLitBins)) return middle - off;
+        if (off > 0 && middle + off < end && isLit(middle + off, onlyLitBins)) return middle + off;
     }
-    return best;
+    return std::nullopt;
+}
+
+// Asks a ray if the horizons leave that in doubt and no ray has answered yet.
+bool RunSearch::isLit(std::uint32_t step, bool onlyLitBins) {
+    const auto [bin, sun] = steps_[step].place;
+    if (onlyLitBins && isLitBin_[bin] == 0) return false;
+    const bool doubtful = horizons_.lowest[bin] <= sun || (rays_.findLit && isLitBin_[bin] != 0);
+    std::uint8_t& isHidden = isHidden_[step - first_];
+    if (!doubtful || isHidden != 0) return false;
+    isHidden = rays_.hidden(step) ? 1 : 0;
+    return isHidden == 0;
 }
 
 void RunSearch::noteLit(std::uint32_t step) {
-    const std::uint16_t bin = place(step).bin;
-    const auto at = std::ranges::lower_bound(lit_, bin);
-    if (at == lit_.end() || *at != bin) lit_.insert(at, bin);
+    isLitBin_[steps_[step].place.bin] = 1;
+    foundLit_ = true;
 }
 
 }  // namespace noonmark

@@ -12,9 +12,10 @@
 namespace noonmark {
 
 /// Searches the longest run of one receiver if horizons leave some steps in doubt. Traces as few rays as
-/// possible. In a run that would be the longest if all its doubtful steps were hidden, it first tests the
-/// steps in bins where another day was found lit, then those closest to the middle, since light there leaves
-/// two runs too short to matter. Reuses its memory; one per thread.
+/// possible, and looks at few of the steps that are certainly lit. In a run that would be the longest if all
+/// its doubtful steps were hidden, it first tests the steps in bins where another day was found lit, then
+/// those closest to the middle, since light there leaves two runs too short to matter. Reuses its memory; one
+/// per thread.
 class RunSearch {
 public:
     /// Ray queries for the receiver; steps are indices in the period.
@@ -36,29 +37,28 @@ public:
     /// period.
     void begin(Rays rays, std::span<const TimedStep> steps, int atLeast);
     void walk(const DaySteps& day);
-    [[nodiscard]] int longest() const { return longest_; }
+    [[nodiscard]] int longest() const { return int(longest_); }
 
 private:
-    enum class State : std::uint8_t { lit, doubt, hidden };
-    [[nodiscard]] const StepPlace& place(std::uint32_t step) const { return steps_[step].place; }
     [[nodiscard]] bool mayBeHidden(std::uint32_t step) const {
-        return horizons_.highest[place(step).bin] > place(step).sun;
+        const StepPlace& place = steps_[step].place;
+        return horizons_.highest[place.bin] > place.sun;
     }
-    [[nodiscard]] State& stateOf(std::uint32_t step) { return states_[step - first_]; }
-    [[nodiscard]] State firstState(std::uint32_t step) const;
-    [[nodiscard]] bool isKnownLit(std::uint16_t bin) const { return std::ranges::binary_search(lit_, bin); }
     void search(std::uint32_t first, std::uint32_t end);
     [[nodiscard]] std::optional<std::uint32_t> litIn(std::uint32_t first, std::uint32_t end);
-    [[nodiscard]] std::optional<std::uint32_t> nextDoubt(std::uint32_t first, std::uint32_t end);
+    [[nodiscard]] std::optional<std::uint32_t> litFromMiddle(std::uint32_t first, std::uint32_t end,
+                                                             bool onlyLitBins);
+    [[nodiscard]] bool isLit(std::uint32_t step, bool onlyLitBins);
     void noteLit(std::uint32_t step);
 
     Horizons horizons_;
     Rays rays_;
     std::span<const TimedStep> steps_;
-    std::uint32_t first_ = 0;         // first step of the run that is searched
-    std::vector<State> states_;       // states of its steps
-    std::vector<std::uint16_t> lit_;  // bins in which a step was found lit, ascending
-    int longest_ = 0;
+    std::uint32_t first_ = 0;             // first step of the run that is searched
+    std::vector<std::uint8_t> isHidden_;  // for each of its steps, whether a ray found it hidden
+    std::vector<std::uint8_t> isLitBin_;  // for each bin, whether a step was found lit
+    bool foundLit_ = false;               // whether there is such a bin
+    std::uint32_t longest_ = 0;
 };
 
 }  // namespace noonmark
