@@ -28,10 +28,17 @@ void RunSearch::walk(const DaySteps& day) {
             continue;
         }
         while (known < day.end && mayBeHidden(known)) ++known;
-        first_ = first;
-        isHidden_.assign(known - first, 0);
+        findDoubts(first, known);
         search(first, known);
         first = known = known + 1;
+    }
+}
+
+void RunSearch::findDoubts(std::uint32_t first, std::uint32_t end) {
+    doubts_.clear();
+    for (std::uint32_t step = first; step < end; ++step) {
+        const StepPlace& place = steps_[step].place;
+        if (horizons_.lowest[place.bin] <= place.sun) doubts_.push_back({step, place.bin});
     }
 }
 
@@ -50,33 +57,30 @@ void RunSearch::search(std::uint32_t first, std::uint32_t end) {
 }
 
 std::optional<std::uint32_t> RunSearch::litIn(std::uint32_t first, std::uint32_t end) {
+    const auto from = std::ranges::lower_bound(doubts_, first, {}, &Doubt::step),
+               to = std::ranges::lower_bound(from, doubts_.end(), end, {}, &Doubt::step);
+    const std::span<Doubt> doubts(from, to);
+    const std::uint32_t middle = first + (end - first) / 2;
     if (foundLit_)
-        if (const auto lit = litFromMiddle(first, end, true)) return lit;
-    if (const auto lit = litFromMiddle(first, end, false)) return lit;
+        if (const auto lit = litFromMiddle(doubts, middle, true)) return lit;
+    if (const auto lit = litFromMiddle(doubts, middle, false)) return lit;
     return rays_.findLit ? rays_.findLit(first, end) : std::nullopt;
 }
 
-// Decides the doubtful steps, from the middle outwards, until one is lit. `onlyLitBins`: only those in bins
-// where a step was found lit.
-std::optional<std::uint32_t> RunSearch::litFromMiddle(std::uint32_t first, std::uint32_t end,
+// Asks rays about the doubtful steps, from the middle outwards, until one is lit. `onlyLitBins`: only about
+// those in bins where a step was found lit.
+std::optional<std::uint32_t> RunSearch::litFromMiddle(std::span<Doubt> doubts, std::uint32_t middle,
                                                       bool onlyLitBins) {
-    const std::uint32_t middle = first + (end - first) / 2;
-    for (std::uint32_t off = 0; off <= middle - first; ++off) {
-        if (isLit(middle - off, onlyLitBins)) return middle - off;
-        if (off > 0 && middle + off < end && isLit(middle + off, onlyLitBins)) return middle + off;
+    auto after = std::ranges::upper_bound(doubts, middle, {}, &Doubt::step), before = after;
+    while (before != doubts.begin() || after != doubts.end()) {
+        const bool isBefore = after == doubts.end() || (before != doubts.begin() &&
+                                                        middle - std::prev(before)->step <= after->step - middle);
+        Doubt& doubt = isBefore ? *--before : *after++;
+        if (doubt.isHidden || (onlyLitBins && isLitBin_[doubt.bin] == 0)) continue;
+        if (!rays_.hidden(doubt.step)) return doubt.step;
+        doubt.isHidden = true;
     }
     return std::nullopt;
-}
-
-// Asks a ray if the horizons leave that in doubt and no ray has answered yet.
-bool RunSearch::isLit(std::uint32_t step, bool onlyLitBins) {
-    const auto [bin, sun] = steps_[step].place;
-    if (onlyLitBins && isLitBin_[bin] == 0) return false;
-    const bool doubtful = horizons_.lowest[bin] <= sun || (rays_.findLit && isLitBin_[bin] != 0);
-    std::uint8_t& isHidden = isHidden_[step - first_];
-    if (!doubtful || isHidden != 0) return false;
-    isHidden = rays_.hidden(step) ? 1 : 0;
-    return isHidden == 0;
 }
 
 void RunSearch::noteLit(std::uint32_t step) {

@@ -40,22 +40,27 @@ public:
     [[nodiscard]] int longest() const { return int(longest_); }
 
 private:
+    /// A step whose horizons neither hide it nor show it for certain.
+    struct Doubt {
+        std::uint32_t step;
+        std::uint16_t bin;
+        bool isHidden = false;  ///< a ray found it hidden
+    };
     [[nodiscard]] bool mayBeHidden(std::uint32_t step) const {
         const StepPlace& place = steps_[step].place;
         return horizons_.highest[place.bin] > place.sun;
     }
+    void findDoubts(std::uint32_t first, std::uint32_t end);
     void search(std::uint32_t first, std::uint32_t end);
     [[nodiscard]] std::optional<std::uint32_t> litIn(std::uint32_t first, std::uint32_t end);
-    [[nodiscard]] std::optional<std::uint32_t> litFromMiddle(std::uint32_t first, std::uint32_t end,
+    [[nodiscard]] std::optional<std::uint32_t> litFromMiddle(std::span<Doubt> doubts, std::uint32_t middle,
                                                              bool onlyLitBins);
-    [[nodiscard]] bool isLit(std::uint32_t step, bool onlyLitBins);
     void noteLit(std::uint32_t step);
 
     Horizons horizons_;
     Rays rays_;
     std::span<const TimedStep> steps_;
-    std::uint32_t first_ = 0;             // first step of the run that is searched
-    std::vector<std::uint8_t> isHidden_;  // for each of its steps, whether a ray found it hidden
+    std::vector<Doubt> doubts_;           // of the run that is searched, ascending
     std::vector<std::uint8_t> isLitBin_;  // for each bin, whether a step was found lit
     bool foundLit_ = false;               // whether there is such a bin
     std::uint32_t longest_ = 0;
