@@ -1,9 +1,9 @@
-#include <unistd.h>
-
 #include <iostream>
 
 #include "app/cli/command_line.h"
+#include "core/base/process.h"
 
 int main(int argc, char** argv) {
-    return noonmark::cli::runCommandLine(argc, argv, {std::cout, std::cerr, ::isatty(STDERR_FILENO) != 0});
+    return noonmark::cli::runCommandLine(
+        argc, argv, {std::cout, std::cerr, noonmark::isTerminal(noonmark::StandardStream::error)});
 }

@@ -2,10 +2,10 @@
 // instruction set (Highway's foreach_target.h), each time into a namespace of its own:
 //
 //     #undef HWY_TARGET_INCLUDE
-//     #define HWY_TARGET_INCLUDE "core/.../sum_hwy.cpp"  // this file
+//     #define HWY_TARGET_INCLUDE ".../sum_hwy.cpp"  // this file
 //     #include <hwy/foreach_target.h>
 //
-//     #include "core/.../sum.h"
+//     #include ".../sum.h"
 //     #include "core/simd/kernel.h"
 //
 //     HWY_BEFORE_NAMESPACE();
@@ -33,7 +33,7 @@
 #ifndef NOONMARK_KERNEL
 #if HWY_ARCH_X86
 /// Defines the table of a kernel's functions, in the order of builtSets (instruction_set_hwy.cpp).
-#define NOONMARK_KERNEL(function)                                    \
+#define NOONMARK_KERNEL(function)                                           \
     constexpr decltype(&N_SSE4::function) HWY_CONCAT(function, OnSet)[] = { \
         &N_SSE4::function, &N_AVX2::function, &N_AVX3::function}
 #else

@@ -75,8 +75,8 @@ private:
     using Lanes32 = hn::RebindToSigned<D>;
     using Order = decltype(hn::IndicesFromVec(D{}, hn::Zero(Lanes32{})));
     HWY_INLINE Packer(hn::Mask<D>, std::uint32_t bits)
-        : order_(hn::IndicesFromVec(
-              D{}, hn::PromoteTo(Lanes32{}, hn::LoadU(hn::Rebind<std::uint8_t, D>{}, packOrder[bits].data())))) {}
+        : order_(hn::IndicesFromVec(D{}, hn::PromoteTo(Lanes32{}, hn::LoadU(hn::Rebind<std::uint8_t, D>{},
+                                                                            packOrder[bits].data())))) {}
     Order order_;
 #endif
 };

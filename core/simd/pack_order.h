@@ -5,8 +5,8 @@
 
 namespace noonmark {
 
-/// For each set of eight lanes, as bits: its lanes in ascending order, then the others. The first four entries
-/// of the first sixteen are the same for four lanes.
+/// For each set of eight lanes, as bits: its lanes in ascending order, then the others. The first four
+/// entries of the first sixteen are the same for four lanes.
 inline constexpr auto packOrder = [] {
     std::array<std::array<std::uint8_t, 8>, 256> order{};
     for (unsigned set = 0; set < order.size(); ++set) {

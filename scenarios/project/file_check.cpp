@@ -1,11 +1,12 @@
 #include "scenarios/project/file_check.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <fstream>
 #include <string_view>
+
+#include "core/base/process.h"
 
 namespace noonmark {
 
@@ -63,7 +64,7 @@ Result<void> checkWritable(const fs::path& file) {
     const bool marked = (fs::status(file, error).permissions() & anyWrite) == fs::perms::none;
     if (!fs::exists(file, error))
         return failure("The project file no longer exists", file.string(), "Save it under another name");
-    if (!marked && ::access(file.c_str(), W_OK) == 0) return {};
+    if (!marked && mayWrite(file)) return {};
     return failure("The project file is read-only", file.string(), "Save it under another name");
 }
 

@@ -1,7 +1,6 @@
 #include "scenarios/project/project_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <random>

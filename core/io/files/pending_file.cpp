@@ -1,10 +1,11 @@
 #include "core/io/files/pending_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <system_error>
+
+#include "core/base/process.h"
 
 namespace noonmark {
 
@@ -12,7 +13,7 @@ namespace {
 std::filesystem::path pendingName(const std::filesystem::path& target) {
     static std::atomic<unsigned> made{0};
     const std::string name =
-        fmt::format(".{}.{}-{}{}", target.stem().string(), ::getpid(), made++, target.extension().string());
+        fmt::format(".{}.{}-{}{}", target.stem().string(), processId(), made++, target.extension().string());
     return target.parent_path() / name;
 }
 }  // namespace

@@ -1,15 +1,10 @@
 #include "core/study/tiles/tile_journal.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 namespace noonmark {
@@ -19,8 +14,7 @@ using Json = nlohmann::json;
 namespace {
 
 tl::unexpected<Error> notSaved(const std::filesystem::path& folder) {
-    return failure("Finished tiles cannot be stored: " + std::system_category().message(errno),
-                   folder.string(),
+    return failure("Finished tiles cannot be stored: " + lastSystemProblem(), folder.string(),
                    "Choose a folder that you may write to, and check that the disk has space");
 }
 
@@ -39,30 +33,22 @@ std::string wholeLines(const std::filesystem::path& file) {
 
 }  // namespace
 
-TileJournal::TileJournal(std::filesystem::path folder, int file) : folder_(std::move(folder)), file_(file) {}
-
-TileJournal::TileJournal(TileJournal&& other) noexcept
-    : folder_(std::move(other.folder_)),
-      file_(std::exchange(other.file_, -1)),
-      finished_(std::move(other.finished_)) {}
-
-TileJournal::~TileJournal() {
-    if (file_ >= 0) ::close(file_);
-}
+TileJournal::TileJournal(std::filesystem::path folder, LockedFile file)
+    : folder_(std::move(folder)), file_(std::move(file)) {}
 
 Result<TileJournal> TileJournal::open(const std::filesystem::path& folder, const std::string& studyHash,
                                       const TilePlan& plan) {
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     const std::filesystem::path file = folder / "journal.jsonl";
-    TileJournal journal(folder, ::open(file.c_str(), O_CREAT | O_RDWR | O_APPEND | O_CLOEXEC, 0644));
-    if (journal.file_ < 0) return notSaved(folder);
-    if (::flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
+    TileJournal journal(folder, LockedFile(file));
+    if (journal.file_.state() == LockedFile::State::failed) return notSaved(folder);
+    if (journal.file_.state() == LockedFile::State::usedByOther)
         return failure("Another Noonmark process is working on these tiles", folder.string(),
                        "Wait until it has finished, or choose another folder");
     const std::string kept = wholeLines(file), first = firstLine(studyHash, plan);
     if (auto read = journal.read(kept, first, plan); !read) return tl::make_unexpected(read.error());
-    if (::ftruncate(journal.file_, off_t(kept.size())) != 0) return notSaved(folder);
+    if (!journal.file_.shorten(kept.size())) return notSaved(folder);
     if (kept.empty())
         if (auto begun = journal.append(first); !begun) return tl::make_unexpected(begun.error());
     return journal;
@@ -96,14 +82,9 @@ Result<void> TileJournal::add(TileResult result) {
     return {};
 }
 
-// Written in one call as a rule: a line is complete, or a kill truncated it and it is not read again.
+// A line is complete, or a kill truncated it and it is not read again.
 Result<void> TileJournal::append(const std::string& line) {
-    const std::string text = line + '\n';
-    for (std::size_t done = 0; done < text.size();) {
-        const ssize_t wrote = ::write(file_, text.data() + done, text.size() - done);
-        if (wrote < 0 && errno != EINTR) return notSaved(folder_);
-        done += wrote > 0 ? std::size_t(wrote) : 0;
-    }
+    if (!file_.append(line + '\n')) return notSaved(folder_);
     return {};
 }
 

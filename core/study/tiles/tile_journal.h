@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/locked_file.h"
 #include "core/receivers/tile_plan.h"
 #include "core/study/tiles/tile_result.h"
 
@@ -19,9 +20,6 @@ public:
     /// on it, or it cannot be written.
     static Result<TileJournal> open(const std::filesystem::path& folder, const std::string& studyHash,
                                     const TilePlan& plan);
-    TileJournal(TileJournal&& other) noexcept;
-    TileJournal& operator=(TileJournal&& other) noexcept = delete;
-    ~TileJournal();
 
     /// By tile number.
     [[nodiscard]] const std::map<std::size_t, TileResult>& finished() const { return finished_; }
@@ -36,13 +34,13 @@ public:
     void remove();
 
 private:
-    TileJournal(std::filesystem::path folder, int file);
+    TileJournal(std::filesystem::path folder, LockedFile file);
     Result<void> read(const std::string& text, const std::string& first, const TilePlan& plan);
     Result<void> append(const std::string& line);
     void take(const std::string& line, const TilePlan& plan);
 
     std::filesystem::path folder_;
-    int file_ = -1;
+    LockedFile file_;
     std::map<std::size_t, TileResult> finished_;
 };
 

@@ -19,9 +19,7 @@ namespace {
 
 constexpr int side = ReceiverBlocks::side;
 
-BlockRows anyRows(Random& random) {
-    return {double(anyFrom(random, -1, 1)), random() % 2 == 0 ? 1.0 : -1.0};
-}
+BlockRows anyRows(Random& random) { return {double(anyFrom(random, -1, 1)), random() % 2 == 0 ? 1.0 : -1.0}; }
 
 // Every fourth wall is ahead of all cells; ends fall on cells now and then.
 WallOnBlock anyWall(Random& random) {
@@ -49,7 +47,8 @@ struct SeenEdge {
 
 // `perRise`: for walls, which all cells see at the same rise.
 SeenEdge seeWall(const WallOnBlock& wall, const BlockRows& rows, int row, int place, float perRise) {
-    const float low = wall.low - rows.shifts[std::size_t(row)], high = wall.high - rows.shifts[std::size_t(row)];
+    const float low = wall.low - rows.shifts[std::size_t(row)],
+                high = wall.high - rows.shifts[std::size_t(row)];
     const float distance = (wall.along + rows.alongs[std::size_t(row)]) - wall.slope * low;
     const float cot = distance * perRise - wall.slope * perRise * float(place);
     const bool before = float(place) + low >= 0 && float(place) + high < 0;
@@ -174,7 +173,8 @@ TEST(HorizonKernels, CotangentsBecomeCodesAsInTheDefinition) {
         toCodes(horizons, lowest, codes);
         for (int i = 0; i < ReceiverBlocks::cells; ++i) {
             const float cot = horizons.rows[i / side].values[i % side];
-            const int level = cot < 0 ? 0 : std::min(int(float(steepnessLevels) / (1 + cot)), steepnessLevels - 1);
+            const int level =
+                cot < 0 ? 0 : std::min(int(float(steepnessLevels) / (1 + cot)), steepnessLevels - 1);
             const int code = level + int(noHorizon);
             EXPECT_EQ(codes[i], cot >= 0 && code > lowest ? code : noHorizon) << i << ", " << cot;
         }

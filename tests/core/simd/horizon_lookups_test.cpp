@@ -113,8 +113,10 @@ TEST(HorizonLookups, RunsAreWalkedLaneByLane) {
         steps[i].startsRun = random() % 50 == 0;
     }
     for (std::size_t i = 0; i < bins; ++i)
-        group.visits.push_back({.bin = std::uint16_t(i), .lowestSun = std::int16_t(random() % 3000),
-                                .steps = std::int16_t(random() % 20), .endsRun = random() % 3 == 0});
+        group.visits.push_back({.bin = std::uint16_t(i),
+                                .lowestSun = std::int16_t(random() % 3000),
+                                .steps = std::int16_t(random() % 20),
+                                .endsRun = random() % 3 == 0});
     forEachInstructionSet([&] {
         RunLanes longest, most;
         longest.values[9] = 250;
@@ -176,7 +178,8 @@ TEST(HorizonLookups, VisibleCellsOfOverhangsAreThoseOfScalarCode) {
                 if (!(strips.low[strip] + shift <= place && place < strips.high[strip] + shift)) continue;
                 if (block.horizons.values[cell] > highest) break;
                 const float width = place - (strips.low[strip] + shift);
-                const float ground = block.groundsM == nullptr ? 0 : grounds[std::size_t(cell)] * axes.alongPerMetre;
+                const float ground =
+                    block.groundsM == nullptr ? 0 : grounds[std::size_t(cell)] * axes.alongPerMetre;
                 const auto distance = [&](const StripLanes::Side& of) {
                     return (of.distance[strip] + along) - of.slope[strip] * width;
                 };
@@ -225,8 +228,9 @@ TEST(HorizonLookups, IntervalsOfVisibleCellsAreThoseOfTheDefinition) {
             alignas(64) HorizonCode low[VisibleCells::most], high[VisibleCells::most];
             findIntervals(seen, solid, low, high);
             for (int i = 0; i < seen.count; ++i) {
-                const float over = solid ? seen.farRise[i]
-                                         : seen.nearRise[i] * seen.toFar[i] - seen.farRise[i] * seen.toNear[i];
+                const float over = solid
+                                       ? seen.farRise[i]
+                                       : seen.nearRise[i] * seen.toFar[i] - seen.farRise[i] * seen.toNear[i];
                 const HorizonCode zenith = HorizonCode(steepnessLevels - 1 + int(noHorizon)),
                                   near = seen.toNear[i] > 0 ? codeOfRise(seen.nearRise[i], seen.toNear[i])
                                          : over > 0         ? zenith

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <span>
 
+#include "core/base/huge_pages.h"
 #include "core/engines/horizon/geometry/horizon_code.h"
 
 namespace noonmark {
@@ -25,7 +25,7 @@ public:
 private:
     std::size_t numbers_;
     struct Free {
-        void operator()(HorizonCode* codes) const { std::free(codes); }
+        void operator()(HorizonCode* codes) const { freeHugePages(codes); }
     };
     std::unique_ptr<HorizonCode[], Free> codes_;
 };
