@@ -25,8 +25,8 @@ protected:
         for (const InstructionSet set : availableInstructionSets()) {
             ASSERT_TRUE(useInstructionSet(set));
             auto result = compute();
-            if (lowest) EXPECT_TRUE(result == *lowest) << what << " on " << nameOf(set);
-            if (!lowest) lowest = std::move(result);
+            if (!lowest) lowest = result;
+            EXPECT_TRUE(result == *lowest) << what << " on " << nameOf(set);
         }
     }
 
