@@ -2,6 +2,7 @@
 
 #include "core/base/version.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/simd/instruction_set.h"
 
 namespace noonmark {
 
@@ -12,6 +13,7 @@ Json settingsJson(const StudySettings& settings) {
     for (const auto& [key, value] : settings.engineSettings) engine["settings"][key] = value;
     const Period& period = settings.period;
     return {{"program", "Noonmark " + std::string(version())},
+            {"instruction_set", nameOf(instructionSetInUse())},
             {"engine", engine},
             {"period",
              {{"text", formatText(period)},

@@ -8,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "core/base/version.h"
+#include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {
 
@@ -76,6 +77,8 @@ int fail(const Console& console, const Error& error, ExitCode code) {
 
 int runCommandLine(int argc, const char* const* argv, const Console& console) {
     try {
+        if (const auto chosen = useInstructionSetOfEnvironment(); !chosen)
+            return fail(console, chosen.error(), exitUsage);
         CLI::App app("Measures the shadows that buildings cast on a city.", "noonmark-cli");
         app.set_version_flag("--version", "Noonmark " + std::string(version()));
         app.require_subcommand(1);

@@ -1,12 +1,18 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
+#include <iostream>
 
 #include "app/window/frame/appearance.h"
 #include "app/window/frame/heap_settings.h"
 #include "app/window/frame/main_window.h"
+#include "core/simd/instruction_set.h"
 
 int main(int argc, char** argv) {
+    if (const auto chosen = noonmark::useInstructionSetOfEnvironment(); !chosen) {
+        std::cerr << "noonmark: " << chosen.error().text() << '\n';
+        return 2;
+    }
     noonmark::returnFreedMemory();
     noonmark::chooseRenderer();
     QApplication application(argc, argv);

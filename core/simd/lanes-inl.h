@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/simd/pack_order.h"
 
@@ -38,6 +39,19 @@ HWY_INLINE hn::Mask<D> maskOfBits(D d, std::uint32_t bits) {
     const auto bit = hn::Shl(hn::Set(du, Word{1}), hn::Iota(du, Word{0}));
     return hn::RebindMask(d, hn::TestBit(hn::Set(du, Word(bits)), bit));
 #endif
+}
+
+/// The lanes whose bits are set in memory; bit 0 of the first byte belongs to lane 0. Reads just the bytes
+/// with bits for lanes. For at least eight lanes, in memory of a little-endian processor.
+template <class D>
+HWY_INLINE hn::Mask<D> loadMask(D d, const std::uint8_t* bits) {
+    constexpr std::size_t bytes = hn::MaxLanes(D{}) / 8;
+    static_assert(bytes == 1 || bytes == 2 || bytes == 4);
+    using Bits = std::conditional_t<bytes == 1, std::uint8_t,
+                                    std::conditional_t<bytes == 2, std::uint16_t, std::uint32_t>>;
+    Bits loaded = 0;
+    __builtin_memcpy(&loaded, bits, bytes);
+    return maskOfBits(d, loaded);
 }
 
 /// Bit k: whether lane k is set.
@@ -80,6 +94,29 @@ private:
     Order order_;
 #endif
 };
+
+/// from[at] for each lane; indices are not negative.
+template <class D>
+HWY_INLINE hn::Vec<D> gather(D d, const hn::TFromD<D>* from, hn::Vec<hn::RebindToSigned<D>> at) {
+    return hn::GatherIndex(d, from, at);
+}
+
+/// One more in the lanes of the mask. T: unsigned integers.
+template <class D>
+HWY_INLINE hn::Vec<D> addOneIn(D d, hn::Mask<D> mask, hn::Vec<D> counts) {
+#if HWY_TARGET == HWY_AVX3
+    return hn::IfThenElse(mask, hn::Add(counts, hn::Set(d, 1)), counts);
+#else
+    return hn::Sub(counts, hn::VecFromMask(d, mask));
+#endif
+}
+
+/// bits << by for unsigned 64-bit lanes, 0 where `by` is 64. The shifts of all sets do that, though Highway
+/// promises it for shifts by less than 64 only.
+template <class D>
+HWY_INLINE hn::Vec<D> shiftLeftUpTo64(D /*d*/, hn::Vec<D> bits, hn::Vec<D> by) {
+    return hn::Shl(bits, by);
+}
 
 /// The same pointer, but the compiler does not know how it was computed and makes no address from its parts.
 template <class T>

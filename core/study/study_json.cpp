@@ -5,6 +5,7 @@
 #include "core/engines/api/blank_field.h"
 #include "core/measures/has_runs.h"
 #include "core/receivers/roof_receivers.h"
+#include "core/simd/instruction_set.h"
 #include "core/study/provenance/provenance_json.h"
 #include "core/study/provenance/repeat_command.h"
 #include "core/study/study.h"
@@ -166,6 +167,7 @@ Json definitions(bool runs) {
 std::string studyJson(const Study& study) {
     Json json;
     json["program"] = std::string("Noonmark ") + std::string(version());
+    json["instruction_set"] = nameOf(instructionSetInUse());
     json["engine"] = study.settings.engine;
     json["engine_used"] = study.field.engineKey;
     json["engine_options"] = study.settings.engineSettings;

@@ -156,6 +156,7 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
+    chooseInstructionSet();
     const HourScene scene = hourScene(argc > 1 ? argv[1] : "43000");
     const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
     const AccrualSettings stretched{.mapSize = argc > 3 ? std::stoi(argv[3]) : 1024, .texelsOnCells = false};

@@ -110,6 +110,7 @@ void onWhatIsSeen(const HourScene& scene, const RayScene& rays, const View& view
 }  // namespace
 
 int main(int argc, char** argv) {
+    chooseInstructionSet();
     const HourScene scene = hourScene(argc > 1 ? argv[1] : "43000");
     onTheGround(scene);
     const RayScene rays = RayScene::over(scene.city).value();

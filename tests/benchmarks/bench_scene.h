@@ -12,6 +12,7 @@
 #include "core/io/read_city.h"
 #include "core/receivers/region.h"
 #include "core/samples/sample_city.h"
+#include "core/simd/instruction_set.h"
 
 /// Shared by the benchmarks: a city, its central region, and a clock.
 namespace noonmark::bench {
@@ -32,6 +33,14 @@ inline Seconds secondsOf(const auto& work) {
     work();
     return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
             double(std::clock() - processor) / CLOCKS_PER_SEC};
+}
+
+/// By the environment variable NOONMARK_ISA.
+inline void chooseInstructionSet() {
+    const auto chosen = useInstructionSetOfEnvironment();
+    if (chosen) return;
+    fmt::print(stderr, "{}\n", chosen.error().text());
+    std::exit(EXIT_FAILURE);
 }
 
 City taken(auto made, auto cityIn) {

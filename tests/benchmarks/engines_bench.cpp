@@ -79,6 +79,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    chooseInstructionSet();
     const int rounds = argc > 2 ? std::stoi(argv[2]) : 5;
     const Scene scene = dayScene(argc > 1 ? argv[1] : "43000", argc > 3 ? std::stod(argv[3]) : 6);
     const auto keys = engineKeys(std::span(argv, std::size_t(argc)).subspan(std::size_t(std::min(argc, 4))));

@@ -20,6 +20,7 @@
 #include "core/engines/horizon/horizon_sweep.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/samples/sample_city.h"
+#include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;
 
@@ -162,6 +163,7 @@ void benchCaches(const City& city, const Receivers& bare, const SunSteps& sun, d
 }  // namespace
 
 int main(int argc, char** argv) {
+    bench::chooseInstructionSet();
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     const double binDeg =
         argc > 1 ? std::stod(argv[1]) : HorizonSweepSettings{}.binDeg;  // 0: chosen by the error target

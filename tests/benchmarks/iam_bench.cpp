@@ -89,6 +89,7 @@ struct Errors {
 }  // namespace
 
 int main(int argc, char** argv) {
+    chooseInstructionSet();
     const auto number = [&](int at, double usual) { return argc > at ? std::stod(argv[at]) : usual; };
     const City city = cityFrom(argc > 1 ? argv[1] : "43000");
     const int intervals = int(number(2, 40));

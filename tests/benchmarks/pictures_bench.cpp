@@ -140,6 +140,7 @@ void explore(const std::shared_ptr<const OpenCity>& city, int days, const ViewEn
 }  // namespace
 
 int main(int argc, char** argv) {
+    chooseInstructionSet();
     const std::string name = argc > 1 ? argv[1] : "43000";
     const double seconds = argc > 2 ? std::stod(argv[2]) : 10;
     const std::string only = argc > 3 ? argv[3] : "";

@@ -100,6 +100,7 @@ void moveTower(const City& city, int rounds) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    chooseInstructionSet();
     const std::string name = argc > 1 ? argv[1] : "43000";
     const City city = std::filesystem::exists(name)
                           ? cityFrom(name)

@@ -16,11 +16,11 @@
 #include <limits>
 #include <numbers>
 
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/common/sun_packets.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/simd/flush_denormals.h"
 #include "tests/benchmarks/bench_scene.h"
 
 using namespace noonmark;

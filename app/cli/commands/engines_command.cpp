@@ -4,6 +4,7 @@
 
 #include "app/cli/command.h"
 #include "app/input/all_engines.h"
+#include "core/simd/instruction_set.h"
 
 namespace noonmark::cli {
 
@@ -27,12 +28,21 @@ std::string describe(const EngineCapabilities& able) {
     return words;
 }
 
+std::string listInstructionSets() {
+    std::string names;
+    for (const InstructionSet set : availableInstructionSets())
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", nameOf(set));
+    return names;
+}
+
 int printEngines(const Console& console) {
     for (const auto& [info, make] : allEngines()) {
         console.out << fmt::format("{:<10} {}\n    {}\n    {}\n", info.key, info.name, info.about,
                                    describe(info.capabilities));
         for (const EngineOption& option : info.options) console.out << optionLine(option);
     }
+    console.out << fmt::format("Instruction sets of this processor: {}; in use: {}\n", listInstructionSets(),
+                               nameOf(instructionSetInUse()));
     return exitOk;
 }
 

@@ -3,8 +3,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark::bench {
 

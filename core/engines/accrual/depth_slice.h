@@ -37,6 +37,11 @@ struct DepthSpan {
     float depth = 0;
 };
 
+/// How a face's depth continues along its rows: by `gradient` per texel, clamped to `low` and `high`.
+struct RowDepth {
+    float gradient = 0, low = 0, high = 0;
+};
+
 /// Draws polygons into slices; reuses its buffer. One per thread.
 class DepthPen {
 public:

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "core/engines/inverse/line_cells.h"
 #include "core/engines/inverse/run_sweep.h"
 
 namespace noonmark {
@@ -26,68 +27,6 @@ std::vector<double> fractions(const SunInterval& interval) {
         result.push_back(length2 == 0 ? 0 : std::clamp((at.x * way.x + at.y * way.y) / length2, 0.0, 1.0));
     }
     return result;
-}
-
-/// Cells of a run, counted from its first.
-struct Cells {
-    int first = 0;
-    int end = 0;
-};
-
-// Where rear is behind at all steps or front ahead, no lookup is needed.
-NOONMARK_EVERY_ISA void shade(const ShadowMask* before, const SweepPart& part, const Cells& cells,
-                              ShadowMask* row) {
-    const RunEnd rear = part.rear, front = part.front;
-    const ShadowMask all = before[StepTable::size + 2];
-    const int rearTo = part.rearBehindFrom, frontFrom = part.frontAheadTo;
-    const int end = std::min(part.end, cells.end);
-    int i = std::max(part.first, cells.first);
-    for (; i < std::min({rearTo, frontFrom, end}); ++i) row[i] |= before[rear.entry(i)];
-    for (; i < std::min(frontFrom, end); ++i) row[i] |= all;
-    for (; i < std::min(rearTo, end); ++i) row[i] |= before[rear.entry(i)] & ~before[front.entry(i)];
-    for (; i < end; ++i) row[i] |= all & ~before[front.entry(i)];
-}
-
-constexpr Ints16 counting{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-constexpr Ints16 laneBits = 1 << counting;
-
-/// A block's sources in the order in which shadows move.
-struct SourceLines {
-    const Line<float>* heightM;
-    const Line<std::uint32_t>* building;
-    std::ptrdiff_t step;  // Lines from one position to the next; negative if shadows move against the lanes
-    int levels;
-};
-
-// changed[at]: a bit for each lane on which the sources of a position do not simply continue those of the
-// previous one. Extra bits do no harm; changes slightly below the folding limit are marked too.
-NOONMARK_EVERY_ISA void markChanges(const SourceLines& lines, int places, const RunRule& rule,
-                                    std::uint16_t* changed) {
-    const float steepest = rule.steepestM;
-    const float lowest =
-        std::max(-steepest, 0.9999F * RunRule::foldedBy / std::max(rule.cellsPerMetre, 1e-9F));
-    const Ints16 zero{};
-    for (int at = 1; at < places; ++at) {
-        Ints16 other{}, beyond{};  // the sign bit is set where a value that must not be negative is
-        for (int level = 0; level < lines.levels; ++level) {
-            const std::ptrdiff_t now = at * lines.step + level, before = now - lines.step;
-            const Floats16 higher = reinterpret_cast<const Floats16&>(lines.heightM[now]) -
-                                    reinterpret_cast<const Floats16&>(lines.heightM[before]);
-            other |= reinterpret_cast<const Ints16&>(lines.building[now]) ^
-                     reinterpret_cast<const Ints16&>(lines.building[before]);
-            const Floats16 below = steepest - higher, above = higher - lowest;
-            beyond |= reinterpret_cast<const Ints16&>(below) | reinterpret_cast<const Ints16&>(above);
-        }
-        other = other != zero;
-        beyond = beyond < zero;
-        Ints16 bits = (other | beyond) & laneBits;
-        for (const int apart : {8, 4, 2}) {
-            Ints16 others;
-            shuffleLanes(bits, counting ^ apart, others);
-            bits |= others;
-        }
-        changed[at] = std::uint16_t(bits[0] | bits[1]);
-    }
 }
 
 /// Draws one block of lanes.
@@ -134,16 +73,16 @@ private:
 
     void drawRun(int lane, const SourceRun& run) {
         const RunSweep sweep(run, pass_.rule, masks_.majors);
-        const Cells cells = wanted(lane, run.first, sweep.count);
+        const CellRange cells = wanted(lane, run.first, sweep.count);
         if (cells.first >= cells.end) return;
         ShadowMask* row = masks_.lane(block_, lane) + run.first;
         const ShadowMask* before = pass_.table.before.data();
-        shade(before, sweep.plain, cells, row);
-        if (sweep.folds) shade(before, sweep.folded, cells, row);
+        shadeCells(before, sweep.plain, cells, row);
+        if (sweep.folds) shadeCells(before, sweep.folded, cells, row);
     }
 
     // Of `count` cells from position `first` on, the range from the first to the last wanted one.
-    [[nodiscard]] Cells wanted(int lane, int first, int count) const {
+    [[nodiscard]] CellRange wanted(int lane, int first, int count) const {
         const std::size_t line = masks_.firstLine(block_);
         const auto next = [&](int major) {
             return masks_.nextWanted[line + std::size_t(major)].values[lane];

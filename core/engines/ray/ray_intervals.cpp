@@ -8,11 +8,11 @@
 #include <array>
 
 #include "core/base/stopwatch.h"
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 

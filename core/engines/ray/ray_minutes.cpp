@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 

@@ -14,11 +14,11 @@
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/finished_tiles.h"
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 

@@ -10,10 +10,10 @@
 #include <new>
 
 #include "core/base/stopwatch.h"
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/ray/ray_reference.h"
 #include "core/engines/ray/ray_scene.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "core/base/version.h"
+#include "core/simd/instruction_set.h"
 
 namespace noonmark {
 
@@ -38,7 +39,8 @@ std::string linesOf(const std::vector<InputFile>& inputs) {
 }  // namespace
 
 FileTags makeProvenanceTags(const Provenance& provenance) {
-    FileTags tags{{"NOONMARK_VERSION", std::string(version())}};
+    FileTags tags{{"NOONMARK_VERSION", std::string(version())},
+                  {"NOONMARK_INSTRUCTION_SET", std::string(nameOf(instructionSetInUse()))}};
     if (provenance.project) addProject(tags, *provenance.project);
     add(tags, "NOONMARK_INPUTS", linesOf(provenance.inputs));
     add(tags, "NOONMARK_ATTRIBUTION", provenance.attribution);

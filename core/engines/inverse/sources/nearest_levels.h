@@ -7,6 +7,13 @@
 
 namespace noonmark {
 
+/// A block's levels in memory; those of one major position are contiguous.
+struct BlockLevels {
+    Line<float>* heightM;
+    Line<std::uint32_t>* building;
+    int count;
+};
+
 /// The nearest few occluders of each position in a block of lanes, each building once.
 class NearestLevels {
 public:
@@ -34,6 +41,7 @@ public:
     void finish();
 
 private:
+    [[nodiscard]] BlockLevels levels() const;
     LaneSources& sources_;
     std::size_t firstLine_, lines_;
 };

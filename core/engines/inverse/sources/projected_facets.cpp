@@ -8,8 +8,9 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "core/engines/common/flush_denormals.h"
+#include "core/engines/inverse/sources/facet_lanes.h"
 #include "core/engines/projected/casters/cell_coordinates.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 
@@ -50,30 +51,6 @@ struct Strip {
         to = std::max(to, place);
     }
 };
-
-// Extends the range low to high by a line's value at consecutive positions.
-NOONMARK_EVERY_ISA void widen(double minor, double slope, int count, double* __restrict low,
-                              double* __restrict high) {
-    for (int i = 0; i < count; ++i) {
-        const double crossing = minor + i * slope;
-        low[i] = std::min(low[i], crossing);
-        high[i] = std::max(high[i], crossing);
-    }
-}
-
-// The lanes of a block, 0 to 16, at whole positions from `low` up to but not including `high`, both clamped
-// to [first, end). Lane 0 is at from + bend.
-NOONMARK_EVERY_ISA void lanesBetween(const double* low, const double* high, const int* bend, int count,
-                                     int from, int first, int end, int* __restrict firstLane,
-                                     int* __restrict endLane) {
-    for (int i = 0; i < count; ++i) {
-        const double lowHeld = std::min(std::max(low[i], double(first)), double(end));
-        const double highHeld = std::min(std::max(high[i], double(first)), double(end));
-        const int lowBelow = int(lowHeld), highBelow = int(highHeld);
-        firstLane[i] = std::max(lowBelow + int(lowHeld > lowBelow) - from - bend[i], 0);
-        endLane[i] = std::min(highBelow + int(highHeld > highBelow) - from - bend[i], Lanes::perBlock);
-    }
-}
 
 void findCrossings(const auto& lines, int major, std::vector<double>& crossings) {
     crossings.clear();
@@ -214,6 +191,11 @@ void ProjectedFacets::findLines(const SurfaceFacet& facet, Range majors, std::ve
     }
 }
 
+LanePlaces ProjectedFacets::placesOf(const Throw& cast, int firstMajor, int block) const {
+    return {&lanes_.bend()[std::size_t(firstMajor)], block * Lanes::perBlock + lanes_.firstLane(),
+            cast.firstMinor, cast.endMinor};
+}
+
 // A convex polygon's outline crosses each major position twice or not at all.
 void ProjectedFacets::spansOfConvex(const Throw& cast, Range majors, int block, Scratch& scratch) const {
     const int count = majors.end - majors.first;
@@ -224,9 +206,8 @@ void ProjectedFacets::spansOfConvex(const Throw& cast, Range majors, int block, 
         widen(line.minor, line.slope, line.majors.end - line.majors.first, &scratch.low[std::size_t(from)],
               &scratch.high[std::size_t(from)]);
     }
-    lanesBetween(scratch.low.data(), scratch.high.data(), &lanes_.bend()[std::size_t(majors.first)], count,
-                 block * Lanes::perBlock + lanes_.firstLane(), cast.firstMinor, cast.endMinor,
-                 scratch.firstLane.data(), scratch.end.data());
+    findLanesBetween(scratch.low.data(), scratch.high.data(), placesOf(cast, majors.first, block), count,
+                     scratch.firstLane.data(), scratch.end.data());
     for (int i = 0; i < count; ++i)
         addSpan(cast, majors.first + i, {scratch.firstLane[std::size_t(i)], scratch.end[std::size_t(i)]},
                 block, scratch.spans);
@@ -237,9 +218,8 @@ void ProjectedFacets::spansOfAny(const Throw& cast, Range majors, int block, Scr
         findCrossings(scratch.lines, major, scratch.crossings);
         for (std::size_t k = 0; k + 1 < scratch.crossings.size(); k += 2) {
             Range lanes;
-            lanesBetween(&scratch.crossings[k], &scratch.crossings[k + 1], &lanes_.bend()[std::size_t(major)],
-                         1, block * Lanes::perBlock + lanes_.firstLane(), cast.firstMinor, cast.endMinor,
-                         &lanes.first, &lanes.end);
+            findLanesBetween(&scratch.crossings[k], &scratch.crossings[k + 1], placesOf(cast, major, block),
+                             1, &lanes.first, &lanes.end);
             addSpan(cast, major, lanes, block, scratch.spans);
         }
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/engines/inverse/sources/facet_lanes.h"
 #include "core/engines/inverse/sources/nearest_levels.h"
 #include "core/engines/inverse/sources/source_finder.h"
 #include "core/engines/inverse/sources/surface_facets.h"
@@ -65,6 +66,7 @@ private:
     [[nodiscard]] Range majorsInBlock(std::uint32_t facet, int block) const;
     void findSpans(std::uint32_t facet, int block, Scratch& scratch) const;
     void findLines(const SurfaceFacet& facet, Range majors, std::vector<EdgeLine>& lines) const;
+    [[nodiscard]] LanePlaces placesOf(const Throw& cast, int firstMajor, int block) const;
     void spansOfConvex(const Throw& cast, Range majors, int block, Scratch& scratch) const;
     void spansOfAny(const Throw& cast, Range majors, int block, Scratch& scratch) const;
     void addSpan(const Throw& cast, int major, Range lanes, int block,

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "core/engines/common/flush_denormals.h"
 #include "core/engines/ray/ray_reference.h"
+#include "core/simd/flush_denormals.h"
 
 namespace noonmark {
 

@@ -10,15 +10,30 @@
 
 namespace noonmark {
 
-template <class Register>
-struct EightWords;
+/// Bit rasters of 64 x 64 cells at eight steps, 4 kB each.
+class CountPlanes {
+public:
+    static constexpr int rows = 64;
+    [[nodiscard]] std::size_t count() const { return planes_.size(); }
+    /// Adds one whose bits are all 0.
+    void add();
+    [[nodiscard]] StepWords& at(std::size_t plane, int row) { return (*planes_[plane])[std::size_t(row)]; }
+    [[nodiscard]] const StepWords& at(std::size_t plane, int row) const {
+        return (*planes_[plane])[std::size_t(row)];
+    }
+    [[nodiscard]] std::uint64_t bytes() const { return planes_.size() * sizeof(Plane); }
+
+private:
+    using Plane = std::array<StepWords, rows>;
+    std::vector<std::unique_ptr<Plane>> planes_;
+};
 
 /// How many buildings shade each of 64 x 64 cells at eight steps, as bit rasters (planes): one of the cells
 /// that any building shades, and one for each bit of the number of additional buildings. There are as many
 /// planes as the cell with the highest count needs, 4 kB each; none if no shadow ever fell.
 class CountTile {
 public:
-    static constexpr int rows = 64;
+    static constexpr int rows = CountPlanes::rows;
 
     /// Removes the shadow of one building, which was added before, and adds that of another; both may be
     /// empty. Cells in both shadows cost nothing. `gone`, `come`, `changed`: one entry per row of the tile,
@@ -27,23 +42,15 @@ public:
 
     /// The cells of a row that are in shadow at each of the steps.
     [[nodiscard]] const StepWords& shaded(int row) const {
-        return planes_.empty() ? lit : (*planes_[0])[std::size_t(row)];
+        return planes_.count() == 0 ? lit : planes_.at(0, row);
     }
 
-    [[nodiscard]] std::uint64_t bytes() const { return planes_.size() * sizeof(Plane); }
+    [[nodiscard]] std::uint64_t bytes() const { return planes_.bytes(); }
 
 private:
-    using Plane = std::array<StepWords, rows>;
     static constexpr StepWords lit{};
-    template <class Register>
-    void add(int row, const EightWords<Register>& come, std::uint64_t& changed);
-    template <class Register>
-    void remove(int row, const EightWords<Register>& gone, std::uint64_t& changed);
-    [[nodiscard]] StepWords& at(std::size_t plane, int row) const;
-    void addPlane();
-
-    std::vector<std::unique_ptr<Plane>> planes_;  // cells shaded by any building; then the bits of the number
-                                                  // of additional ones, lowest first
+    CountPlanes planes_;  // cells shaded by any building; then the bits of the number of additional ones,
+                          // lowest first
 };
 
 }  // namespace noonmark

@@ -24,8 +24,8 @@ public:
     /// `noReceivers`: a raster of cells that are not counted.
     ShadowEvents(const BitLayout& layout, const RowBand& band, std::span<const std::uint64_t> noReceivers);
 
-    /// Adds the next eight steps (convex_fill.h); cells that are not receivers must be set. After the last
-    /// step of a period the rasters must not change.
+    /// Adds the next eight steps (convex_fill-inl.h); cells that are not receivers must be set. After the
+    /// last step of a period the rasters must not change.
     void add(std::span<const std::uint64_t> rasters, const RunStarts& startsRun);
 
     /// Ends open runs after `steps` steps and writes minutes to the receivers' cells of a blank field.

@@ -1,9 +1,10 @@
 #pragma once
 
 // Filling of shadow polygons into bit rasters. step_lanes.h defines the data of eight consecutive steps, one
-// lane each, and step_registers.h the same in registers. bit_raster.h is the raster's layout. convex_fill.h
-// fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill fills casters,
-// BuildingFill one building at a time for the cache, and StepFiller all casters of a band of rows.
+// lane each, and step_registers-inl.h the same in registers. bit_raster.h is the raster's layout.
+// convex_fill-inl.h fills a convex shape at eight steps, convex_spans.h a single convex polygon. CasterFill
+// fills casters, BuildingFill one building at a time for the cache, and StepFiller all casters of a band of
+// rows.
 
 #include <cstdint>
 #include <span>
@@ -28,9 +29,9 @@ public:
     StepFiller(const ShadowCasters& casters, const ReceiverCount& where, const Receivers& receivers,
                const SunSteps& sun, const RowBand& band);
 
-    /// Overwrites `rasters` with those of eight steps from `first` on (convex_fill.h). After the period they
-    /// repeat its last step. Cells that are not receivers are set from the start, so that shadows that fall
-    /// only on them need not be filled. Fastest with steps in time order.
+    /// Overwrites `rasters` with those of eight steps from `first` on (convex_fill-inl.h). After the period
+    /// they repeat its last step. Cells that are not receivers are set from the start, so that shadows that
+    /// fall only on them need not be filled. Fastest with steps in time order.
     void fill(std::size_t first, std::span<std::uint64_t> rasters);
 
     [[nodiscard]] const BitLayout& layout() const { return layout_; }  ///< of the band

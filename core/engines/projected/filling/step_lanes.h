@@ -9,7 +9,7 @@
 namespace noonmark {
 
 /// Number of consecutive steps of the sun whose shadows are filled together, each in a lane of a register
-/// (step_registers.h); these steps differ so little that their shadows cross the same rows.
+/// (step_registers-inl.h); these steps differ so little that their shadows cross the same rows.
 inline constexpr std::size_t stepsTogether = 8;
 /// The same word of the rasters of these steps; rasters are filled and counted as arrays of such words.
 struct alignas(64) StepWords {

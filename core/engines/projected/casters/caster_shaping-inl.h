@@ -1,24 +1,25 @@
-#pragma once
+// The shapes of casters' shadows at eight steps, for kernels; include after core/simd/kernel.h.
+#if defined(NOONMARK_CASTER_SHAPING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef NOONMARK_CASTER_SHAPING_INL_H
+#undef NOONMARK_CASTER_SHAPING_INL_H
+#else
+#define NOONMARK_CASTER_SHAPING_INL_H
+#endif
 
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 
 #include "core/engines/projected/filling/caster_fill.h"
-#include "core/engines/projected/filling/step_registers.h"
+#include "core/engines/projected/filling/step_registers-inl.h"
 
-namespace noonmark {
+HWY_BEFORE_NAMESPACE();
+namespace noonmark::HWY_NAMESPACE {
 
-/// The shadow of a wall on the ground begins this far behind the wall, towards the sun, as a height in
-/// metres: the rays of a receiver just behind the wall begin inside the building (placeRayOrigin()). No
-/// receiver lies in that strip.
-inline constexpr double behindWallM = 1e-3;
-
-/// Computes the shapes of casters' shadows at eight steps. Inlined into a kernel (registers.h).
-template <class Register>
-class CasterFill::Shaping {
+/// Computes the shapes of casters' shadows at eight steps.
+class Shaping {
 public:
-    [[gnu::always_inline]] inline explicit Shaping(const StepOffsets& throws) : throws_(throws) {
+    HWY_INLINE explicit Shaping(const StepOffsets& throws) : throws_(throws) {
         for (std::size_t step = 0; step < stepsTogether; ++step) {
             const double up = throws.at.y[step];
             slope_[step] = throws.at.x[step] / (up != 0 ? up : 1);
@@ -26,10 +27,10 @@ public:
     }
 
     /// Whether exactly these edges face away from the sun at all steps.
-    [[nodiscard, gnu::always_inline]] inline bool areFar(const Ring& ring, const Arc& arc) const {
+    [[nodiscard]] HWY_INLINE bool areFar(const CasterRing& ring, const EdgeArc& arc) const {
         if (arc.first == arc.end) return false;
         const Points to{throws_.at.x, throws_.at.y};
-        const auto turn = [&](std::size_t edge) __attribute__((always_inline)) {
+        const auto turn = [&](std::size_t edge) HWY_ATTR {
             return to.x * ring.edges[edge].along.y - to.y * ring.edges[edge].along.x;
         };
         const Doubles farthest = least(turn(arc.first), turn(ring.before(arc.end))),
@@ -40,9 +41,8 @@ public:
     /// The hull of the ring at its far and its near position: the edges that face away from the sun at the
     /// far one, the others at the near one, and between them the lines drawn by the two outermost corners.
     /// False: it casts no shadow.
-    [[gnu::always_inline]] inline bool shape(const ShadowCaster& caster, const Ring& ring,
-                                             const FarEdges& edges) {
-        const Arc& arc = edges.far;
+    HWY_INLINE bool shape(const ShadowCaster& caster, const CasterRing& ring, const FarEdges& edges) {
+        const EdgeArc& arc = edges.far;
         const bool oneWall = arc.end == ring.after(arc.first), wall = caster.kind == ShadowCaster::Kind::wall;
         // If a wall faces the sun, the wall on the opposite side casts the shadow.
         if (wall && (arc.first == arc.end || arc.first != 0)) return false;
@@ -69,8 +69,7 @@ public:
 
     /// A face of a closed mesh that is seen from behind casts no shadow: a face on the opposite side casts
     /// it.
-    [[gnu::always_inline]] inline void shapeFace(const ShadowCaster& caster,
-                                                 std::span<const glm::dvec2> points) {
+    HWY_INLINE void shapeFace(const ShadowCaster& caster, std::span<const glm::dvec2> points) {
         clear();
         for (EdgeChain& chain : shape_.western) chain.count = 0;
         for (EdgeChain& chain : shape_.eastern) chain.count = 0;
@@ -94,21 +93,21 @@ public:
     [[nodiscard]] const StepShape& made() const { return shape_; }
 
 private:
-    using Doubles = EightDoubles<Register>;
-    using Points = EightPoints<Register>;
+    using Doubles = EightDoubles;
+    using Points = EightPoints;
     static constexpr double farOff = 1e9;
 
     /// The offset of the shadow of points at one height, in cells.
     struct Place {
         Points at;
         glm::dvec2 low, high;  ///< bounds over all steps
-        [[gnu::always_inline]] inline Place(const StepOffsets& throws, double heightM)
+        HWY_INLINE Place(const StepOffsets& throws, double heightM)
             : at{Doubles(throws.at.x) * heightM, Doubles(throws.at.y) * heightM},
               low(glm::min(throws.low * heightM, throws.high * heightM)),
               high(glm::max(throws.low * heightM, throws.high * heightM)) {}
     };
 
-    [[gnu::always_inline]] inline void clear() {
+    HWY_INLINE void clear() {
         shape_.sides.westerns = shape_.sides.easterns = 0;
         const double large = std::numeric_limits<double>::max();
         shape_.lowest = glm::dvec2(large);
@@ -117,7 +116,7 @@ private:
         Doubles(-large).store(shape_.high);
     }
 
-    [[gnu::always_inline]] inline void begin(const Place& place, std::size_t end) {
+    HWY_INLINE void begin(const Place& place, std::size_t end) {
         for (EdgeChain* chain : {&shape_.western[end], &shape_.eastern[end]}) {
             chain->begin(place.low.y, place.high.y);
             place.at.store(chain->at);
@@ -125,7 +124,7 @@ private:
     }
 
     // Extends the bounds by points in [low, high], shifted by `place`.
-    [[gnu::always_inline]] inline void bound(glm::dvec2 low, glm::dvec2 high, const Place& place) {
+    HWY_INLINE void bound(glm::dvec2 low, glm::dvec2 high, const Place& place) {
         least(Doubles(shape_.low), low.y + place.at.y).store(shape_.low);
         most(Doubles(shape_.high), high.y + place.at.y).store(shape_.high);
         shape_.lowest = glm::min(shape_.lowest, low + place.low);
@@ -133,8 +132,7 @@ private:
     }
 
     // The paths of the two outermost corners; level paths bound no rows.
-    [[gnu::always_inline]] inline void addStrip(const Place& far, const Place& near, glm::dvec2 first,
-                                                glm::dvec2 last) {
+    HWY_INLINE void addStrip(const Place& far, const Place& near, glm::dvec2 first, glm::dvec2 last) {
         const Doubles none(0), slope(slope_), up = far.at.y - near.at.y, height = whereAboveZero(up, up, -up);
         const Points a = first + near.at, b = last + near.at;
         const Doubles throughA = a.x - a.y * slope, throughB = b.x - b.y * slope;
@@ -150,7 +148,7 @@ private:
     }
 
     // Adds the arc's edges to the chains of one end. Western edges run downwards.
-    [[gnu::always_inline]] inline void addEnds(const Ring& ring, const Arc& arc, std::size_t end) {
+    HWY_INLINE void addEnds(const CasterRing& ring, const EdgeArc& arc, std::size_t end) {
         EdgeChain &western = shape_.western[end], &eastern = shape_.eastern[end];
         std::size_t i = arc.first;
         do {
@@ -163,8 +161,7 @@ private:
         } while (i != arc.first);
     }
 
-    [[gnu::always_inline]] inline void addChord(const Place& near, const RingEdge& chord, glm::dvec2 first,
-                                                glm::dvec2 last) {
+    HWY_INLINE void addChord(const Place& near, const RingEdge& chord, glm::dvec2 first, glm::dvec2 last) {
         if (chord.side == RingEdge::Side::western) shape_.western[1].add(chord);
         if (chord.side == RingEdge::Side::eastern) shape_.eastern[1].add(chord);
         bound(glm::min(first, last), glm::max(first, last), near);
@@ -172,8 +169,7 @@ private:
 
     // Adds an edge of a shape that runs counter-clockwise where `turn` > 0 and clockwise where it is
     // negative.
-    [[gnu::always_inline]] inline void addSide(const Points& from, const Points& to,
-                                               const StepDoubles& turn) {
+    HWY_INLINE void addSide(const Points& from, const Points& to, const StepDoubles& turn) {
         StepPoints a, b;
         from.store(a);
         to.store(b);
@@ -198,4 +194,6 @@ private:
     StepShape shape_;
 };
 
-}  // namespace noonmark
+}  // namespace noonmark::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,4 +1,11 @@
-#pragma once
+// Rows of a convex shape at eight steps, in bit rasters of some rows of a grid, for kernels; include after
+// core/simd/kernel.h. All instruction sets give the same bits, in every band.
+#if defined(NOONMARK_CONVEX_FILL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef NOONMARK_CONVEX_FILL_INL_H
+#undef NOONMARK_CONVEX_FILL_INL_H
+#else
+#define NOONMARK_CONVEX_FILL_INL_H
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +13,10 @@
 #include <span>
 
 #include "core/engines/projected/filling/bit_raster.h"
-#include "core/engines/projected/filling/step_registers.h"
+#include "core/engines/projected/filling/step_registers-inl.h"
 
-namespace noonmark {
-
-/// Rows of a convex shape at eight steps, in bit rasters of some rows of a grid. Inlined into a kernel
-/// (registers.h) for registers of each width; all widths give the same bits, in every band.
+HWY_BEFORE_NAMESPACE();
+namespace noonmark::HWY_NAMESPACE {
 namespace convex_fill {
 
 // Rows are resolved to 1e-7 of a cell; `farEast` is beyond any grid.
@@ -24,31 +29,30 @@ struct Extent {
     [[nodiscard]] bool empty() const { return bottom >= top || west >= east; }
 };
 
-inline int atOrBeyond(double position, int low, int high) {
+HWY_INLINE int atOrBeyond(double position, int low, int high) {
     const double inside = std::clamp(position, double(low), double(high));
     const int below = int(inside);
     return below + int(double(below) < inside);
 }
 
-inline Extent extentOf(const StepShape& shape, const BitLayout& layout, const RowBand& band) {
+HWY_INLINE Extent extentOf(const StepShape& shape, const BitLayout& layout, const RowBand& band) {
     return {atOrBeyond(shape.lowest.y, band.first, band.end),
             atOrBeyond(shape.highest.y, band.first, band.end), atOrBeyond(shape.lowest.x, 0, layout.columns),
             atOrBeyond(shape.highest.x, 0, layout.columns)};
 }
 
 /// The span of a row at each step.
-template <class Register>
 struct StepSpans {
-    EightDoubles<Register> west, east;
+    EightDoubles west, east;
 
-    [[gnu::always_inline]] inline void boundBy(const StepLines& lines, double row) {
+    HWY_INLINE void boundBy(const StepLines& lines, double row) {
         for (std::size_t i = 0; i < lines.westerns; ++i) west = most(west, at(lines.western[i], row));
         for (std::size_t i = 0; i < lines.easterns; ++i) east = least(east, at(lines.eastern[i], row));
     }
 
 private:
-    [[gnu::always_inline]] static inline EightDoubles<Register> at(const StepLine& line, double row) {
-        return EightDoubles<Register>(line.atRow0) + EightDoubles<Register>(line.slope) * row;
+    static HWY_INLINE EightDoubles at(const StepLine& line, double row) {
+        return EightDoubles(line.atRow0) + EightDoubles(line.slope) * row;
     }
 };
 
@@ -57,12 +61,12 @@ class ChainWalk {
 public:
     explicit ChainWalk(const EdgeChain& chain) : chain_(chain) {}
 
-    template <class Register, class Bound>
-    [[gnu::always_inline]] inline void forEdgesAt(double row, const Bound& bound) {
+    template <class Bound>
+    HWY_INLINE void forEdgesAt(double row, const Bound& bound) {
         while (next_ < chain_.count && chain_.edges[next_]->high + chain_.mostUp < row) ++next_;
         for (std::size_t i = next_; i < chain_.count && chain_.edges[i]->low + chain_.leastUp <= row; ++i) {
             const RingEdge& edge = *chain_.edges[i];
-            const EightDoubles<Register> x(chain_.at.x), y(chain_.at.y);
+            const EightDoubles x(chain_.at.x), y(chain_.at.y);
             bound(edge.atRow0 + (x - y * edge.slope) + row * edge.slope);
         }
     }
@@ -76,14 +80,11 @@ private:
 /// from the outermost bounds of the first row to those of the last, and no bound lies farther out in between.
 class Reach {
 public:
-    template <class Register>
-    [[gnu::always_inline]] inline Reach(const StepShape& shape, const Extent& extent, Register)
-        : extent_(extent) {
-        using Doubles = EightDoubles<Register>;
+    HWY_INLINE Reach(const StepShape& shape, const Extent& extent) : extent_(extent) {
         const double first = extent.bottom, last = extent.top - 1, rows = std::max(1.0, last - first);
         const StepLine &western = shape.sides.western[0], &eastern = shape.sides.eastern[0];
         if (shape.sides.westerns == 0) return;
-        const Doubles westAt0(western.atRow0), eastAt0(eastern.atRow0), westSlope(western.slope),
+        const EightDoubles westAt0(western.atRow0), eastAt0(eastern.atRow0), westSlope(western.slope),
             eastSlope(eastern.slope);
         const double west = leastOf(westAt0 + westSlope * first),
                      toWest = leastOf(westAt0 + westSlope * last),
@@ -120,25 +121,21 @@ struct RowCells {
     [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
 
     // Whether all cells are set at all steps.
-    template <class Register>
-    [[gnu::always_inline]] inline bool allSet(const StepWords* words, std::ptrdiff_t stride) const {
+    HWY_INLINE bool allSet(const StepWords* words, std::ptrdiff_t stride) const {
         const std::uint64_t from = ~std::uint64_t{0} << unsigned(west & 63),
                             to = ~std::uint64_t{0} >> unsigned(63 - ((east - 1) & 63));
         const int first = firstWord(), last = lastWord();
-        WordsOf<Register> lit{};
-        addLit<Register>(words[first * stride], first == last ? from & to : from, lit);
-        for (int word = first + 1; word < last; ++word)
-            addLit<Register>(words[word * stride], ~std::uint64_t{0}, lit);
-        if (last > first) addLit<Register>(words[last * stride], to, lit);
-        return !anySetIn<Register>(lit);
+        auto lit = hn::Zero(stepBits);
+        addLit(words[first * stride], first == last ? from & to : from, lit);
+        for (int word = first + 1; word < last; ++word) addLit(words[word * stride], ~std::uint64_t{0}, lit);
+        if (last > first) addLit(words[last * stride], to, lit);
+        return !anySet(lit);
     }
 
 private:
-    template <class Register>
-    [[gnu::always_inline]] static inline void addLit(const StepWords& word, std::uint64_t among,
-                                                     WordsOf<Register>& lit) {
-        const EightWords<Register> steps(word);
-        for (const auto& part : steps.part) lit |= ~part & among;
+    static HWY_INLINE void addLit(const StepWords& word, std::uint64_t among, hn::Vec<StepBits>& lit) {
+        for (const auto& part : EightWords(word).part)
+            lit = hn::Or(lit, hn::AndNot(part, hn::Set(stepBits, among)));
     }
 };
 
@@ -155,46 +152,46 @@ struct SteadyRows {
 
 // Outside its rows a shape ends west of the grid. Computed with products, because the compiler optimises min
 // and max well.
-template <class Register>
-[[gnu::always_inline]] inline void endRows(const StepShape& shape, double row, StepSpans<Register>& spans) {
-    const EightDoubles<Register> high(shape.high), low(shape.low);
+HWY_INLINE void endRows(const StepShape& shape, double row, StepSpans& spans) {
+    const EightDoubles high(shape.high), low(shape.low);
     spans.east = least(spans.east, (high - row) * steep);
     spans.east = least(spans.east, (row - low) * steep + farEast);
 }
 
 /// The first cell of each step's span, or the first one after it, and the bits of a word from there on.
-template <class Register>
-struct FirstCells {
-    HalfIntsOf<Register> column;
+class FirstCells {
+public:
+    // Rounded up, as count - floor(count - x). Whole numbers below 2^52 are the low bits of their sum with
+    // 2^52.
+    HWY_INLINE FirstCells(hn::Vec<StepNumbers> position, int columns) {
+        const auto count = hn::Set(stepNumbers, double(columns)), large = hn::Set(stepNumbers, 0x1p52);
+        const auto column = hn::Sub(count, hn::Floor(hn::Sub(count, position)));
+        column_ = hn::Xor(hn::BitCast(stepBits, hn::Add(column, large)), hn::BitCast(stepBits, large));
+    }
+    // Computes with 32 bits, of which the upper half of each word remains 0.
+    HWY_INLINE hn::Vec<StepBits> from(int word) const {
+        const hn::RepartitionToNarrow<hn::RebindToSigned<StepBits>> halves;
+        const auto low = [&](int number) HWY_ATTR {
+            return hn::BitCast(halves, hn::Set(stepBits, std::uint64_t(number)));
+        };
+        const auto bit = hn::Sub(hn::BitCast(halves, column_), low(64 * word));
+        const auto by = hn::Min(hn::Max(bit, hn::Zero(halves)), low(64));
+        return shiftLeftUpTo64(stepBits, hn::Set(stepBits, ~std::uint64_t{0}), hn::BitCast(stepBits, by));
+    }
 
-    // Rounded up, as count - floor(count - x).
-    [[gnu::always_inline]] inline FirstCells(const DoublesOf<Register>& position, int columns) {
-        const DoublesOf<Register> left = double(columns) - position;
-        column = columns - __builtin_convertvector(left, HalfIntsOf<Register>);
-    }
-    // A shift by 64 is composed of two shifts. One condition per selection: the compiler splits others into
-    // scalar operations (GCC 12).
-    [[gnu::always_inline]] inline void bitsFrom(int word, WordsOf<Register>& bits) const {
-        const HalfIntsOf<Register> zero{}, full = 64 - zero;
-        HalfIntsOf<Register> bit = column - 64 * word;
-        bit = bit > zero ? bit : zero;
-        bit = bit < full ? bit : full;
-        const auto by = WordsOf<Register>(__builtin_convertvector(bit, LongsOf<Register>)), half = by >> 1;
-        bits = ~WordsOf<Register>{} << half << (by - half);
-    }
+private:
+    hn::Vec<StepBits> column_;
 };
 
-template <class Register>
-[[gnu::always_inline]] inline void setSpans(const StepSpans<Register>& spans, const RowCells& cells,
-                                            int columns, StepWords* words, std::ptrdiff_t stride) {
-    using Part = WordsOf<Register>;
-    for (std::size_t i = 0; i < partsOfSteps<Register>; ++i) {
-        const FirstCells<Register> first(spans.west.part[i], columns), end(spans.east.part[i], columns);
+HWY_INLINE void setSpans(const StepSpans& spans, const RowCells& cells, int columns, StepWords* words,
+                         std::ptrdiff_t stride) {
+    HWY_UNROLL(4)
+    for (std::size_t i = 0; i < partsOfSteps; ++i) {
+        const FirstCells first(spans.west.part[i], columns), end(spans.east.part[i], columns);
         for (int word = cells.firstWord(); word <= cells.lastWord(); ++word) {
-            Part from, beyond;
-            first.bitsFrom(word, from);
-            end.bitsFrom(word, beyond);
-            reinterpret_cast<Part&>(words[word * stride].words[i * stepsAPart<Register>]) |= from & ~beyond;
+            std::uint64_t* const at = words[word * stride].words + i * stepsAPart;
+            const auto inside = hn::AndNot(end.from(word), first.from(word));
+            hn::Store(hn::Or(hn::Load(stepBits, at), inside), stepBits, at);
         }
     }
 }
@@ -208,36 +205,30 @@ template <class Register>
 ///
 /// The shape lies within 10^8 of the raster; parts outside the raster are clipped. Rows whose reachable cells
 /// are already set are skipped. Returns the number of rows visited. Cost: 10 ns, and up to 10 ns per row.
-template <class Register>
-[[gnu::always_inline]] inline int fillShape(const StepShape& shape, const BitLayout& layout,
-                                            const RowBand& band, std::span<std::uint64_t> rasters) {
+HWY_INLINE int fillShape(const StepShape& shape, const BitLayout& layout, const RowBand& band,
+                         std::span<std::uint64_t> rasters) {
     using namespace convex_fill;
-    using Doubles = EightDoubles<Register>;
     const Extent extent = extentOf(shape, layout, band);
     if (extent.empty()) return 0;
     auto* words =
         reinterpret_cast<StepWords*>(&rasters[layout.word(0, extent.bottom - band.first) * stepsTogether]);
-    const Doubles none(0), all(layout.columns);
+    const EightDoubles none(0), all(layout.columns);
     const SteadyRows steady(shape);
     ChainWalk farWest(shape.western[0]), nearWest(shape.western[1]), farEast(shape.eastern[0]),
         nearEast(shape.eastern[1]);
-    Reach reach(shape, extent, Register{});
+    Reach reach(shape, extent);
     for (int row = extent.bottom; row < extent.top; ++row, ++words, reach.moveUp()) {
         const RowCells cells{reach.west(), reach.east()};
-        if (cells.west >= cells.east || cells.template allSet<Register>(words, layout.rows)) continue;
+        if (cells.west >= cells.east || cells.allSet(words, layout.rows)) continue;
         const double y = row;
-        StepSpans<Register> spans{none, all};
+        StepSpans spans{none, all};
         spans.boundBy(shape.sides, y);
-        const auto western = [&](const Doubles& at) __attribute__((always_inline)) {
-            spans.west = most(spans.west, at);
-        };
-        const auto eastern = [&](const Doubles& at) __attribute__((always_inline)) {
-            spans.east = least(spans.east, at);
-        };
-        farWest.forEdgesAt<Register>(y, western);
-        nearWest.forEdgesAt<Register>(y, western);
-        farEast.forEdgesAt<Register>(y, eastern);
-        nearEast.forEdgesAt<Register>(y, eastern);
+        const auto western = [&](const EightDoubles& at) HWY_ATTR { spans.west = most(spans.west, at); };
+        const auto eastern = [&](const EightDoubles& at) HWY_ATTR { spans.east = least(spans.east, at); };
+        farWest.forEdgesAt(y, western);
+        nearWest.forEdgesAt(y, western);
+        farEast.forEdgesAt(y, eastern);
+        nearEast.forEdgesAt(y, eastern);
         if (y < steady.first || y > steady.last) endRows(shape, y, spans);
         spans.west = least(all, spans.west);
         spans.east = most(none, spans.east);
@@ -246,4 +237,6 @@ template <class Register>
     return extent.top - extent.bottom;
 }
 
-}  // namespace noonmark
+}  // namespace noonmark::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,12 +1,27 @@
-#include "core/engines/graph/interval_tally.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/engines/graph/interval_tally_hwy.cpp"
+#include <hwy/foreach_target.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 
-#include "core/simd/simd_lanes.h"
+#include "core/engines/graph/interval_tally.h"
+#include "core/simd/kernel.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace noonmark::HWY_NAMESPACE {
+
+// Without vectors: the later sets count bits with one instruction.
+HWY_FLATTEN void measureMasks(const ShadowMask* masks, std::size_t count, int steps, MaskRuns* runs) {
+    for (std::size_t i = 0; i < count; ++i) runs[i] = measureRuns(masks[i], steps);
+}
+
+}  // namespace noonmark::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace noonmark {
 
 namespace {
@@ -16,10 +31,6 @@ void forReceivers(std::size_t count, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 8192), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
     });
-}
-
-NOONMARK_EVERY_ISA void runsOfMasks(const ShadowMask* masks, std::size_t count, int steps, MaskRuns* runs) {
-    for (std::size_t i = 0; i < count; ++i) runs[i] = measureRuns(masks[i], steps);
 }
 
 // A run that crosses from one leg to the next is the suffix of one and the prefix of the other.
@@ -37,11 +48,13 @@ std::uint32_t longestAlong(const std::vector<PathLeg>& legs, std::size_t i) {
 
 }  // namespace
 
+NOONMARK_KERNEL(measureMasks);
 std::vector<MaskRuns> IntervalTally::addEdge(std::span<const ShadowMask> masks,
                                              const DirectionGraph::Edge& edge) {
     std::vector<MaskRuns> runs(masks.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, masks.size(), 8192), [&](const auto& range) {
-        runsOfMasks(&masks[range.begin()], range.size(), edge.sun.steps, &runs[range.begin()]);
+        NOONMARK_CALL(measureMasks)
+        (&masks[range.begin()], range.size(), edge.sun.steps, &runs[range.begin()]);
         for (std::size_t i = range.begin(); i < range.end(); ++i)
             gross_[i] += std::uint64_t(runs[i].gross) * edge.weight;
     });
@@ -66,3 +79,4 @@ void IntervalTally::writeTo(ShadowField& field, const Receivers& receivers,
 }
 
 }  // namespace noonmark
+#endif
