@@ -42,10 +42,10 @@ void raiseAttributedBlock(const WallOnBlock& wall, const BlockRows& rows, Attrib
     for (auto row = std::size_t(range.first); row < std::size_t(range.end); ++row)
         EdgeBeforeRow(wall, rows, row)
             .forEachVector(horizons.grounds[row].values, [&](int place, const EdgeHorizon& edge) HWY_ATTR {
-                raiseCells(edge, wall.building,
-                           {horizons.highest.rows[row].values + place,
-                            horizons.others.rows[row].values + place,
-                            horizons.buildings[row].values + place});
+                raiseCells(
+                    edge, wall.building,
+                    {horizons.highest.rows[row].values + place, horizons.others.rows[row].values + place,
+                     horizons.buildings[row].values + place});
             });
 }
 

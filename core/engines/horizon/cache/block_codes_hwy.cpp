@@ -66,7 +66,8 @@ HorizonCode findLowest(const HorizonCode* codes, const ReceiverBlocks::Masks& ma
     V lowest = highest;
     forEachVector([&](std::size_t row, std::size_t place) HWY_ATTR {
         const V of = hn::LoadU(d, codes + row * side + place);
-        lowest = hn::Min(lowest, hn::IfThenElse(maskOfBits(d, std::uint32_t(masks[row]) >> place), of, highest));
+        lowest =
+            hn::Min(lowest, hn::IfThenElse(maskOfBits(d, std::uint32_t(masks[row]) >> place), of, highest));
     });
     alignas(64) HorizonCode each[lanes];
     hn::Store(lowest, d, each);
@@ -103,9 +104,8 @@ void findDifferences(const HorizonCode* a, const HorizonCode* b, const ReceiverB
 
 void findEqual(const HorizonCode* a, const HorizonCode* b, const ReceiverBlocks::Masks& masks,
                ReceiverBlocks::Masks& equal) {
-    findCells(a, b, masks, equal, [](V x, V y) HWY_ATTR {
-        return hn::And(hn::Eq(x, y), hn::Ne(x, hn::Set(d, noHorizon)));
-    });
+    findCells(a, b, masks, equal,
+              [](V x, V y) HWY_ATTR { return hn::And(hn::Eq(x, y), hn::Ne(x, hn::Set(d, noHorizon))); });
 }
 
 }  // namespace noonmark::HWY_NAMESPACE

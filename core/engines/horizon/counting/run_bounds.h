@@ -16,8 +16,8 @@ struct alignas(64) RunLanes {
     std::int16_t values[lanesPerPart] = {};
 };
 
-/// Walks the steps of a day: raises `longest` to the longest run of each lane, in steps. `horizons`: one entry
-/// per bin. 1 ns a step with AVX-512.
+/// Walks the steps of a day: raises `longest` to the longest run of each lane, in steps. `horizons`: one
+/// entry per bin. 1 ns a step with AVX-512.
 void walkSteps(std::span<const RunLanes> horizons, std::span<const TimedStep> steps, RunLanes& longest);
 
 /// Upper bounds for the longest run of each lane on any day of a group. 1 ns a visit with AVX-512.

@@ -73,8 +73,9 @@ std::optional<std::uint32_t> RunSearch::litFromMiddle(std::span<Doubt> doubts, s
                                                       bool onlyLitBins) {
     auto after = std::ranges::upper_bound(doubts, middle, {}, &Doubt::step), before = after;
     while (before != doubts.begin() || after != doubts.end()) {
-        const bool isBefore = after == doubts.end() || (before != doubts.begin() &&
-                                                        middle - std::prev(before)->step <= after->step - middle);
+        const bool isBefore =
+            after == doubts.end() ||
+            (before != doubts.begin() && middle - std::prev(before)->step <= after->step - middle);
         Doubt& doubt = isBefore ? *--before : *after++;
         if (doubt.isHidden || (onlyLitBins && isLitBin_[doubt.bin] == 0)) continue;
         if (!rays_.hidden(doubt.step)) return doubt.step;

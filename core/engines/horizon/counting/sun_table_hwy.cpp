@@ -33,8 +33,10 @@ HWY_INLINE hn::Vec<D> lookUp(D d, const std::int16_t* counts, hn::Vec<D> places)
 // The counts of a vector of places in the table.
 HWY_INLINE hn::Vec<Codes> lookUpAll(const std::int16_t* counts, hn::Vec<decltype(du)> places) {
     const hn::Half<decltype(du)> half;
-    const auto lower = hn::BitCast(di, hn::PromoteTo(hn::RebindToUnsigned<Indices>{}, hn::LowerHalf(half, places)));
-    const auto upper = hn::BitCast(di, hn::PromoteTo(hn::RebindToUnsigned<Indices>{}, hn::UpperHalf(half, places)));
+    const auto lower =
+        hn::BitCast(di, hn::PromoteTo(hn::RebindToUnsigned<Indices>{}, hn::LowerHalf(half, places)));
+    const auto upper =
+        hn::BitCast(di, hn::PromoteTo(hn::RebindToUnsigned<Indices>{}, hn::UpperHalf(half, places)));
     const hn::Half<Codes> few;
     return hn::Combine(dc, hn::DemoteTo(few, lookUp(di, counts, upper)),
                        hn::DemoteTo(few, lookUp(di, counts, lower)));
@@ -64,8 +66,7 @@ constexpr Cells cells;
 HWY_INLINE hn::Vec<Cells> countsOf(const SunTable& table, const HorizonCode* horizons) {
     const auto codes = hn::PromoteTo(cells, hn::LoadU(hn::Rebind<HorizonCode, Cells>{}, horizons));
     const auto level = hn::Sub(codes, hn::Set(cells, table.lowest));
-    return lookUp(cells, table.counts,
-                  hn::Min(hn::Max(level, hn::Zero(cells)), hn::Set(cells, table.last)));
+    return lookUp(cells, table.counts, hn::Min(hn::Max(level, hn::Zero(cells)), hn::Set(cells, table.last)));
 }
 
 // Returns whether a sum has changed.

@@ -10,7 +10,7 @@ namespace noonmark {
 /// Ground heights of the cells of a block.
 struct BlockGround {
     const Line<float>* rowsM = nullptr;  ///< above the datum, row by row, 16 each; null: all at the datum
-    float lowestM = 0;                    ///< lowest of the receivers
+    float lowestM = 0;                   ///< lowest of the receivers
 };
 
 /// Elevations of a tile's receivers, in the row order of its blocks; empty if they are flat. They are those

@@ -21,8 +21,8 @@ constexpr D d;
 HWY_INLINE hn::Mask<D> findRaising(const PieceBounds::Arrays& of, const BlockQuery& sight) {
     const auto ahead = hn::Sub(hn::Set(d, sight.lowestAlong), hn::LoadU(d, of.highAlong));
     const auto distance = hn::Sub(hn::Mul(ahead, hn::Set(d, nearly)), hn::Set(d, margin));
-    const auto aside = hn::Mul(hn::Max(hn::Zero(d), hn::Add(ahead, hn::Set(d, depths))),
-                               hn::Set(d, sight.spread));
+    const auto aside =
+        hn::Mul(hn::Max(hn::Zero(d), hn::Add(ahead, hn::Set(d, depths))), hn::Set(d, sight.spread));
     const auto right = hn::Gt(hn::Add(hn::LoadU(d, of.highQ), aside), hn::Set(d, sight.lowQ));
     const auto left = hn::Lt(hn::Sub(hn::LoadU(d, of.lowQ), aside), hn::Set(d, sight.highQ));
     const auto above = hn::Gt(hn::Mul(hn::LoadU(d, of.rise), hn::Set(d, sight.cot)), distance);
@@ -34,7 +34,8 @@ HWY_INLINE hn::Mask<D> findRaising(const PieceBounds::Arrays& of, const BlockQue
 std::uint32_t findRaisingPieces(const PieceBounds::Arrays& of, const BlockQuery& sight) {
     std::uint32_t may = 0;
     for (unsigned i = 0; i < PieceBounds::together; i += unsigned(hn::MaxLanes(d)))
-        may |= bitsOfMask(d, findRaising({of.lowQ + i, of.highQ + i, of.highAlong + i, of.rise + i}, sight)) << i;
+        may |= bitsOfMask(d, findRaising({of.lowQ + i, of.highQ + i, of.highAlong + i, of.rise + i}, sight))
+               << i;
     return may;
 }
 

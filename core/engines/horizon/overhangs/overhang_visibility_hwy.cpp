@@ -128,9 +128,9 @@ void findIntervals(const VisibleCells& seen, bool solid, HorizonCode* low, Horiz
         const V toNear = hn::Load(d, seen.toNear + i), toFar = hn::Load(d, seen.toFar + i),
                 near = hn::Load(d, seen.nearRise + i), far = hn::Load(d, seen.farRise + i);
         const V over = solid ? far : hn::Sub(hn::Mul(near, toFar), hn::Mul(far, toNear));
-        const auto behind = hn::IfThenElse(hn::RebindMask(di, hn::Gt(over, zero)),
-                                           hn::Set(di, std::int32_t{zenith}),
-                                           hn::Set(di, std::int32_t{noHorizon}));
+        const auto behind =
+            hn::IfThenElse(hn::RebindMask(di, hn::Gt(over, zero)), hn::Set(di, std::int32_t{zenith}),
+                           hn::Set(di, std::int32_t{noHorizon}));
         const Mask before = hn::Gt(toNear, zero);
         const auto ahead = codesOfRise(near, hn::IfThenElse(before, toNear, hn::Set(d, 1)));
         const auto atNear = hn::IfThenElse(hn::RebindMask(di, before), ahead, behind),

@@ -67,8 +67,8 @@ HWY_INLINE std::uint32_t findFacingAway(const Wide& low, const Wide& high) {
 
 HWY_INLINE V perRiseOf(const double* alongPerMetre, float topM) {
     const Wide per = load(alongPerMetre);
-    const Wide rise = forEachPart(
-        [&](std::size_t i) HWY_ATTR { return hn::Mul(hn::Set(dd, double(topM)), per.part[i]); });
+    const Wide rise =
+        forEachPart([&](std::size_t i) HWY_ATTR { return hn::Mul(hn::Set(dd, double(topM)), per.part[i]); });
     return hn::Div(hn::Set(d, 1), round(rise));
 }
 

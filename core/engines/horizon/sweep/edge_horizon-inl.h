@@ -46,7 +46,9 @@ public:
 
 private:
     // The first cell of the row whose q is not below this one: 0 to 16.
-    static int placeFrom(float q) { return int(std::ceil(std::clamp(-q, 0.0F, float(ReceiverBlocks::side)))); }
+    static int placeFrom(float q) {
+        return int(std::ceil(std::clamp(-q, 0.0F, float(ReceiverBlocks::side))));
+    }
 
     HWY_INLINE EdgeHorizon horizonOf(int place, const float* ground) const {
         constexpr EdgeCells d;

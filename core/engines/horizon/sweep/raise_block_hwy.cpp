@@ -77,8 +77,8 @@ HWY_INLINE void addTo(WallGroup& group, std::size_t wall) {
             cells = hn::Or(cells, hn::Load(du, group.walls[wall].cells + row + more));
         for (std::size_t part = 0; part < parts; ++part) {
             const std::size_t tile = tileOf(row, part);
-            const bool any = !hn::AllTrue(
-                du, hn::Eq(hn::And(cells, hn::Set(du, part0 << (part * lanes))), hn::Zero(du)));
+            const bool any =
+                !hn::AllTrue(du, hn::Eq(hn::And(cells, hn::Set(du, part0 << (part * lanes))), hn::Zero(du)));
             group.ofTile[tile][group.count[tile]] = std::uint8_t(wall);
             group.count[tile] += std::size_t(any);
         }
@@ -91,7 +91,8 @@ public:
     HWY_INLINE explicit RowCells(std::size_t part)
         : bits_(hn::Shl(hn::Set(du, 1U), hn::Iota(du, std::uint32_t(part * lanes)))) {}
     HWY_INLINE hn::Mask<D> in(const std::uint32_t& cells) const {
-        if constexpr (lanes == side) return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&cells));
+        if constexpr (lanes == side)
+            return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&cells));
         return hn::RebindMask(d, hn::TestBit(hn::Set(du, cells), bits_));
     }
 
@@ -106,7 +107,8 @@ HWY_INLINE void raiseAhead(const WallBeforeRows& wall, std::size_t firstRow, V m
     HWY_UNROLL(16)
     for (std::size_t i = 0; i < rowsTogether; ++i) {
         const V cot = hn::Sub(minusLess, hn::Set(d, wall.minusCotAtFirst[firstRow + i]));
-        horizons[i] = hn::IfThenElse(cells.in(wall.cells[firstRow + i]), hn::Min(horizons[i], cot), horizons[i]);
+        horizons[i] =
+            hn::IfThenElse(cells.in(wall.cells[firstRow + i]), hn::Min(horizons[i], cot), horizons[i]);
     }
 }
 
@@ -121,7 +123,8 @@ HWY_INLINE void raiseBeside(const WallBeforeRows& wall, std::size_t firstRow, V 
     }
 }
 
-HWY_INLINE void raiseTile(const WallGroup& group, std::size_t firstRow, std::size_t part, BlockHorizons& block) {
+HWY_INLINE void raiseTile(const WallGroup& group, std::size_t firstRow, std::size_t part,
+                          BlockHorizons& block) {
     const std::size_t tile = tileOf(firstRow, part), firstPlace = part * lanes;
     const V places = hn::Iota(d, float(firstPlace));
     const RowCells cells(part);
@@ -189,8 +192,7 @@ void toCodes(const BlockHorizons& horizons, HorizonCode lowest, HorizonCode* cod
             const V cot = hn::Load(d, row.values + place);
             const V level = hn::Min(hn::Div(levels, hn::Add(hn::Set(d, 1), cot)), most);
             const auto code = hn::Add(hn::ConvertTo(di, level), none);
-            const auto shown =
-                hn::And(hn::RebindMask(di, hn::Ge(cot, hn::Zero(d))), hn::Gt(code, least));
+            const auto shown = hn::And(hn::RebindMask(di, hn::Ge(cot, hn::Zero(d))), hn::Gt(code, least));
             hn::Store(hn::DemoteTo(dc, hn::IfThenElse(shown, code, none)), dc, codes);
         }
 }
