@@ -289,9 +289,13 @@ void RayScene::firstOccluders(std::span<const glm::vec3> origins, glm::vec3 dire
         found.ray.org_x[lane] = origin.x, found.ray.org_y[lane] = origin.y, found.ray.org_z[lane] = origin.z;
         found.ray.dir_x[lane] = direction.x, found.ray.dir_y[lane] = direction.y,
         found.ray.dir_z[lane] = direction.z;
-        found.ray.tnear[lane] = nearestHitM, found.ray.tfar[lane] = std::numeric_limits<float>::infinity();
+        // Where registers hold eight rays, Embree splits the packet and traces all lanes, whatever the mask
+        // of valid ones says; an empty interval and no flag keep those without a receiver out.
+        const bool isReceiver = lane < origins.size();
+        found.ray.tnear[lane] = nearestHitM;
+        found.ray.tfar[lane] = isReceiver ? std::numeric_limits<float>::infinity() : -1;
         found.ray.time[lane] = 0, found.ray.mask[lane] = ~0U;
-        found.ray.id[lane] = unsigned(lane), found.ray.flags[lane] = collects;
+        found.ray.id[lane] = unsigned(lane), found.ray.flags[lane] = isReceiver ? collects : 0;
         found.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
     }
     rtcIntersect16(validLanes[std::min<std::size_t>(16, origins.size())].valid.data(), tree_->scene, &context,

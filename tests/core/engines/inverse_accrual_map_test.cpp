@@ -53,6 +53,18 @@ TEST(FirstOccluders, ListsEachBuildingOnceNearestFirst) {
     EXPECT_EQ(found[9].building, 0U);
 }
 
+TEST(FirstOccluders, WritesNothingForLanesWithoutAReceiver) {
+    const City city = cityOf({{{0, 0, 0}, {10, 40, 100}}});
+    const RayScene scene = RayScene::over(city).value();
+    for (std::size_t count = 1; count < 16; ++count) {
+        const std::vector<glm::vec3> origins(count, glm::vec3(-20, 20, 0));
+        std::vector<Occluder> found(16, Occluder{-1, 77});
+        scene.firstOccluders(origins, towardsSun(90, 20), 1, 1, std::span(found).first(count));
+        for (std::size_t i = 0; i < found.size(); ++i)
+            EXPECT_EQ(found[i].building, i < count ? 0U : 77U) << i << " of " << count;
+    }
+}
+
 TEST(FirstOccluders, FewerLevelsGiveTheNearest) {
     const City city = cityOf(randomBoxes(5, 8));
     const RayScene scene = RayScene::over(city).value();
