@@ -33,7 +33,7 @@ struct AnswerSourceWindow : ::testing::Test {
         const QString file = folder.filePath(QStringLiteral("small.noonmark.gpkg"));
         ASSERT_TRUE(ProjectFile::create(file.toStdString(), project));
         window = std::make_unique<MainWindow>(settings);
-        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
         window->show();
         window->open({file});
         ASSERT_TRUE(waitFor([&] { return workbench().city() != nullptr; }));

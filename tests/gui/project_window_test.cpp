@@ -49,7 +49,7 @@ struct ProjectWindow : ::testing::Test {
     void makeWindow() {
         window.reset();
         window = std::make_unique<MainWindow>(settings);
-        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
         window->resize(900, 600);
         window->show();
     }
@@ -127,12 +127,12 @@ TEST_F(ProjectWindow, SavedStateIsReachedByUndo) {
 TEST_F(ProjectWindow, UnsavedWorkIsAskedAboutBeforeAnotherIsOpenedOrTheWindowClosed) {
     build();
     int asked = 0;
-    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::cancel; });
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::cancel; });
     window->open({QStringLiteral("sample:central-park-south")});
     EXPECT_FALSE(workbench().opening().busy());
     EXPECT_FALSE(window->close());
     EXPECT_EQ(asked, 2);
-    window->setUnsavedQuestion([] { return MainWindow::Unsaved::save; });
+    window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::save; });
     window->close();
     ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
     EXPECT_EQ(ProjectFile::open(file.toStdString()).value().project().scenarios.size(), 1U);
@@ -142,7 +142,7 @@ TEST_F(ProjectWindow, QuitAndDiscardClosesAtOnceAndForgetsTheWork) {
     build();
     keepUnsaved();
     int asked = 0;
-    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::discard; });
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::discard; });
     EXPECT_TRUE(window->close());
     EXPECT_FALSE(window->isVisible());
     EXPECT_EQ(asked, 1);
@@ -152,8 +152,8 @@ TEST_F(ProjectWindow, QuitAndDiscardClosesAtOnceAndForgetsTheWork) {
 TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
     build();
     int asked = 0;
-    MainWindow::Unsaved answer = MainWindow::Unsaved::cancel;
-    window->setUnsavedQuestion([&] { return ++asked, answer; });
+    SavingActions::Unsaved answer = SavingActions::Unsaved::cancel;
+    window->saving().setUnsavedQuestion([&] { return ++asked, answer; });
     for (int quit = 1; quit <= 3; ++quit) {
         EXPECT_FALSE(window->close());
         EXPECT_TRUE(window->isVisible());
@@ -162,7 +162,7 @@ TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
         keepUnsaved();
         EXPECT_TRUE(std::filesystem::exists(recovery()));
     }
-    answer = MainWindow::Unsaved::discard;
+    answer = SavingActions::Unsaved::discard;
     EXPECT_TRUE(window->close());
     EXPECT_FALSE(window->isVisible());
 }
@@ -173,7 +173,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     auto other = ProjectFile::open(file.toStdString()).value();
     ASSERT_TRUE(other.save(other.project()));  // saved by another program: this window's save is refused
     int asked = 0;
-    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::save; });
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::save; });
     for (int quit = 1; quit <= 2; ++quit) {
         window->panel().messages().hide();
         EXPECT_FALSE(window->close());
@@ -184,7 +184,7 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
     }
     ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
     keepUnsaved();
-    window->setUnsavedQuestion([&] { return ++asked, MainWindow::Unsaved::cancel; });
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::cancel; });
     EXPECT_FALSE(window->close());
     EXPECT_EQ(asked, 3) << "the failed quit has no later effect";
     EXPECT_TRUE(std::filesystem::exists(recovery()));
@@ -193,14 +193,14 @@ TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
 TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotClose) {
     open(QStringLiteral("sample:central-park-south"));
     ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
-    window->setUnsavedQuestion([] { return MainWindow::Unsaved::save; });
+    window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::save; });
     const QString name = folder.filePath(QStringLiteral("mine.noonmark.gpkg"));
     QString chosen;
-    window->setSaveAsQuestion([&](const QString&) { return chosen; });
+    window->saving().setSaveAsQuestion([&](const QString&) { return chosen; });
     EXPECT_FALSE(window->close());
     EXPECT_FALSE(window->saving().writing().busy());
     EXPECT_TRUE(window->isVisible());
-    window->saving().saveAs(name.toStdString());
+    window->saving().saveTo(name.toStdString());
     ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
     EXPECT_TRUE(window->isVisible()) << "cancelling the dialog cancelled the quit";
     ASSERT_TRUE(session().addLot({"Mine too", test::square({0, 0}, 10)}));
@@ -213,8 +213,8 @@ TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotCl
 TEST_F(ProjectWindow, WorkDoneWhileAQuitSavesIsAskedAboutAndACancelledSecondQuitEndsTheFirst) {
     build();
     int asked = 0;
-    window->setUnsavedQuestion(
-        [&] { return ++asked == 1 ? MainWindow::Unsaved::save : MainWindow::Unsaved::cancel; });
+    window->saving().setUnsavedQuestion(
+        [&] { return ++asked == 1 ? SavingActions::Unsaved::save : SavingActions::Unsaved::cancel; });
     EXPECT_FALSE(window->close());
     ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
     ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
@@ -411,7 +411,7 @@ TEST_F(ProjectWindow, ACityBecomesAProjectOfItsOwn) {
     EXPECT_GE(session().project().lots.size(), 7U);
     EXPECT_EQ(session().project().regions.size(), 1U);
     const QString name = folder.filePath(QStringLiteral("park.noonmark.gpkg"));
-    window->saving().saveAs(name.toStdString());
+    window->saving().saveTo(name.toStdString());
     ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
     EXPECT_EQ(ProjectFile::open(name.toStdString()).value().project().city->buildings.size(),
               session().project().city->buildings.size());
@@ -421,7 +421,7 @@ TEST_F(ProjectWindow, ASaveThatEndsAfterAnotherWasOpenedIsNotTakenForThatOnes) {
     const QString other = folder.filePath(QStringLiteral("other.noonmark.gpkg"));
     ASSERT_TRUE(ProjectFile::create(other.toStdString(), test::smallProject()));
     build();
-    const QSignalSpy saved(&window->saving(), &ProjectSaving::saved);
+    const QSignalSpy saved(&window->saving(), &SavingActions::saved);
     // The save starts just before the other project is taken and ends after it.
     QObject::connect(&workbench().opening(), &JobSlot::ended, window.get(),
                      [this] { window->saving().save(); });

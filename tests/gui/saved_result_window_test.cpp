@@ -40,7 +40,7 @@ struct AnswersWindow : ::testing::Test {
         project.scenarios.push_back({"Tower", "", {test::newTower("New", 70)}});
         ASSERT_TRUE(ProjectFile::create(file.toStdString(), project));
         window = std::make_unique<MainWindow>(settings);
-        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
         window->resize(900, 600);
         window->show();
         window->open({file});

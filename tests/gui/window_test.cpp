@@ -180,7 +180,7 @@ TEST_F(WindowTest, LegendIsDrawnWithBothEndsOfThePalette) {
 TEST_F(WindowTest, SavedPictureHoldsViewAndLegend) {
     runStudy();
     const QString file = folder.filePath(QStringLiteral("view.png"));
-    window.savePicture(file);
+    window.results().savePicture(file);
     ASSERT_TRUE(waitFor([&] { return !window.panel().messages().text().isEmpty(); }));
     const QImage picture(file);
     ASSERT_FALSE(picture.isNull());

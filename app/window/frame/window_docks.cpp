@@ -2,7 +2,6 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QMenu>
 #include <QScrollArea>
 
 #include "app/window/project/project_dock.h"
@@ -40,7 +39,7 @@ QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
 
 }  // namespace
 
-void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
+QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     const int studyWidth = docks.study->minimumSizeHint().width() + 22;
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", scrolled(docks.study, studyWidth));
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
@@ -61,8 +60,10 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     results->raise();
     window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
+    QList<QAction*> toggles;
     for (QDockWidget* dock : {project, study, results, scenarios, weights, building, tower, warnings})
-        menu.addAction(dock->toggleViewAction());
+        toggles << dock->toggleViewAction();
+    return toggles;
 }
 
 }  // namespace noonmark
