@@ -4,9 +4,9 @@
 
 #include "app/report/maps/palette.h"
 #include "app/report/maps/score_legend.h"
-#include "app/window/project/score_picture.h"
+#include "app/window/results/field_picture.h"
+#include "app/window/results/score_picture.h"
 #include "app/window/study/warnings_dock.h"
-#include "app/window/view/field_picture.h"
 #include "app/window/view/hover_text.h"
 #include "tests/gui/small_city.h"
 

@@ -16,7 +16,7 @@
 #include "app/window/frame/main_window.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/project/project_model.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
 #include "app/window/view/view_panel.h"
 #include "scenarios/project/results/save_result.h"
 #include "tests/gui/small_project.h"

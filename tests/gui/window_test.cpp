@@ -9,7 +9,7 @@
 
 #include "app/report/maps/palette.h"
 #include "app/window/frame/main_window.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
 #include "app/window/view/hover_text.h"
 #include "app/window/view/view_panel.h"
 #include "core/samples/sample_city.h"

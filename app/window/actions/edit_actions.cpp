@@ -4,8 +4,8 @@
 #include <QUndoStack>
 #include <glm/common.hpp>
 
+#include "app/window/editing/edit_tools.h"
 #include "app/window/frame/workbench.h"
-#include "app/window/massing/edit_tools.h"
 #include "app/window/project/project_dock.h"
 #include "app/window/study/warning_place.h"
 #include "app/window/study/warnings_dock.h"

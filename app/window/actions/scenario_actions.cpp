@@ -3,7 +3,7 @@
 #include "app/window/actions/make_action.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
-#include "app/window/project/scenarios_dock.h"
+#include "app/window/scenarios/scenarios_dock.h"
 
 namespace noonmark {
 

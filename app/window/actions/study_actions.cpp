@@ -3,11 +3,11 @@
 #include "app/window/actions/make_action.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
-#include "app/window/project/weights_dock.h"
 #include "app/window/results/result_display.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/view/mode_switch.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/weights/weights_dock.h"
 
 namespace noonmark {
 

@@ -1,9 +1,9 @@
 #include "app/window/actions/view_actions.h"
 
 #include "app/window/actions/make_action.h"
+#include "app/window/exploration/exploration.h"
 #include "app/window/frame/workbench.h"
 #include "app/window/project/project_dock.h"
-#include "app/window/view/exploration.h"
 #include "app/window/view/view_panel.h"
 
 namespace noonmark {

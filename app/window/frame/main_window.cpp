@@ -11,13 +11,13 @@
 
 #include "app/window/frame/window_menus.h"
 #include "app/window/project/project_dock.h"
-#include "app/window/project/scenario_bar.h"
-#include "app/window/project/scenarios_dock.h"
-#include "app/window/project/weights_dock.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/scenarios/scenario_bar.h"
+#include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/view/view_panel.h"
+#include "app/window/weights/weights_dock.h"
 #include "app/window/widgets/progress_strip.h"
 
 namespace noonmark {

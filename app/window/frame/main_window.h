@@ -19,13 +19,13 @@
 #include "app/window/actions/scenario_actions.h"
 #include "app/window/actions/study_actions.h"
 #include "app/window/actions/view_actions.h"
+#include "app/window/editing/edit_tools.h"
+#include "app/window/exploration/exploration.h"
 #include "app/window/frame/window_docks.h"
 #include "app/window/frame/window_view.h"
 #include "app/window/frame/workbench.h"
-#include "app/window/massing/edit_tools.h"
 #include "app/window/results/result_display.h"
 #include "app/window/time/time_display.h"
-#include "app/window/view/exploration.h"
 #include "app/window/view/mode_switch.h"
 
 class QLabel;

@@ -5,11 +5,11 @@
 #include <QScrollArea>
 
 #include "app/window/project/project_dock.h"
-#include "app/window/project/scenarios_dock.h"
-#include "app/window/project/weights_dock.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
+#include "app/window/weights/weights_dock.h"
 
 namespace noonmark {
 

@@ -9,7 +9,7 @@
 #include "app/report/maps/change_scale.h"
 #include "app/window/project/open_project.h"
 #include "app/window/project/project_session.h"
-#include "app/window/project/shown_result.h"
+#include "app/window/results/shown_result.h"
 #include "app/window/study/job_slot.h"
 #include "app/window/study/open_city.h"
 #include "app/window/study/run_estimate.h"

@@ -1,13 +1,13 @@
 #include "app/window/results/result_display.h"
 
-#include "app/window/massing/edit_preview.h"
-#include "app/window/project/comparison_rows.h"
-#include "app/window/project/scenario_table.h"
-#include "app/window/project/score_rows.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/editing/edit_preview.h"
+#include "app/window/results/comparison_rows.h"
+#include "app/window/results/result_layer.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/results/score_rows.h"
+#include "app/window/scenarios/scenario_table.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/view/mode_switch.h"
-#include "app/window/view/result_layer.h"
 
 namespace noonmark {
 

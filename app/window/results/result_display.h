@@ -1,5 +1,10 @@
 #pragma once
 
+// What the window shows of results. ResultDisplay chooses the result and fills the docks; ResultLayer shows
+// it on the ground of the view, ResultsDock its figures. GroundAnswer turns any result into colours, legend
+// and text (field_picture, impact_picture, score_picture), the *_rows files into figures, month_chart into
+// charts; shown_result does both for saved results.
+
 #include <QObject>
 
 #include "app/window/frame/workbench.h"

@@ -3,9 +3,9 @@
 #include <QObject>
 #include <memory>
 
+#include "app/window/live/shared_horizon_cache.h"
 #include "app/window/study/job_slot.h"
 #include "app/window/time/time_look.h"
-#include "app/window/view/shared_horizon_cache.h"
 #include "core/study/study.h"
 
 namespace noonmark {
