@@ -34,7 +34,6 @@ public:
     void report(double, std::string_view) override {
         if (tired()) stop_.request_stop();
     }
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override {
         if (tired()) stop_.request_stop();
         const std::scoped_lock lock(mutex_);

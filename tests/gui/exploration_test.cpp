@@ -176,7 +176,6 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
 class Onlooker final : public Progress, public PartialSink {
 public:
     void report(double, std::string_view) override {}
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override { return true; }
     void take(PartialField partial) override { seen.push_back(std::move(partial)); }
     std::vector<PartialField> seen;
