@@ -89,11 +89,11 @@ TEST_F(FieldShown, HoverNamesTheBuilding) {
 
 TEST(WarningsDock, GroupsWithIds) {
     WarningsDock dock;
-    dock.show({{WarningKind::mended, "outline crossed itself", "way 1"},
+    dock.show({{WarningKind::repaired, "outline crossed itself", "way 1"},
                {WarningKind::leftOut, "underground", "way 2"},
-               {WarningKind::mended, "outline crossed itself", "way 3"}});
+               {WarningKind::repaired, "outline crossed itself", "way 3"}});
     ASSERT_EQ(dock.topLevelItemCount(), 2);
-    EXPECT_TRUE(dock.topLevelItem(0)->text(0).startsWith(QStringLiteral("2 mended")));
+    EXPECT_TRUE(dock.topLevelItem(0)->text(0).startsWith(QStringLiteral("2 repaired")));
     EXPECT_EQ(dock.topLevelItem(0)->child(1)->text(0), QStringLiteral("way 3"));
 }
 

@@ -171,7 +171,7 @@ TEST_F(OpenOptionsTest, WhatOptionsCannotMendOffersNone) {
     EXPECT_FALSE(remedy->isVisible());
 }
 
-TEST_F(OpenOptionsTest, AWrongCoordinateSystemIsMendedWhereItWasStated) {
+TEST_F(OpenOptionsTest, AWrongCoordinateSystemIsCorrectedWhereItWasStated) {
     ReadSettings reading;
     reading.crs = "EPSG:none";
     const QString ground = written("ground.asc",

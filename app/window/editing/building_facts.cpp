@@ -10,7 +10,7 @@ namespace noonmark {
 
 namespace {
 
-QString sourceWords(HeightSource source) {
+QString describeSource(HeightSource source) {
     switch (source) {
         case HeightSource::measured:
             return QObject::tr("measured");
@@ -41,7 +41,7 @@ BuildingFacts collectFacts(const Building& building, const City& city) {
     facts.heightM = double(heightM(building, city));
     facts.parts = building.parts.size();
     const auto highest = std::ranges::max_element(building.parts, {}, &Part::topM);
-    if (highest != building.parts.end()) facts.heightSource = sourceWords(highest->heightSource);
+    if (highest != building.parts.end()) facts.heightSource = describeSource(highest->heightSource);
     facts.storeys = int(facts.heightM / usualStoreyM + 0.5);
     if (const auto mass = massOf(building, city)) {
         facts.planM2 = computeArea(mass->plate);

@@ -23,7 +23,7 @@ namespace noonmark {
 
 namespace {
 
-QString estimateWords(int storeys) {
+QString describeEstimate(int storeys) {
     if (storeys == 0) return {};
     return QObject::tr("; mesh is open: %1 estimated").arg(describeStoreys(storeys));
 }
@@ -42,7 +42,7 @@ QString makeRows(const BuildingFacts& facts) {
            row(QObject::tr("Plan"), describeArea(facts.planM2)) +
            row(QObject::tr("Floor area"), groupDigits(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
                                               QObject::tr(" of %1 m").arg(usualStoreyM) +
-                                              estimateWords(facts.estimatedStoreys)) +
+                                              describeEstimate(facts.estimatedStoreys)) +
            QStringLiteral("</table>");
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 QString groupDigits(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
 
-QString stepWords(std::size_t steps) {
+QString describeStep(std::size_t steps) {
     return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(groupDigits(steps));
 }
 
@@ -25,14 +25,15 @@ std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std
 QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
     switch (engine) {
         case LiveEngine::shadows:
-            return QObject::tr("With the proposal: exact at %1").arg(stepWords(steps));
+            return QObject::tr("With the proposal: exact at %1").arg(describeStep(steps));
         case LiveEngine::moments:
             return QObject::tr("With the proposal: exact at %1 of %2 steps")
                 .arg(groupDigits(counted), groupDigits(steps));
         case LiveEngine::horizons:
             break;
     }
-    const QString words = QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(stepWords(steps));
+    const QString words =
+        QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(describeStep(steps));
     return runs ? words : QObject::tr("%1; continuous shadow follows").arg(words);
 }
 

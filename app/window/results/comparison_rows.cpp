@@ -12,7 +12,7 @@ namespace {
 
 QString tr(const char* text) { return QObject::tr(text); }
 
-QString signedWords(double value, int decimals, const QString& unit) {
+QString describeSigned(double value, int decimals, const QString& unit) {
     return (value > 0 ? QStringLiteral("+") : QString()) + describeAmount(value, decimals) + unit;
 }
 
@@ -59,14 +59,14 @@ std::vector<ResultRow> makeComparisonRows(const ComparisonFigures& figures) {
         {tr("Any change"),
          tr("%1 more\n%2 less").arg(describeArea(all.gross.touchedM2), describeArea(all.gross.easedM2)),
          tr("Ground with any change of gross shadow")});
-    rows.push_back({tr("Largest increase"), signedWords(all.gross.mostGainedMin, 1, tr(" min a day")),
+    rows.push_back({tr("Largest increase"), describeSigned(all.gross.mostGainedMin, 1, tr(" min a day")),
                     tr("The cell with the largest increase of gross shadow")});
-    rows.push_back({tr("Largest decrease"), signedWords(-all.gross.mostLostMin, 1, tr(" min a day")),
+    rows.push_back({tr("Largest decrease"), describeSigned(-all.gross.mostLostMin, 1, tr(" min a day")),
                     tr("The cell with the largest decrease of gross shadow")});
-    rows.push_back({tr("Mean change"), signedWords(all.gross.meanMin, 2, tr(" min a day")),
+    rows.push_back({tr("Mean change"), describeSigned(all.gross.meanMin, 2, tr(" min a day")),
                     tr("Mean change of gross shadow over all cells that are open ground in both")});
     rows.push_back(
-        {tr("Shadow area"), signedWords(all.shadowAreaChangeM2, 0, QStringLiteral(" m²")),
+        {tr("Shadow area"), describeSigned(all.shadowAreaChangeM2, 0, QStringLiteral(" m²")),
          tr("Change of the sum over the cells of (share of the sunlit time in shadow × cell area)")});
     rows.push_back({tr("Built over"), describeArea(all.becameBuildingM2),
                     tr("Formerly ground, now building; not included above")});

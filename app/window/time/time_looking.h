@@ -49,7 +49,7 @@ private:
     std::shared_ptr<SharedHorizonCache> horizons_;
     std::shared_ptr<const Study> study_;
     TimeLook look_;
-    TimeLook asked_;  // the last one computed or being computed
+    TimeLook computed_;  // the last one computed or being computed
     std::shared_ptr<const TimeAnswer> answer_;
     JobSlot slot_;
 };

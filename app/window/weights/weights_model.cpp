@@ -27,7 +27,7 @@ constexpr ColumnWords columns[] = {
     {"weight", "Weight", "-1 (shadow unwanted) to 1 (shade wanted)"},
 };
 
-QString dayWords(std::chrono::month_day day) {
+QString describeDay(std::chrono::month_day day) {
     const QLocale english(QLocale::English);
     return QStringLiteral("%1 %2")
         .arg(unsigned(day.day()))
@@ -35,8 +35,8 @@ QString dayWords(std::chrono::month_day day) {
 }
 
 QString shownText(const WeightedInterval& interval, int column) {
-    if (column == WeightsModel::firstDay) return dayWords(interval.first);
-    if (column == WeightsModel::lastDay) return dayWords(interval.last);
+    if (column == WeightsModel::firstDay) return describeDay(interval.first);
+    if (column == WeightsModel::lastDay) return describeDay(interval.last);
     return QString::fromStdString(textsOf(interval).at(columns[column].key));
 }
 

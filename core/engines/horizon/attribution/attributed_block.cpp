@@ -34,12 +34,12 @@ void clearBlock(const ReceiverBlocks::Masks& masks, AttributedHorizons& horizons
 }
 
 NOONMARK_EVERY_ISA
-void raiseBlock(const WallOnBlock& wall, const BlockRows& lines, AttributedHorizons& horizons) {
-    const RowRange range = linesOf(wall, lines);
-    for (int line = range.first; line < range.end; ++line)
-        raiseLine(wall, lines.shifts[std::size_t(line)], lines.alongs[std::size_t(line)],
-                  lanesOf(horizons.grounds[line]), lanesOf(horizons.lines[line]),
-                  lanesOf(horizons.buildings[line]), lanesOf(horizons.others[line]));
+void raiseBlock(const WallOnBlock& wall, const BlockRows& rows, AttributedHorizons& horizons) {
+    const RowRange range = linesOf(wall, rows);
+    for (int row = range.first; row < range.end; ++row)
+        raiseLine(wall, rows.shifts[std::size_t(row)], rows.alongs[std::size_t(row)],
+                  lanesOf(horizons.grounds[row]), lanesOf(horizons.lines[row]),
+                  lanesOf(horizons.buildings[row]), lanesOf(horizons.others[row]));
 }
 
 void toCodes(const AttributedHorizons& horizons, HorizonCode lowest, AttributedCodes& codes) {

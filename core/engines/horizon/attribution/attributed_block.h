@@ -22,7 +22,7 @@ struct AttributedCodes {
 /// As for BlockHorizons. If two buildings give equally steep horizons, the cell is attributed to the first
 /// one processed.
 void clearBlock(const ReceiverBlocks::Masks& masks, AttributedHorizons& horizons);
-void raiseBlock(const WallOnBlock& wall, const BlockRows& lines, AttributedHorizons& horizons);
+void raiseBlock(const WallOnBlock& wall, const BlockRows& rows, AttributedHorizons& horizons);
 void toCodes(const AttributedHorizons& horizons, HorizonCode lowest, AttributedCodes& codes);
 
 }  // namespace noonmark

@@ -10,11 +10,11 @@ namespace noonmark {
 void BatchHorizons::begin(std::span<const SweptBin> bins, double cellM) {
     lanes_.emplace(bins, cellM);
     lowest_.clear();
-    lines_.clear();
+    rows_.clear();
     for (const SweptBin& bin : bins) {
         const ShadowAxes axes(bin.away);
         lowest_.push_back(bin.lowest);
-        lines_.emplace_back(axes.k, axes.sign);
+        rows_.emplace_back(axes.k, axes.sign);
     }
 }
 
@@ -81,7 +81,7 @@ void BatchHorizons::raise(std::size_t bin, const ReceiverBlocks::Masks& masks) {
     if ((raised_ >> bin & 1U) == 0) clearBlock(masks, horizons_[bin]);
     raised_ |= 1U << bin;
     const std::span<const WallOnBlock> walls(waiting_[bin].walls.data(), waiting_[bin].count);
-    cots_[bin] = std::min(lanes_->cotOfLowest[bin], raiseBlock(walls, lines_[bin], horizons_[bin]));
+    cots_[bin] = std::min(lanes_->cotOfLowest[bin], raiseBlock(walls, rows_[bin], horizons_[bin]));
     waiting_[bin].count = 0;
 }
 

@@ -45,7 +45,7 @@ private:
 
     std::optional<BatchLanes> lanes_;
     std::vector<HorizonCode> lowest_;           // code of each bin's lowest sun
-    std::vector<BlockRows> lines_;              // one per bin
+    std::vector<BlockRows> rows_;               // one per bin
     alignas(64) float cots_[BatchLanes::most];  // of each bin's lowest relevant horizon
     std::array<Waiting, BatchLanes::most> waiting_;
     unsigned raised_ = 0;                       // bins with raised horizons, as bits

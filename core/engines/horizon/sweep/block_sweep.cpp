@@ -33,7 +33,7 @@ void BlockSweep::begin(const WallList& walls, const Obstacles& obstacles, glm::d
                        const std::stop_token& stop) {
     const ShadowAxes axes(away);
     axes_ = axes;
-    lines_ = BlockRows(axes.k, axes.sign);
+    rows_ = BlockRows(axes.k, axes.sign);
     const SweptBin bin{away, lowest};
     batch_.begin({&bin, 1}, cellM);
     lowest_ = lowest;
@@ -58,13 +58,13 @@ bool BlockSweep::raise(const ReceiverBlocks::Block& block, const ReceiverBlocks:
     findNeed(seenOver(horizons), horizons.grounds, level, need_);
     bool any = false;
     for (; row < walls_.rows(); ++row) {
-        const float least = findLeastRise(need_, lines_, float(place.along - walls_.highestAlong(row)));
+        const float least = findLeastRise(need_, rows_, float(place.along - walls_.highestAlong(row)));
         if (walls_.tallest(row, bands) <= least) break;
         if (walls_.tallestIn(row, bands) <= least) continue;
         bool raised = false;
         for (const WallPiece& piece : walls_.pieces(row, bands)) {
             if (piece.highQ <= place.lowQ || piece.lowQ >= place.highQ || piece.highRise <= least) continue;
-            raiseBlock(onBlock(piece, place, axes_.k), lines_, horizons);
+            raiseBlock(onBlock(piece, place, axes_.k), rows_, horizons);
             raised = any = true;
         }
         if (raised) findNeed(seenOver(horizons), horizons.grounds, level, need_);

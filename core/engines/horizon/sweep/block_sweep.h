@@ -40,7 +40,7 @@ private:
 
     BinWalls walls_;
     ShadowAxes axes_{{0, 1}};
-    BlockRows lines_{0, 1};
+    BlockRows rows_{0, 1};
     HorizonCode lowest_ = 0;
     bool even_ = true;  // only prisms on level ground: the fast path
     float risePerMetre_ = 0;

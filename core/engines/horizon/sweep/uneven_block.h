@@ -15,7 +15,7 @@ void setGrounds(const BlockGround& ground, float risePerMetre, Floats16* grounds
 
 /// As for BlockHorizons; cells above the edge are not changed. On level ground and below level edges it gives
 /// the same bits.
-void raiseBlock(const WallOnBlock& wall, const BlockRows& lines, UnevenHorizons& horizons);
+void raiseBlock(const WallOnBlock& wall, const BlockRows& rows, UnevenHorizons& horizons);
 
 /// How high an obstacle must reach to be seen from a block's cells above their current horizons.
 struct BlockNeed {
@@ -28,7 +28,7 @@ void findNeed(const Floats16* cots, const Floats16* grounds, float lowest, Block
 
 /// The smallest rise, less a margin for rounding, at which some cell can see an obstacle `distance` or more
 /// before the block's first row (in `along`; negative: behind it). 20 ns.
-float findLeastRise(const BlockNeed& need, const BlockRows& lines, float distance);
+float findLeastRise(const BlockNeed& need, const BlockRows& rows, float distance);
 
 /// The horizon that an edge gives the cells of a row; the same operations as for level walls.
 struct EdgeHorizon {
