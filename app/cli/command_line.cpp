@@ -51,8 +51,8 @@ int parseAndRun(CLI::App& app, const Run& run, int argc, const char* const* argv
     }
     try {
         app.parse(argc, argv);
-    } catch (const CLI::Success& asked) {  // --help, --version
-        return app.exit(asked, console.out, console.err);
+    } catch (const CLI::Success& information) {  // --help, --version
+        return app.exit(information, console.out, console.err);
     } catch (const CLI::ParseError& error) {
         say(console, reasonOf(error, app, argc, argv) + " (--help shows the options)");
         return exitUsage;

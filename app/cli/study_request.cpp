@@ -26,8 +26,8 @@ Result<Period> periodOfFiles(const StudyOptions& options) {
                    "Give --start DATE, or a project file");
 }
 
-Result<StudyRequest> askedOfFiles(const StudyOptions& options, Progress& progress,
-                                  const std::stop_token& stop) {
+Result<StudyRequest> requestOfFiles(const StudyOptions& options, Progress& progress,
+                                    const std::stop_token& stop) {
     if (!options.scenario.empty())
         return failure("Only a project has scenarios", "--scenario " + options.scenario,
                        "Give one project file, NAME.noonmark.gpkg");
@@ -43,7 +43,7 @@ Result<StudyRequest> askedOfFiles(const StudyOptions& options, Progress& progres
     return StudyRequest{*std::move(loaded), std::move(settings), std::nullopt};
 }
 
-Result<StudyRequest> askedOfProject(const StudyOptions& options) {
+Result<StudyRequest> requestOfProject(const StudyOptions& options) {
     const std::string& file = options.read.files.front();
     if (auto alone = checkProjectAlone(options.read); !alone) return tl::make_unexpected(alone.error());
     const Stopwatch watch;
@@ -73,10 +73,10 @@ Result<void> checkBeforeReading(const StudyOptions& options, const std::vector<s
         .and_then([&](const auto&) { return checkOutputs(options.out, files, outputRulesOf(options, {})); });
 }
 
-bool needsRegionFile(const StudyRequest& asked) {
-    const Region& region = asked.settings.region;
-    return (asked.provenance ? asked.provenance->region : formatRegion(region, asked.loaded.read.city)) ==
-           regionFileName;
+bool needsRegionFile(const StudyRequest& request) {
+    const Region& region = request.settings.region;
+    return (request.provenance ? request.provenance->region
+                               : formatRegion(region, request.loaded.read.city)) == regionFileName;
 }
 
 }  // namespace
@@ -92,26 +92,26 @@ tl::expected<StudyRequest, Failure> parseStudyRequest(const StudyOptions& option
                                                       const std::stop_token& stop) {
     if (auto may = orCode(checkBeforeReading(options, files), exitUsage); !may)
         return tl::make_unexpected(may.error());
-    auto asked =
-        orCode(namesProject(options.read) ? askedOfProject(options) : askedOfFiles(options, progress, stop),
-               exitUsage);
-    if (!asked) return asked;
-    if (needsRegionFile(*asked)) files.emplace_back(regionFileName);
-    const OutputRules rules = outputRulesOf(options, asked->loaded.inputs);
+    auto request = orCode(
+        namesProject(options.read) ? requestOfProject(options) : requestOfFiles(options, progress, stop),
+        exitUsage);
+    if (!request) return request;
+    if (needsRegionFile(*request)) files.emplace_back(regionFileName);
+    const OutputRules rules = outputRulesOf(options, request->loaded.inputs);
     if (auto may = orCode(checkOutputs(options.out, files, rules), exitUsage); !may)
         return tl::make_unexpected(may.error());
     if (auto folder = orCode(prepareFolder(options.out), exitFailed); !folder)
         return tl::make_unexpected(folder.error());
-    return asked;
+    return request;
 }
 
-Provenance provenanceOf(const StudyRequest& asked) {
-    return asked.provenance ? *asked.provenance : provenanceOf(asked.loaded);
+Provenance provenanceOf(const StudyRequest& request) {
+    return request.provenance ? *request.provenance : provenanceOf(request.loaded);
 }
 
-void addSource(Study& study, const StudyRequest& asked) {
-    addReading(study, asked.loaded);
-    study.provenance = provenanceOf(asked);
+void addSource(Study& study, const StudyRequest& request) {
+    addReading(study, request.loaded);
+    study.provenance = provenanceOf(request);
 }
 
 }  // namespace noonmark::cli

@@ -31,10 +31,10 @@ struct StudyRequest {
     std::optional<Provenance> provenance;  ///< for a scenario of a project
 };
 
-Provenance provenanceOf(const StudyRequest& asked);
+Provenance provenanceOf(const StudyRequest& request);
 
 /// Adds the time and warnings of reading, and the provenance of the city.
-void addSource(Study& study, const StudyRequest& asked);
+void addSource(Study& study, const StudyRequest& request);
 
 /// Reads the city and the region and checks the output folder, so that all errors in the input appear before
 /// the computation. `files`: names of the output files, except region.geojson.

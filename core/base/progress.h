@@ -4,8 +4,6 @@
 
 namespace noonmark {
 
-class PartialSink;  // core/engines/api/partial_field.h
-
 /// Receives the progress of long work. Passed together with a std::stop_token, which requests cancellation.
 class Progress {
 public:
@@ -14,10 +12,6 @@ public:
     /// `fraction` of the stage done, 0 to 1; `stage` is shown to the user ("tracing rays").
     /// Called from any thread, several at a time; implementations must be thread-safe and quick.
     virtual void report(double fraction, std::string_view stage) = 0;
-
-    /// The sink that displays partial results while the work runs; null if there is none. It outlives the
-    /// work.
-    virtual PartialSink* partials() { return nullptr; }
 };
 
 /// Discards all progress.

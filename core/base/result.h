@@ -33,8 +33,8 @@ struct Error {
     [[nodiscard]] std::string text() const;
 };
 
-/// A value, or the reason why there is none. Functions do not throw across their interface. Nobody may ignore
-/// one: tl::expected, which has the contract of all its functions, is not [[nodiscard]] by itself.
+/// A value, or the reason why there is none. Functions do not throw across their interface. It must not be
+/// ignored: tl::expected, which has the contract of all its functions, is not [[nodiscard]] by itself.
 template <class T>
 class [[nodiscard]] Result : public tl::expected<T, Error> {
 public:

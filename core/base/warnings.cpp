@@ -11,8 +11,8 @@ namespace noonmark {
 
 std::string_view nameOf(WarningKind kind) {
     switch (kind) {
-        case WarningKind::mended:
-            return "mended";
+        case WarningKind::repaired:
+            return "repaired";
         case WarningKind::clipped:
             return "clipped";
         case WarningKind::dropped:

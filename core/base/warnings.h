@@ -9,11 +9,11 @@ namespace noonmark {
 
 /// What was done to a feature that could not be used unchanged.
 enum class WarningKind {
-    mended,   ///< its geometry was repaired
-    clipped,  ///< a piece of it was cut away
-    dropped,  ///< it could not be used at all
-    leftOut,  ///< it was left out on purpose (underground, far away)
-    assumed,  ///< a value was missing or unreadable, and a stated default is used
+    repaired,  ///< its geometry was faulty and could be put right
+    clipped,   ///< a piece of it was cut away
+    dropped,   ///< it could not be used at all
+    leftOut,   ///< it was left out on purpose (underground, far away)
+    assumed,   ///< a value was missing or unreadable, and a stated default is used
 };
 std::string_view nameOf(WarningKind kind);
 
@@ -37,7 +37,7 @@ struct WarningGroup {
 /// Groups in order of first appearance. O(n log n).
 std::vector<WarningGroup> groupWarnings(const Warnings& warnings);
 
-/// "28 mended: outline crossed itself (way 264768896, way 3, ...)"; lists at most `most` locations.
+/// "28 repaired: outline crossed itself (way 264768896, way 3, ...)"; lists at most `most` locations.
 std::string lineOf(const WarningGroup& group, std::size_t most = 3);
 
 }  // namespace noonmark

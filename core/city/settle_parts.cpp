@@ -38,7 +38,7 @@ float lowestTop(const Parts& carriers) {
 
 void lower(Part& part, float bottomM, Warnings& warnings) {
     part.bottomM = bottomM;
-    warnings.push_back({WarningKind::mended, "a low gap under a raised part was closed", part.sourceId});
+    warnings.push_back({WarningKind::repaired, "a low gap under a raised part was closed", part.sourceId});
 }
 
 void settle(Part& part, const Parts& standing, const SettleRules& rules, Warnings& warnings) {

@@ -13,7 +13,7 @@ namespace noonmark {
 /// underside below all of its footprint (except 5 % of it and 0.5 m2). Otherwise:
 /// - If the gap to the parts that would carry it is at most `carryGapM`, or the gap to the ground at most
 ///   `groundGapM`, its underside is lowered to close the gap: mapped heights seldom match, and light would
-///   pass through a slit that does not exist. Each gives a warning (mended).
+///   pass through a slit that does not exist. Each gives a warning (repaired).
 /// - Otherwise it becomes an overhang.
 ///
 /// Parts with `isOverhanging` already set are left unchanged and carry nothing.

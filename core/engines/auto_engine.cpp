@@ -65,6 +65,10 @@ EstimatedSeconds estimateSeconds(const EngineLoad& load) {
             .horizon = bins * sweepOfABin + (load.runs ? receivers * steps * 5e-12 : 0)};
 }
 
+EngineCapabilities AutoEngine::capabilities() const {
+    return combineForChoice({RayReference::able, ProjectedShadows::able, HorizonSweep::able});
+}
+
 // The exact engine where it takes no longer than the sweep, or not long; else the sweep.
 std::optional<EngineChoice> AutoEngine::choose(std::span<const City* const> cities,
                                                const Receivers& receivers, const SunSteps& sun) const {

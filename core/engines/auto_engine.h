@@ -1,8 +1,7 @@
 #pragma once
 
 // What sits above the single engines. core_engines.cpp lists all engines with their options
-// (api/engine_registry.h), engine_ground.h states which of them need level ground, and auto_engine.h chooses
-// one by its expected run time.
+// (api/engine_registry.h), and auto_engine.h chooses one by its expected run time.
 
 #include <memory>
 #include <span>
@@ -50,13 +49,8 @@ class AutoEngine final : public Engine {
 public:
     explicit AutoEngine(HorizonSweepSettings sweep = {}) : sweep_(sweep) {}
     [[nodiscard]] std::string_view name() const override { return "The automatic choice"; }
-    [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
-    static constexpr EngineCapabilities able{.terrain = true,
-                                             .roofs = true,
-                                             .sets = true,
-                                             .attribution = true,
-                                             .cache = true,
-                                             .choosesEngine = true};
+    /// Derived from those of the engines it chooses among.
+    [[nodiscard]] EngineCapabilities capabilities() const override;
 
     [[nodiscard]] std::optional<EngineChoice> choose(std::span<const City* const> cities,
                                                      const Receivers& receivers,

@@ -93,7 +93,7 @@ EngineEntry autoEngine() {
     return {{"auto", "Automatic",
              "Projected shadows, the horizon sweep or rays: the exact one where it is quick, and the result "
              "says which and why",
-             AutoEngine::able, 24, sweepOptions()},
+             AutoEngine().capabilities(), 24, sweepOptions()},
             [](const EngineSettings& settings) -> Made {
                 return std::make_unique<AutoEngine>(readSweepSettings(settings));
             }};

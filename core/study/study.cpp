@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <new>
 #include <utility>
 
+#include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/city/city_observer.h"
 #include "core/receivers/roof_receivers.h"
@@ -131,8 +131,10 @@ SunFrameFacts computeSunFrame(const City& city, const StudySettings& settings) {
 
 Observer makeObserver(const Study& study) { return makeObserver(study.city, study.settings); }
 
-Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
-                       std::stop_token stop, const EngineList& engines) try {
+namespace {
+
+Result<Study> answer(const City& city, const StudySettings& settings, Progress& progress,
+                     const std::stop_token& stop, const EngineList& engines) {
     const Stopwatch watch;
     const auto period = validate(settings.period);
     if (!period) return tl::make_unexpected(period.error());
@@ -153,9 +155,14 @@ Result<Study> runStudy(const City& city, const StudySettings& settings, Progress
         if (auto done = measureError(study, progress, stop); !done) return tl::make_unexpected(done.error());
     study.seconds["total"] = watch.seconds();
     return study;
-} catch (const std::bad_alloc&) {
-    return limitReached("There is not enough memory for this study", "",
-                        "Choose larger cells, a smaller region or fewer steps");
+}
+
+}  // namespace
+
+Result<Study> runStudy(const City& city, const StudySettings& settings, Progress& progress,
+                       std::stop_token stop, const EngineList& engines) {
+    return guardMemory({.advice = "Choose larger cells, a smaller region or fewer steps"},
+                       [&] { return answer(city, settings, progress, stop, engines); });
 }
 
 }  // namespace noonmark

@@ -36,8 +36,8 @@ Window fillWindow(Instant from, double minutes, double stepMinutes) {
     constexpr double rounding = 1e-6;  // as a share of a step: 6 h of 0.1 min are 3600 steps
     if (!(minutes > rounding * stepMinutes)) return {from};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(minutes / stepMinutes));
-    const double asked = double(steps) * stepMinutes;
-    return {from, std::abs(asked - minutes) <= rounding * stepMinutes ? asked : minutes, steps};
+    const double chosen = double(steps) * stepMinutes;
+    return {from, std::abs(chosen - minutes) <= rounding * stepMinutes ? chosen : minutes, steps};
 }
 
 /// If there is no sunrise or sunset because the sun stays up, the civil day bounds the window.
@@ -146,8 +146,8 @@ void weigh(SunSteps& sun, std::span<const Days::Steps> days, double stepMinutes)
         steps += day.window.steps;
     }
     const double mean = steps == 0 ? stepMinutes : sun.windowMinutes / double(steps);
-    const bool asAsked = std::abs(mean - stepMinutes) <= 1e-12 * stepMinutes;
-    sun.stepMinutes = asAsked ? stepMinutes : mean;
+    const bool asChosen = std::abs(mean - stepMinutes) <= 1e-12 * stepMinutes;
+    sun.stepMinutes = asChosen ? stepMinutes : mean;
     for (const auto& day : days) {
         const double off = double(day.window.steps) * sun.stepMinutes - day.window.minutes;
         sun.mostOffADayMin = std::max(sun.mostOffADayMin, std::abs(off));

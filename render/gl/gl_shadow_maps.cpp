@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/base/stopwatch.h"
-#include "core/engines/api/engine.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/counting/receiver_count.h"
 #include "render/gl/depth_maps.h"
@@ -146,14 +145,10 @@ Result<std::shared_ptr<const GlShadowMaps>> GlShadowMaps::make(GlPasses passes,
 Result<std::unique_ptr<IntervalScene>> GlShadowMaps::prepare(const City& city, const Receivers& receivers,
                                                              const SunSteps& directions,
                                                              std::stop_token stop) const {
-    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
-        return tl::make_unexpected(level.error());
-    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions);
+    Cost cost;
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions, cost);
     CasterFaces faces = makeCasterFaces(city, used, stop);
     if (stop.stop_requested()) return cancelled();
-    Cost cost;
-    cost.buildingsUsed = std::uint32_t(used.size());
-    cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
     return std::make_unique<GlScene>(std::move(faces), receivers, settings_, passes_, context_,
                                      std::move(cost));
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <optional>
 #include <unordered_set>
 
+#include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/receivers/roof_receivers.h"
@@ -211,11 +211,10 @@ Impact computeDifference(const ShadowField& before, const ShadowField& after,
 }
 
 Result<ImpactStudy> runImpact(const City& before, const City& after, const ImpactSettings& settings,
-                              Progress& progress, std::stop_token stop, const EngineList& engines) try {
-    return Comparison(settings, engines, progress, std::move(stop)).run(before, after);
-} catch (const std::bad_alloc&) {
-    return limitReached("There is not enough memory for this comparison", "",
-                        "Choose larger cells, a smaller region or fewer steps");
+                              Progress& progress, std::stop_token stop, const EngineList& engines) {
+    return guardMemory(
+        {.what = "this comparison", .advice = "Choose larger cells, a smaller region or fewer steps"},
+        [&] { return Comparison(settings, engines, progress, std::move(stop)).run(before, after); });
 }
 
 }  // namespace noonmark

@@ -21,7 +21,7 @@ struct MeasuredPart {
 /// and of the file: about 0.3 s for 43,000 buildings.
 Provenance provenanceOf(const Project& project, const ProjectFile* onDisk, const MeasuredPart& part);
 
-/// SHA-256 of the content on which the result depends, as contentHashWords describes. Error: an unknown
+/// SHA-256 of the content on which the result depends, as contentHashText describes. Error: an unknown
 /// scenario.
 Result<std::string> hashContent(const Project& project, const MeasuredPart& part);
 

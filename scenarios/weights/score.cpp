@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <new>
 #include <optional>
 
+#include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/receivers/rasterize.h"
 #include "core/receivers/roof_receivers.h"
@@ -107,8 +107,10 @@ Result<Score> computeScore(const City& city, const Receivers& receivers, const S
     return Scoring(city, receivers, sun, zone, weights, progress, stop).run(engine);
 }
 
-Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
-                       Progress& progress, const std::stop_token& stop, const EngineList& engines) try {
+namespace {
+
+Result<Score> placeAndScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
+                            Progress& progress, const std::stop_token& stop, const EngineList& engines) {
     if (const auto ground = checkOnGround(settings.receivers.places); !ground)
         return tl::make_unexpected(ground.error());
     const auto engine = makeEngine(settings.engine, settings.engineSettings, engines);
@@ -128,9 +130,15 @@ Result<Score> runScore(const City& city, const StudySettings& settings, const Ti
     auto score = computeScore(city, *receivers, *sun, *zone, weights, **engine, progress, stop);
     if (score && score->engineKey.empty()) score->engineKey = settings.engine;
     return score;
-} catch (const std::bad_alloc&) {
-    return limitReached("There is not enough memory for this score", "",
-                        "Choose larger cells, a smaller region or fewer steps");
+}
+
+}  // namespace
+
+Result<Score> runScore(const City& city, const StudySettings& settings, const TimeWeights& weights,
+                       Progress& progress, const std::stop_token& stop, const EngineList& engines) {
+    return guardMemory(
+        {.what = "this score", .advice = "Choose larger cells, a smaller region or fewer steps"},
+        [&] { return placeAndScore(city, settings, weights, progress, stop, engines); });
 }
 
 }  // namespace noonmark

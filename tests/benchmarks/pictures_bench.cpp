@@ -12,8 +12,8 @@
 #include <mutex>
 
 #include "app/input/all_engines.h"
+#include "app/window/exploration/view_refinement.h"
 #include "app/window/study/open_city.h"
-#include "app/window/view/view_refinement.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/api/partial_field.h"
@@ -34,7 +34,6 @@ public:
     void report(double, std::string_view) override {
         if (tired()) stop_.request_stop();
     }
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override {
         if (tired()) stop_.request_stop();
         const std::scoped_lock lock(mutex_);

@@ -29,11 +29,11 @@ struct AnswerSourceWindow : ::testing::Test {
         project.scenarios.push_back({"Tower", "", {test::newTower("New", 70)}});
         project.inputs = {{"small.gpkg", 7, "abc"}};
         project.reading = std::make_shared<const CityReading>(
-            CityReading{ReadSettings{}, {{WarningKind::mended, "outline crossed itself", "way 7"}}});
+            CityReading{ReadSettings{}, {{WarningKind::repaired, "outline crossed itself", "way 7"}}});
         const QString file = folder.filePath(QStringLiteral("small.noonmark.gpkg"));
         ASSERT_TRUE(ProjectFile::create(file.toStdString(), project));
         window = std::make_unique<MainWindow>(settings);
-        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
         window->show();
         window->open({file});
         ASSERT_TRUE(waitFor([&] { return workbench().city() != nullptr; }));

@@ -1,4 +1,4 @@
-#include "app/window/massing/edit_tools.h"
+#include "app/window/editing/edit_tools.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/window/massing/building_facts.h"
+#include "app/window/editing/building_facts.h"
+#include "app/window/editing/selection_panel.h"
 #include "app/window/massing/massing_panel.h"
-#include "app/window/massing/selection_panel.h"
 #include "scenarios/edits/apply_edits.h"
 #include "tests/gui/small_open_city.h"
 #include "tests/gui/wait_for.h"

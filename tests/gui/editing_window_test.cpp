@@ -22,7 +22,7 @@ struct EditingWindowTest : ::testing::Test {
     void SetUp() override {
         settings.setValue(QStringLiteral("unsavedFolder"), folder.path());
         window = std::make_unique<MainWindow>(settings);
-        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
         window->resize(1000, 700);
         window->show();
         window->open({QStringLiteral("sample:central-park-south")});

@@ -1,4 +1,4 @@
-#include "app/window/view/exploration.h"
+#include "app/window/exploration/exploration.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/window/view/explored_picture.h"
+#include "app/window/exploration/explored_picture.h"
 #include "core/engines/accrual/surface_accrual.h"
 #include "core/engines/ray/surface_rays.h"
 #include "tests/gui/small_open_city.h"
@@ -176,7 +176,6 @@ TEST_F(Refinement, ARunningResultTakesOverWhenItTellsMore) {
 class Onlooker final : public Progress, public PartialSink {
 public:
     void report(double, std::string_view) override {}
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override { return true; }
     void take(PartialField partial) override { seen.push_back(std::move(partial)); }
     std::vector<PartialField> seen;

@@ -1,4 +1,4 @@
-#include "app/window/massing/extrusion.h"
+#include "app/window/editing/extrusion.h"
 
 #include <gtest/gtest.h>
 

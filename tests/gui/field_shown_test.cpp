@@ -4,9 +4,9 @@
 
 #include "app/report/maps/palette.h"
 #include "app/report/maps/score_legend.h"
-#include "app/window/project/score_picture.h"
+#include "app/window/results/field_picture.h"
+#include "app/window/results/score_picture.h"
 #include "app/window/study/warnings_dock.h"
-#include "app/window/view/field_picture.h"
 #include "app/window/view/hover_text.h"
 #include "tests/gui/small_city.h"
 
@@ -89,11 +89,11 @@ TEST_F(FieldShown, HoverNamesTheBuilding) {
 
 TEST(WarningsDock, GroupsWithIds) {
     WarningsDock dock;
-    dock.show({{WarningKind::mended, "outline crossed itself", "way 1"},
+    dock.show({{WarningKind::repaired, "outline crossed itself", "way 1"},
                {WarningKind::leftOut, "underground", "way 2"},
-               {WarningKind::mended, "outline crossed itself", "way 3"}});
+               {WarningKind::repaired, "outline crossed itself", "way 3"}});
     ASSERT_EQ(dock.topLevelItemCount(), 2);
-    EXPECT_TRUE(dock.topLevelItem(0)->text(0).startsWith(QStringLiteral("2 mended")));
+    EXPECT_TRUE(dock.topLevelItem(0)->text(0).startsWith(QStringLiteral("2 repaired")));
     EXPECT_EQ(dock.topLevelItem(0)->child(1)->text(0), QStringLiteral("way 3"));
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/window/study/job_slot.h"
+#include "core/engines/api/partial_field.h"
 #include "tests/gui/wait_for.h"
 
 namespace noonmark {
@@ -86,7 +87,7 @@ TEST(Job, ReportsProgressUntilItIsDestroyed) {
 TEST(Job, HandsOverRunningResultsNewestFirst) {
     std::atomic<bool> wantedAtOnce = true;
     const IntWork work = [&](Progress& progress, const std::stop_token&) -> Result<int> {
-        PartialSink& sink = *progress.partials();
+        PartialSink& sink = *findPartialSink(progress);
         for (int i = 1; i <= 3; ++i) sink.take({{}, i / 4.0, "part"});
         wantedAtOnce = sink.wants();
         return 0;

@@ -1,4 +1,4 @@
-#include "app/window/massing/live_follower.h"
+#include "app/window/live/live_follower.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/window/massing/live_shadow.h"
+#include "app/window/live/live_shadow.h"
 
 #include <gtest/gtest.h>
 

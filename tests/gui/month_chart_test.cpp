@@ -1,4 +1,4 @@
-#include "app/window/project/month_chart.h"
+#include "app/window/results/month_chart.h"
 
 #include <gtest/gtest.h>
 

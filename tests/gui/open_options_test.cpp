@@ -171,13 +171,13 @@ TEST_F(OpenOptionsTest, WhatOptionsCannotMendOffersNone) {
     EXPECT_FALSE(remedy->isVisible());
 }
 
-TEST_F(OpenOptionsTest, AWrongCoordinateSystemIsMendedWhereItWasStated) {
+TEST_F(OpenOptionsTest, AWrongCoordinateSystemIsCorrectedWhereItWasStated) {
     ReadSettings reading;
     reading.crs = "EPSG:none";
     const QString ground = written("ground.asc",
                                    "ncols 2\nnrows 2\nxllcorner 987000\nyllcorner 217000\ncellsize 10\n"
                                    "1 2\n4 5\n");
-    window.openWith({ground}, reading);
+    window.opening().openWith({ground}, reading);
     ASSERT_TRUE(waitForMessage());
     remedy->click();
     EXPECT_EQ(options->files(), QStringList{ground});
@@ -188,7 +188,7 @@ TEST_F(OpenOptionsTest, TheStudyRepeatsWhatWasStated) {
     ReadSettings reading;
     reading.upAxis = UpAxis::z;
     reading.meshAnchor = LonLat{-73.98, 40.76};
-    window.openWith({cube()}, reading);
+    window.opening().openWith({cube()}, reading);
     ASSERT_TRUE(waitFor([this] { return window.workbench().city() != nullptr; }));
     StudySettings question = window.workbench().document().settings();
     question.region = makeRegionFromLocalBox({{-40, -40}, {40, 40}});

@@ -37,7 +37,7 @@ struct OutputWindow : ::testing::Test {
         made.inputs = {{"houses.png", 7, "abc"}};
         ASSERT_TRUE(ProjectFile::create(project.toStdString(), made));
         window = std::make_unique<MainWindow>(settings);
-        window->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
         window->show();
         window->open({project});
         ASSERT_TRUE(waitFor([&] { return workbench().city() != nullptr; }));
@@ -75,12 +75,12 @@ TEST_F(OutputWindow, APictureReplacesPicturesOnly) {
     for (const QString& victim : {input, notes, project}) {
         const QByteArray before = contentOf(victim);
         window->panel().messages().hide();
-        window->savePicture(victim);
+        window->results().savePicture(victim);
         EXPECT_THAT(message(), HasSubstr(victim.toStdString()));
         EXPECT_EQ(contentOf(victim), before);
     }
     const QString earlier = written("earlier.png", "\x89PNG\r\n\x1a\n");
-    window->savePicture(earlier);
+    window->results().savePicture(earlier);
     ASSERT_TRUE(waitFor([&] { return contentOf(earlier).size() > 1000; })) << message();
 }
 

@@ -13,7 +13,7 @@
 
 #include "app/window/project/project_dock.h"
 #include "app/window/project/project_session.h"
-#include "app/window/project/scenario_table.h"
+#include "app/window/scenarios/scenario_table.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {

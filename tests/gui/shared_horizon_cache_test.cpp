@@ -1,4 +1,4 @@
-#include "app/window/view/shared_horizon_cache.h"
+#include "app/window/live/shared_horizon_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/window/massing/building_facts.h"
+#include "app/window/editing/building_facts.h"
 #include "scenarios/edits/apply_edits.h"
 #include "scenarios/massing/lot_edits.h"
 #include "tests/gui/small_city.h"

@@ -4,7 +4,7 @@
 
 #include <QDoubleSpinBox>
 
-#include "app/window/massing/placing_panel.h"
+#include "app/window/editing/placing_panel.h"
 
 namespace noonmark {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/window/project/weights_model.h"
+#include "app/window/weights/weights_model.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <random>
 
 #include "app/window/project/project_session.h"
-#include "app/window/project/weights_dock.h"
+#include "app/window/weights/weights_dock.h"
 #include "tests/gui/small_project.h"
 
 namespace noonmark {

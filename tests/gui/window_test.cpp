@@ -9,7 +9,7 @@
 
 #include "app/report/maps/palette.h"
 #include "app/window/frame/main_window.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
 #include "app/window/view/hover_text.h"
 #include "app/window/view/view_panel.h"
 #include "core/samples/sample_city.h"
@@ -180,7 +180,7 @@ TEST_F(WindowTest, LegendIsDrawnWithBothEndsOfThePalette) {
 TEST_F(WindowTest, SavedPictureHoldsViewAndLegend) {
     runStudy();
     const QString file = folder.filePath(QStringLiteral("view.png"));
-    window.savePicture(file);
+    window.results().savePicture(file);
     ASSERT_TRUE(waitFor([&] { return !window.panel().messages().text().isEmpty(); }));
     const QImage picture(file);
     ASSERT_FALSE(picture.isNull());

@@ -50,7 +50,7 @@ TEST(StudyReport, StaysOnOnePageWithFarTooMuchToSay) {
         study.provenance.inputs.push_back(
             {std::string(200, 'n') + std::to_string(i), 1, std::string(64, 'f')});
     for (int i = 0; i < 200; ++i)
-        study.warnings.push_back({WarningKind::mended, std::string(150, 'a') + std::to_string(i), "way"});
+        study.warnings.push_back({WarningKind::repaired, std::string(150, 'a') + std::to_string(i), "way"});
     EXPECT_EQ(pagesOf(reportOf(study)), 1);
 }
 

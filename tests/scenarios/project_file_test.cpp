@@ -47,7 +47,7 @@ protected:
 
 // The part of a project that version 1 stored: no warnings of reading and no terrain source.
 Project asVersion1Holds(Project project) {
-    CityReading reading{std::nullopt, {{WarningKind::leftOut, noReadingWords, "project file"}}};
+    CityReading reading{std::nullopt, {{WarningKind::leftOut, noReadingText, "project file"}}};
     project.reading = std::make_shared<const CityReading>(reading);
     return project;
 }
@@ -192,6 +192,8 @@ TEST_F(ProjectFileTest, WarningsThatShareATextHoldItOnce) {
     Database database(file(), Database::Access::read);
     EXPECT_EQ(database.value("SELECT count(*) FROM warnings"), "4");
     EXPECT_EQ(database.value("SELECT count(*) FROM warning_texts"), "3");
+    EXPECT_EQ(database.value("SELECT count(*) FROM warning_texts WHERE kind = 'mended'"), "1")
+        << "the word of earlier versions, which still read the file";
 }
 
 TEST_F(ProjectFileTest, ReadingThatMakesNoSenseIsDamage) {

@@ -45,9 +45,9 @@ inline Project sampleProject() {
     CityReading reading;
     reading.settings->metresPerLevel = 3.1;
     reading.settings->crs = "EPSG:2263";
-    reading.warnings = {{WarningKind::mended, "outline crossed itself", "way 7"},
+    reading.warnings = {{WarningKind::repaired, "outline crossed itself", "way 7"},
                         {WarningKind::assumed, "no height", "way 1"},
-                        {WarningKind::mended, "outline crossed itself", "\"way\" 8, d'Été"},
+                        {WarningKind::repaired, "outline crossed itself", "\"way\" 8, d'Été"},
                         {WarningKind::dropped, "outline crossed itself", ""}};
     reading.heights = {{{"city.gpkg", "HAUTEUR", "height of the building", "m", 3}},
                        {{"city.gpkg", "n_d'Été", 1, 12.5, false, 4}}};

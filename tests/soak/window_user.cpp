@@ -30,7 +30,7 @@ WindowUser::WindowUser(const QString& city, unsigned seed)
       random_(seed) {
     settings_.setValue(QStringLiteral("unsavedFolder"), folder_.path());
     window_ = std::make_unique<MainWindow>(settings_);
-    window_->setUnsavedQuestion([] { return MainWindow::Unsaved::discard; });
+    window_->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
     window_->resize(1200, 800);
     window_->show();
     openAgain();

@@ -31,14 +31,15 @@ struct CityStudyOptions {
 tl::expected<TiledStudy, Failure> computed(const CityStudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    const auto asked = parseStudyRequest(options.study, {mapName, jsonName}, progress, interrupt.token());
-    if (!asked) return tl::make_unexpected(asked.error());
+    const auto request = parseStudyRequest(options.study, {mapName, jsonName}, progress, interrupt.token());
+    if (!request) return tl::make_unexpected(request.error());
     const std::filesystem::path file = std::filesystem::path(options.study.out) / mapName;
-    const FileTags tags = makeProvenanceTags(provenanceOf(*asked));
-    auto tiled = orCode(runTiledStudy(asked->loaded.read.city, {asked->settings, options.tileCells, tags},
-                                      file, progress, interrupt.token(), enginesWith(asked->settings.engine)),
-                        exitFailed);
-    if (tiled) addSource(tiled->study, *asked);
+    const FileTags tags = makeProvenanceTags(provenanceOf(*request));
+    auto tiled =
+        orCode(runTiledStudy(request->loaded.read.city, {request->settings, options.tileCells, tags}, file,
+                             progress, interrupt.token(), enginesWith(request->settings.engine)),
+               exitFailed);
+    if (tiled) addSource(tiled->study, *request);
     return tiled;
 }
 

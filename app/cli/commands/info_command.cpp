@@ -20,7 +20,7 @@ struct InfoOptions {
     bool json = false;
 };
 
-std::string sourceWords(const nlohmann::ordered_json& sources) {
+std::string describeSource(const nlohmann::ordered_json& sources) {
     std::string text;
     for (const auto& [name, count] : sources.items()) {
         if (count == 0) continue;
@@ -48,7 +48,7 @@ void print(const CityRead& read, std::ostream& out) {
     table.add("buildings", number("buildings"));
     table.add("parts", fmt::format("{} ({} overhanging)", number("parts"), number("parts_hanging")));
     table.add("triangles", number("triangles"));
-    table.add("heights of parts", sourceWords(info["height_sources"]));
+    table.add("heights of parts", describeSource(info["height_sources"]));
     for (const HeightField& field : read.heights.fields) table.add("heights from", describe(field));
     table.add("tallest", fmt::format("{:.1f} m  {}", info["tallest_m"].get<double>(),
                                      info["tallest"].get<std::string>()));

@@ -19,13 +19,14 @@ namespace {
 tl::expected<Study, Failure> computed(const StudyOptions& options, const Console& console) {
     const Interrupt interrupt;
     ProgressLine progress(console);
-    auto asked = parseStudyRequest(options, studyFileNames(options.settings, {.cellsCsv = options.cellsCsv}),
-                                   progress, interrupt.token());
-    if (!asked) return tl::make_unexpected(asked.error());
-    auto study = orCode(runStudy(asked->loaded.read.city, asked->settings, progress, interrupt.token(),
-                                 enginesWith(asked->settings.engine)),
+    auto request =
+        parseStudyRequest(options, studyFileNames(options.settings, {.cellsCsv = options.cellsCsv}), progress,
+                          interrupt.token());
+    if (!request) return tl::make_unexpected(request.error());
+    auto study = orCode(runStudy(request->loaded.read.city, request->settings, progress, interrupt.token(),
+                                 enginesWith(request->settings.engine)),
                         exitFailed);
-    if (study) addSource(*study, *asked);
+    if (study) addSource(*study, *request);
     return study;
 }
 

@@ -23,7 +23,7 @@ SheetMap mapOf(const ImpactAnswer& answer, const AnswerSource& source, ShadowMea
 
 QString describeArea(double areaM2) { return describeAmount(areaM2, 0) + QStringLiteral(" m²"); }
 
-QString signedWords(double value, int decimals, const char* unit) {
+QString describeSigned(double value, int decimals, const char* unit) {
     return (value > 0 ? QStringLiteral("+") : QString()) + describeAmount(value, decimals) +
            QString::fromUtf8(unit);
 }
@@ -40,7 +40,7 @@ std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
     const ComparisonFigures all = computeFigures(answer);
     const ImpactFigures& first = all.all.front();
     std::vector<Figure> figures{
-        {QStringLiteral("Shadow area"), signedWords(first.shadowAreaChangeM2, 0, " m²")}};
+        {QStringLiteral("Shadow area"), describeSigned(first.shadowAreaChangeM2, 0, " m²")}};
     for (const ImpactFigures& one : all.all) addThreshold(figures, "Gross", one.thresholdMin, one.gross);
     if (hasRuns(answer.study.total))
         for (const ImpactFigures& one : all.all)
@@ -50,9 +50,10 @@ std::vector<Figure> figuresOfSheet(const ImpactAnswer& answer) {
     figures.push_back({QStringLiteral("More gross shadow, any"), describeArea(first.gross.touchedM2)});
     figures.push_back({QStringLiteral("Less gross shadow, any"), describeArea(first.gross.easedM2)});
     figures.push_back(
-        {QStringLiteral("Largest gain"), signedWords(first.gross.mostGainedMin, 1, " min/day")});
-    figures.push_back({QStringLiteral("Largest loss"), signedWords(-first.gross.mostLostMin, 1, " min/day")});
-    figures.push_back({QStringLiteral("Mean change"), signedWords(first.gross.meanMin, 2, " min/day")});
+        {QStringLiteral("Largest increase"), describeSigned(first.gross.mostGainedMin, 1, " min/day")});
+    figures.push_back(
+        {QStringLiteral("Largest decrease"), describeSigned(-first.gross.mostLostMin, 1, " min/day")});
+    figures.push_back({QStringLiteral("Mean change"), describeSigned(first.gross.meanMin, 2, " min/day")});
     figures.push_back({QStringLiteral("Ground compared"), describeArea(first.receiverAreaM2)});
     figures.push_back({QStringLiteral("Built over"), describeArea(first.becameBuildingM2)});
     figures.push_back({QStringLiteral("Now ground"), describeArea(first.becameGroundM2)});

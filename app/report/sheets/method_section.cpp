@@ -13,7 +13,7 @@ namespace noonmark {
 
 namespace {
 
-QString engineWords(const Study& study) {
+QString describeEngine(const Study& study) {
     QString words = QStringLiteral("Engine: %1.").arg(QString::fromStdString(study.field.engine));
     if (study.byReference())
         words += QStringLiteral(
@@ -22,7 +22,7 @@ QString engineWords(const Study& study) {
     return words;
 }
 
-QString receiverWords(const Study& study) {
+QString describeReceiver(const Study& study) {
     const ReceiverPlaces places = study.settings.receivers.places;
     if (places != ReceiverPlaces::ground)
         return QStringLiteral("Receivers: centres of square cells of %1 m on %2, inside the region.")
@@ -34,7 +34,7 @@ QString receiverWords(const Study& study) {
         .arg(describeAmount(study.field.grid.cellM, 2), ground);
 }
 
-QString terrainWords(const Study& study) {
+QString describeTerrain(const Study& study) {
     QString words =
         QStringLiteral("Terrain: %1.").arg(QString::fromStdString(formatText(*study.city.terrain)));
     if (const std::string beyond = formatText(study.terrainCoverage); !beyond.empty())
@@ -43,11 +43,11 @@ QString terrainWords(const Study& study) {
 }
 
 // States that the step length was adjusted so that whole steps fill the hours.
-QString roundingWords(const Study& study) {
+QString describeRounding(const Study& study) {
     const Period& period = study.settings.period;
-    const double asked = period.stepMinutes;
+    const double chosen = period.stepMinutes;
     const bool instant = !period.window && period.hours == 0;
-    if (instant || std::abs(study.field.stepMinutes - asked) < 1e-9) return {};
+    if (instant || std::abs(study.field.stepMinutes - chosen) < 1e-9) return {};
     const QString day = study.sun.mostOffADayMin < 0.005
                             ? QString()
                             : QStringLiteral("; a single day is up to %1 min too long or too short")
@@ -55,24 +55,24 @@ QString roundingWords(const Study& study) {
     return QStringLiteral(
                " The requested step was %1 min; its length was adjusted so that whole steps fill the hours "
                "of each day and the period has the exact number of minutes%2.")
-        .arg(describeAmount(asked, 3), day);
+        .arg(describeAmount(chosen, 3), day);
 }
 
-QString stepWords(const Study& study) {
+QString describeStep(const Study& study) {
     return QStringLiteral(
                "Time: %1 steps of %2 min used; %3 left out because the sun was below the horizon (night is "
                "not shadow). Shares of time refer to the time with the sun above the horizon.%4")
         .arg(describeCount(study.sun.steps.size()), describeAmount(study.field.stepMinutes, 4),
-             describeCount(study.sun.belowHorizon), roundingWords(study));
+             describeCount(study.sun.belowHorizon), describeRounding(study));
 }
 
-QString airWords(const StudySettings& settings) {
+QString describeAir(const StudySettings& settings) {
     if (!settings.period.refraction) return QStringLiteral("geometric altitude, without refraction");
     return QStringLiteral("apparent altitude, with refraction at %1 hPa and %2 °C")
         .arg(describeAmount(settings.pressureHPa, 2), describeAmount(settings.temperatureC));
 }
 
-QString sunFrameWords(const Study& study) {
+QString describeSunFrame(const Study& study) {
     const SunFrameFacts facts = computeSunFrame(study.city, study.settings);
     const QString levelled = study.sun.levelled == 0
                                  ? QString()
@@ -89,22 +89,22 @@ QString sunFrameWords(const Study& study) {
              levelled);
 }
 
-QString sunWords(const Study& study) {
+QString describeSun(const Study& study) {
     const Observer observer = makeObserver(study);
     return QStringLiteral(
                "Sun: ERFA, topocentric, seen from the centre of the region (%1, %2 m); %3. Civil time of %4 "
                "from the tz database.%5")
-        .arg(describeLatLon(observer.place), describeAmount(observer.elevationM), airWords(study.settings),
-             QString::fromStdString(study.settings.period.zone), sunFrameWords(study));
+        .arg(describeLatLon(observer.place), describeAmount(observer.elevationM), describeAir(study.settings),
+             QString::fromStdString(study.settings.period.zone), describeSunFrame(study));
 }
 
-QString frameWords(const Study& study) {
+QString describeFrame(const Study& study) {
     return QStringLiteral("Frame: metres to the east and true north of %1 (WGS84), the CRS of shadow.tif: %2")
         .arg(describeLatLon(study.city.frame.origin()),
              QString::fromStdString(study.city.frame.projString()));
 }
 
-QString cellErrorWords(const Study& study, const CellError& error) {
+QString describeCellError(const Study& study, const CellError& error) {
     const auto percent = [&](double minutes) { return describeAmount(error.percent(minutes), 3); };
     const LonLat worst = study.city.frame.lonLatFromLocal(error.worstM);
     return QStringLiteral(
@@ -113,13 +113,13 @@ QString cellErrorWords(const Study& study, const CellError& error) {
              describeAmount(error.maxMin), describeLatLon(worst));
 }
 
-QString continuousErrorWords(const Study& study, const SampledError& error) {
+QString describeContinuousError(const Study& study, const SampledError& error) {
     if (!hasRuns(error)) return {};
     return QStringLiteral("; continuous shadow by %1, of the longest day")
-        .arg(cellErrorWords(study, error.continuous));
+        .arg(describeCellError(study, error.continuous));
 }
 
-QString measuredErrorWords(const Study& study, const SampledError& error) {
+QString describeMeasuredError(const Study& study, const SampledError& error) {
     return QStringLiteral(
                "Measured on %1 of the %2 receivers, spread over the region and traced again by the ray "
                "reference "
@@ -128,12 +128,12 @@ QString measuredErrorWords(const Study& study, const SampledError& error) {
                "by %6, of the sunlit time%7.")
         .arg(describeCount(error.receivers), describeCount(error.ofReceivers),
              describeCount(study.sun.steps.size()), describeAmount(error.areaPct, 4),
-             describeAmount(error.areaStandardErrorPct, 4), cellErrorWords(study, error.gross),
-             continuousErrorWords(study, error));
+             describeAmount(error.areaStandardErrorPct, 4), describeCellError(study, error.gross),
+             describeContinuousError(study, error));
 }
 
-QString engineErrorWords(const Study& study) {
-    if (study.error) return measuredErrorWords(study, *study.error);
+QString describeEngineError(const Study& study) {
+    if (study.error) return describeMeasuredError(study, *study.error);
     if (!study.byReference()) return QString::fromStdString(whyNoError(study));
     return QStringLiteral(
                "All other engines are measured against the ray reference: for the city as modelled, one "
@@ -142,7 +142,7 @@ QString engineErrorWords(const Study& study) {
         .arg(describeAmount(study.field.stepMinutes, 3), describeAmount(study.field.grid.cellM, 2));
 }
 
-QString modelErrorWords() {
+QString describeModelError() {
     return QStringLiteral(
         "Limits of the model: roofs are flat unless the data contains their shape; trees and street "
         "furniture are not included; the sun is a point, whereas its real disc of 0.53° blurs a shadow's "
@@ -169,13 +169,13 @@ TextBlocks definitionBlocks(const Study& study) {
 }
 
 std::vector<TextBlocks> methodSections(const Study& study, const QString& errorOf) {
-    TextBlocks method{heading(QStringLiteral("Method")), body(engineWords(study)),
-                      body(receiverWords(study))};
-    if (study.city.terrain) method.push_back(body(terrainWords(study)));
-    for (const QString& words : {stepWords(study), sunWords(study), frameWords(study)})
+    TextBlocks method{heading(QStringLiteral("Method")), body(describeEngine(study)),
+                      body(describeReceiver(study))};
+    if (study.city.terrain) method.push_back(body(describeTerrain(study)));
+    for (const QString& words : {describeStep(study), describeSun(study), describeFrame(study)})
         method.push_back(body(words));
-    TextBlocks error{heading(QStringLiteral("Error")), body(engineErrorWords(study)),
-                     body(modelErrorWords())};
+    TextBlocks error{heading(QStringLiteral("Error")), body(describeEngineError(study)),
+                     body(describeModelError())};
     if (!errorOf.isEmpty() && study.error) error.insert(error.begin() + 1, body(errorOf));
     return {method, error};
 }

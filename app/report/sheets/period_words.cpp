@@ -9,28 +9,28 @@ namespace noonmark {
 
 namespace {
 
-QString clockWords(double minutes) {
+QString describeClock(double minutes) {
     const long whole = std::lround(minutes);
     return QString::fromStdString(fmt::format("{:02}:{:02}", whole / 60, whole % 60));
 }
 
 /// "sunrise", "sunrise + 90 min", "sunrise - 10 min"
-QString sunWords(const QString& event, long minutesLater) {
+QString describeSun(const QString& event, long minutesLater) {
     if (minutesLater == 0) return event;
     const QString sign = minutesLater > 0 ? QStringLiteral(" + %1 min") : QStringLiteral(" - %1 min");
     return event + sign.arg(std::abs(minutesLater));
 }
 
-QString windowWords(const SolarWindow& window) {
-    return sunWords(QStringLiteral("sunrise"), long(window.afterSunrise.count())) + QStringLiteral(" to ") +
-           sunWords(QStringLiteral("sunset"), -long(window.beforeSunset.count()));
+QString describeWindow(const SolarWindow& window) {
+    return describeSun(QStringLiteral("sunrise"), long(window.afterSunrise.count())) +
+           QStringLiteral(" to ") + describeSun(QStringLiteral("sunset"), -long(window.beforeSunset.count()));
 }
 
-QString wallClockWords(const Period& period) {
+QString describeWallClock(const Period& period) {
     const double from = double(period.from.count());
     const double until = from + period.hours * 60;
-    if (until <= 24 * 60) return clockWords(from) + QStringLiteral(" to ") + clockWords(until);
-    return QStringLiteral("%1 for %2 h").arg(clockWords(from)).arg(period.hours);
+    if (until <= 24 * 60) return describeClock(from) + QStringLiteral(" to ") + describeClock(until);
+    return QStringLiteral("%1 for %2 h").arg(describeClock(from)).arg(period.hours);
 }
 
 }  // namespace
@@ -53,8 +53,8 @@ QString describeDays(const Period& period) {
 
 QString describeHours(const Period& period) {
     if (!period.window && period.hours == 0)
-        return QStringLiteral("at ") + clockWords(double(period.from.count()));
-    const QString hours = period.window ? windowWords(*period.window) : wallClockWords(period);
+        return QStringLiteral("at ") + describeClock(double(period.from.count()));
+    const QString hours = period.window ? describeWindow(*period.window) : describeWallClock(period);
     return hours + QStringLiteral(", every %1 min").arg(period.stepMinutes);
 }
 

@@ -58,7 +58,7 @@ void addScenario(TextBlocks& blocks, const QString& role, const ScenarioRecord& 
     addEdits(blocks, scenario);
 }
 
-QString fileWords(const ProjectRecord& project) {
+QString describeFile(const ProjectRecord& project) {
     if (project.file.empty()) return QStringLiteral("The project has not been saved yet.");
     if (!project.saved())
         return QStringLiteral("%1, which does not contain the latest changes.").arg(formatText(project.file));
@@ -69,7 +69,7 @@ QString fileWords(const ProjectRecord& project) {
 TextBlocks projectOf(const Study& study) {
     const auto& project = study.provenance.project;
     if (!project) return {};
-    TextBlocks blocks{heading(QStringLiteral("Project and scenario")), body(fileWords(*project))};
+    TextBlocks blocks{heading(QStringLiteral("Project and scenario")), body(describeFile(*project))};
     if (project->saved()) blocks.push_back({TextKind::code, formatText(project->fileSha256)});
     blocks.push_back(
         body(QStringLiteral("SHA-256 of the content behind the result (defined in the JSON file):")));
@@ -79,7 +79,7 @@ TextBlocks projectOf(const Study& study) {
     return blocks;
 }
 
-QString heightWords(const Study& study) {
+QString describeHeight(const Study& study) {
     const HeightCounts counts = countHeights(study.city);
     QStringList words;
     const auto add = [&](HeightSource source, const QString& meaning) {
@@ -105,13 +105,13 @@ QString heightWords(const Study& study) {
 }
 
 TextBlocks heightsOf(const Study& study) {
-    TextBlocks blocks{heading(QStringLiteral("Heights")), body(heightWords(study))};
+    TextBlocks blocks{heading(QStringLiteral("Heights")), body(describeHeight(study))};
     for (const HeightField& field : study.heights.fields)
         blocks.push_back(body(QStringLiteral("From %1.").arg(QString::fromStdString(describe(field)))));
     return blocks;
 }
 
-QString groupWords(const WarningGroup& group) {
+QString describeGroup(const WarningGroup& group) {
     const std::string_view kind = nameOf(group.kind);
     return QStringLiteral("%1 %2: %3")
         .arg(describeCount(group.where.size()), QString::fromUtf8(kind.data(), qsizetype(kind.size())),
@@ -125,7 +125,7 @@ TextBlocks makeWarnings(const Study& study) {
     std::ranges::stable_sort(groups, std::greater<>{},
                              [](const WarningGroup& group) { return group.where.size(); });
     for (std::size_t i = 0; i < std::min(mostWarnings, groups.size()); ++i)
-        blocks.push_back(body(groupWords(groups[i])));
+        blocks.push_back(body(describeGroup(groups[i])));
     if (groups.empty())
         blocks.push_back(body(QStringLiteral("None: every feature was used unchanged.")));
     else
@@ -136,14 +136,14 @@ TextBlocks makeWarnings(const Study& study) {
     return blocks;
 }
 
-QString skippedWords(const Cost& cost) {
+QString describeSkipped(const Cost& cost) {
     QStringList words;
     for (const auto& [reason, count] : cost.skipped)
         if (count > 0) words << describeCount(count) + u' ' + QString::fromStdString(reason);
     return words.isEmpty() ? QStringLiteral("nothing") : words.join(QStringLiteral("; "));
 }
 
-QString costWords(const Study& study) {
+QString describeCost(const Study& study) {
     const Cost& cost = study.field.cost;
     QString words = QStringLiteral("%1 of %2 buildings used")
                         .arg(describeCount(cost.buildingsUsed), describeCount(study.city.buildings.size()));
@@ -151,7 +151,7 @@ QString costWords(const Study& study) {
     const auto total = study.seconds.find("total");
     if (total != study.seconds.end())
         words += QStringLiteral(", %1 s in total").arg(describeAmount(total->second));
-    return words + QStringLiteral(". Skipped: ") + skippedWords(cost) + u'.';
+    return words + QStringLiteral(". Skipped: ") + describeSkipped(cost) + u'.';
 }
 
 }  // namespace
@@ -160,7 +160,7 @@ std::vector<TextBlocks> sourceSections(const Study& study) {
     std::vector<TextBlocks> sections{inputsOf(study),
                                      heightsOf(study),
                                      makeWarnings(study),
-                                     {heading(QStringLiteral("Computation")), body(costWords(study))}};
+                                     {heading(QStringLiteral("Computation")), body(describeCost(study))}};
     if (study.provenance.project) sections.insert(sections.begin(), projectOf(study));
     return sections;
 }

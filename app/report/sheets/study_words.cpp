@@ -16,27 +16,28 @@ const QLocale& english() {
     return locale;
 }
 
-QString minutesWords(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
+QString describeMinutes(double minutes) { return describeAmount(minutes) + QStringLiteral(" min"); }
 
-QString minutesADayWords(const Study& study, double minutes) {
+QString describeMinutesADay(const Study& study, double minutes) {
     const double sunlit = study.field.sunlitMinutesPerDay;
     const QString share =
         sunlit > 0 ? QStringLiteral(" (%1 %)").arg(describeAmount(100 * minutes / sunlit)) : QString();
     return describeAmount(minutes) + QStringLiteral(" min/day") + share;
 }
 
-QString shadowAreaWords(const ShadowStatistics& s) {
+QString describeShadowArea(const ShadowStatistics& s) {
     const double share = s.receiverAreaM2 > 0 ? 100 * s.shadowAreaM2 / s.receiverAreaM2 : 0;
     return QStringLiteral("%1 m² (%2 %)").arg(describeAmount(s.shadowAreaM2, 0), describeAmount(share));
 }
 
 void addMinutes(std::vector<Figure>& figures, const Study& study) {
     const ShadowStatistics& s = study.statistics;
-    figures.push_back({QStringLiteral("Gross shadow, mean"), minutesADayWords(study, s.meanGrossMin)});
-    figures.push_back({QStringLiteral("Gross shadow, largest"), minutesADayWords(study, s.maxGrossMin)});
+    figures.push_back({QStringLiteral("Gross shadow, mean"), describeMinutesADay(study, s.meanGrossMin)});
+    figures.push_back({QStringLiteral("Gross shadow, largest"), describeMinutesADay(study, s.maxGrossMin)});
     if (hasRuns(s)) {
-        figures.push_back({QStringLiteral("Continuous shadow, mean"), minutesWords(s.meanContinuousMin)});
-        figures.push_back({QStringLiteral("Continuous shadow, largest"), minutesWords(s.maxContinuousMin)});
+        figures.push_back({QStringLiteral("Continuous shadow, mean"), describeMinutes(s.meanContinuousMin)});
+        figures.push_back(
+            {QStringLiteral("Continuous shadow, largest"), describeMinutes(s.maxContinuousMin)});
     } else {
         figures.push_back({QStringLiteral("Continuous shadow"), QStringLiteral("not counted")});
     }
@@ -94,7 +95,7 @@ QString describeProgram() {
 
 std::vector<Figure> computeFigures(const Study& study) {
     const ShadowStatistics& s = study.statistics;
-    std::vector<Figure> figures{{QStringLiteral("Shadow area"), shadowAreaWords(s)}};
+    std::vector<Figure> figures{{QStringLiteral("Shadow area"), describeShadowArea(s)}};
     if (!isInstant(study.field)) addMinutes(figures, study);
     figures.push_back({QStringLiteral("Receivers"), describeCount(s.receivers)});
     figures.push_back(

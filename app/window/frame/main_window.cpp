@@ -1,30 +1,24 @@
 #include "app/window/frame/main_window.h"
 
-#include <QAction>
 #include <QCloseEvent>
+#include <QDockWidget>
 #include <QLabel>
-#include <QMenu>
+#include <QMenuBar>
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolBar>
-#include <QUndoStack>
 
-#include "app/report/sheets/period_words.h"
+#include "app/window/frame/window_menus.h"
 #include "app/window/project/project_dock.h"
-#include "app/window/project/scenario_bar.h"
-#include "app/window/project/scenario_table.h"
-#include "app/window/project/scenarios_dock.h"
-#include "app/window/project/weights_dock.h"
-#include "app/window/study/open_options.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/scenarios/scenario_bar.h"
+#include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
 #include "app/window/view/view_panel.h"
-#include "app/window/widgets/file_dialogs.h"
+#include "app/window/weights/weights_dock.h"
 #include "app/window/widgets/progress_strip.h"
-#include "core/io/footprints/place_advice.h"
-#include "core/io/read_region.h"
 
 namespace noonmark {
 
@@ -33,6 +27,7 @@ namespace {
 constexpr int layoutVersion = 4;
 constexpr int frameWidth = 10;  // upper bound for the window frame on common desktops
 constexpr int frameHeight = 40;
+constexpr int hintMs = 10000;
 
 QString unsavedFolder(const QSettings& settings) {
     const QString usual = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -43,8 +38,6 @@ QString unsavedFolder(const QSettings& settings) {
 
 MainWindow::MainWindow(QSettings& settings)
     : settings_(settings),
-      menus_(*this),
-      recent_(*menus_.recent, settings),
       panel_(new ViewPanel),
       tools_(*panel_, horizons_),
       docks_{new ProjectDock(workbench_.session()),
@@ -57,31 +50,32 @@ MainWindow::MainWindow(QSettings& settings)
              tools_.massingDock()},
       progress_(new ProgressStrip(QBoxLayout::LeftToRight)),
       hover_(new QLabel),
-      options_(new OpenOptions(this)),
       mode_(workbench_.document()),
-      place_(unsavedFolder(settings)),
+      view_(workbench_, *panel_, mode_),
+      store_(unsavedFolder(settings)),
       saving_(
-          workbench_.session(), [this] { return viewNow(); }, place_.file()),
-      askUnsaved_([this] { return askUnsaved(); }),
-      askSaveAs_([this](const QString& suggested) { return askForProject(this, suggested); }) {
+          workbench_, store_, [this] { return view_.toSave(); }, panel_->messages(), *this),
+      opening_(workbench_, saving_, settings, panel_->messages(), *this),
+      recovery_(workbench_, store_, saving_, panel_->messages()),
+      display_(workbench_, mode_, tools_.context().preview,
+               {panel_->results(), *docks_.results, *docks_.warnings, docks_.scenarios->table()}),
+      results_(workbench_, mode_, display_, *panel_, *docks_.project, *this),
+      study_(workbench_, mode_, display_, *panel_),
+      region_(workbench_, *panel_, *docks_.study, *docks_.project, *this),
+      scenarios_(workbench_, *docks_.project, *docks_.scenarios),
+      edits_(workbench_, tools_, mode_, *panel_),
+      camera_(workbench_, *panel_, exploration_, *docks_.project),
+      time_(workbench_, mode_, *panel_, horizons_) {
     setWindowTitle(QStringLiteral("Noonmark"));
     resize(1360, 860);
     setCentralWidget(panel_);
-    placeDocks(*this, docks_, *menus_.docks);
+    fillMenus(placeDocks(*this, docks_));
     makeStatusBar();
     makeModeBar();
     connectJobs();
     connectWorkbench();
-    connectFileMenu();
-    connectOptions();
-    connectStudyMenu();
-    connectViewMenu();
-    connectRegion();
+    connectDocks();
     connectModes();
-    connectResults();
-    connectProject();
-    connectEditing();
-    connectTime();
     restoreGeometry(settings_.value(QStringLiteral("geometry")).toByteArray());
     restoreState(settings_.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     fitScreen();
@@ -95,6 +89,12 @@ void MainWindow::fitScreen() {
     if (!isMaximized() && !isFullScreen()) resize(size().boundedTo(room));
 }
 
+void MainWindow::fillMenus(const QList<QAction*>& docks) {
+    QAction* quit = noonmark::fillMenus(*menuBar(), {opening_, saving_, results_, edits_, scenarios_, study_,
+                                                     region_, camera_, mode_.actions(), docks});
+    connect(quit, &QAction::triggered, this, &QWidget::close);
+}
+
 void MainWindow::makeStatusBar() {
     hover_->setObjectName(QStringLiteral("hover"));
     statusBar()->addWidget(hover_, 1);
@@ -106,6 +106,9 @@ void MainWindow::makeStatusBar() {
     // when the tip arrives.
     connect(statusBar(), &QStatusBar::messageChanged, hover_,
             [this](const QString& tip) { hover_->setVisible(tip.isEmpty()); });
+    // In the status bar, since the message bar would move the view under the cursor.
+    connect(&tools_, &EditTools::hinted, this,
+            [this](const QString& text) { statusBar()->showMessage(text, hintMs); });
 }
 
 void MainWindow::makeModeBar() {
@@ -113,78 +116,71 @@ void MainWindow::makeModeBar() {
     bar->setObjectName(QStringLiteral("modeBar"));
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     bar->addActions(mode_.actions());
-    menus_.modes->addActions(mode_.actions());
     bar->addWidget(new ScenarioBar(workbench_.session()));
 }
 
-void MainWindow::draw(bool on) {
-    PolygonTool& tool = panel_->regionTool();
-    if (on && workbench_.city())
-        tool.begin();
-    else
-        tool.cancel();
-    docks_.study->setDrawing(tool.active());
-    panel_->view().requestActivate();  // the view receives the keys that finish or cancel the polygon
-}
-
-void MainWindow::changeRegion(const Region& region) {
-    if (region.polygons.empty())
-        return panel_->messages().showError(
-            {"No ground of the city is visible", {}, "Move the view to the city first"});
-    StudySettings settings = workbench_.document().settings();
-    settings.region = region;
-    workbench_.document().change(settings, tr("region"));
-}
-
-// A drawn region is user work, so it is added to the project under its own name, in one undo step together
-// with the change of the study.
-void MainWindow::takeDrawnRegion(const std::vector<Footprint>& pieces) {
-    Project next = workbench_.session().project();
-    const Region region{freeName(next, ProjectPart::region, "Region"), pieces};
-    next.regions.push_back(region);
-    const QString what = tr("draw %1").arg(QString::fromStdString(region.name));
-    QUndoStack& undo = workbench_.document().undoStack();
-    undo.beginMacro(what);
-    if (workbench_.session().change(std::move(next), what)) changeRegion(region);
-    undo.endMacro();
-}
-
-void MainWindow::takeWholeCity() {
-    if (!workbench_.city()) return;
-    Region all = makeRegionFromLocalBox(panel_->view().viewBounds().box);
-    all.name = "the whole city";
-    changeRegion(all);
-}
-
-void MainWindow::readRegionFile() {
-    const QString file = workbench_.city() ? askForRegion(this) : QString();
-    if (file.isEmpty()) return;
-    const auto region = readRegion(file.toStdString(), workbench_.city()->city().frame);
-    if (region)
-        changeRegion(*region);
-    else
-        panel_->messages().showError(region.error());
-}
-
-void MainWindow::open(const QStringList& files) { openWith(files, {}); }
-
-void MainWindow::openWith(const QStringList& files, const ReadSettings& reading) {
-    if (files.isEmpty()) return;
-    whenSafe([this, files, reading] {
-        panel_->messages().hide();  // its buttons refer to the previous files
-        opening_ = files;
-        reading_ = reading;
-        workbench_.open(files, reading);
+void MainWindow::connectJobs() {
+    progress_->follow(workbench_.opening());
+    // Not cancellable: the view would show a scenario other than the one selected in the tree.
+    progress_->follow(workbench_.following(), ProgressStrip::Jobs::whole);
+    for (JobSlot* slot : {&workbench_.reading(), &workbench_.writing(), &saving_.writing()})
+        progress_->follow(*slot);
+    for (JobSlot* slot :
+         {&workbench_.keeping(), &tools_.context().preview.working(), &time_.looking().working()})
+        progress_->follow(*slot, ProgressStrip::Jobs::often);
+    docks_.study->progress().follow(workbench_.running());
+    connect(&workbench_.running(), &JobSlot::started, docks_.study, [this] {
+        docks_.study->setRunning(true);
+        mode_.showStudies();
     });
+    connect(&workbench_.running(), &JobSlot::ended, docks_.study,
+            [this] { docks_.study->setRunning(false); });
 }
 
-// If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.
-void MainWindow::showOpenFailure(const Error& error) {
-    saving_.keepUnsaved();  // the work discarded for the new file is still open
-    if (isCancelled(error)) return;
-    panel_->messages().showError(error);
-    if (asksForPlace(error) || reading_.crs || reading_.meshAnchor)
-        panel_->messages().offer(tr("Open with options..."), [this] { options_->ask(opening_, reading_); });
+void MainWindow::connectWorkbench() {
+    connect(&workbench_, &Workbench::cityShown, this, &MainWindow::showCity);
+    connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::showProject);
+    connect(&workbench_, &Workbench::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&workbench_, &Workbench::noted, &panel_->messages(), &MessageBar::showNote);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &MainWindow::showDocument);
+    connect(&workbench_.session(), &ProjectSession::unsavedChanged, this, &MainWindow::showTitle);
+    connect(panel_, &ViewPanel::filesDropped, &opening_, &OpeningActions::open);
+}
+
+void MainWindow::connectDocks() {
+    study_.listenTo(*docks_.study, *docks_.project, *docks_.weights);
+    edits_.listenTo(*docks_.project, *docks_.warnings);
+    connect(docks_.project, &ProjectDock::weightsChosen, this, [this](const std::string& table) {
+        docks_.weights->choose(table);
+        raiseDock(docks_.weights);
+    });
+    connect(&display_, &ResultDisplay::chosen, this, [this] { raiseDock(docks_.results); });
+    connect(&tools_, &EditTools::selectionMade, this, [this] { raiseDock(tools_.dock()); });
+    connect(&tools_, &EditTools::designBegan, this, [this] { raiseDock(tools_.massingDock()); });
+}
+
+void MainWindow::connectModes() {
+    connect(&mode_, &ModeSwitch::changed, this, [this](ViewMode mode) {
+        panel_->results().setMode(mode);
+        exploration_.setActive(mode == ViewMode::exploration);
+    });
+    connect(&exploration_, &Exploration::changed, this,
+            [this] { panel_->results().setExplored(exploration_.answer()); });
+    connect(&exploration_, &Exploration::failed, &panel_->messages(), &MessageBar::showError);
+    connect(&panel_->view(), &CityView::poseChanged, this, [this] {
+        ViewLens lens = panel_->view().lens();
+        lens.widthPx *= panel_->view().devicePixelRatio();
+        lens.heightPx *= panel_->view().devicePixelRatio();
+        exploration_.look(panel_->view().pose(), lens);
+    });
+    panel_->results().setMode(mode_.mode());
+    exploration_.setActive(mode_.mode() == ViewMode::exploration);
+}
+
+// Raises the dock among its tabs. A dock that the user closed stays closed.
+void MainWindow::raiseDock(const QWidget* content) {
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dock->isAncestorOf(content)) dock->raise();
 }
 
 // The camera stays: the city may be another scenario of the same project.
@@ -192,15 +188,27 @@ void MainWindow::showCity() {
     const CameraPose pose = panel_->view().pose();
     panel_->showCity(workbench_.city());
     panel_->view().setPose(pose);
-    tools_.setCity(workbench_.city());
+    edits_.showCity();
     exploration_.setCity(workbench_.city());
     docks_.study->setTerrain(workbench_.city()->city().terrain != nullptr);
-    docks_.warnings->show(workbench_.city()->loaded.read.warnings);
-    docks_.results->show({});
-    showAnswer();
-    offerTime();
+    display_.showCity();
+    time_.offer();
     showDocument();
-    answerAnew();
+    study_.runAgainIfQuick();
+}
+
+// The last message stays: recovery comes before what was assumed of the files.
+void MainWindow::showProject() {
+    panel_->messages().hide();
+    horizons_->forget();
+    saving_.takeProject();
+    display_.forget();
+    view_.restore();
+    opening_.takeProject();
+    showTitle();
+    opening_.showGuesses();
+    study_.repeatSaved();
+    recovery_.offer();
 }
 
 void MainWindow::showDocument() {
@@ -208,32 +216,16 @@ void MainWindow::showDocument() {
     panel_->showRegion(settings.region);
     if (workbench_.city())
         exploration_.setPeriod(settings.period, makeObserver(workbench_.city()->city(), settings));
-    askLive();
-    showOutdated();
-    showExport();
-    docks_.scenarios->table().setStudies(workbench_.studies(), settings);
 }
 
-void MainWindow::savePicture(const QString& file) {
-    if (file.isEmpty()) return;
-    if (const auto may = checkOutput(file.toStdString(), OutputKind::picture, workbench_.exportRules()); !may)
-        return panel_->messages().showError(may.error());
-    const ProjectSession& session = workbench_.session();
-    QString title = tr("%1: %2").arg(projectName(), QString::fromStdString(session.scenario()));
-    if (!session.baseline().empty())
-        title = tr("%1 compared with %2").arg(title, QString::fromStdString(session.baseline()));
-    const Period& period = mode_.mode() == ViewMode::exploration || !answerShown_
-                               ? workbench_.document().settings().period
-                               : answered_.period;
-    panel_->takePicture(title, describePeriod(period), [this, file](const QImage& image) {
-        if (image.save(file)) return panel_->messages().showNote(tr("Picture saved as %1").arg(file));
-        panel_->messages().showError(
-            {"The picture could not be written", file.toStdString(), "Choose another folder"});
-    });
+void MainWindow::showTitle() {
+    if (!workbench_.city()) return;
+    setWindowTitle(tr("%1[*] - Noonmark").arg(workbench_.projectName()));
+    setWindowModified(workbench_.session().hasUnsavedWork());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!maySafely([this] { close(); })) return event->ignore();
+    if (!saving_.maySafely([this] { close(); })) return event->ignore();
     settings_.setValue(QStringLiteral("geometry"), saveGeometry());
     settings_.setValue(QStringLiteral("docks"), saveState(layoutVersion));
     QMainWindow::closeEvent(event);

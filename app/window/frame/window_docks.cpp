@@ -2,15 +2,14 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QMenu>
 #include <QScrollArea>
 
 #include "app/window/project/project_dock.h"
-#include "app/window/project/scenarios_dock.h"
-#include "app/window/project/weights_dock.h"
-#include "app/window/study/results_dock.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/scenarios/scenarios_dock.h"
 #include "app/window/study/study_dock.h"
 #include "app/window/study/warnings_dock.h"
+#include "app/window/weights/weights_dock.h"
 
 namespace noonmark {
 
@@ -40,7 +39,7 @@ QDockWidget* dockOf(const QString& title, const char* name, QWidget* content) {
 
 }  // namespace
 
-void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
+QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks) {
     const int studyWidth = docks.study->minimumSizeHint().width() + 22;
     QDockWidget* study = dockOf(QObject::tr("Study"), "studyDock", scrolled(docks.study, studyWidth));
     QDockWidget* results = dockOf(QObject::tr("Results"), "resultsDock", scrolled(docks.results, sideWidth));
@@ -61,8 +60,10 @@ void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu) {
     results->raise();
     window.resizeDocks({project, results, warnings}, {270, 350, 120}, Qt::Vertical);
     window.resizeDocks({study, project}, {studyWidth, sideWidth}, Qt::Horizontal);
+    QList<QAction*> toggles;
     for (QDockWidget* dock : {project, study, results, scenarios, weights, building, tower, warnings})
-        menu.addAction(dock->toggleViewAction());
+        toggles << dock->toggleViewAction();
+    return toggles;
 }
 
 }  // namespace noonmark

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QList>
+
+class QAction;
 class QMainWindow;
-class QMenu;
 class QWidget;
 
 namespace noonmark {
@@ -25,7 +27,7 @@ struct WindowDocks {
     QWidget* tower;     ///< lots, and the tower being designed
 };
 
-/// Adds the docks at their default places; `menu` shows and hides them.
-void placeDocks(QMainWindow& window, const WindowDocks& docks, QMenu& menu);
+/// Adds the docks at their default places. Returns the actions that show and hide them.
+QList<QAction*> placeDocks(QMainWindow& window, const WindowDocks& docks);
 
 }  // namespace noonmark

@@ -1,54 +1,37 @@
 #pragma once
 
-#include <QObject>
-#include <QString>
+#include <QList>
 
 class QAction;
-class QMainWindow;
-class QMenu;
+class QMenuBar;
 
 namespace noonmark {
 
-/// Menus of the main window. The window connects the actions and owns them.
-struct WindowMenus {
-    explicit WindowMenus(QMainWindow& window);
+class EditActions;
+class OpeningActions;
+class RegionActions;
+class ResultActions;
+class SavingActions;
+class ScenarioActions;
+class StudyActions;
+class ViewActions;
 
-    QAction* newProject;
-    QAction* open;
-    QAction* openWith;  ///< with reading settings
-    QAction* openPark;
-    QAction* openGrid;
-    QMenu* recent;
-    QAction* save;
-    QAction* saveAs;
-    QAction* savePicture;
-    QAction* exportStudy;
-    QAction* quit;
-    QMenu* edit;
-    QMenu* scenario;
-    QAction* newScenario;
-    QAction* newFromThis;
-    QAction* compare;  ///< checkable
-    QAction* measureAll;
-    QAction* run;
-    QAction* cancel;
-    QAction* drawRegion;
-    QAction* regionFile;
-    QAction* keepResult;
-    QAction* gross;
-    QAction* continuous;
-    QAction* wholeCity;
-    QAction* northUp;
-    QAction* fromAbove;
-    QAction* region;
-    QAction* faces;  ///< checkable
-    QMenu* modes;
-    QAction* byMaps;  ///< checkable
-    QMenu* docks;
-    QAction* keys;
+/// The entries of the menus. Their owners make and connect them.
+struct WindowActions {
+    const OpeningActions& opening;
+    const SavingActions& saving;
+    const ResultActions& results;
+    const EditActions& edits;
+    const ScenarioActions& scenarios;
+    const StudyActions& study;
+    const RegionActions& region;
+    const ViewActions& view;
+    QList<QAction*> modes;
+    QList<QAction*> docks;  ///< each shows and hides a dock
 };
 
-/// One-line summary of mouse and keyboard control.
-QString mouseAndKeys();
+/// Creates the menus and arranges the entries in them. Returns the entry that quits, for the window to
+/// connect.
+QAction* fillMenus(QMenuBar& bar, const WindowActions& actions);
 
 }  // namespace noonmark

@@ -6,6 +6,7 @@
 #include "app/input/output_rules.h"
 #include "app/report/files/answer_files.h"
 #include "app/report/files/study_files.h"
+#include "app/window/frame/recent_files.h"
 #include "app/window/project/answer_origin.h"
 #include "core/study/text/region_text.h"
 
@@ -39,6 +40,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent) {
 
 void Workbench::open(const QStringList& files, const ReadSettings& reading) {
     if (files.isEmpty()) return;
+    source_ = {files, reading};
     running_.cancel();
     opening_.start<OpenProject>(
         tr("Opening %1").arg(QFileInfo(files.front()).fileName()),
@@ -96,6 +98,7 @@ void Workbench::takeRecovered(Result<ProjectFile> saved) {
 }
 
 void Workbench::recoverUntitled(const std::filesystem::path& recovery) {
+    source_ = {};
     opening_.start<OpenProject>(
         tr("Recovering"),
         [file = recovery.string()](Progress& progress, std::stop_token stop) {
@@ -138,6 +141,15 @@ void Workbench::takeCity(Result<OpenCity> city) {
     city_ = std::make_shared<const OpenCity>(*std::move(city));
     takeKnown();
     Q_EMIT cityShown();
+}
+
+QString Workbench::projectName() const {
+    const auto& file = session_.file();
+    QString name = file ? QString::fromStdString(file->path().filename().string())
+                        : RecentFiles::nameOf(source_.files.join(QLatin1Char('\n')));
+    name.remove(QStringLiteral("sample:"));
+    name.remove(QLatin1String(projectEnding));
+    return name.isEmpty() ? tr("Untitled") : name;
 }
 
 Workbench::Shown Workbench::shown() const {

@@ -9,7 +9,7 @@
 #include "app/report/maps/change_scale.h"
 #include "app/window/project/open_project.h"
 #include "app/window/project/project_session.h"
-#include "app/window/project/shown_result.h"
+#include "app/window/results/shown_result.h"
 #include "app/window/study/job_slot.h"
 #include "app/window/study/open_city.h"
 #include "app/window/study/run_estimate.h"
@@ -87,8 +87,19 @@ public:
     [[nodiscard]] const PastAnswer& past() const { return past_; }
     /// Studies of scenarios whose buildings have not changed since, by scenario name.
     [[nodiscard]] std::map<std::string, std::shared_ptr<const Study>> studies();
+    /// A baseline is chosen that differs from the displayed scenario: run() compares the two.
+    [[nodiscard]] bool comparing() const;
     /// Time to compute the latest result, seconds.
     [[nodiscard]] double answerSeconds() const { return answerSeconds_; }
+
+    /// The city files opened last and how they were read; no files: the project was recovered.
+    struct Source {
+        QStringList files;
+        ReadSettings reading;
+    };
+    [[nodiscard]] const Source& source() const { return source_; }
+    /// For titles and suggested file names: of the project file, or else of the city files.
+    [[nodiscard]] QString projectName() const;
 
     [[nodiscard]] StudyDocument& document() { return document_; }
     [[nodiscard]] ProjectSession& session() { return session_; }
@@ -136,7 +147,6 @@ private:
     using Start = std::function<void()>;
     void startUnlessLong(double fields, Start start);
     void runNow();
-    [[nodiscard]] bool comparing() const;
     void runComparison();
     void scoreNow(const std::string& weights);
     void takeStudies(Result<std::vector<KnownStudy>> made);
@@ -157,6 +167,7 @@ private:
 
     StudyDocument document_;
     ProjectSession session_{document_.undoStack()};
+    Source source_;
     ViewState openedView_;
     ZoneGuess zone_;
     std::shared_ptr<const OpenCity> city_;

@@ -1,19 +1,14 @@
 #pragma once
 
-// Editing of buildings and design of towers in the view. EditTools owns the tools and their menu actions;
-// BuildingEditing (select, demolish, move, resize), TowerEditing (a tower on a lot) and MeshPlacing (a mesh
-// file as a building) share one EditContext: the view, the preview and the drag handle. No tool knows the
-// project: each emits its edits as one undo step and gets back the changed city. EditPreview shows edits
-// before they are made; LiveFollower keeps their shadow up to date with LiveShadow, whose receivers and
-// engines are in live_receivers and live_rule. The panels, forms, fields and tables only show and change
-// values.
+// The design of a tower on a lot. TowerDraft is the tower with its settings, TowerEditing the tool that shows
+// it in the view; MassingPanel, its form, fields and table only show and change values.
 
 #include <QObject>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "app/window/massing/edit_context.h"
+#include "app/window/editing/edit_context.h"
 #include "app/window/massing/tower_draft.h"
 
 namespace noonmark {

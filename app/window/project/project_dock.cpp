@@ -22,7 +22,7 @@ bool canDuplicate(const ProjectNode& node) {
     return canRemove(node) && node.kind == Kind::part && node.part != ProjectPart::result;
 }
 
-QString useWords(ProjectPart part) {
+QString describeUse(ProjectPart part) {
     switch (part) {
         case ProjectPart::scenario:
             return QObject::tr("&Show");
@@ -158,7 +158,7 @@ void ProjectDock::showMenu(QPoint at) {
 
 // `index` is persistent, since the project may change while the menu is open.
 void ProjectDock::addPartActions(QMenu& menu, const QPersistentModelIndex& index, const ProjectNode& node) {
-    if (node.kind == Kind::part) menu.addAction(useWords(*node.part), this, [this, index] { use(index); });
+    if (node.kind == Kind::part) menu.addAction(describeUse(*node.part), this, [this, index] { use(index); });
     if (node.part == ProjectPart::scenario && node.kind == Kind::part) addScenarioActions(menu, node.name);
     if (node.kind == Kind::part)
         menu.addAction(tr("&Rename\tF2"), this, [this, index] { tree_->edit(index); });

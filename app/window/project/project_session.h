@@ -1,13 +1,10 @@
 #pragma once
 
-// The open project: its value, file and undo steps, and the docks that show it. ProjectSession holds the
-// project and the displayed scenario; project_changes has the pure functions that edit it, ScenarioCities
-// builds the city of each scenario. ProjectSaving writes the project file and its recovery file;
-// RecoveryStore names the recovery file of a project that has no file yet; ViewState is the part of the
-// window's state saved in the project. ProjectModel and ProjectDock show the project as a tree,
-// ScenarioTable, ScenariosDock and ScenarioBar the scenarios, WeightsModel and WeightsDock the weight tables.
-// The *_rows, *_picture and month_chart files turn comparisons and scores into table rows, map colours and
-// charts; shown_result does it for saved results.
+// The open project: its value, file and undo steps, and its tree. ProjectSession holds the project and the
+// displayed scenario; project_changes has the pure functions that edit it, ScenarioCities builds the city of
+// each scenario. ProjectSaving writes the project file and its recovery file; RecoveryStore names the
+// recovery file of a project that has no file yet; ViewState is the part of the window's state saved in the
+// project. ProjectModel and ProjectDock show the project as a tree.
 
 #include <QObject>
 #include <QString>

@@ -14,8 +14,6 @@ class Job::Reporter final : public Progress, public PartialSink {
 public:
     explicit Reporter(Job& job) : job_(job) {}
 
-    PartialSink* partials() override { return this; }
-
     [[nodiscard]] bool wants() const override {
         const std::scoped_lock lock(mutex_);
         return !partial_ && pace_.due(watch_.seconds());

@@ -23,7 +23,7 @@ void TimeLooking::look(const TimeLook& look) {
 
 void TimeLooking::ask() {
     if (!study_ || look_.span == TimeSpan::period) return;
-    asked_ = look_;
+    computed_ = look_;
     slot_.start<TimeAnswer>(
         tr("Computing %1").arg(describe(look_)),
         [question = TimeAnswer{study_, look_, {}}, horizons = horizons_](Progress& progress,
@@ -49,9 +49,9 @@ void TimeLooking::take(Result<TimeAnswer> answer) {
         answer_ = std::make_shared<const TimeAnswer>(*std::move(answer));
         Q_EMIT changed();
     } else if (!isCancelled(answer.error())) {
-        Q_EMIT failed(asked_, answer.error());
+        Q_EMIT failed(computed_, answer.error());
     }
-    if (asked_ != look_) ask();
+    if (computed_ != look_) ask();
 }
 
 }  // namespace noonmark

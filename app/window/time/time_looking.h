@@ -3,9 +3,9 @@
 #include <QObject>
 #include <memory>
 
+#include "app/window/live/shared_horizon_cache.h"
 #include "app/window/study/job_slot.h"
 #include "app/window/time/time_look.h"
-#include "app/window/view/shared_horizon_cache.h"
 #include "core/study/study.h"
 
 namespace noonmark {
@@ -49,7 +49,7 @@ private:
     std::shared_ptr<SharedHorizonCache> horizons_;
     std::shared_ptr<const Study> study_;
     TimeLook look_;
-    TimeLook asked_;  // the last one computed or being computed
+    TimeLook computed_;  // the last one computed or being computed
     std::shared_ptr<const TimeAnswer> answer_;
     JobSlot slot_;
 };

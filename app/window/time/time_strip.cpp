@@ -55,7 +55,7 @@ TimeStrip::TimeStrip(QWidget* parent)
 }
 
 void TimeStrip::place() {
-    words_->setObjectName(QStringLiteral("lookWords"));
+    words_->setObjectName(QStringLiteral("lookText"));
     span_->setFixedWidth(spanWidth);
     words_->setMinimumWidth(wordsWidth);
     auto* row = new QHBoxLayout(this);

@@ -1,7 +1,8 @@
 #pragma once
 
 // Display of one day or moment of a study. TimeStrip has the sliders, TimeLook is the value that they choose,
-// and TimeLooking computes its shadow from cached horizons, fast enough to follow a slider.
+// TimeLooking computes its shadow from cached horizons, fast enough to follow a slider, and TimeDisplay shows
+// it.
 
 #include <QWidget>
 

@@ -1,11 +1,16 @@
 #pragma once
 
+// The 3D view in the middle of the window and what surrounds it. ViewPanel contains the view, the messages,
+// the time strip and the legend, and draws polygons with PolygonTool. ModeSwitch chooses the mode
+// (view_mode); view_picture composes the saved picture; ground_lines, hover_text and visible_ground are what
+// the view shows and reports of the ground.
+
 #include <QWidget>
 #include <memory>
 
+#include "app/window/results/result_layer.h"
 #include "app/window/study/open_city.h"
 #include "app/window/view/polygon_tool.h"
-#include "app/window/view/result_layer.h"
 #include "app/window/widgets/cursor_label.h"
 #include "app/window/widgets/legend_strip.h"
 #include "app/window/widgets/message_bar.h"

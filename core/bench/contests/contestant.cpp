@@ -9,7 +9,7 @@ namespace noonmark::bench {
 
 namespace {
 
-std::string settingWords(const EngineOption& option, double value) {
+std::string describeSetting(const EngineOption& option, double value) {
     if (value == option.usual) return {};
     return fmt::format("{} {:g}{}{}", option.key, value, option.unit.empty() ? "" : " ", option.unit);
 }
@@ -34,7 +34,7 @@ void addLadder(StartList& list, const EngineEntry& engine, const EngineOption& o
     for (double& value : values) value = clampToRange(option, value);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     for (const double value : values)
-        add(list, engine, {{std::string(option.key), value}}, settingWords(option, value), engines);
+        add(list, engine, {{std::string(option.key), value}}, describeSetting(option, value), engines);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ Finding makeFailedFinding(const char* title, const Error& error) {
     return {.title = title, .text = "This experiment failed: " + error.text(), .comparisons = {}};
 }
 
-std::string siteWords(const BenchSite& site) {
+std::string describeSite(const BenchSite& site) {
     return fmt::format("{}, {} buildings; {} and its year, {}", site.name, site.city.buildings.size(),
                        noonmark::formatText(site.date), site.zone);
 }
@@ -37,7 +37,7 @@ void Experiments::remark(const std::string& text) {
 
 Result<BenchReport> Experiments::into(BenchReport report, const BenchSite& site, const Extent& extent) && {
     if (work_.stopped()) return cancelled();
-    report.site = siteWords(site);
+    report.site = describeSite(site);
     report.machine = describeMachine(detectMachine());
     report.extent = extent.words;
     for (const Finding& finding : findings_) report.seconds += finding.seconds;

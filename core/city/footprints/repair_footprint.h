@@ -15,7 +15,7 @@ using RawRing = std::vector<glm::dvec2>;
 /// The outcome of repairing a polygon.
 struct RepairedFootprint {
     std::vector<Footprint> pieces;  ///< disjoint, each simple and oriented; none if nothing usable was left
-    WarningKind kind = WarningKind::mended;
+    WarningKind kind = WarningKind::repaired;
     std::string what;  ///< what was wrong, as text for a Warning; empty if the polygon was valid
 };
 

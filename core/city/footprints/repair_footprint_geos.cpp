@@ -97,7 +97,7 @@ double floatStep(const std::vector<RawRing>& rings) {
     return std::ldexp(1.0, std::max(-20, std::ilogb(largest) + 1 - floatBits));
 }
 
-std::string inWords(const std::string& reason) {
+std::string describeReason(const std::string& reason) {
     static const std::map<std::string, std::string, std::less<>> words{
         {"Self-intersection", "outline or holes crossed"},
         {"Ring Self-intersection", "outline or a hole touched itself"},
@@ -126,7 +126,7 @@ Geometry mendRings(const Geos& geos, const std::vector<RawRing>& rings, Repaired
     }
     auto polygon = makePolygonGeometry(geos, rings);
     if (polygon && !isValid(geos, polygon)) {
-        say(result, inWords(reasonOf(geos, polygon)));
+        say(result, describeReason(reasonOf(geos, polygon)));
         if (areTangled(rings)) {
             say(result, fmt::format("more than {} times; redraw or simplify it", mostCrossings));
             return geos.owned(nullptr);

@@ -168,7 +168,7 @@ private:
         removeDegenerateTriangles(mesh);
         const std::size_t dropped = raw.triangles.size() - mesh.triangles.size();
         if (dropped > 0)
-            made_.warnings.push_back({WarningKind::mended, "faces without area were left out",
+            made_.warnings.push_back({WarningKind::repaired, "faces without area were left out",
                                       fmt::format("{} ({})", where_, dropped)});
         return mesh;
     }
@@ -180,8 +180,8 @@ private:
 
     void addSolids(TriangleMesh mesh) {
         if (!closed_ && !isSheet(mesh) && !isUpright(mesh))
-            warn(WarningKind::mended, "its surface is not closed; it is used unchanged");
-        if (turnOutward(mesh) > 0) warn(WarningKind::mended, "its faces pointed inward and were turned");
+            warn(WarningKind::repaired, "its surface is not closed; it is used unchanged");
+        if (turnOutward(mesh) > 0) warn(WarningKind::repaired, "its faces pointed inward and were turned");
         MeshOutline outline = computeOutline(mesh, closed_);
         if (outline.pieces.empty()) return warn(WarningKind::dropped, "its outline could not be determined");
         if (outline.wallsOnly && area(outline.pieces.front()) > 1)

@@ -128,7 +128,7 @@ SurfaceMesher::Outcome SurfaceMesher::addTriangulated(const Surface& surface, gl
     }
     for (const glm::uvec3 t : triangulation.triangles)
         mesh_.triangles.emplace_back(indices[t.x], indices[t.y], indices[t.z]);
-    return triangulation.points.size() > own.size() ? Outcome::mended : Outcome::added;
+    return triangulation.points.size() > own.size() ? Outcome::repaired : Outcome::added;
 }
 
 }  // namespace noonmark

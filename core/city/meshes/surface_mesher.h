@@ -19,7 +19,7 @@ class SurfaceMesher {
 public:
     enum class Outcome {
         added,
-        mended,      ///< the polygon crosses itself in its own plane; the crossings became points
+        repaired,    ///< the polygon crosses itself in its own plane; the crossings became points
         tangled,     ///< more than mostMeshCrossings crossings (triangulate.h): nothing added
         degenerate,  ///< no area, or a point that is not a number: nothing added
     };

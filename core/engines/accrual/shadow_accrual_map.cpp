@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <new>
-
+#include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/accrual/ground_lookup.h"
 #include "core/engines/accrual/slice_stack.h"
-#include "core/engines/api/engine.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/counting/receiver_count.h"
 
@@ -44,13 +42,9 @@ private:
     Result<void> tried(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop,
                        const MaskWatcher* watcher) {
         if (auto ok = checkSteps(interval.steps); !ok) return ok;
-        try {
-            return shaded(interval, masks, stop, watcher);
-        } catch (const std::bad_alloc&) {
-            return failure(fmt::format("There is not enough memory for maps of {} x {} texels",
-                                       frame_.columns, frame_.rows),
-                           "map size", "Choose a smaller map");
-        }
+        const MemoryLack lack{fmt::format("maps of {} x {} texels", frame_.columns, frame_.rows), "map size",
+                              "Choose a smaller map"};
+        return guardMemory(lack, [&] { return shaded(interval, masks, stop, watcher); });
     }
 
     Result<void> shaded(const SunInterval& interval, std::span<ShadowMask> masks, const std::stop_token& stop,
@@ -107,15 +101,11 @@ Result<std::shared_ptr<const ShadowAccrualMap>> ShadowAccrualMap::make(const Acc
 Result<std::unique_ptr<IntervalScene>> ShadowAccrualMap::prepare(const City& city, const Receivers& receivers,
                                                                  const SunSteps& directions,
                                                                  std::stop_token stop) const {
-    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
-        return tl::make_unexpected(level.error());
-    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions);
+    Cost cost;
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, directions, cost);
     CasterFaces faces = makeCasterFaces(city, used, stop);
     if (stop.stop_requested()) return cancelled();
     auto scene = std::make_unique<AccrualScene>(std::move(faces), receivers, settings_);
-    Cost cost;
-    cost.buildingsUsed = std::uint32_t(used.size());
-    cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
     scene->startWith(std::move(cost));
     return scene;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <limits>
-#include <new>
 
+#include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/accrual/slice_stack.h"
 #include "core/engines/accrual/surface_lookup.h"
@@ -106,8 +106,7 @@ public:
         CasterFaces faces = makeCasterFaces(city, used, stop);
         if (stop.stop_requested()) return cancelled();
         Cost cost;
-        cost.buildingsUsed = std::uint32_t(used.size());
-        cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
+        countInReach(cost, used.size(), city.buildings.size());
         return std::make_unique<SurfaceScene>(std::move(faces), points_, settings_, std::move(cost));
     }
 
@@ -152,16 +151,14 @@ Result<SurfaceShadow> SurfaceAccrual::accumulate(const City& city, const Surface
                                                  std::stop_token stop, const StepMemory& memory) const {
     auto shadow = makeBlankSurfaceShadow(points, sun);
     if (!shadow || points.size() == 0) return shadow;
-    try {
+    const MemoryLack lack{"this view", "shadow accrual map", "Choose a smaller view or a smaller map"};
+    return guardMemory(lack, [&]() -> Result<SurfaceShadow> {
         const GraphEngine graph(std::make_shared<SurfaceIntervals>(points, settings_), graph_);
         auto field = graph.accumulate(city, rowOf(points.size()), sun, progress, std::move(stop), memory);
         if (!field) return tl::make_unexpected(field.error());
         take(std::move(*field), *shadow);
-        return shadow;
-    } catch (const std::bad_alloc&) {
-        return failure("There is not enough memory for this view", "shadow accrual map",
-                       "Choose a smaller view or a smaller map");
-    }
+        return std::move(*shadow);
+    });
 }
 
 }  // namespace noonmark

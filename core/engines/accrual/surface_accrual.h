@@ -10,7 +10,8 @@ namespace noonmark {
 /// Shadow accrual maps on any surface (paper, section 4), on the processor, for exploration. Each interval
 /// has its own frame at a right angle to the sun's direction, warped towards the eye if the points have one.
 /// Error: half a texel at the border of shadows, the straight sun path, and the direction graph where hours
-/// share an edge. Running results go to progress.partials() as a field with one row, one cell per point.
+/// share an edge. Running results go to the PartialSink of `progress` as a field with one row, one cell per
+/// point.
 class SurfaceAccrual final : public SurfaceEngine {
 public:
     /// Error if a setting of the maps is out of range.

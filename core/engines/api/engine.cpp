@@ -2,31 +2,31 @@
 
 #include <fmt/format.h>
 
-#include <new>
+#include "core/base/memory_guard.h"
 
 namespace noonmark {
 
 Result<ShadowField> Engine::accumulate(const City& city, const Receivers& receivers, const SunSteps& sun,
-                                       Progress& progress, std::stop_token stop) const try {
-    if (const auto able = checkGround(city, receivers, capabilities(), name()); !able)
-        return tl::make_unexpected(able.error());
-    return compute(city, receivers, sun, progress, std::move(stop));
-} catch (const std::bad_alloc&) {
-    return outOfMemory(name());
+                                       Progress& progress, std::stop_token stop) const {
+    return guardMemory({.where = std::string(name())}, [&]() -> Result<ShadowField> {
+        if (const auto able = checkGround(city, receivers, capabilities(), name()); !able)
+            return tl::make_unexpected(able.error());
+        return compute(city, receivers, sun, progress, std::move(stop));
+    });
 }
 
 Result<ShadowBreakdown> Engine::breakDown(const City& city, const Receivers& receivers, const SunSteps& sun,
                                           const StepSets& sets, bool byBuilding, Progress& progress,
-                                          std::stop_token stop) const try {
-    if (const auto able = checkGround(city, receivers, capabilities(), name()); !able)
-        return tl::make_unexpected(able.error());
-    if (byBuilding ? !capabilities().attribution : !capabilities().sets)
-        return unsupported(
-            fmt::format("{} does not sum shadow by {}", name(), byBuilding ? "building" : "month"), "engine",
-            "Choose the horizon sweep");
-    return computeBreakdown(city, receivers, sun, sets, byBuilding, progress, std::move(stop));
-} catch (const std::bad_alloc&) {
-    return outOfMemory(name());
+                                          std::stop_token stop) const {
+    return guardMemory({.where = std::string(name())}, [&]() -> Result<ShadowBreakdown> {
+        if (const auto able = checkGround(city, receivers, capabilities(), name()); !able)
+            return tl::make_unexpected(able.error());
+        if (byBuilding ? !capabilities().attribution : !capabilities().sets)
+            return unsupported(
+                fmt::format("{} does not sum shadow by {}", name(), byBuilding ? "building" : "month"),
+                "engine", "Choose the horizon sweep");
+        return computeBreakdown(city, receivers, sun, sets, byBuilding, progress, std::move(stop));
+    });
 }
 
 std::optional<EngineChoice> Engine::choose(std::span<const City* const> /*cities*/,
@@ -63,11 +63,6 @@ Result<void> checkGround(const City& city, const Receivers& receivers, const Eng
     return unsupported(fmt::format("{} works on flat ground only, and {}", name,
                                    hasTerrain ? "this city has terrain" : "the receivers lie on roofs"),
                        "engine", "Choose the horizon sweep or the ray reference");
-}
-
-tl::unexpected<Error> outOfMemory(std::string_view where) {
-    return limitReached("There is not enough memory for this study", std::string(where),
-                        "Choose a smaller region or larger cells");
 }
 
 }  // namespace noonmark

@@ -83,7 +83,4 @@ struct EngineChoice {
 Result<void> checkGround(const City& city, const Receivers& receivers, const EngineCapabilities& capabilities,
                          std::string_view name);
 
-/// The error of work that ran out of memory. `where`: of what.
-[[nodiscard]] tl::unexpected<Error> outOfMemory(std::string_view where);
-
 }  // namespace noonmark

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 namespace noonmark {
 
 /// For which receivers an engine finds the same minutes whichever other receivers there are. Those that lay
@@ -22,5 +24,21 @@ struct EngineCapabilities {
     bool choosesEngine = false;  ///< computes nothing itself, but chooses another engine for each case
     Independence independence = Independence::none;
 };
+
+/// Of an engine that chooses one of these for each case: what any of them takes and sums, it does too; what
+/// its result states, all of them must state.
+constexpr EngineCapabilities combineForChoice(std::initializer_list<EngineCapabilities> engines) {
+    EngineCapabilities choice{.choosesEngine = true};
+    for (const EngineCapabilities& engine : engines) {
+        choice.terrain |= engine.terrain;
+        choice.roofs |= engine.roofs;
+        choice.overhangs &= engine.overhangs;
+        choice.continuous &= engine.continuous;
+        choice.sets |= engine.sets;
+        choice.attribution |= engine.attribution;
+        choice.cache |= engine.cache;
+    }
+    return choice;
+}
 
 }  // namespace noonmark

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/base/progress.h"
 #include "core/engines/api/shadow_field.h"
 
 namespace noonmark {
@@ -18,7 +19,8 @@ struct PartialField {
     bool wholePeriod = false;  ///< the unfinished part is filled from results known around each cell
 };
 
-/// Receives running results. Engines find it at Progress::partials().
+/// Receives running results. A Progress that displays them derives from this class too; engines find it with
+/// findPartialSink().
 class PartialSink {
 public:
     virtual ~PartialSink() = default;
@@ -29,5 +31,10 @@ public:
     /// Called from any thread, by one thread at a time.
     virtual void take(PartialField partial) = 0;
 };
+
+/// The sink that displays running results of the work with this progress; null if there is none.
+[[nodiscard]] inline PartialSink* findPartialSink(Progress& progress) {
+    return dynamic_cast<PartialSink*>(&progress);
+}
 
 }  // namespace noonmark

@@ -63,7 +63,8 @@ public:
     virtual ~IntervalEngine() = default;
 
     /// `directions`: every direction of the intervals to come (only SunSteps::steps is read), so that
-    /// buildings out of reach can be left out. City and receivers must outlive the scene.
+    /// buildings out of reach can be left out. City and receivers must outlive the scene, and be such as
+    /// capabilities() takes: GraphEngine, like every Engine, refuses the others before.
     [[nodiscard]] virtual Result<std::unique_ptr<IntervalScene>> prepare(const City& city,
                                                                          const Receivers& receivers,
                                                                          const SunSteps& directions,

@@ -113,4 +113,16 @@ std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receiver
     return indices;
 }
 
+std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, Cost& cost) {
+    std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun);
+    countInReach(cost, used.size(), city.buildings.size());
+    return used;
+}
+
+void countInReach(Cost& cost, std::size_t used, std::size_t all) {
+    cost.buildingsUsed = std::uint32_t(used);
+    cost.skipped[buildingsOutOfReach] = all - used;
+}
+
 }  // namespace noonmark

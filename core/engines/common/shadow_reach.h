@@ -1,16 +1,17 @@
 #pragma once
 
 // Parts that several engines share. shadow_reach.h finds the buildings whose shadow can reach a receiver;
-// changed_buildings.h compares two cities for the caches; level_ground.h refuses what flat-ground engines
-// cannot handle. receiver_tiles.h, scattered_order.h and finished_tiles.h divide a region into tiles and
-// deliver running results; day_sum.h combines fields of days. sun_packets.h groups sun directions for SIMD.
-// run_counter.h and shadow_mask.h count shadow and its longest runs. interval_engine.h is the interface of
-// the accrual maps, which shade one interval of the sun at a time.
+// changed_buildings.h compares two cities for the caches. receiver_tiles.h, scattered_order.h and
+// finished_tiles.h divide a region into tiles and deliver running results; day_sum.h combines fields of days.
+// sun_packets.h groups sun directions for SIMD. run_counter.h and shadow_mask.h count shadow and its longest
+// runs. interval_engine.h is the interface of the accrual maps, which shade one interval of the sun at a
+// time.
 
 #include <cstdint>
 #include <vector>
 
 #include "core/city/city.h"
+#include "core/engines/api/shadow_field.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 
@@ -43,5 +44,14 @@ private:
 /// buildings take milliseconds.
 std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receivers& receivers,
                                                 const SunSteps& sun);
+
+/// The same, and counts in `cost` how many are used and how many are out of reach.
+std::vector<std::uint32_t> findBuildingsInReach(const City& city, const Receivers& receivers,
+                                                const SunSteps& sun, Cost& cost);
+
+/// Key of Cost::skipped.
+inline constexpr const char* buildingsOutOfReach = "buildings whose shadow cannot reach a receiver";
+/// Sets in `cost` that `used` of `all` buildings can shade a receiver.
+void countInReach(Cost& cost, std::size_t used, std::size_t all);
 
 }  // namespace noonmark

@@ -67,7 +67,7 @@ public:
             if (stop_.stop_requested()) return cancelled();
         }
         tally_.writeTo(field_, receivers_, {});
-        if (PartialSink* sink = progress_.partials()) sink->take(partial(tally_, {}));
+        if (PartialSink* sink = findPartialSink(progress_)) sink->take(partial(tally_, {}));
         return {};
     }
 
@@ -91,7 +91,7 @@ private:
     Result<void> shade(const DirectionGraph::Leg& leg, const std::vector<PathLeg>& before) {
         progress_.report(double(shaded_++) / double(graph_.edges.size()), "shading intervals");
         const DirectionGraph::Edge& edge = graph_.edges[leg.edge];
-        PartialSink* sink = progress_.partials();
+        PartialSink* sink = findPartialSink(progress_);
         const auto done =
             sink ? scene_.shadeWatched(
                        edge.sun, masks_, stop_,
@@ -107,7 +107,7 @@ private:
 
     // `path`: the finished legs of the current day.
     void show(const std::vector<PathLeg>& path) {
-        PartialSink* sink = progress_.partials();
+        PartialSink* sink = findPartialSink(progress_);
         if (sink && sink->wants()) sink->take(partial(tally_, path));
     }
 

@@ -33,7 +33,7 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     if (settings.counts == ShadowCounts::gross)
         std::ranges::fill(field.continuousMin, std::numeric_limits<float>::quiet_NaN());
     const Stopwatch watch;
-    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun);
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun, field.cost);
     OverhangParts overhangs;
     const WallList walls = collectStandingObstacles(city, used, receivers, overhangs);
     const auto overhanging = makeOverhangShapes(overhangs, receivers.grid, walls.datumM);
@@ -42,9 +42,6 @@ Result<ShadowField> sweepHorizons(const City& city, const Receivers& receivers, 
     field.engine = fmt::format(
         "Horizon sweep: the slope of each receiver's horizon in {}, every step of every day counted{}",
         formatText(binned), settings.counts == ShadowCounts::gross ? ", gross shadow only" : "");
-    field.cost.buildingsUsed = std::uint32_t(used.size());
-    field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
-        city.buildings.size() - used.size();
     std::optional<RunRays> rays;
     if (settings.counts == ShadowCounts::grossAndRuns) {
         auto made = RunRays::over(city, used, receivers, sun, settings.checksRuns, stop);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/engines/api/engine.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/inverse/inverse_accrual_scene.h"
 #include "core/engines/inverse/shadow_lines_opencl.h"
@@ -66,8 +65,6 @@ Result<std::unique_ptr<IntervalScene>> InverseAccrualMap::prepare(const City& ci
                                                                   const Receivers& receivers,
                                                                   const SunSteps& directions,
                                                                   std::stop_token stop) const {
-    if (const auto level = checkGround(city, receivers, capabilities(), name()); !level)
-        return tl::make_unexpected(level.error());
     const LowSun lowSun(settings_.lowestSunDeg);
     const SunSteps low = lowSun.of(directions, true), high = lowSun.of(directions, false);
     std::unique_ptr<IntervalScene> rays;

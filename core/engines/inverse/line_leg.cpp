@@ -31,15 +31,15 @@ void takeMasks(const LineLeg& leg, const BlockWork& work, int slot, std::span<Sh
 /// Share of receivers that satisfy is(major, lane, number), among one in `stride` of a block's receivers.
 template <class Is>
 double shareOf(const std::vector<Line<std::uint32_t>>& numbers, int stride, const Is& is) {
-    std::size_t asked = 0, count = 0;
+    std::size_t checked = 0, count = 0;
     for (int major = 0; major < int(numbers.size()); ++major)
         for (int lane = major % stride; lane < Lanes::perBlock; lane += stride) {
             const std::uint32_t number = numbers[std::size_t(major)].values[lane];
             if (number == LaneReceivers::none) continue;
-            ++asked;
+            ++checked;
             count += std::size_t(is(major, lane, number));
         }
-    return asked == 0 ? 0 : double(count) / double(asked);
+    return checked == 0 ? 0 : double(count) / double(checked);
 }
 
 bool crowded(const BlockWork& work, int slot) {

@@ -23,10 +23,10 @@ using Shade = std::function<Result<FillCount>(const SunSteps&, ShadowField&, Pro
 
 constexpr double pictureSeconds = 0.1;  // for some seven running results per second
 
-// With a sink, processes groups of days scattered over the period, each as large as the time between running
+// Processes groups of days scattered over the period, each as large as the time between running
 // results allows.
 Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, const SunSteps& sun,
-                               ShadowField& field, Progress& progress) {
+                               ShadowField& field, Progress& progress, PartialSink& sink) {
     DaySum sum(receivers, sun);
     FillCount total;
     const std::size_t all = sun.dayCount(), stride = chooseScatteringStride(all);
@@ -41,12 +41,12 @@ Result<FillCount> shadeInParts(const Shade& shade, const Receivers& receivers, c
         if (!filled) return filled;
         total += *filled;
         sum.add(part, days);
-        if (progress.partials()->wants()) progress.partials()->take(sum.partial());
+        if (sink.wants()) sink.take(sum.partial());
         if (watch.seconds() < pictureSeconds / 2) count *= 2;
         if (watch.seconds() > pictureSeconds) count = std::max<std::size_t>(1, count / 2);
     }
     sum.writeTo(field);
-    progress.partials()->take(sum.partial());
+    sink.take(sum.partial());
     return total;
 }
 
@@ -56,18 +56,16 @@ Result<ShadowField> fillShadows(const City& city, const Receivers& receivers, co
     field.engine =
         "Projected shadows: each building's shadow filled as polygons at every step, exact on flat ground";
     const Stopwatch watch;
-    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun);
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun, field.cost);
     const ShadowCasters casters = makeShadowCasters(city, used, receivers.grid);
-    field.cost.buildingsUsed = std::uint32_t(used.size());
-    field.cost.skipped["buildings whose shadow cannot reach a receiver"] =
-        city.buildings.size() - used.size();
     field.cost.seconds["build"] = watch.seconds();
     const Shade shade = [&](const SunSteps& steps, ShadowField& into, Progress& share) {
         return Projection(casters, receivers, steps, share, stop).run(into);
     };
-    const bool watched = progress.partials() != nullptr && sun.dayCount() > 1;
-    const auto total =
-        watched ? shadeInParts(shade, receivers, sun, field, progress) : shade(sun, field, progress);
+    PartialSink* sink = findPartialSink(progress);
+    const auto total = sink && sun.dayCount() > 1
+                           ? shadeInParts(shade, receivers, sun, field, progress, *sink)
+                           : shade(sun, field, progress);
     if (!total) return tl::make_unexpected(total.error());
     field.cost.seconds["fill and count"] = watch.seconds() - field.cost.seconds["build"];
     field.cost.skipped["shadows that meet no receiver (casters x steps x bands of rows)"] = total->outOfReach;

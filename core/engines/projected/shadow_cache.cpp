@@ -7,8 +7,8 @@
 #include <atomic>
 #include <cstring>
 #include <limits>
-#include <new>
 
+#include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
 #include "core/engines/common/changed_buildings.h"
@@ -161,17 +161,15 @@ struct ShadowCache::State {
     }
 
     Result<void> follow(const City& city, const Receivers& receivers, Progress& progress,
-                        const std::stop_token& stop) try {
-        if (!whole) begin();
-        remask(receivers.kind);
-        auto done = changeTo(city.buildings, progress, stop);
+                        const std::stop_token& stop) {
+        const auto work = [&] {
+            if (!whole) begin();
+            remask(receivers.kind);
+            return changeTo(city.buildings, progress, stop);
+        };
+        auto done = guardMemory({.where = "cached shadows"}, work, [this] { whole = false; });
         if (!done) drop();
         return done;
-    } catch (const std::bad_alloc&) {
-        whole = false;
-        drop();
-        return failure("There is not enough memory for this study", "cached shadows",
-                       "Choose a smaller region or larger cells");
     }
 };
 

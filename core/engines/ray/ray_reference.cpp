@@ -13,6 +13,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
+#include "core/engines/api/partial_field.h"
 #include "core/engines/common/finished_tiles.h"
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/run_counter.h"
@@ -43,8 +44,8 @@ public:
           field_(field),
           progress_(progress),
           stop_(stop),
-          tiles_(receivers, sideFor(packets.size(), progress.partials() != nullptr)),
-          finished_(tiles_, field, progress.partials()) {}
+          tiles_(receivers, sideFor(packets.size(), findPartialSink(progress) != nullptr)),
+          finished_(tiles_, field, findPartialSink(progress)) {}
 
     void run() {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tiles_.count()), [&](const auto& range) {
@@ -118,9 +119,7 @@ private:
 Result<RayScene> buildScene(const City& city, const Receivers& receivers, const SunSteps& sun, Cost& cost,
                             const std::stop_token& stop) {
     const Stopwatch watch;
-    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun);
-    cost.buildingsUsed = std::uint32_t(used.size());
-    cost.skipped["buildings whose shadow cannot reach a receiver"] = city.buildings.size() - used.size();
+    const std::vector<std::uint32_t> used = findBuildingsInReach(city, receivers, sun, cost);
     if (stop.stop_requested()) return cancelled();
     auto scene = RayScene::over(city, used, stop);
     cost.seconds["build"] = watch.seconds();

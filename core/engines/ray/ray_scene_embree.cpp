@@ -211,8 +211,8 @@ struct RayScene::Tree {
         attach(device, scene, buildingsId, buildings.mesh, from);
         buildingOfTriangle = buildings.buildingOfTriangle;
         triangles = buildings.mesh.triangles.size() + terrain.triangles.size();
-        std::stop_token asked = stop;
-        rtcSetSceneProgressMonitorFunction(scene, mayGoOn, &asked);
+        std::stop_token watched = stop;
+        rtcSetSceneProgressMonitorFunction(scene, mayGoOn, &watched);
         rtcCommitScene(scene);
         rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
         return rtcGetDeviceError(device) == RTC_ERROR_NONE;

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
-#include <new>
 
+#include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/ray/ray_reference.h"
@@ -121,11 +121,8 @@ SurfaceRays::SurfaceRays(std::optional<RayScene> scene) : scene_(std::move(scene
 Result<SurfaceShadow> SurfaceRays::accumulate(const City& city, const SurfacePoints& points,
                                               const SunSteps& sun, Progress& progress,
                                               std::stop_token stop) const {
-    try {
-        return tracePoints(city, scene_, points, sun, progress, stop);
-    } catch (const std::bad_alloc&) {
-        return failure("There is not enough memory for this view", "ray reference", "Choose a smaller view");
-    }
+    return guardMemory({"this view", "ray reference", "Choose a smaller view"},
+                       [&] { return tracePoints(city, scene_, points, sun, progress, stop); });
 }
 
 }  // namespace noonmark

@@ -84,18 +84,18 @@ private:
     TriangleMesh meshOf(const std::vector<Surface>& shell, const CityJsonObject& object) {
         SurfaceMesher mesher(group_.block->vertices);
         std::size_t degenerate = 0;
-        std::size_t mended = 0;
+        std::size_t repaired = 0;
         std::size_t tangled = 0;
         for (const Surface& surface : shell) {
             const auto outcome = mesher.add(surface);
             degenerate += outcome == SurfaceMesher::Outcome::degenerate ? 1 : 0;
-            mended += outcome == SurfaceMesher::Outcome::mended ? 1 : 0;
+            repaired += outcome == SurfaceMesher::Outcome::repaired ? 1 : 0;
             tangled += outcome == SurfaceMesher::Outcome::tangled ? 1 : 0;
         }
         if (degenerate > 0) warn(WarningKind::dropped, "surfaces without area", object, degenerate);
         if (tangled > 0)
             warn(WarningKind::dropped, "surfaces that cross themselves too often", object, tangled);
-        if (mended > 0) warn(WarningKind::mended, "surfaces crossed themselves", object, mended);
+        if (repaired > 0) warn(WarningKind::repaired, "surfaces crossed themselves", object, repaired);
         return mesher.take();
     }
 
@@ -188,7 +188,7 @@ void addTin(const CityJsonData& data, const std::string& file, FilePiece& piece)
     if (!made) return piece.warnings.push_back({WarningKind::dropped, "the terrain has no area", file});
     if (made->filled > 0)
         piece.warnings.push_back(
-            {WarningKind::mended,
+            {WarningKind::repaired,
              "cells that the terrain's triangles do not cover were filled from the nearest elevation",
              fmt::format("{} ({} of {} cells)", file, made->filled, made->terrain.grid.size())});
     made->terrain.source.file = std::filesystem::path(file).filename().string();

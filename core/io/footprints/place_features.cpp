@@ -62,7 +62,8 @@ std::vector<Footprint> disjoint(std::vector<Footprint> pieces, const std::string
     const bool same =
         joined.size() == pieces.size() && computeArea(pieces) - computeArea(joined) < sameAreaM2;
     if (same || joined.empty()) return pieces;
-    warnings.push_back({WarningKind::mended, "its polygons overlapped or shared a wall and were joined", id});
+    warnings.push_back(
+        {WarningKind::repaired, "its polygons overlapped or shared a wall and were joined", id});
     return joined;
 }
 

@@ -207,7 +207,7 @@ void keepRemarks(const GdalCalls& calls, std::size_t atOpening, const std::strin
     for (std::size_t i = 0; i < said.size(); ++i) {
         if (i < atOpening && std::ranges::find(later, said[i]) != later.end()) continue;
         if (std::string what = makeMapRemark(said[i]); !what.empty())
-            remarks.push_back({WarningKind::mended, std::move(what), file});
+            remarks.push_back({WarningKind::repaired, std::move(what), file});
     }
     for (const WarningGroup& group : groupWarnings(remarks))
         warnings.push_back({group.kind, group.what, fmt::format("{} ({})", file, group.where.size())});

@@ -28,14 +28,14 @@ std::vector<std::string> fieldsOf(OGRLayer& layer) {
 }
 
 // -1 if the layer has none of the usual name fields.
-Result<int> nameFieldOf(OGRLayer& layer, const std::string& asked, const std::string& where) {
-    if (asked.empty()) {
+Result<int> nameFieldOf(OGRLayer& layer, const std::string& wanted, const std::string& where) {
+    if (wanted.empty()) {
         for (const char* usual : usualNameFields)
             if (const int field = layer.FindFieldIndex(usual, 0); field >= 0) return field;
         return -1;
     }
-    if (const int field = layer.FindFieldIndex(asked.c_str(), 0); field >= 0) return field;
-    return failure(fmt::format("The layer has no field '{}'", asked),
+    if (const int field = layer.FindFieldIndex(wanted.c_str(), 0); field >= 0) return field;
+    return failure(fmt::format("The layer has no field '{}'", wanted),
                    fmt::format("{}, layer {}", where, layer.GetName()),
                    fmt::format("Its fields are: {}", fmt::join(fieldsOf(layer), ", ")));
 }
@@ -114,16 +114,16 @@ private:
     std::vector<std::string> examples_;  // some names from the file, for messages
 };
 
-Result<std::vector<OGRLayer*>> layersOf(GDALDataset& dataset, const std::string& asked,
+Result<std::vector<OGRLayer*>> layersOf(GDALDataset& dataset, const std::string& wanted,
                                         const std::string& where) {
     std::vector<OGRLayer*> layers;
     std::vector<std::string> names;
     for (OGRLayer* layer : dataset.GetLayers()) {
         names.emplace_back(layer->GetName());
-        if (asked.empty() || names.back() == asked) layers.push_back(layer);
+        if (wanted.empty() || names.back() == wanted) layers.push_back(layer);
     }
     if (!layers.empty()) return layers;
-    return failure(fmt::format("The file has no layer '{}'", asked), where,
+    return failure(fmt::format("The file has no layer '{}'", wanted), where,
                    fmt::format("Its layers are: {}", fmt::join(names, ", ")));
 }
 

@@ -139,7 +139,7 @@ void warn(const ObjectPieces& pieces, const std::string& where, Warnings& warnin
         if (count > 0) warnings.push_back({kind, what, fmt::format("{} ({})", where, count)});
     };
     add(WarningKind::leftOut, "flat ground", pieces.ground);
-    add(WarningKind::mended, "faces without area were left out", pieces.withoutArea);
+    add(WarningKind::repaired, "faces without area were left out", pieces.withoutArea);
 }
 
 // Removes ground that is an object of its own.

@@ -89,7 +89,7 @@ struct SceneReader {
         append(object.mesh, mesher.mesh());
         warn(WarningKind::dropped, "faces with missing corners", object.name, counts.broken);
         warn(WarningKind::dropped, "faces that cross themselves too often", object.name, counts.tangled);
-        warn(WarningKind::mended, "faces without area were left out", object.name, counts.degenerate);
+        warn(WarningKind::repaired, "faces without area were left out", object.name, counts.degenerate);
     }
 
     void warn(WarningKind kind, const char* what, const std::string& object, std::size_t count) {

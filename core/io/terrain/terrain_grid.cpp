@@ -157,13 +157,13 @@ Result<void> finishTerrain(const TerrainGrid& place, std::vector<float> elevatio
     TerrainSource source = place.source;
     source.impossible = forgetImpossible(elevations);
     if (source.impossible > 0)
-        piece.warnings.push_back({WarningKind::mended,
+        piece.warnings.push_back({WarningKind::repaired,
                                   "impossible elevations were filled from the nearest cell",
                                   fmt::format("{} ({} cells)", file, source.impossible)});
     source.filled = gapsInside(place, elevations);
     if (source.filled > 0)
         piece.warnings.push_back(
-            {WarningKind::mended, "cells without elevation were filled from the nearest one",
+            {WarningKind::repaired, "cells without elevation were filled from the nearest one",
              fmt::format("{} ({} of {} cells)", file, source.filled, elevations.size())});
     fillFromNearest(elevations, place.posts.columns, place.posts.rows);
     const float lowest = findLowest(elevations);

@@ -39,7 +39,7 @@ struct ScenarioRecord {
 struct ProjectRecord {
     std::string file;           ///< file name without the folder; empty: never saved
     std::string fileSha256;     ///< empty: the file does not hold the state that was measured
-    std::string contentSha256;  ///< hash of the content that the result depends on: see contentHashWords
+    std::string contentSha256;  ///< hash of the content that the result depends on: see contentHashText
     ScenarioRecord scenario;
     std::optional<ScenarioRecord> baseline;  ///< for a comparison
 
@@ -48,7 +48,7 @@ struct ProjectRecord {
 };
 
 /// How ProjectRecord::contentSha256 is computed (scenarios/project/project_provenance.cpp).
-inline constexpr const char* contentHashWords =
+inline constexpr const char* contentHashText =
     "SHA-256 over lines of text that end in a line feed: 'city' and the SHA-256 of the existing city's "
     "origin, geometry and terrain; 'scenario', and for each of its edits, those of its base scenarios first, "
     "'edit', its kind and its value as stored in the table edits; likewise 'baseline' for a comparison; "

@@ -16,7 +16,7 @@ Json projectJson(const ProjectRecord& project) {
             {"file_sha256", textOrNull(project.fileSha256)},
             {"saved_as_measured", project.saved()},
             {"content_sha256", project.contentSha256},
-            {"content_sha256_of", contentHashWords}};
+            {"content_sha256_of", contentHashText}};
 }
 
 void addScenario(Json& json, const std::string& role, const ScenarioRecord& scenario) {

@@ -17,7 +17,7 @@ std::string describePlace(const Study& study, glm::dvec2 localM) {
                        std::abs(place.lonDeg), place.lonDeg < 0 ? "W" : "E");
 }
 
-std::string cellWords(const Study& study, const CellError& error) {
+std::string describeCell(const Study& study, const CellError& error) {
     const std::string worst =
         fmt::format("worst {:.3f} % ({:.1f} min)", error.percent(error.maxMin), error.maxMin);
     const std::string place = error.maxMin > 0 ? " at " + describePlace(study, error.worstM) : "";
@@ -26,7 +26,7 @@ std::string cellWords(const Study& study, const CellError& error) {
                        place);
 }
 
-std::string sampleWords(const Study& study, const SampledError& error) {
+std::string describeSample(const Study& study, const SampledError& error) {
     const auto seconds = study.seconds.find("error_sample");
     return fmt::format("{} of {} receivers against the ray reference, the same {} steps, in {:.2f} s",
                        error.receivers, error.ofReceivers, study.sun.steps.size(),
@@ -53,10 +53,10 @@ std::vector<ErrorLine> makeErrorLines(const Study& study) {
     };
     add("area error", fmt::format("{:+.4f} % of the ground, standard error {:.4f}", error.areaPct,
                                   error.areaStandardErrorPct));
-    add("cell error, gross", cellWords(study, error.gross));
+    add("cell error, gross", describeCell(study, error.gross));
     if (study.sun.steps.size() > 1 && hasRuns(error))
-        add("cell error, continuous", cellWords(study, error.continuous));
-    add("error measured on", sampleWords(study, error));
+        add("cell error, continuous", describeCell(study, error.continuous));
+    add("error measured on", describeSample(study, error));
     return lines;
 }
 

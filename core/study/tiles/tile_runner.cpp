@@ -33,8 +33,8 @@ Result<void> TileRunner::run(std::size_t tile, Progress& progress, const std::st
     const Stopwatch watch;
     return placeReceiversInPart(city_, settings_.region, plan_.tile(tile), stop)
         .and_then([&](Receivers receivers) {
-            const Receivers asked = placeAtHeights(std::move(receivers), city_, settings_.receivers.places);
-            return computed(tile, asked, progress, stop);
+            const Receivers placed = placeAtHeights(std::move(receivers), city_, settings_.receivers.places);
+            return computed(tile, placed, progress, stop);
         })
         .and_then([&](TileResult result) {
             result.seconds = watch.seconds();

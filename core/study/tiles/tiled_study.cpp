@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
+#include "core/base/memory_guard.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/common/shadow_reach.h"
 #include "core/measures/has_runs.h"
@@ -81,12 +81,12 @@ std::uint32_t buildingsUsed(const City& city, const Region& region, const SunSte
 
 // Every tile skipped other buildings: only those that no tile needed count as skipped.
 void countBuildings(Study& study) {
-    const auto skipped = study.field.cost.skipped.find("buildings whose shadow cannot reach a receiver");
+    const auto skipped = study.field.cost.skipped.find(buildingsOutOfReach);
     if (skipped != study.field.cost.skipped.end())
         skipped->second = study.city.buildings.size() - study.field.cost.buildingsUsed;
 }
 
-std::string engineWords(const TiledStudy& tiled, const std::string& first) {
+std::string describeEngine(const TiledStudy& tiled, const std::string& first) {
     std::string keys;
     for (const auto& [key, count] : tiled.tilesByEngine)
         keys += fmt::format("{}{} in {}", keys.empty() ? "" : ", ", key, count);
@@ -113,7 +113,7 @@ void addTiles(TiledStudy& tiled, const TileJournal& journal) {
     countBuildings(study);
     const ShadowField& field = study.field;
     study.statistics = computeStatistics(sums, field.sunlitMinutesPerDay, field.grid.cellAreaM2());
-    study.field.engine = engineWords(tiled, first);
+    study.field.engine = describeEngine(tiled, first);
     study.field.engineKey =
         tiled.tilesByEngine.size() == 1 ? tiled.tilesByEngine.begin()->first : study.settings.engine;
     if (compared.empty()) return;
@@ -170,11 +170,9 @@ Result<TiledStudy> computeTiles(TiledStudy tiled, const Engine& engine, const Ma
     return tiled;
 }
 
-}  // namespace
-
-Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& settings,
-                                 const std::filesystem::path& file, Progress& progress, std::stop_token stop,
-                                 const EngineList& engines) try {
+Result<TiledStudy> checkAndCompute(const City& city, const TiledStudySettings& settings,
+                                   const std::filesystem::path& file, Progress& progress,
+                                   const std::stop_token& stop, const EngineList& engines) {
     const StudySettings& question = settings.study;
     if (const auto side = checkTileSide(settings.tileCells); !side) return tl::make_unexpected(side.error());
     if (const auto sound = checkQuestion(question); !sound) return tl::make_unexpected(sound.error());
@@ -187,9 +185,15 @@ Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& set
         return tl::make_unexpected(fits.error());
     return computeTiles({.study = {.city = city, .settings = question}, .plan = plan}, **engine,
                         {file, settings.tags}, progress, stop);
-} catch (const std::bad_alloc&) {
-    return limitReached("There is not enough memory for this study", "",
-                        "Choose smaller tiles or fewer steps");
+}
+
+}  // namespace
+
+Result<TiledStudy> runTiledStudy(const City& city, const TiledStudySettings& settings,
+                                 const std::filesystem::path& file, Progress& progress, std::stop_token stop,
+                                 const EngineList& engines) {
+    return guardMemory({.advice = "Choose smaller tiles or fewer steps"},
+                       [&] { return checkAndCompute(city, settings, file, progress, stop, engines); });
 }
 
 }  // namespace noonmark

@@ -72,7 +72,7 @@ SavedStudy studyOf(const SavedResult& result, const Json& json) {
     study.steps = wholeNumberFrom<std::uint64_t>(json.at("steps"));
     study.belowHorizon = wholeNumberFrom<std::uint64_t>(json.at("steps_below_horizon"));
     study.seconds = json.at("seconds").value("accumulate", 0.0);
-    study.error = parseErrorWords(json);
+    study.error = parseErrorText(json);
     return study;
 }
 

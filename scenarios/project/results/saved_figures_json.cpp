@@ -79,7 +79,7 @@ Score parseScore(const Json& json) {
     return score;
 }
 
-std::string parseErrorWords(const Json& study) {
+std::string parseErrorText(const Json& study) {
     const Json& error = study.at("error");
     if (!error.at("why_not").is_null()) return error.at("why_not");
     return fmt::format(

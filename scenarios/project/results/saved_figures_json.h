@@ -16,6 +16,6 @@ Score parseScore(const nlohmann::ordered_json& score);  ///< without grid, cells
 
 /// The study's error against the ray reference in one line, or the reason why it was not measured; empty
 /// where the JSON holds neither.
-std::string parseErrorWords(const nlohmann::ordered_json& study);
+std::string parseErrorText(const nlohmann::ordered_json& study);
 
 }  // namespace noonmark

@@ -15,8 +15,13 @@ namespace {
 
 constexpr const char* settingsKey = "read_settings";
 constexpr const char* heightsKey = "height_fields";
-constexpr std::array warningKinds{WarningKind::mended, WarningKind::clipped, WarningKind::dropped,
+constexpr std::array warningKinds{WarningKind::repaired, WarningKind::clipped, WarningKind::dropped,
                                   WarningKind::leftOut, WarningKind::assumed};
+
+// As a project file names the kind. Files of all versions say "mended" for what was repaired.
+std::string_view storedNameOf(WarningKind kind) {
+    return kind == WarningKind::repaired ? "mended" : nameOf(kind);
+}
 
 // Number of a text in warning_texts; new texts are added.
 class WarningTexts {
@@ -28,7 +33,7 @@ public:
     std::int64_t numberOf(const Warning& warning) {
         const auto [place, isNew] = numbers_.try_emplace({warning.kind, warning.what}, 0);
         if (isNew) {
-            add_.run(nameOf(warning.kind), warning.what);
+            add_.run(storedNameOf(warning.kind), warning.what);
             place->second = database_.lastRow();
         }
         return place->second;
@@ -70,7 +75,7 @@ HeightFacts readHeights(Database& database) {
 
 WarningKind warningKindOf(const std::string& name) {
     for (const WarningKind kind : warningKinds)
-        if (name == nameOf(kind)) return kind;
+        if (name == storedNameOf(kind)) return kind;
     throwDamaged("a warning is of an unknown kind");
 }
 

@@ -120,7 +120,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
 void toVersion2(Database& database) {
     addReadingTables(database);
     database.prepare("INSERT INTO warning_texts (id, kind, what) VALUES (1, ?, ?)")
-        .run(nameOf(WarningKind::leftOut), noReadingWords);
+        .run(nameOf(WarningKind::leftOut), noReadingText);
     database.prepare("INSERT INTO warnings (text, place) VALUES (1, ?)").run("project file");
 }
 

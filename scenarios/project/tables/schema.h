@@ -11,7 +11,7 @@ namespace noonmark {
 inline constexpr int schemaVersion = 2;
 
 /// Warning added to files of version 1, which store no warnings.
-inline constexpr const char* noReadingWords =
+inline constexpr const char* noReadingText =
     "warnings and settings of reading the city's files: the project was saved by a version that did not save "
     "them (file version 1); read the files again to have them";
 

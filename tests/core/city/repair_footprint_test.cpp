@@ -106,7 +106,7 @@ TEST(RepairFootprint, CrossedOutlineBecomesItsTwoLobes) {
     const auto repaired = repairFootprint({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}});
     EXPECT_EQ(repaired.pieces.size(), 2U);
     EXPECT_DOUBLE_EQ(totalArea(repaired.pieces), 50);
-    EXPECT_EQ(repaired.kind, WarningKind::mended);
+    EXPECT_EQ(repaired.kind, WarningKind::repaired);
     EXPECT_EQ(repaired.what, "outline or holes crossed");
 }
 

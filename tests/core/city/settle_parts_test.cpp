@@ -55,7 +55,7 @@ TEST_F(SettleParts, ALowGapIsClosedAndSaid) {
     EXPECT_FLOAT_EQ(parts[1].bottomM, 17);
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_EQ(warnings[0].where, "way 9");
-    EXPECT_EQ(warnings[0].kind, WarningKind::mended);
+    EXPECT_EQ(warnings[0].kind, WarningKind::repaired);
 }
 
 TEST_F(SettleParts, APassageStaysOpenAndAPlinthDoesNot) {

@@ -72,10 +72,10 @@ TEST(SurfaceMesher, BentPolygonsUseTheirOwnPoints) {
             true);
 }
 
-TEST(SurfaceMesher, CrossingPolygonsAreMended) {
+TEST(SurfaceMesher, CrossingPolygonsAreRepaired) {
     const std::vector<glm::dvec3> points{{0, 0, 5}, {10, 10, 5}, {10, 0, 5}, {0, 11, 5}};
     SurfaceMesher mesher(points);
-    EXPECT_EQ(mesher.add(parseRing(4)), Outcome::mended);
+    EXPECT_EQ(mesher.add(parseRing(4)), Outcome::repaired);
     for (const glm::vec3 vertex : mesher.mesh().vertices) EXPECT_NEAR(vertex.z, 5, 1e-5);
 }
 

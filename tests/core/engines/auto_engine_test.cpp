@@ -126,5 +126,17 @@ TEST(AutoEngine, AStopIsNoRefusal) {
     EXPECT_TRUE(isCancelled(field.error()));
 }
 
+TEST(AutoEngine, CanDoWhatTheEnginesItChoosesAmongCanDo) {
+    const EngineCapabilities able = AutoEngine().capabilities();
+    EXPECT_TRUE(able.terrain && able.roofs) << "rays and the sweep take them";
+    EXPECT_TRUE(able.sets && able.attribution && able.cache) << "the sweep has them";
+    EXPECT_TRUE(able.overhangs && able.continuous) << "all have them";
+    EXPECT_TRUE(able.choosesEngine);
+    EXPECT_EQ(able.independence, Independence::none) << "that is the chosen engine's";
+    const EngineCapabilities flat = combineForChoice({{.overhangs = false}, {.sets = true}});
+    EXPECT_FALSE(flat.terrain || flat.roofs || flat.overhangs || flat.attribution);
+    EXPECT_TRUE(flat.sets);
+}
+
 }  // namespace
 }  // namespace noonmark

@@ -125,7 +125,6 @@ TEST(HorizonNumbers, EdgesAlongTheAzimuthAndReceiversOnThem) {
 class Collect final : public Progress, public PartialSink {
 public:
     void report(double, std::string_view) override {}
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override { return true; }
     void take(PartialField partial) override { taken.push_back(std::move(partial)); }
     std::vector<PartialField> taken;

@@ -25,7 +25,6 @@ class Onlooker final : public Progress, public PartialSink {
 public:
     explicit Onlooker(bool curious = true) : curious_(curious) {}
     void report(double, std::string_view) override {}
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override { return curious_; }
     void take(PartialField partial) override { seen.push_back(std::move(partial)); }
     std::vector<PartialField> seen;

@@ -117,9 +117,11 @@ TEST(ShadowAccrualMap, RefusesTerrain) {
     City city = cityOf({{{0, 0, 0}, {1, 1, 1}}});
     const Receivers receivers = receiversOver(city, -2, -2, 2, 2);
     city.terrain = std::make_shared<const Terrain>(Terrain{{-5, -5, 5, 2, 2}, {0, 0, 0, 1}});
-    const auto scene = ShadowAccrualMap::make({}).value()->prepare(city, receivers, oneDay({{90, 20}}), {});
-    ASSERT_FALSE(scene);
-    EXPECT_EQ(scene.error().advice, "Choose the horizon sweep or the ray reference");
+    const GraphEngine engine(ShadowAccrualMap::make({}).value(), {});
+    NoProgress progress;
+    const auto field = engine.accumulate(city, receivers, oneDay({{90, 20}}), progress, {});
+    ASSERT_FALSE(field);
+    EXPECT_EQ(field.error().advice, "Choose the horizon sweep or the ray reference");
 }
 
 TEST(ShadowAccrualMap, SaysWhatItLeftOut) {

@@ -38,7 +38,7 @@ TEST(MapRemarks, AnOutlineThatDoesNotCloseIsReadAndSaid) {
     EXPECT_EQ(piece->buildings.size(), 2U);
     const auto said = std::ranges::find(piece->warnings, "a.geojson (1)", &Warning::where);
     ASSERT_NE(said, piece->warnings.end());
-    EXPECT_EQ(said->kind, WarningKind::mended);
+    EXPECT_EQ(said->kind, WarningKind::repaired);
     EXPECT_THAT(said->what, testing::HasSubstr("were not closed"));
 }
 

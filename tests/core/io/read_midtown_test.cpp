@@ -80,7 +80,7 @@ TEST_F(ReadMidtown, KnowsItsTallest) {
 TEST_F(ReadMidtown, EveryInvalidMultipolygonIsReported) {
     std::set<std::string> reported;
     for (const Warning& warning : piece->warnings)
-        if (warning.kind == WarningKind::dropped || warning.kind == WarningKind::mended)
+        if (warning.kind == WarningKind::dropped || warning.kind == WarningKind::repaired)
             reported.insert(warning.where);
     for (const int way : {42496479,  148241074, 159912554, 163465867, 243088864,  250474275, 250474293,
                           250489417, 250489740, 250489923, 263313917, 263313921,  265430674, 265432778,

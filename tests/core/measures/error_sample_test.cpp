@@ -97,7 +97,6 @@ TEST(ErrorSample, StopsWhenAsked) {
 /// A viewer that accepts every partial result.
 struct Onlooker final : Progress, PartialSink {
     void report(double, std::string_view) override {}
-    PartialSink* partials() override { return this; }
     [[nodiscard]] bool wants() const override { return true; }
     void take(PartialField) override { ++taken; }
     int taken = 0;

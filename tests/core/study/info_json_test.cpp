@@ -33,8 +33,8 @@ CityRead twoBuildings() {
     read.city.buildings = {std::make_shared<const Building>(house), std::make_shared<const Building>(tower)};
     read.format = "GeoJSON";
     read.features = 5;
-    read.warnings = {{WarningKind::mended, "outline crossed itself", "way 2"},
-                     {WarningKind::mended, "outline crossed itself", "way 9"}};
+    read.warnings = {{WarningKind::repaired, "outline crossed itself", "way 2"},
+                     {WarningKind::repaired, "outline crossed itself", "way 9"}};
     return read;
 }
 

@@ -16,9 +16,9 @@ bool any(const ReceiverBlocks::Masks& masks) {
 }
 
 void forEachPlace(const ReceiverBlocks::Masks& masks, const auto& visit) {
-    for (std::size_t line = 0; line < masks.size(); ++line)
-        for (unsigned mask = masks[line]; mask != 0; mask &= mask - 1)
-            visit(std::uint32_t(line), std::uint32_t(std::countr_zero(mask)));
+    for (std::size_t row = 0; row < masks.size(); ++row)
+        for (unsigned mask = masks[row]; mask != 0; mask &= mask - 1)
+            visit(std::uint32_t(row), std::uint32_t(std::countr_zero(mask)));
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void BinEdit::addLost(const TileEdit& edit, Lost& lost) {
     ReceiverBlocks::Masks equal;
     findEqual(gone, now, known, equal);
     if (!edit.level) leaveOutRaised(edit, lost.block, now, equal);
-    for (std::size_t line = 0; line < equal.size(); ++line) lost.masks[line] |= equal[line];
+    for (std::size_t row = 0; row < equal.size(); ++row) lost.masks[row] |= equal[row];
 }
 
 // Leaves out cells whose horizons the added occluders reach anyway: without pages, horizons without the added
@@ -99,9 +99,9 @@ void BinEdit::leaveOutRaised(const TileEdit& edit, std::size_t i, const HorizonC
                                                 edit.grounds.of(i, axes_.swapped));
     if (come == nullptr) return;
     const ReceiverBlocks::Masks all = masks;
-    forEachPlace(all, [&](std::uint32_t line, std::uint32_t place) {
-        const std::uint32_t at = line * side + place;
-        if (come[at] >= now[at]) masks[line] &= std::uint16_t(~(1U << place));
+    forEachPlace(all, [&](std::uint32_t row, std::uint32_t place) {
+        const std::uint32_t at = row * side + place;
+        if (come[at] >= now[at]) masks[row] &= std::uint16_t(~(1U << place));
     });
 }
 
@@ -125,9 +125,9 @@ void BinEdit::recompute(const TileEdit& edit, const Lost& lost) {
     BlockCodes base;
     std::copy_n(page != nullptr ? page : bin_->codes.data() + block.first, ReceiverBlocks::cells,
                 base.values);
-    forEachPlace(lost.masks, [&](std::uint32_t line, std::uint32_t place) {
-        const std::uint32_t cell = axes_.swapped ? place * side + line : line * side + place;
-        base.values[cell] = swept == nullptr ? noHorizon : swept[line * side + place];
+    forEachPlace(lost.masks, [&](std::uint32_t row, std::uint32_t place) {
+        const std::uint32_t cell = axes_.swapped ? place * side + row : row * side + place;
+        base.values[cell] = swept == nullptr ? noHorizon : swept[row * side + place];
     });
     bin_->base.setLowest(lost.block, edit.blocks.blocks().size(), BaselineCodes::unknown);
     raise(edit, lost.block, &base);

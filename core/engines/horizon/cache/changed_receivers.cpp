@@ -27,8 +27,8 @@ struct Comparison {
     }
 };
 
-void add(ReceiverBlocks::Masks& masks, int line, int place) {
-    masks[std::size_t(line)] |= std::uint16_t(1U << unsigned(place));
+void add(ReceiverBlocks::Masks& masks, int row, int place) {
+    masks[std::size_t(row)] |= std::uint16_t(1U << unsigned(place));
 }
 
 /// Applies the change of one cell at a time.

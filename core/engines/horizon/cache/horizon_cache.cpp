@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <optional>
 #include <utility>
 
+#include "core/base/memory_guard.h"
 #include "core/base/progress_share.h"
 #include "core/base/stopwatch.h"
 #include "core/engines/api/blank_field.h"
@@ -104,11 +104,11 @@ struct HorizonCache::State {
     }
 
     // Partial results are invalid, so everything is dropped.
-    Error outOfMemory() {
-        for (CachedTile& tile : tiles) tile.drop();
-        period.reset();
-        return {"There is not enough memory for this study", "cached horizons",
-                "Choose a smaller region or larger cells"};
+    Result<ShadowField> guarded(const auto& work) {
+        return guardMemory({.where = "cached horizons"}, work, [this] {
+            for (CachedTile& tile : tiles) tile.drop();
+            period.reset();
+        });
     }
 
     std::size_t sweep(CachedTile& tile, ShadowCounts counts, Progress& progress,
@@ -214,62 +214,62 @@ Result<HorizonCache> HorizonCache::make(const City& city, const Receivers& recei
 }
 
 Result<ShadowField> HorizonCache::retime(const SunSteps& sun, Progress& progress, std::stop_token stop,
-                                         ShadowCounts counts) try {
-    if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
-    state_->begin(sun);
-    if (const auto able = state_->walls.check(state_->lowestTan()); !able) {
-        state_->period.reset();
-        return tl::make_unexpected(able.error());
-    }
-    std::size_t swept = 0;
-    for (std::size_t i = 0; i < state_->tiles.size() && !stop.stop_requested(); ++i) {
-        ProgressShare ofTile(progress, i, state_->tiles.size());
-        swept += state_->sweep(state_->tiles[i], counts, ofTile, stop);
-        state_->keepWithinMemory(state_->tiles[i]);
-    }
-    progress.report(1, "sweeping horizons");
-    state_->field.cost.skipped["azimuth bins in the cache (bins x tiles)"] =
-        state_->tiles.size() * state_->period->binned().bins.size() - swept;
-    return state_->result(counts, stop);
-} catch (const std::bad_alloc&) {
-    return tl::make_unexpected(state_->outOfMemory());
+                                         ShadowCounts counts) {
+    return state_->guarded([&]() -> Result<ShadowField> {
+        if (const auto able = checkHorizonDays(sun); !able) return tl::make_unexpected(able.error());
+        state_->begin(sun);
+        if (const auto able = state_->walls.check(state_->lowestTan()); !able) {
+            state_->period.reset();
+            return tl::make_unexpected(able.error());
+        }
+        std::size_t swept = 0;
+        for (std::size_t i = 0; i < state_->tiles.size() && !stop.stop_requested(); ++i) {
+            ProgressShare ofTile(progress, i, state_->tiles.size());
+            swept += state_->sweep(state_->tiles[i], counts, ofTile, stop);
+            state_->keepWithinMemory(state_->tiles[i]);
+        }
+        progress.report(1, "sweeping horizons");
+        state_->field.cost.skipped["azimuth bins in the cache (bins x tiles)"] =
+            state_->tiles.size() * state_->period->binned().bins.size() - swept;
+        return state_->result(counts, stop);
+    });
 }
 
 Result<ShadowField> HorizonCache::change(const City& city, const Receivers& receivers, Progress& progress,
-                                         std::stop_token stop, ShadowCounts counts) try {
-    if (!state_->period) return noPeriod();
-    if (const auto same = checkSame(state_->receivers, receivers); !same)
-        return tl::make_unexpected(same.error());
-    const std::vector<std::uint32_t> cells = findChangedReceivers(state_->receivers, receivers);
-    const auto change = state_->update(city, receivers, cells);
-    if (!change) return tl::make_unexpected(change.error());
-    state_->receivers = receivers;
-    state_->countCity();
-    const WallChange none;
-    const std::span<const std::uint32_t> cellsOfTiles =
-        *change ? std::span(cells) : std::span(cells).first(0);
-    for (std::size_t i = 0; i < state_->tiles.size(); ++i) {
-        ProgressShare ofTile(progress, i, state_->tiles.size());
-        state_->change(state_->tiles[i], cellsOfTiles, *change ? **change : none, counts, ofTile, stop);
-        state_->keepWithinMemory(state_->tiles[i]);
-    }
-    state_->mask(cells);
-    progress.report(1, "sweeping horizons");
-    return state_->result(counts, stop);
-} catch (const std::bad_alloc&) {
-    return tl::make_unexpected(state_->outOfMemory());
+                                         std::stop_token stop, ShadowCounts counts) {
+    return state_->guarded([&]() -> Result<ShadowField> {
+        if (!state_->period) return noPeriod();
+        if (const auto same = checkSame(state_->receivers, receivers); !same)
+            return tl::make_unexpected(same.error());
+        const std::vector<std::uint32_t> cells = findChangedReceivers(state_->receivers, receivers);
+        const auto change = state_->update(city, receivers, cells);
+        if (!change) return tl::make_unexpected(change.error());
+        state_->receivers = receivers;
+        state_->countCity();
+        const WallChange none;
+        const std::span<const std::uint32_t> cellsOfTiles =
+            *change ? std::span(cells) : std::span(cells).first(0);
+        for (std::size_t i = 0; i < state_->tiles.size(); ++i) {
+            ProgressShare ofTile(progress, i, state_->tiles.size());
+            state_->change(state_->tiles[i], cellsOfTiles, *change ? **change : none, counts, ofTile, stop);
+            state_->keepWithinMemory(state_->tiles[i]);
+        }
+        state_->mask(cells);
+        progress.report(1, "sweeping horizons");
+        return state_->result(counts, stop);
+    });
 }
 
-Result<ShadowField> HorizonCache::withRuns(Progress& progress, std::stop_token stop) try {
-    if (!state_->period) return noPeriod();
-    for (std::size_t i = 0; i < state_->tiles.size(); ++i) {
-        ProgressShare ofTile(progress, i, state_->tiles.size());
-        state_->writeRuns(state_->tiles[i], ofTile, stop);
-    }
-    progress.report(1, "sweeping horizons");
-    return state_->result(ShadowCounts::grossAndRuns, stop);
-} catch (const std::bad_alloc&) {
-    return tl::make_unexpected(state_->outOfMemory());
+Result<ShadowField> HorizonCache::withRuns(Progress& progress, std::stop_token stop) {
+    return state_->guarded([&]() -> Result<ShadowField> {
+        if (!state_->period) return noPeriod();
+        for (std::size_t i = 0; i < state_->tiles.size(); ++i) {
+            ProgressShare ofTile(progress, i, state_->tiles.size());
+            state_->writeRuns(state_->tiles[i], ofTile, stop);
+        }
+        progress.report(1, "sweeping horizons");
+        return state_->result(ShadowCounts::grossAndRuns, stop);
+    });
 }
 
 std::uint64_t HorizonCache::bytes() const { return state_->bytes(); }

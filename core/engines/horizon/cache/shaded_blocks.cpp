@@ -45,16 +45,16 @@ void ShadedBlocks::find(const Shadow& shadow, const ReceiverBlocks& blocks, cons
               other = axes.swapped ? box.firstRow : box.firstColumn;
     const int alongs = axes.swapped ? blocks.blockCounts().x : blocks.blockCounts().y,
               acrosses = axes.swapped ? blocks.blockCounts().y : blocks.blockCounts().x;
-    for (int line = 0; line < alongs; ++line) {
-        const double one = axes.sign * (from + line * side), last = one + axes.sign * (side - 1);
+    for (int row = 0; row < alongs; ++row) {
+        const double one = axes.sign * (from + row * side), last = one + axes.sign * (side - 1);
         if (std::max(one, last) < extent.lowAlong || std::min(one, last) > extent.highAlong) continue;
-        const double a = axes.k * axes.sign * (from + line * side), b = a + axes.k * axes.sign * side;
+        const double a = axes.k * axes.sign * (from + row * side), b = a + axes.k * axes.sign * side;
         const double low = extent.lowQ + std::min(a, b) - other - 1,
                      high = extent.highQ + std::max(a, b) - other + 1;
         const int first = int(std::clamp(std::floor(low / side), 0.0, double(acrosses))),
                   end = int(std::clamp(std::floor(high / side) + 1, 0.0, double(acrosses)));
         for (int i = first; i < end; ++i) {
-            const int block = axes.swapped ? blocks.blockAt(line, i) : blocks.blockAt(i, line);
+            const int block = axes.swapped ? blocks.blockAt(row, i) : blocks.blockAt(i, row);
             if (block >= 0 && marks.mark(std::size_t(block))) found.push_back(std::size_t(block));
         }
     }

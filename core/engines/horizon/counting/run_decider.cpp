@@ -14,13 +14,13 @@ void RunDecider::decide(const LongestRuns& runs, std::span<const RunLanes> horiz
         const bool mayBeLonger = (inDoubt.mayBeLonger >> lane & 1) != 0,
                    mayBeShorter = (inDoubt.mayBeShorter >> lane & 1) != 0;
         if (!mayBeLonger && !mayBeShorter && !rays_.checkRuns()) continue;
-        const RunSearch::Rays asked = rays_.of(blocks_.cell(part * lanesPerPart + lane));
-        const bool longAsFound = !mayBeShorter && holds(runs, horizons, lane, found, asked);
+        const RunSearch::Rays rays = rays_.of(blocks_.cell(part * lanesPerPart + lane));
+        const bool longAsFound = !mayBeShorter && holds(runs, horizons, lane, found, rays);
         if (longAsFound && !mayBeLonger) continue;
         if (!bounds) bounds = runs.boundsOf(memory.widened.highest);
         std::int16_t& longest = found.longest.values[lane];
         memory.widened.of(lane, memory.search.horizons());
-        memory.search.begin(asked, runs.steps(), longAsFound ? longest - doubts_.allowed() : 0);
+        memory.search.begin(rays, runs.steps(), longAsFound ? longest - doubts_.allowed() : 0);
         longest = std::int16_t(runs.searched(lane, *bounds, memory.search));
         rays_.countReceiver();
     }

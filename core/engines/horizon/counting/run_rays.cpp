@@ -51,9 +51,9 @@ std::optional<std::uint32_t> RunRays::findLit(glm::vec3 origin, std::uint32_t fi
         const std::uint32_t from = packet * packetSteps;
         std::uint32_t blocked = 0;
         scene_.blockedLanes({&origin, 1}, packets_[packet].directions, {&blocked, 1});
-        const std::uint32_t asked = bitsFrom(first > from ? first - from : 0) &
-                                    ~bitsFrom(std::min(end - from, packetSteps)) & 0xFFFFU;
-        if (const std::uint32_t lit = ~blocked & asked; lit != 0)
+        const std::uint32_t wanted = bitsFrom(first > from ? first - from : 0) &
+                                     ~bitsFrom(std::min(end - from, packetSteps)) & 0xFFFFU;
+        if (const std::uint32_t lit = ~blocked & wanted; lit != 0)
             return from + std::uint32_t(std::countr_zero(lit));
     }
     return std::nullopt;

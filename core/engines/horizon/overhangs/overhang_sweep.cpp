@@ -58,27 +58,27 @@ void OverhangSweep::findBlocks(std::uint32_t layer, const OverhangLayer& of, dou
     const double lowAlong = std::max(of.lowestAlong, within.lowAlong),
                  highAlong = std::min(of.highestAlong + of.highestRise / lowestTan + 1, within.highAlong);
     const int low = axes_.swapped ? box.firstColumn : box.firstRow,
-              lines = axes_.swapped ? box.columns : box.rows;
-    for (int line = 0; line * side < lines; ++line) {
-        const double one = axes_.sign * (low + line * side),
-                     other = axes_.sign * (low + line * side + side - 1);
+              rows = axes_.swapped ? box.columns : box.rows;
+    for (int row = 0; row * side < rows; ++row) {
+        const double one = axes_.sign * (low + row * side),
+                     other = axes_.sign * (low + row * side + side - 1);
         const double nearest = std::min(one, other), farthest = std::max(one, other);
         if (farthest < lowAlong || nearest > highAlong) continue;
         const Range across{lowQ + std::min(axes_.k * one, axes_.k * other),
                            highQ + std::max(axes_.k * one, axes_.k * other)};
-        addBlocks(layer, line, across, mostAt(of.highestRise, nearest - of.highestAlong));
+        addBlocks(layer, row, across, mostAt(of.highestRise, nearest - of.highestAlong));
     }
 }
 
-void OverhangSweep::addBlocks(std::uint32_t layer, int line, const Range& across, HorizonCode most) {
+void OverhangSweep::addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode most) {
     const TileBox& box = view_->tile.box;
     const int low = axes_.swapped ? box.firstRow : box.firstColumn,
               count = ((axes_.swapped ? box.rows : box.columns) + side - 1) / side;
     const int first = std::max(0, int(std::floor((across.low - low - 1) / side))),
               last = std::min(count - 1, int(std::floor((across.high - low + 1) / side)));
     for (int place = first; place <= last; ++place) {
-        const std::size_t block = axes_.swapped ? std::size_t(place) * columns() + std::size_t(line)
-                                                : std::size_t(line) * columns() + std::size_t(place);
+        const std::size_t block = axes_.swapped ? std::size_t(place) * columns() + std::size_t(row)
+                                                : std::size_t(row) * columns() + std::size_t(place);
         entries_.push_back({layer, firsts_[block], most});
         firsts_[block] = std::int32_t(entries_.size()) - 1;
     }
@@ -119,8 +119,8 @@ ViewingBlock OverhangSweep::blockAt(std::size_t block, std::span<const HorizonCo
     ViewingBlock at;
     at.groundsM = tile.groundsM.empty() ? nullptr : groundsM_.data();
     for (int cell = 0; cell < ReceiverBlocks::cells; ++cell) {
-        const int line = cell / side, place = cell % side;
-        const int x = first.x + (axes_.swapped ? line : place), y = first.y + (axes_.swapped ? place : line);
+        const int row = cell / side, place = cell % side;
+        const int x = first.x + (axes_.swapped ? row : place), y = first.y + (axes_.swapped ? place : row);
         const bool inside = x < tile.box.columns && y < tile.box.rows;
         const std::int32_t number =
             inside ? tile.numbers[std::size_t(y) * std::size_t(tile.box.columns) + std::size_t(x)] : -1;

@@ -68,7 +68,7 @@ private:
         double low, high;
     };
     void findBlocks(std::uint32_t layer, const OverhangLayer& of, double lowestTan);
-    void addBlocks(std::uint32_t layer, int line, const Range& across, HorizonCode most);
+    void addBlocks(std::uint32_t layer, int row, const Range& across, HorizonCode most);
     [[nodiscard]] HorizonCode lowestIn(std::size_t block, std::span<const HorizonCode> horizons) const;
     [[nodiscard]] ViewingBlock blockAt(std::size_t block, std::span<const HorizonCode> horizons);
     [[nodiscard]] std::size_t columns() const;

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "core/base/stopwatch.h"
+#include "core/engines/api/partial_field.h"
 #include "core/engines/horizon/counting/short_sums.h"
 
 namespace noonmark {
@@ -124,7 +125,7 @@ void PeriodSweep::sweep(Tile& tile, const ShadowField& field) {
     if (!overhangs_.empty()) tile.overhangs = OverhangTile(receivers_, tile.blocks, walls_.datumM);
     tile.gaps.assign(bins_.size(), {});
     for (Workspace& workspace : workspaces_) workspace.sums.begin(tile.blocks.blocks().size());
-    PartialSink* sink = oneTile_ ? progress_.partials() : nullptr;
+    PartialSink* sink = oneTile_ ? findPartialSink(progress_) : nullptr;
     const std::size_t turns =
         sink == nullptr ? 1 : std::clamp(batches_.size() / batchesPerPart, std::size_t{1}, partsShown);
     for (std::size_t turn = 0; turn < turns; ++turn) {

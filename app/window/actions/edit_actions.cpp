@@ -1,0 +1,82 @@
+#include "app/window/actions/edit_actions.h"
+
+#include <QAction>
+#include <QUndoStack>
+#include <glm/common.hpp>
+
+#include "app/window/editing/edit_tools.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/study/warning_place.h"
+#include "app/window/study/warnings_dock.h"
+#include "app/window/view/mode_switch.h"
+#include "app/window/view/view_panel.h"
+
+namespace noonmark {
+
+EditActions::EditActions(Workbench& workbench, EditTools& tools, const ModeSwitch& mode, ViewPanel& panel)
+    : workbench_(workbench),
+      tools_(tools),
+      mode_(mode),
+      panel_(panel),
+      undo_(workbench.document().undoStack().createUndoAction(this)),
+      redo_(workbench.document().undoStack().createRedoAction(this)) {
+    undo_->setShortcut(QKeySequence::Undo);
+    redo_->setShortcut(QKeySequence::Redo);
+    connectTools();
+    connect(&mode_, &ModeSwitch::changed, this, &EditActions::askLive);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &EditActions::askLive);
+}
+
+void EditActions::connectTools() {
+    connect(&tools_, &EditTools::editsMade, this,
+            [this](const std::vector<Edit>& edits, const QString& what) {
+                if (!workbench_.session().addEdits(edits, what)) tools_.takeBack();
+            });
+    connect(&tools_, &EditTools::lotDrawn, this,
+            [this](const NamedLot& lot) { workbench_.session().addLot(lot); });
+    connect(&workbench_.session(), &ProjectSession::changed, this,
+            [this] { tools_.setLots(workbench_.session().project().lots); });
+    connect(&tools_, &EditTools::failed, &panel_.messages(), &MessageBar::showError);
+}
+
+void EditActions::listenTo(ProjectDock& tree, WarningsDock& warnings) {
+    connect(&tree, &ProjectDock::drawLotRequested, &tools_, &EditTools::drawLot);
+    connect(&warnings, &WarningsDock::placeChosen, this, &EditActions::showBuilding);
+}
+
+QList<QAction*> EditActions::toolActions() const {
+    const auto& actions = tools_.actions();
+    return {actions.begin(), actions.end()};
+}
+
+void EditActions::showCity() {
+    tools_.setCity(workbench_.city());
+    askLive();
+}
+
+// In analysis and ray reference modes the live shadow uses the cells of the study.
+void EditActions::askLive() {
+    if (!workbench_.city()) return;
+    const StudySettings& settings = workbench_.document().settings();
+    tools_.setQuestion({{settings.period, makeObserver(workbench_.city()->city(), settings)},
+                        settings.region,
+                        settings.receivers,
+                        mode_.mode() != ViewMode::exploration});
+}
+
+// Goes to the building that a warning refers to, and selects it.
+void EditActions::showBuilding(const QString& where) {
+    if (!workbench_.city()) return;
+    const City& city = workbench_.city()->city();
+    const auto building = buildingNamed(city, where.toStdString());
+    if (!building)
+        return panel_.messages().showNote(tr("%1 is not a building of the displayed city").arg(where));
+    Box2 box = bounds(*city.buildings[*building]);
+    const glm::vec2 border = glm::max((box.high - box.low) * 1.5F, glm::vec2(40.0F));
+    box = {box.low - border, box.high + border};
+    panel_.navigator().showSlanting(box);
+    tools_.building().select(building);
+}
+
+}  // namespace noonmark

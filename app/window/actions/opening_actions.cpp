@@ -1,0 +1,111 @@
+#include "app/window/actions/opening_actions.h"
+
+#include "app/window/actions/make_action.h"
+#include "app/window/actions/saving_actions.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/study/open_options.h"
+#include "app/window/widgets/file_dialogs.h"
+#include "app/window/widgets/message_bar.h"
+#include "core/io/footprints/place_advice.h"
+#include "core/study/text/height_words.h"
+
+namespace noonmark {
+
+namespace {
+
+LonLat findMiddle(const City& city) {
+    const Box2 box = bounds(city);
+    if (box.empty()) return city.frame.origin();
+    return city.frame.lonLatFromLocal((glm::dvec2(box.low) + glm::dvec2(box.high)) / 2.0);
+}
+
+}  // namespace
+
+OpeningActions::OpeningActions(Workbench& workbench, SavingActions& saving, QSettings& settings,
+                               MessageBar& messages, QWidget& window)
+    : workbench_(workbench),
+      saving_(saving),
+      messages_(messages),
+      window_(window),
+      samples_(tr("Open &sample")),
+      recentMenu_(tr("Open &recent")),
+      recent_(recentMenu_, settings),
+      options_(new OpenOptions(&window)) {
+    makeActions();
+    connect(&recent_, &RecentMenu::chosen, this, &OpeningActions::openWith);
+    connect(options_, &OpenOptions::chosen, this, &OpeningActions::openWith);
+    connect(&workbench_, &Workbench::openFailed, this, &OpeningActions::showFailure);
+    connect(&saving_, &SavingActions::saved, this, [this](const QString& file) { recent_.add({file}); });
+}
+
+void OpeningActions::makeActions() {
+    QAction* newProject =
+        makeAction(this, tr("&New project from a city..."), QKeySequence::New,
+                   tr("Footprints, CityJSON, meshes, terrain; several files are combined into one city"));
+    QAction* open = makeAction(this, tr("&Open..."), QKeySequence::Open,
+                               tr("A project, or city files, from which a new project is created"));
+    QAction* withOptions = makeAction(this, tr("Open &with options..."), QKeySequence(tr("Ctrl+Shift+O")),
+                                      tr("For files without location, unit or heights"));
+    for (QAction* action : {newProject, open})
+        connect(action, &QAction::triggered, this, [this] { this->open(askForCity(&window_)); });
+    connect(withOptions, &QAction::triggered, this, [this] {
+        if (const QStringList files = askForCity(&window_); !files.isEmpty()) options_->ask(files, {});
+    });
+    addSample(tr("&Central Park South"), tr("The park, its streets and the towers of the case study"),
+              QStringLiteral("sample:central-park-south"));
+    addSample(tr("&Grid"), tr("A synthetic city of blocks and lots"), QStringLiteral("sample:grid"));
+    actions_ = {newProject, open, withOptions, samples_.menuAction(), recentMenu_.menuAction()};
+}
+
+void OpeningActions::addSample(const QString& text, const QString& tip, const QString& sample) {
+    QAction* action = makeAction(this, text, {}, tip);
+    connect(action, &QAction::triggered, this, [this, sample] { open({sample}); });
+    samples_.addAction(action);
+}
+
+QList<QAction*> OpeningActions::actions() const { return actions_; }
+
+void OpeningActions::open(const QStringList& files) { openWith(files, {}); }
+
+void OpeningActions::openWith(const QStringList& files, const ReadSettings& reading) {
+    if (files.isEmpty()) return;
+    saving_.whenSafe([this, files, reading] {
+        messages_.hide();  // its buttons refer to the previous files
+        workbench_.open(files, reading);
+    });
+}
+
+void OpeningActions::takeProject() {
+    options_->setMiddle(findMiddle(workbench_.city()->city()));
+    const Workbench::Source& source = workbench_.source();
+    if (!source.files.isEmpty()) recent_.add(source.files, source.reading);
+}
+
+void OpeningActions::showGuesses() {
+    const CityRead& read = workbench_.city()->loaded.read;
+    const auto heights = makeAssumedHeightsMessage(countHeights(read.city), read.heights);
+    const ZoneGuess& zone = workbench_.zone();
+    QStringList lines;
+    if (heights) lines << QString::fromStdString(*heights) + u'.';
+    if (!zone.others.isEmpty() && !workbench_.openedView().study)
+        lines << tr("The time zone %1 is a guess; %2 is also nearby.")
+                     .arg(zone.zone, zone.others.join(QStringLiteral(", ")));
+    if (lines.isEmpty()) return;
+    messages_.showHelp(lines.join(u'\n'));
+    if (heights && !workbench_.source().files.isEmpty() && !workbench_.session().file()) offerOptions();
+}
+
+// If the user stated a CRS or an anchor that does not fit, the same options dialog is offered to correct it.
+void OpeningActions::showFailure(const Error& error) {
+    if (isCancelled(error)) return;
+    messages_.showError(error);
+    const ReadSettings& reading = workbench_.source().reading;
+    if (asksForPlace(error) || reading.crs || reading.meshAnchor) offerOptions();
+}
+
+void OpeningActions::offerOptions() {
+    messages_.offer(tr("Open with options..."),
+                    [this] { options_->ask(workbench_.source().files, workbench_.source().reading); });
+}
+
+}  // namespace noonmark

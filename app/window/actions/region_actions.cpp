@@ -1,0 +1,99 @@
+#include "app/window/actions/region_actions.h"
+
+#include <QUndoStack>
+
+#include "app/window/actions/make_action.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/study/study_dock.h"
+#include "app/window/view/view_panel.h"
+#include "app/window/widgets/file_dialogs.h"
+#include "core/io/read_region.h"
+
+namespace noonmark {
+
+RegionActions::RegionActions(Workbench& workbench, ViewPanel& panel, StudyDock& study, ProjectDock& tree,
+                             QWidget& window)
+    : workbench_(workbench),
+      panel_(panel),
+      study_(study),
+      window_(window),
+      draw_(makeAction(this, tr("&Draw region"), QKeySequence(tr("Ctrl+D")),
+                       tr("Click corners on the ground; Enter finishes, Esc cancels"))),
+      fromFile_(makeAction(this, tr("Region from &file..."), {},
+                           tr("Polygons from a file, in any coordinate system"))) {
+    PolygonTool& tool = panel_.regionTool();
+    connect(draw_, &QAction::triggered, this, [this] { draw(true); });
+    connect(fromFile_, &QAction::triggered, this, &RegionActions::readFile);
+    connect(&tool, &PolygonTool::activeChanged, &study_, &StudyDock::setDrawing);
+    connect(&tool, &PolygonTool::finished, this, &RegionActions::takeDrawn);
+    connectDocks(tree);
+}
+
+void RegionActions::connectDocks(ProjectDock& tree) {
+    connect(&study_, &StudyDock::drawRequested, this, &RegionActions::draw);
+    connect(&study_, &StudyDock::viewRegionRequested, this, [this] { change(panel_.visibleGround()); });
+    connect(&study_, &StudyDock::wholeCityRequested, this, &RegionActions::takeWholeCity);
+    connect(&tree, &ProjectDock::regionChosen, this, &RegionActions::change);
+    connect(&tree, &ProjectDock::keepRegionRequested, this, &RegionActions::saveInProject);
+}
+
+void RegionActions::draw(bool on) {
+    PolygonTool& tool = panel_.regionTool();
+    if (on && workbench_.city())
+        tool.begin();
+    else
+        tool.cancel();
+    study_.setDrawing(tool.active());
+    panel_.view().requestActivate();  // the view receives the keys that finish or cancel the polygon
+}
+
+void RegionActions::change(const Region& region) {
+    if (region.polygons.empty())
+        return panel_.messages().showError(
+            {"No ground of the city is visible", {}, "Move the view to the city first"});
+    StudySettings settings = workbench_.document().settings();
+    settings.region = region;
+    workbench_.document().change(settings, tr("region"));
+}
+
+// A drawn region is user work, so it is added to the project under its own name, in one undo step together
+// with the change of the study.
+void RegionActions::takeDrawn(const std::vector<Footprint>& pieces) {
+    Project next = workbench_.session().project();
+    const Region region{freeName(next, ProjectPart::region, "Region"), pieces};
+    next.regions.push_back(region);
+    const QString what = tr("draw %1").arg(QString::fromStdString(region.name));
+    QUndoStack& undo = workbench_.document().undoStack();
+    undo.beginMacro(what);
+    if (workbench_.session().change(std::move(next), what)) change(region);
+    undo.endMacro();
+}
+
+void RegionActions::takeWholeCity() {
+    if (!workbench_.city()) return;
+    Region all = makeRegionFromLocalBox(panel_.view().viewBounds().box);
+    all.name = "the whole city";
+    change(all);
+}
+
+void RegionActions::readFile() {
+    const QString file = workbench_.city() ? askForRegion(&window_) : QString();
+    if (file.isEmpty()) return;
+    const auto region = readRegion(file.toStdString(), workbench_.city()->city().frame);
+    if (region)
+        change(*region);
+    else
+        panel_.messages().showError(region.error());
+}
+
+void RegionActions::saveInProject() {
+    Project next = workbench_.session().project();
+    Region region = workbench_.document().settings().region;
+    region.name = freeName(next, ProjectPart::region, region.name.empty() ? "Region" : region.name);
+    const QString what = tr("save region %1").arg(QString::fromStdString(region.name));
+    next.regions.push_back(std::move(region));
+    workbench_.session().change(std::move(next), what);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/receivers/region.h"
+
+class QAction;
+class QWidget;
+
+namespace noonmark {
+
+class ProjectDock;
+class StudyDock;
+class ViewPanel;
+class Workbench;
+
+/// Changes the region of the study: drawn, read from a file, the visible ground, the whole city, or one of
+/// the project; and saves it in the project.
+class RegionActions final : public QObject {
+    Q_OBJECT
+public:
+    /// Dialogs belong to `window`. All must outlive this object.
+    RegionActions(Workbench& workbench, ViewPanel& panel, StudyDock& study, ProjectDock& tree,
+                  QWidget& window);
+
+    [[nodiscard]] QList<QAction*> actions() const { return {draw_, fromFile_}; }
+
+private:
+    void connectDocks(ProjectDock& tree);
+    void draw(bool on);
+    void change(const Region& region);
+    void takeDrawn(const std::vector<Footprint>& pieces);
+    void takeWholeCity();
+    void readFile();
+    void saveInProject();
+
+    Workbench& workbench_;
+    ViewPanel& panel_;
+    StudyDock& study_;
+    QWidget& window_;
+    QAction* draw_;
+    QAction* fromFile_;
+};
+
+}  // namespace noonmark

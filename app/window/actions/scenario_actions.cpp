@@ -1,0 +1,35 @@
+#include "app/window/actions/scenario_actions.h"
+
+#include "app/window/actions/make_action.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/scenarios/scenarios_dock.h"
+
+namespace noonmark {
+
+ScenarioActions::ScenarioActions(Workbench& workbench, ProjectDock& tree, ScenariosDock& scenarios)
+    : newScenario_(makeAction(this, tr("&New scenario"), {}, tr("Starts from the existing city"))),
+      newFromThis_(makeAction(this, tr("New scenario &from this one"), {},
+                              tr("Starts from the displayed scenario and inherits its later changes"))),
+      compare_(makeAction(this, tr("&Compare with the existing city"), QKeySequence(tr("Ctrl+K")),
+                          tr("Shows how many minutes of shadow the scenario adds or removes"))),
+      measureAll_(makeAction(this, tr("&Measure all scenarios"), {},
+                             tr("Runs the same study for each scenario, for comparison side by side"))) {
+    compare_->setCheckable(true);
+    ProjectSession& session = workbench.session();
+    connect(newScenario_, &QAction::triggered, this, [&tree] { tree.addScenario({}); });
+    connect(newFromThis_, &QAction::triggered, this,
+            [&tree, &session] { tree.addScenario(session.scenario()); });
+    connect(compare_, &QAction::triggered, this,
+            [&session](bool on) { session.compareWith(on ? existingCity : std::string()); });
+    connect(&session, &ProjectSession::changed, this,
+            [this, &session] { compare_->setChecked(session.baseline() == existingCity); });
+    connect(measureAll_, &QAction::triggered, &workbench, &Workbench::measureAll);
+    connect(&scenarios, &ScenariosDock::measureAllRequested, &workbench, &Workbench::measureAll);
+}
+
+QList<QAction*> ScenarioActions::actions() const {
+    return {newScenario_, newFromThis_, compare_, measureAll_};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QObject>
+
+class QAction;
+
+namespace noonmark {
+
+class ProjectDock;
+class ScenariosDock;
+class Workbench;
+
+/// New scenarios, the comparison with the existing city, and the run over all scenarios.
+class ScenarioActions final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    ScenarioActions(Workbench& workbench, ProjectDock& tree, ScenariosDock& scenarios);
+
+    [[nodiscard]] QList<QAction*> actions() const;
+
+private:
+    QAction* newScenario_;
+    QAction* newFromThis_;
+    QAction* compare_;  ///< checkable
+    QAction* measureAll_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,72 @@
+#include "app/window/actions/view_actions.h"
+
+#include "app/window/actions/make_action.h"
+#include "app/window/exploration/exploration.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/view/view_panel.h"
+
+namespace noonmark {
+
+namespace {
+
+QString mouseAndKeys() {
+    return QObject::tr(
+        "Left or middle drag rotates, right drag or Shift pans, the wheel zooms to the cursor. Arrow keys "
+        "pan, + and - zoom. Home: whole city. N: north up. T: top view. R: region. B: solid buildings or "
+        "wireframe. F5: exploration, F6: analysis, F7: ray reference. Ctrl+R: run. Click a building to "
+        "select it: drag its arrow or type its height in metres and press Enter, Delete demolishes it, M "
+        "moves it, Ctrl+T replaces it by a tower, Esc deselects it. Drawing a region or a lot (Ctrl+L): "
+        "click corners, with Shift at right angles to the last side; double click, Enter or right click "
+        "finishes, Backspace removes the last corner, Esc cancels.");
+}
+
+QAction* makeSwitch(QObject* owner, const QString& text, const QKeySequence& keys, const QString& tip,
+                    bool on) {
+    QAction* action = makeAction(owner, text, keys, tip);
+    action->setCheckable(true);
+    action->setChecked(on);
+    return action;
+}
+
+}  // namespace
+
+ViewActions::ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& exploration, ProjectDock& tree)
+    : workbench_(workbench),
+      panel_(panel),
+      wholeCity_(makeAction(this, tr("Zoom to whole &city"), Qt::Key_Home)),
+      northUp_(makeAction(this, tr("&North up"), Qt::Key_N)),
+      fromAbove_(makeAction(this, tr("&Top view"), Qt::Key_T)),
+      region_(makeAction(this, tr("Zoom to &region"), Qt::Key_R, tr("The study region seen from above"))),
+      faces_(makeSwitch(this, tr("&Solid buildings"), Qt::Key_B,
+                        tr("Off: wireframe, so that the ground behind buildings is visible"), true)),
+      byMaps_(makeSwitch(this, tr("&Explore by shadow accrual maps"), {},
+                         tr("As in the paper, instead of rays: inexact at shadow edges, but hours that "
+                            "look alike are computed once"),
+                         false)),
+      keys_(makeAction(this, tr("&Mouse and keys"), QKeySequence::HelpContents)) {
+    ViewNavigator& navigator = panel_.navigator();
+    connect(wholeCity_, &QAction::triggered, &navigator, &ViewNavigator::showWholeCity);
+    connect(northUp_, &QAction::triggered, &navigator, &ViewNavigator::turnNorthUp);
+    connect(fromAbove_, &QAction::triggered, &navigator, &ViewNavigator::lookFromAbove);
+    connect(region_, &QAction::triggered, this, &ViewActions::showRegion);
+    connect(faces_, &QAction::toggled, &panel_.view(), &CityView::showFaces);
+    connect(byMaps_, &QAction::toggled, &exploration, &Exploration::setByMaps);
+    connect(keys_, &QAction::triggered, this, [this] { panel_.messages().showHelp(mouseAndKeys()); });
+    connect(&tree, &ProjectDock::lotChosen, this, [this](const NamedLot& lot) {
+        panel_.navigator().showSlanting(boxAround({lot.name, {lot.outline}}));
+    });
+}
+
+void ViewActions::showRegion() {
+    const Box2 box = bounds(workbench_.document().settings().region);
+    if (!box.empty()) panel_.navigator().show(box);
+}
+
+Box2 boxAround(const Region& region) {
+    const Box2 box = bounds(region);
+    const glm::vec2 border = (box.high - box.low) * 0.15F;
+    return {box.low - border, box.high + border};
+}
+
+}  // namespace noonmark

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/receivers/region.h"
+
+class QAction;
+
+namespace noonmark {
+
+class Exploration;
+class ProjectDock;
+class ViewPanel;
+class Workbench;
+
+/// Moves the camera, and changes how buildings are drawn and the view is explored.
+class ViewActions final : public QObject {
+    Q_OBJECT
+public:
+    /// All must outlive this object.
+    ViewActions(Workbench& workbench, ViewPanel& panel, Exploration& exploration, ProjectDock& tree);
+
+    [[nodiscard]] QList<QAction*> cameraActions() const {
+        return {wholeCity_, northUp_, fromAbove_, region_};
+    }
+    [[nodiscard]] QAction* solidBuildings() const { return faces_; }  ///< checkable
+    [[nodiscard]] QAction* exploreByMaps() const { return byMaps_; }  ///< checkable
+    [[nodiscard]] QAction* help() const { return keys_; }             ///< mouse and keys
+
+private:
+    void showRegion();
+
+    Workbench& workbench_;
+    ViewPanel& panel_;
+    QAction* wholeCity_;
+    QAction* northUp_;
+    QAction* fromAbove_;
+    QAction* region_;
+    QAction* faces_;
+    QAction* byMaps_;
+    QAction* keys_;
+};
+
+/// `region` with some ground around it: what the view shows at first, and what it shows of a lot.
+Box2 boxAround(const Region& region);
+
+}  // namespace noonmark

@@ -1,0 +1,104 @@
+#include "app/window/editing/edit_preview.h"
+
+#include <algorithm>
+
+#include "app/window/study/open_city.h"
+#include "app/window/view/view_panel.h"
+
+namespace noonmark {
+
+namespace {
+
+using Buildings = std::vector<std::shared_ptr<const Building>>;
+
+// Half width of the square of the live shadow, metres: about the part of the ground that is visible.
+double halfWidthM(const CameraPose& pose) { return std::clamp(0.6 * pose.distanceM, 150.0, 1000.0); }
+
+City without(const City& city, const Buildings& removed) {
+    City rest = city;
+    std::erase_if(rest.buildings, [&](const auto& building) {
+        return std::ranges::find(removed, building) != removed.end();
+    });
+    return rest;
+}
+
+}  // namespace
+
+EditPreview::EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
+    : QObject(parent), panel_(panel), live_(std::move(horizons)) {
+    connect(&live_, &LiveFollower::changed, this, &EditPreview::showLive);
+    connect(&live_, &LiveFollower::aged, this, &EditPreview::tellAge);
+    connect(&live_, &LiveFollower::failed, this, &EditPreview::tellWhy);
+}
+
+void EditPreview::setCity(std::shared_ptr<const OpenCity> city) {
+    city_ = std::move(city);  // ending the preview must restore the new city's buildings
+    clear();
+}
+
+void EditPreview::setQuestion(const LiveQuestion& question) {
+    if (question_ == question) return;
+    question_ = question;
+    if (!shown_) return;
+    begin();
+    live_.follow(changes_.added);
+}
+
+Result<void> EditPreview::show(const std::vector<Edit>& edits) {
+    if (!city_) return {};
+    auto edited = applied(city_->city(), edits);
+    if (!edited) return tl::make_unexpected(edited.error());
+    const bool before = shown_;
+    const bool others = !shown_ || changes_.removed != edited->changes.removed;
+    changes_ = std::move(edited->changes);
+    shown_ = true;
+    City proposed;
+    proposed.buildings = changes_.added;
+    panel_.view().overlay().show(OverlayBodies::Tint::proposed, proposed);
+    if (others) {
+        hide(changes_.removed);
+        begin();
+    }
+    live_.follow(changes_.added);
+    if (!before) Q_EMIT shownChanged(true);
+    return {};
+}
+
+void EditPreview::clear() {
+    if (!shown_) return;
+    shown_ = false;
+    changes_ = {};
+    live_.end();
+    panel_.view().overlay().show(OverlayBodies::Tint::proposed, {});
+    panel_.results().setLive(std::nullopt);
+    hide({});
+    Q_EMIT shownChanged(false);
+}
+
+void EditPreview::hide(const Buildings& removed) {
+    panel_.view().showChanges(computeDifference(*city_->arrays, without(city_->city(), removed)));
+}
+
+void EditPreview::begin() {
+    const ChangedVolume volume = computeVolume(changes_);
+    if (volume.box.empty()) return live_.end();
+    live_.begin({without(city_->city(), changes_.removed), volume, halfWidthM(panel_.view().pose())},
+                question_);
+}
+
+void EditPreview::showLive() { panel_.results().setLive(makeGroundAnswer(live_.answer())); }
+
+void EditPreview::tellAge() {
+    const auto answer = makeGroundAnswer(live_.answer());
+    panel_.results().noteLive(
+        tr("%1. Shape of %2 s ago").arg(answer.note).arg(live_.ageSeconds(), 0, 'f', 1));
+}
+
+// Without a live shadow only the buildings are shown.
+void EditPreview::tellWhy(const Error& error) {
+    panel_.results().setLive(std::nullopt);
+    Q_EMIT told(isCancelled(error) ? tr("The live shadow was cancelled; it returns with the next design")
+                                   : tr("No live shadow. %1").arg(QString::fromStdString(error.text())));
+}
+
+}  // namespace noonmark

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "app/window/live/live_follower.h"
+#include "scenarios/edits/apply_edits.h"
+
+namespace noonmark {
+
+struct OpenCity;
+class ViewPanel;
+
+/// Shows the effect of edits before they are made: removed buildings are hidden, added ones are shown in
+/// another colour with their live shadow. The arrays of the city are not changed.
+class EditPreview final : public QObject {
+    Q_OBJECT
+public:
+    /// `panel` must outlive it.
+    EditPreview(ViewPanel& panel, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent = nullptr);
+
+    void setCity(std::shared_ptr<const OpenCity> city);  ///< ends the preview
+    void setQuestion(const LiveQuestion& question);
+
+    /// Replaces the edits shown before. Error: the edits cannot be applied; then nothing changes.
+    Result<void> show(const std::vector<Edit>& edits);
+    void clear();
+    [[nodiscard]] bool shown() const { return shown_; }
+    /// The buildings removed and added by the edits shown.
+    [[nodiscard]] const CityChanges& changes() const { return changes_; }
+    [[nodiscard]] const LiveFollower& live() const { return live_; }
+    [[nodiscard]] JobSlot& working() { return live_.working(); }  ///< jobs of the live shadow
+
+Q_SIGNALS:
+    void told(QString text);  ///< the reason why there is no live shadow
+    void shownChanged(bool shown);
+
+private:
+    void hide(const std::vector<std::shared_ptr<const Building>>& removed);
+    void begin();
+    void showLive();
+    void tellAge();
+    void tellWhy(const Error& error);
+
+    ViewPanel& panel_;
+    std::shared_ptr<const OpenCity> city_;
+    CityChanges changes_;
+    bool shown_ = false;
+    LiveQuestion question_;
+    LiveFollower live_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,252 @@
+#include "app/window/editing/edit_tools.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/window/editing/placing_panel.h"
+#include "app/window/editing/selection_panel.h"
+#include "app/window/massing/massing_panel.h"
+#include "app/window/view/ground_lines.h"
+#include "app/window/widgets/file_dialogs.h"
+
+namespace noonmark {
+
+EditTools::EditTools(ViewPanel& view, std::shared_ptr<SharedHorizonCache> horizons, QObject* parent)
+    : QObject(parent),
+      selection_(new SelectionPanel),
+      placing_(new PlacingPanel),
+      massing_(new MassingPanel),
+      dock_(new QWidget),
+      context_(view, std::move(horizons)),
+      building_(context_, *selection_),
+      tower_(context_, *massing_),
+      mesh_(context_, *placing_) {
+    auto* column = new QVBoxLayout(dock_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(placing_);
+    column->addWidget(selection_, 1);
+    placing_->hide();
+    makeActions();
+    connectView();
+    connectTools();
+    enableActions();
+}
+
+// Panels that were not placed in a dock are still owned here.
+EditTools::~EditTools() {
+    for (QWidget* dock : {dock_.data(), static_cast<QWidget*>(massing_.data())})
+        if (dock && !dock->parent()) delete dock;
+}
+
+QWidget* EditTools::dock() const { return dock_; }
+
+QWidget* EditTools::massingDock() const { return massing_; }
+
+QAction* EditTools::action(const QString& text, const QKeySequence& keys, const QString& tip) {
+    auto* made = new QAction(text, this);
+    made->setShortcut(keys);
+    made->setToolTip(tip);
+    made->setStatusTip(tip);
+    actions_.push_back(made);
+    return made;
+}
+
+void EditTools::makeActions() {
+    const auto draw =
+        action(tr("Draw &lot"), QKeySequence(tr("Ctrl+L")),
+               tr("Click corners on the ground; Shift: right angles; Enter finishes, Esc cancels"));
+    const auto demolish = action(tr("&Demolish"), Qt::Key_Delete, tr("Removes the selected building"));
+    const auto replace = action(tr("Replace by &tower"), QKeySequence(tr("Ctrl+T")),
+                                tr("Replaces the selected building by a tower on its lot or footprint"));
+    const auto move =
+        action(tr("&Move building"), Qt::Key_M, tr("Drag the selected building over the ground"));
+    const auto lot =
+        action(tr("Lot from &footprint"), {}, tr("Creates a lot from the selected building's outline"));
+    const auto mesh =
+        action(tr("&Import mesh..."), {}, tr("Adds a building from a mesh file, placed by a click"));
+    ofBuilding_ = {demolish, replace, move, lot};
+    connect(draw, &QAction::triggered, this, &EditTools::drawLot);
+    connect(demolish, &QAction::triggered, &building_, &BuildingEditing::demolish);
+    connect(replace, &QAction::triggered, this, &EditTools::replace);
+    connect(move, &QAction::triggered, this, [this] { building_.setMoving(true); });
+    connect(lot, &QAction::triggered, this, &EditTools::lotFromFootprint);
+    connect(mesh, &QAction::triggered, this, &EditTools::importMesh);
+}
+
+void EditTools::connectView() {
+    ViewNavigator& navigator = context_.panel.navigator();
+    connect(&navigator, &ViewNavigator::clicked, this, &EditTools::click);
+    connect(&navigator, &ViewNavigator::hovered, this, &EditTools::hover);
+    connect(&navigator, &ViewNavigator::left, this, [this] { building_.hover(std::nullopt); });
+    connect(&context_.panel, &ViewPanel::keyPressed, this, &EditTools::key);
+    connect(&context_.panel.lotTool(), &PolygonTool::finished, this, &EditTools::takeLot);
+    connect(&context_.handle, &ExtrudeHandle::dragged, this, &EditTools::extrude);
+    connect(&context_.handle, &ExtrudeHandle::dropped, this, &EditTools::extruded);
+}
+
+void EditTools::connectTools() {
+    const auto made = [this](const std::vector<Edit>& edits, const QString& what, const std::string& id) {
+        building_.selectNext(id);
+        Q_EMIT editsMade(edits, what);
+    };
+    connect(&building_, &BuildingEditing::editsMade, this, &EditTools::editsMade);
+    connect(&building_, &BuildingEditing::selectionChanged, this, &EditTools::enableActions);
+    connect(&building_.moveTool(), &MoveTool::began, this,
+            [this] { Q_EMIT hinted(tr("Drag the building over the ground. Esc ends the tool.")); });
+    connect(selection_, &SelectionPanel::replaceRequested, this, &EditTools::replace);
+    connect(selection_, &SelectionPanel::lotRequested, this, &EditTools::lotFromFootprint);
+    connect(selection_, &SelectionPanel::importRequested, this, &EditTools::importMesh);
+    connect(massing_, &MassingPanel::drawRequested, this, &EditTools::drawLot);
+    connect(massing_, &MassingPanel::designRequested, this, [this](const NamedLot& lot) {
+        tower_.begin(lot, {});
+        tellOfDesign();
+    });
+    connect(&context_.preview, &EditPreview::told, this, &EditTools::hinted);
+    connect(&tower_, &TowerEditing::editsMade, this, made);
+    connect(&tower_, &TowerEditing::began, &building_, &BuildingEditing::standBack);
+    connect(&tower_, &TowerEditing::began, &mesh_, &MeshPlacing::cancel);
+    connect(&tower_, &TowerEditing::ended, &building_, &BuildingEditing::show);
+    connect(&mesh_, &MeshPlacing::editsMade, this, made);
+    connect(&mesh_, &MeshPlacing::failed, this, &EditTools::failed);
+    connect(&mesh_, &MeshPlacing::began, &tower_, &TowerEditing::cancel);
+    const auto place = [this](bool placing) {
+        placing_->setVisible(placing);
+        selection_->setVisible(!placing);
+        if (placing) Q_EMIT selectionMade();  // both panels share a dock
+    };
+    connect(&mesh_, &MeshPlacing::began, this, [place] { place(true); });
+    connect(&mesh_, &MeshPlacing::ended, this, [place] { place(false); });
+}
+
+void EditTools::setCity(std::shared_ptr<const OpenCity> city) {
+    const bool another = !context_.city || context_.city->arrays != city->arrays;
+    context_.city = city;
+    context_.preview.setCity(std::move(city));
+    building_.cityChanged();
+    if (another) {
+        tower_.forget();
+        mesh_.cancel();
+    } else {
+        tower_.show();
+        mesh_.show();
+    }
+    showLots();
+}
+
+void EditTools::setLots(const std::vector<NamedLot>& lots) {
+    context_.lots = lots;
+    massing_->setLots(lots);
+    showLots();
+}
+
+void EditTools::setQuestion(const LiveQuestion& question) { context_.preview.setQuestion(question); }
+
+void EditTools::showLots() {
+    if (!context_.city) return;
+    Region all;
+    for (const NamedLot& lot : context_.lots) all.polygons.push_back(lot.outline);
+    context_.panel.view().overlay().showLines(makeGroundLines(all, context_.city->city()));
+}
+
+void EditTools::enableActions() {
+    for (QAction* one : ofBuilding_) one->setEnabled(building_.selected().has_value());
+    if (building_.selected()) Q_EMIT selectionMade();
+}
+
+void EditTools::click(QPointF pixel) {
+    if (!context_.city || context_.panel.drawing() || tower_.active()) return;
+    const ViewNavigator& navigator = context_.panel.navigator();
+    if (mesh_.active()) {
+        if (const auto ground = navigator.groundAt(pixel)) mesh_.placeAt({ground->x, ground->y});
+        return;
+    }
+    const auto pick = navigator.pickAt(pixel);
+    building_.select(pick ? pick->building : std::nullopt);
+}
+
+void EditTools::hover(QPointF pixel) {
+    const bool busy = context_.panel.drawing() || tower_.active() || mesh_.active();
+    if (!context_.city || busy) return building_.hover(std::nullopt);
+    const auto pick = context_.panel.navigator().pickAt(pixel);
+    building_.hover(pick ? pick->building : std::nullopt);
+}
+
+void EditTools::key(int key) {
+    if (context_.handle.key(key)) return;
+    if (key == Qt::Key_Escape) cancel();
+    const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    if (enter && tower_.active()) tower_.build();
+    if (enter && mesh_.active()) mesh_.build();
+}
+
+void EditTools::takeBack() {
+    context_.preview.clear();
+    building_.show();
+}
+
+void EditTools::cancel() {
+    if (tower_.active()) return tower_.cancel();
+    if (mesh_.active()) return mesh_.cancel();
+    if (context_.city) building_.endTool();
+}
+
+void EditTools::extrude(double heightM) {
+    if (tower_.active())
+        tower_.setHeight(heightM);
+    else
+        building_.previewHeight(heightM);
+}
+
+void EditTools::extruded(double heightM) {
+    if (!tower_.active()) building_.takeHeight(heightM);
+}
+
+void EditTools::drawLot() {
+    if (!context_.city) return;
+    cancel();
+    context_.panel.lotTool().begin();
+    context_.panel.view().requestActivate();  // the view receives the keys that finish or cancel the lot
+    Q_EMIT hinted(tr(
+        "Click the lot's corners. Shift: at right angles to the last side. Double click or Enter finishes."));
+}
+
+void EditTools::takeLot(const std::vector<Footprint>& pieces) {
+    if (pieces.size() > 1)
+        return Q_EMIT failed(
+            {"The sides of the lot cross each other", {}, "Draw the corners in order around the lot"});
+    const NamedLot lot{freeLotName(context_.lots), pieces.front()};
+    Q_EMIT lotDrawn(lot);
+    tower_.begin(lot, {});
+    tellOfDesign();
+}
+
+void EditTools::lotFromFootprint() {
+    if (const auto lot = building_.lot()) Q_EMIT lotDrawn(*lot);
+}
+
+// A tower built here is redesigned; any other building is replaced by a new tower of the same height.
+void EditTools::replace() {
+    const auto lot = building_.lot();
+    if (!lot) return;
+    if (const auto design = tower_.designOf(*context_.city->city().buildings[*building_.selected()]))
+        tower_.resume(*design);
+    else
+        tower_.begin(*lot, building_.id(), std::clamp(building_.storeys(), 1, 500));
+    tellOfDesign();
+}
+
+void EditTools::tellOfDesign() {
+    context_.panel.view().requestActivate();  // the view receives a typed height
+    Q_EMIT designBegan();
+    Q_EMIT hinted(
+        tr("Drag the arrow or type a height in metres. Shift: do not snap to storeys. Enter builds, Esc "
+           "cancels."));
+}
+
+void EditTools::importMesh() {
+    const QString file = context_.city ? askForMesh(dock_) : QString();
+    if (!file.isEmpty()) mesh_.begin(file);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,94 @@
+#pragma once
+
+// Editing of buildings in the view. EditTools owns the tools and their menu entries; BuildingEditing (select,
+// demolish, move, resize), TowerEditing (massing) and MeshPlacing (a mesh file as a building) share one
+// EditContext: the view, the preview and the drag handle. No tool knows the project: each emits its edits as
+// one undo step and gets back the changed city. EditPreview shows edits before they are made.
+
+#include <QPointer>
+#include <vector>
+
+#include "app/window/editing/building_editing.h"
+#include "app/window/editing/mesh_placing.h"
+#include "app/window/massing/massing_panel.h"
+#include "app/window/massing/tower_editing.h"
+
+class QAction;
+
+namespace noonmark {
+
+class PlacingPanel;
+class SelectionPanel;
+
+/// The tools that edit the city: selection, demolition, moving, towers on lots, meshes. They do not know the
+/// project: they emit edits and get back the changed city.
+class EditTools final : public QObject {
+    Q_OBJECT
+public:
+    /// `view` must outlive it. `horizons` are used for the live shadow and may be shared.
+    explicit EditTools(ViewPanel& view,
+                       std::shared_ptr<SharedHorizonCache> horizons = std::make_shared<SharedHorizonCache>(),
+                       QObject* parent = nullptr);
+    ~EditTools() override;
+
+    /// the displayed city; call it after the view shows it
+    void setCity(std::shared_ptr<const OpenCity> city);
+    void setLots(const std::vector<NamedLot>& lots);
+    void setQuestion(const LiveQuestion& question);  ///< settings of the live shadow
+
+    [[nodiscard]] QWidget* dock() const;  ///< panel of the selected building; its parent takes ownership
+    [[nodiscard]] QWidget* massingDock() const;  ///< panel of lots and towers; likewise
+    [[nodiscard]] std::vector<QAction*> actions() const { return actions_; }  ///< for a menu
+
+    [[nodiscard]] BuildingEditing& building() { return building_; }
+    [[nodiscard]] TowerEditing& tower() { return tower_; }
+    [[nodiscard]] MeshPlacing& mesh() { return mesh_; }
+    [[nodiscard]] EditContext& context() { return context_; }
+
+    void drawLot();
+    void lotFromFootprint();
+    void replace();  ///< the selected building with a tower
+    /// The edits were refused: shows the unchanged city.
+    void takeBack();
+    void cancel();  ///< cancels the active tool, or else the selection
+
+Q_SIGNALS:
+    void editsMade(std::vector<noonmark::Edit> edits, QString what);  ///< one undo step
+    void lotDrawn(noonmark::NamedLot lot);
+    /// How to use the tool that has started.
+    void hinted(QString text);
+    /// A tower design has started: its dock should be visible.
+    void designBegan();
+    /// A building was selected: its dock should be visible.
+    void selectionMade();
+    void failed(noonmark::Error error);
+
+private:
+    void makeActions();
+    QAction* action(const QString& text, const QKeySequence& keys, const QString& tip);
+    void connectView();
+    void connectTools();
+    void click(QPointF pixel);
+    void hover(QPointF pixel);
+    void key(int key);
+    void extrude(double heightM);
+    void extruded(double heightM);
+    void takeLot(const std::vector<Footprint>& pieces);
+    void tellOfDesign();
+    void importMesh();
+    void showLots();
+    void enableActions();
+
+    SelectionPanel* selection_;
+    PlacingPanel* placing_;
+    QPointer<MassingPanel> massing_;
+    QPointer<QWidget> dock_;
+    EditContext context_;
+    BuildingEditing building_;
+    TowerEditing tower_;
+    MeshPlacing mesh_;
+    std::vector<QAction*> actions_;
+    std::vector<QAction*> ofBuilding_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,220 @@
+#include "app/window/editing/selection_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+#include "app/window/massing/figure_words.h"
+#include "app/window/study/region_words.h"
+#include "app/window/widgets/number_fields.h"
+#include "app/window/widgets/push_button.h"
+#include "scenarios/massing/lot_edits.h"
+#include "scenarios/massing/same_floor_area.h"
+
+namespace noonmark {
+
+namespace {
+
+QString describeEstimate(int storeys) {
+    if (storeys == 0) return {};
+    return QObject::tr("; mesh is open: %1 estimated").arg(describeStoreys(storeys));
+}
+
+QString makeRows(const BuildingFacts& facts) {
+    const auto row = [](const QString& name, const QString& value) {
+        return QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
+    };
+    const QString storeys =
+        facts.storeys == 0 ? QString() : QStringLiteral(", ") + describeStoreys(facts.storeys);
+    return QStringLiteral("<b>%1</b><table>").arg(facts.title.toHtmlEscaped()) +
+           (facts.title == facts.id ? QString() : row(QObject::tr("Id"), facts.id)) +
+           row(QObject::tr("Height"),
+               QStringLiteral("%1 m (%2)").arg(groupDigits(facts.heightM, 1), facts.heightSource)) +
+           row(QObject::tr("Parts"), QString::number(facts.parts)) +
+           row(QObject::tr("Plan"), describeArea(facts.planM2)) +
+           row(QObject::tr("Floor area"), groupDigits(facts.grossFloorM2) + QStringLiteral(" m²") + storeys +
+                                              QObject::tr(" of %1 m").arg(usualStoreyM) +
+                                              describeEstimate(facts.estimatedStoreys)) +
+           QStringLiteral("</table>");
+}
+
+}  // namespace
+
+SelectionPanel::SelectionPanel(QWidget* parent)
+    : QWidget(parent),
+      facts_(new QLabel),
+      tools_(new QWidget),
+      height_(numberField(0.1, 2000, 1, 3.5, tr(" m"))),
+      east_(numberField(-10000, 10000, 1, 1, tr(" m"))),
+      north_(numberField(-10000, 10000, 1, 1, tr(" m"))),
+      turn_(numberField(-360, 360, 1, 1, QStringLiteral("°"))),
+      error_(new QLabel) {
+    facts_->setWordWrap(true);
+    facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    error_->setWordWrap(true);
+    error_->setStyleSheet(QStringLiteral("color: #9c2410;"));
+    auto* inside = new QVBoxLayout(tools_);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addWidget(makeButtons());
+    inside->addWidget(makeFields());
+    inside->addWidget(makeVariants());
+    auto* import =
+        pushButton(tr("Import mesh..."), "importMesh",
+                   tr("Adds a building from OBJ, PLY, glTF or CityJSON, placed by a click on the ground"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(facts_);
+    column->addWidget(tools_);
+    column->addWidget(error_);
+    column->addWidget(import);
+    column->addStretch(1);
+    connect(import, &QPushButton::clicked, this, &SelectionPanel::importRequested);
+    connectFields();
+    show(std::nullopt);
+}
+
+QWidget* SelectionPanel::makeButtons() {
+    auto* demolish = pushButton(tr("Demolish"), "demolish", tr("Removes the building (Delete)"));
+    auto* replace = pushButton(tr("Replace by tower"), "replace",
+                               tr("Replaces it by a tower on its lot or, if it has none, on its footprint"));
+    auto* lot = pushButton(tr("Lot from footprint"), "lotFromFootprint",
+                           tr("Creates a lot from its outline on the ground"));
+    moveTool_ =
+        pushButton(tr("Move"), "moveTool", tr("Drag the building over the ground; Esc ends the tool"));
+    moveTool_->setCheckable(true);
+    connect(demolish, &QPushButton::clicked, this, &SelectionPanel::demolishRequested);
+    connect(replace, &QPushButton::clicked, this, &SelectionPanel::replaceRequested);
+    connect(lot, &QPushButton::clicked, this, &SelectionPanel::lotRequested);
+    connect(moveTool_, &QPushButton::toggled, this, &SelectionPanel::moveToolRequested);
+    auto* buttons = new QWidget;
+    auto* grid = new QGridLayout(buttons);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(demolish, 0, 0);
+    grid->addWidget(replace, 0, 1);
+    grid->addWidget(moveTool_, 1, 0);
+    grid->addWidget(lot, 1, 1);
+    return buttons;
+}
+
+QWidget* SelectionPanel::makeFields() {
+    height_->setObjectName(QStringLiteral("buildingHeight"));
+    turn_->setObjectName(QStringLiteral("buildingTurn"));
+    east_->setObjectName(QStringLiteral("moveEast"));
+    north_->setObjectName(QStringLiteral("moveNorth"));
+    height_->setToolTip(
+        tr("Above ground, 0.1 to 2000 m; or drag the arrow on the building. Press Enter to apply"));
+    turn_->setToolTip(tr("Clockwise about its middle. Press Enter to apply"));
+    for (QDoubleSpinBox* field : {east_, north_})
+        field->setToolTip(tr("Negative: west, south. Press Enter to apply"));
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Height"), height_);
+    form->addRow(tr("Move east"), east_);
+    form->addRow(tr("Move north"), north_);
+    form->addRow(tr("Rotate"), turn_);
+    return fields;
+}
+
+QWidget* SelectionPanel::makeVariants() {
+    auto* group = new QWidget;
+    auto* column = new QVBoxLayout(group);
+    column->setContentsMargins(0, 6, 0, 0);
+    column->addWidget(new QLabel(tr("Same floor area on its lot:")));
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
+    const auto variant = [&](const QString& text, double factor, const QString& tip) {
+        auto* made = pushButton(text, "variant", tip);
+        connect(made, &QPushButton::clicked, this, [this, factor] { Q_EMIT variantRequested(factor); });
+        row->addWidget(made);
+    };
+    variant(tr("Wider"), 2, tr("Shorter, on a floor plate twice as large"));
+    variant(tr("Widest"), largestPlate, tr("As short as the lot allows"));
+    variant(tr("Slimmer"), 0.5, tr("Taller, on half the floor plate"));
+    return group;
+}
+
+glm::dvec2 SelectionPanel::move() const { return {east_->value(), north_->value()}; }
+
+void SelectionPanel::connectFields() {
+    const auto changed = [this](auto* field, auto tell) {
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this, tell] {
+            if (!showing_) tell();
+        });
+    };
+    changed(height_, [this] { Q_EMIT heightChanged(height_->value()); });
+    changed(turn_, [this] { Q_EMIT turnChanged(turn_->value()); });
+    for (QDoubleSpinBox* field : {east_, north_}) {
+        changed(field, [this] { Q_EMIT moveChanged(move()); });
+        onEnter(*field, &SelectionPanel::takeMove);
+    }
+    onEnter(*height_, &SelectionPanel::takeHeight);
+    onEnter(*turn_, &SelectionPanel::takeTurn);
+}
+
+// Not editingFinished, which is also emitted when the field loses focus.
+void SelectionPanel::onEnter(const QDoubleSpinBox& field, void (SelectionPanel::*take)()) {
+    connect(field.findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, take);
+}
+
+// The fields are reset after an edit: a second Enter before the changed city arrives must not repeat it.
+void SelectionPanel::takeMove() {
+    const glm::dvec2 byM = move();
+    showMove({0, 0});
+    if (byM != glm::dvec2(0)) Q_EMIT moveTaken(byM);
+}
+
+void SelectionPanel::takeHeight() {
+    const double before = std::exchange(heightM_, height_->value());
+    if (std::abs(heightM_ - before) > 0.05) Q_EMIT heightTaken(heightM_);
+}
+
+void SelectionPanel::takeTurn() {
+    const double degrees = turn_->value();
+    const QSignalBlocker block(turn_);
+    turn_->setValue(0);
+    if (degrees != 0) Q_EMIT turnTaken(degrees);
+}
+
+void SelectionPanel::show(const std::optional<BuildingFacts>& facts) {
+    showing_ = true;
+    facts_->setText(facts ? makeRows(*facts) : tr("Click a building in the view to select it."));
+    tools_->setVisible(facts.has_value());
+    heightM_ = facts ? facts->heightM : 0;
+    height_->setValue(heightM_);
+    for (QDoubleSpinBox* field : {east_, north_, turn_}) field->setValue(0);
+    showing_ = false;
+    showError({});
+}
+
+void SelectionPanel::showHeight(double heightM) {
+    const QSignalBlocker block(height_);
+    height_->setValue(heightM);
+}
+
+void SelectionPanel::showMove(glm::dvec2 byM) {
+    const QSignalBlocker blockEast(east_), blockNorth(north_);
+    east_->setValue(byM.x);
+    north_->setValue(byM.y);
+}
+
+void SelectionPanel::setMoving(bool moving) {
+    const QSignalBlocker block(moveTool_);
+    moveTool_->setChecked(moving);
+}
+
+void SelectionPanel::showError(const QString& text) {
+    error_->setText(text);
+    error_->setVisible(!text.isEmpty());
+}
+
+QString SelectionPanel::message() const { return error_->text(); }
+
+}  // namespace noonmark

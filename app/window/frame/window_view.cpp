@@ -1,0 +1,39 @@
+#include "app/window/frame/window_view.h"
+
+#include "app/window/actions/view_actions.h"
+#include "app/window/frame/workbench.h"
+#include "app/window/view/mode_switch.h"
+#include "app/window/view/view_panel.h"
+
+namespace noonmark {
+
+ProjectSaving::View WindowView::toSave() const {
+    const ProjectSession& session = workbench_.session();
+    ViewState state{.camera = panel_.view().pose(),
+                    .mode = mode_.mode(),
+                    .measure = panel_.legend().measure(),
+                    .changeScale = panel_.legend().changeScale(),
+                    .scenario = session.scenario(),
+                    .baseline = session.baseline(),
+                    .study = workbench_.document().settings()};
+    if (workbench_.shown() == Workbench::Shown::comparison) state.answer = "comparison";
+    if (workbench_.shown() == Workbench::Shown::study) state.answer = "study";
+    if (!state.answer.empty()) state.answerSeconds = workbench_.answerSeconds();
+    return textsOf(state);
+}
+
+void WindowView::restore() {
+    const ViewState& view = workbench_.openedView();
+    mode_.setAnalysisEngine(StudySettings().engine);
+    if (workbench_.session().file()) {
+        mode_.setMode(view.mode);
+        panel_.legend().setMeasure(view.measure);
+    }
+    panel_.legend().setChangeScale(view.changeScale);
+    if (view.camera)
+        panel_.view().setPose(*view.camera);
+    else
+        panel_.navigator().showSlanting(boxAround(workbench_.document().settings().region));
+}
+
+}  // namespace noonmark

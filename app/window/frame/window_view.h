@@ -1,0 +1,29 @@
+#pragma once
+
+#include "app/window/project/project_saving.h"
+
+namespace noonmark {
+
+class ModeSwitch;
+class ViewPanel;
+class Workbench;
+
+/// The window's state that is saved in the project: camera, mode, measure, scenario, study.
+class WindowView {
+public:
+    /// All must outlive this object.
+    WindowView(Workbench& workbench, ViewPanel& panel, ModeSwitch& mode)
+        : workbench_(workbench), panel_(panel), mode_(mode) {}
+
+    [[nodiscard]] ProjectSaving::View toSave() const;
+    /// Shows the project that has been opened as it was saved; a new one from the south, its region in the
+    /// middle. Scenario and study are in the workbench already.
+    void restore();
+
+private:
+    Workbench& workbench_;
+    ViewPanel& panel_;
+    ModeSwitch& mode_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,40 @@
+#include "app/window/live/live_rule.h"
+
+#include <QLocale>
+#include <QObject>
+
+namespace noonmark {
+
+namespace {
+
+QString groupDigits(std::size_t number) { return QLocale(QLocale::English).toString(qulonglong(number)); }
+
+QString describeStep(std::size_t steps) {
+    return steps == 1 ? QObject::tr("this moment") : QObject::tr("all %1 steps").arg(groupDigits(steps));
+}
+
+}  // namespace
+
+std::vector<LiveEngine> liveEngines(const City& city, ReceiverPlaces places, std::size_t steps) {
+    const bool level = !city.terrain && places == ReceiverPlaces::ground;
+    if (!level) return {LiveEngine::horizons};
+    if (steps <= LiveRule::mostSteps) return {LiveEngine::shadows, LiveEngine::horizons};
+    return {LiveEngine::horizons, LiveEngine::moments};
+}
+
+QString describeLive(LiveEngine engine, std::size_t counted, std::size_t steps, bool runs) {
+    switch (engine) {
+        case LiveEngine::shadows:
+            return QObject::tr("With the proposal: exact at %1").arg(describeStep(steps));
+        case LiveEngine::moments:
+            return QObject::tr("With the proposal: exact at %1 of %2 steps")
+                .arg(groupDigits(counted), groupDigits(steps));
+        case LiveEngine::horizons:
+            break;
+    }
+    const QString words =
+        QObject::tr("With the proposal: %1, within 0.25° of azimuth").arg(describeStep(steps));
+    return runs ? words : QObject::tr("%1; continuous shadow follows").arg(words);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,123 @@
+#include "app/window/results/ground_answer.h"
+
+#include <QObject>
+
+#include "app/report/maps/impact_legend.h"
+#include "app/report/maps/score_legend.h"
+#include "app/window/results/field_picture.h"
+#include "app/window/results/impact_picture.h"
+#include "app/window/results/score_picture.h"
+#include "app/window/view/hover_text.h"
+#include "core/measures/has_runs.h"
+
+namespace noonmark {
+
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+template <class... Cases>
+auto over(const GroundAnswer::Map& map, Cases... cases) {
+    return std::visit([visitor = Overloaded{cases...}](const auto& shared) { return visitor(*shared); }, map);
+}
+
+ShadowMeasure chooseShownMeasure(const GroundAnswer& answer, ShadowMeasure wanted) {
+    return answer.grossOnly ? ShadowMeasure::gross : wanted;
+}
+
+QString nameOf(const std::string& name) { return QString::fromStdString(name); }
+
+QString notCounted() { return QObject::tr("Continuous shadow was not counted"); }
+
+}  // namespace
+
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const Study>& study) {
+    return runsLookedFor({std::shared_ptr<const ShadowField>(study, &study->field),
+                          std::shared_ptr<const Receivers>(study, &study->receivers),
+                          {}});
+}
+
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const PartialField>& partial) {
+    return {std::shared_ptr<const ShadowField>(partial, &partial->field), nullptr,
+            QObject::tr("So far: %1 (%2 %)").arg(nameOf(partial->part)).arg(int(partial->share * 100)), true,
+            !hasRuns(partial->field)};
+}
+
+GroundAnswer runsLookedFor(GroundAnswer answer) {
+    answer.grossOnly = over(
+        answer.map, [](const Score&) { return false; },
+        [](const auto& map) { return !hasRuns(map.continuousMin); });
+    if (answer.grossOnly) answer.whyGross = notCounted();
+    return answer;
+}
+
+// Cached horizons give no continuous shadow here.
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const TimeAnswer>& time) {
+    return {std::shared_ptr<const ShadowField>(time, &time->field),
+            std::shared_ptr<const Receivers>(time, &time->study->receivers), describe(time->look), false,
+            true};
+}
+
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const LiveAnswer>& live) {
+    return {std::shared_ptr<const ShadowField>(live, &live->field),
+            std::shared_ptr<const Receivers>(live, &live->receivers),
+            describeLive(live->engine, live->counted, live->steps, live->runs), false, !live->runs};
+}
+
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const ImpactAnswer>& comparison) {
+    return runsLookedFor(
+        {std::shared_ptr<const Impact>(comparison, &comparison->study.total), nullptr,
+         QObject::tr("%1 compared with %2").arg(nameOf(comparison->to), nameOf(comparison->from))});
+}
+
+GroundAnswer makeGroundAnswer(const std::shared_ptr<const ScoreAnswer>& score) {
+    return {std::shared_ptr<const Score>(score, &score->score), nullptr,
+            QObject::tr("%1 with the weights %2").arg(nameOf(score->scenario), nameOf(score->weights.name))};
+}
+
+QString makeNote(const GroundAnswer& answer, ShadowMeasure measure) {
+    if (chooseShownMeasure(answer, measure) == measure || answer.whyGross.isEmpty()) return answer.note;
+    return answer.note.isEmpty() ? answer.whyGross : QObject::tr("%1. %2").arg(answer.note, answer.whyGross);
+}
+
+Legend makeLegend(const GroundAnswer& answer, ShadowMeasure measure, const ChangeScale& scale) {
+    return over(
+        answer.map, [&](const Score& score) { return makeLegend(score); },
+        [&](const Impact& impact) { return makeLegend(impact, chooseShownMeasure(answer, measure), scale); },
+        [&](const ShadowField& field) { return makeLegend(field, chooseShownMeasure(answer, measure)); });
+}
+
+GroundPicture makePicture(const GroundAnswer& answer, ShadowMeasure measure, double top) {
+    return over(
+        answer.map, [&](const Score& score) { return scorePicture(score, top); },
+        [&](const Impact& impact) { return impactPicture(impact, chooseShownMeasure(answer, measure), top); },
+        [&](const ShadowField& field) {
+            return fieldPicture(field, answer.receivers.get(), chooseShownMeasure(answer, measure), top);
+        });
+}
+
+std::optional<GroundPicture> roofPictureOf(const GroundAnswer& answer, ShadowMeasure measure, double top) {
+    const auto* field = std::get_if<std::shared_ptr<const ShadowField>>(&answer.map);
+    if (!field || !answer.receivers) return std::nullopt;
+    return roofPicture(**field, *answer.receivers, chooseShownMeasure(answer, measure), top);
+}
+
+bool isOnRoof(const GroundAnswer& answer, glm::dvec2 point) {
+    if (!answer.receivers) return false;
+    const auto cell = cellAt(answer.receivers->grid, point);
+    return cell && answer.receivers->kind[*cell] == CellKind::roof;
+}
+
+QString textAt(const GroundAnswer& answer, glm::dvec2 point) {
+    return over(
+        answer.map, [&](const Score& score) { return formatScore(score, point); },
+        [&](const Impact& impact) { return formatChange(impact, point); },
+        [&](const ShadowField& field) { return formatMinutes(field, point); });
+}
+
+}  // namespace noonmark

@@ -1,0 +1,162 @@
+#include "app/window/results/result_display.h"
+
+#include "app/window/editing/edit_preview.h"
+#include "app/window/results/comparison_rows.h"
+#include "app/window/results/result_layer.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/results/score_rows.h"
+#include "app/window/scenarios/scenario_table.h"
+#include "app/window/study/warnings_dock.h"
+#include "app/window/view/mode_switch.h"
+
+namespace noonmark {
+
+namespace {
+
+std::vector<ResultRow> scoreRows(const ScoreAnswer& score) {
+    return makeScoreRows(score.score, score.scenario, score.weights.name, formatText(score.settings.period));
+}
+
+}  // namespace
+
+ResultDisplay::ResultDisplay(Workbench& workbench, ModeSwitch& mode, const EditPreview& preview,
+                             const Places& places)
+    : workbench_(workbench), mode_(mode), preview_(preview), places_(places) {
+    connect(&workbench_, &Workbench::studyDone, this, &ResultDisplay::showStudy);
+    connect(&workbench_, &Workbench::comparisonDone, this, &ResultDisplay::showComparison);
+    connect(&workbench_, &Workbench::scoreDone, this, &ResultDisplay::showScore);
+    connect(&workbench_, &Workbench::savedShown, this, [this] {
+        mode_.showStudies();
+        showSaved();
+    });
+    connect(&workbench_, &Workbench::savedReweighed, this,
+            [this] { places_.layer.setInFront(makeGroundAnswer(*workbench_.saved())); });
+    connect(&workbench_, &Workbench::studyPartial, this,
+            [this](const auto& partial) { places_.layer.setPartial(partial); });
+    connect(&workbench_, &Workbench::studyStopped, this, [this] { places_.layer.setPartial(nullptr); });
+    connect(&places_.figures, &ResultsDock::studyWanted, &workbench_, &Workbench::showStudyAgain);
+    connect(&workbench_.document(), &StudyDocument::changed, this, &ResultDisplay::update);
+    connect(&workbench_.session(), &ProjectSession::changed, this, &ResultDisplay::update);
+    connect(&workbench_.session(), &ProjectSession::baselineChanged, this, &ResultDisplay::compare);
+    connect(&preview_, &EditPreview::shownChanged, this, &ResultDisplay::showOutdated);
+}
+
+void ResultDisplay::showCity() {
+    places_.warnings.show(workbench_.city()->loaded.read.warnings);
+    places_.figures.show({});
+    showResult();
+    update();
+}
+
+void ResultDisplay::forget() { anyShown_ = false; }
+
+void ResultDisplay::setHint(const QString& hint) { places_.figures.setHint(hint); }
+
+// A comparison is computed first and shown when it is done.
+void ResultDisplay::compare() {
+    places_.layer.setInFront(std::nullopt);
+    if (!workbench_.comparing()) showResult();
+}
+
+void ResultDisplay::showResult() {
+    if (workbench_.saved()) return showSaved();
+    if (workbench_.score()) return showScore();
+    workbench_.comparison() ? showComparison() : showStudy();
+}
+
+void ResultDisplay::showStudy() {
+    places_.scenarios.setStudies(workbench_.studies(), workbench_.document().settings());
+    if (workbench_.comparison() || workbench_.score() || workbench_.saved()) return;
+    const auto study = workbench_.study();
+    places_.layer.setInFront(std::nullopt);
+    if (!study) return showPast();
+    settings_ = study->settings;
+    anyShown_ = true;
+    places_.layer.setStudy(study);
+    places_.figures.show(makeResultRows(*study));
+    places_.warnings.show(study->warnings);
+    update();
+}
+
+// The result for the buildings before the edit, marked as outdated, so that an edit does not clear the
+// display.
+void ResultDisplay::showPast() {
+    const Workbench::PastAnswer& past = workbench_.past();
+    if (!past.any()) return places_.figures.show({});
+    GroundAnswer answer = past.score        ? makeGroundAnswer(past.score)
+                          : past.comparison ? makeGroundAnswer(past.comparison)
+                                            : makeGroundAnswer(past.study);
+    answer.note = answer.note.isEmpty() ? tr("Outdated: buildings have changed")
+                                        : tr("%1. Outdated: buildings have changed").arg(answer.note);
+    answer.marked = true;
+    places_.layer.setInFront(answer);
+    if (past.score)
+        places_.figures.show(scoreRows(*past.score), past.score->score.months);
+    else
+        places_.figures.show(past.comparison ? makeComparisonRows(computeFigures(*past.comparison))
+                                             : makeResultRows(*past.study));
+    showOutdated();
+}
+
+void ResultDisplay::showComparison() {
+    const auto comparison = workbench_.comparison();
+    if (workbench_.score() || workbench_.saved()) return;
+    settings_ = comparison->settings.study;
+    anyShown_ = true;
+    places_.layer.setInFront(makeGroundAnswer(comparison));
+    places_.figures.show(makeComparisonRows(computeFigures(*comparison)));
+    places_.warnings.show(comparison->study.total.warnings);
+    update();
+}
+
+void ResultDisplay::showScore() {
+    const auto score = workbench_.score();
+    settings_ = score->settings;
+    places_.layer.setInFront(makeGroundAnswer(score));
+    places_.figures.show(scoreRows(*score), score->score.months);
+    places_.warnings.show(score->score.warnings);
+    Q_EMIT chosen();
+    update();
+}
+
+void ResultDisplay::showSaved() {
+    const auto saved = workbench_.saved();
+    places_.layer.setInFront(makeGroundAnswer(*saved));
+    places_.figures.show(makeRows(*saved), monthsOf(*saved));
+    Q_EMIT chosen();
+    update();
+}
+
+void ResultDisplay::update() {
+    places_.scenarios.setStudies(workbench_.studies(), workbench_.document().settings());
+    showOutdated();
+    Q_EMIT updated();
+}
+
+// States whether the displayed figures are up to date.
+void ResultDisplay::showOutdated() {
+    const auto saved = workbench_.saved();
+    places_.figures.offerWayBack(saved || workbench_.score());
+    if (saved && !preview_.shown() && !workbench_.past().any())
+        return places_.figures.setNote(describeSaved(*saved), !saved->upToDate());
+    places_.figures.setNote(whyOutdated());
+}
+
+// Empty: the figures are up to date.
+QString ResultDisplay::whyOutdated() const {
+    if (preview_.shown())
+        return tr("These figures do not include the building being designed. Build it, then run.");
+    if (workbench_.past().any())
+        return tr("Outdated figures: buildings have changed; %1.")
+            .arg(workbench_.running().busy() ? tr("new figures are being computed")
+                                             : tr("run again (Ctrl+R)"));
+    if (workbench_.document().settings() != settings_)
+        return tr("Outdated figures: settings have changed; run again (Ctrl+R).");
+    const auto score = workbench_.score();
+    if (!score) return {};
+    const auto weights = findWeights(workbench_.session().project(), score->weights.name);
+    const bool same = weights && *weights == score->weights;
+    return same ? QString() : tr("Outdated score: the weight table has changed; score again.");
+}
+
+}  // namespace noonmark

@@ -1,0 +1,142 @@
+#include "app/window/results/result_layer.h"
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "app/window/exploration/explored_picture.h"
+#include "app/window/results/field_picture.h"
+#include "app/window/view/hover_text.h"
+
+namespace noonmark {
+
+namespace {
+
+QString makeNote(const ViewAnswer& answer, double distanceM) {
+    const QString words = describeDetail(answer.view, distanceM);
+    if (isSoFar(answer.view)) return QObject::tr("So far: %1").arg(words);
+    return !isFinest(answer) ? QObject::tr("Refining: %1").arg(words) : words;
+}
+
+QString hintOf(ViewMode mode) {
+    if (mode == ViewMode::exploration) return QObject::tr("Computing the shadow in the view...");
+    return QObject::tr("No study yet: choose a period and a region, then press Run (Ctrl+R)");
+}
+
+}  // namespace
+
+ResultLayer::ResultLayer(CityView& view, LegendStrip& legend) : view_(view), strip_(legend) {
+    view_.surfaces().setPalette(shadowPalette());
+    showNothing();
+}
+
+void ResultLayer::forget() {
+    study_.reset();
+    inFront_.reset();
+    partial_.reset();
+    time_.reset();
+    explored_.reset();
+    show();
+}
+
+void ResultLayer::setMode(ViewMode mode) {
+    mode_ = mode;
+    show();
+}
+
+void ResultLayer::setStudy(std::shared_ptr<const Study> study) {
+    study_ = study ? std::optional(makeGroundAnswer(study)) : std::nullopt;
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setInFront(std::optional<GroundAnswer> answer) {
+    if (!answer && !inFront_) return;
+    inFront_ = std::move(answer);
+    partial_.reset();
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setPartial(std::shared_ptr<const PartialField> partial) {
+    if (!partial && !partial_) return;
+    partial_ = partial ? std::optional(makeGroundAnswer(partial)) : std::nullopt;
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setTime(const std::shared_ptr<const TimeAnswer>& answer) {
+    if (!answer && !time_) return;
+    time_ = answer ? std::optional(makeGroundAnswer(answer)) : std::nullopt;
+    if (mode_ != ViewMode::exploration) show();
+}
+
+void ResultLayer::setExplored(std::shared_ptr<const ViewAnswer> answer) {
+    explored_ = std::move(answer);
+    if (mode_ == ViewMode::exploration) show();
+}
+
+void ResultLayer::setLive(std::optional<GroundAnswer> answer) {
+    if (!answer && !live_) return;
+    live_ = std::move(answer);
+    show();
+}
+
+void ResultLayer::noteLive(const QString& note) {
+    if (live_) strip_.setNote(note, true);
+}
+
+void ResultLayer::show() {
+    if (mode_ == ViewMode::exploration && !live_) {
+        view_.clearPicture();
+        return explored_ ? showExplored() : showNothing();
+    }
+    view_.surfaces().clear();
+    ground() ? showGround() : showNothing();
+}
+
+// The result with the highest precedence; null: none yet.
+const GroundAnswer* ResultLayer::ground() const {
+    for (const auto* answer : {&live_, &partial_, &inFront_, &time_, &study_})
+        if (*answer) return &**answer;
+    return nullptr;
+}
+
+void ResultLayer::showExplored() {
+    const Legend legend = makeLegend(explored_->view, strip_.measure());
+    view_.surfaces().show(surfacePicture(explored_->view, strip_.measure(), legend.scale.top));
+    strip_.setLegend(legend);
+    const double distance = glm::length(explored_->view.camera.eye - view_.pose().target);
+    strip_.setNote(makeNote(*explored_, distance), isSoFar(explored_->view));
+}
+
+void ResultLayer::showGround() {
+    const GroundAnswer& answer = *ground();
+    const Legend legend = makeLegend(answer, strip_.measure(), strip_.changeScale());
+    view_.showPicture(makePicture(answer, strip_.measure(), legend.scale.top),
+                      !live_ && partial_.has_value());
+    if (const auto roofs = roofPictureOf(answer, strip_.measure(), legend.scale.top))
+        view_.showRoofPicture(*roofs);
+    strip_.setLegend(legend);
+    strip_.setNote(makeNote(answer, strip_.measure()), answer.marked);
+}
+
+void ResultLayer::showNothing() {
+    view_.clearPicture();
+    view_.surfaces().clear();
+    strip_.setHint(hintOf(mode_));
+    strip_.setLegend(std::nullopt);
+    strip_.setNote({}, false);
+}
+
+QString ResultLayer::minutesAt(const Pick& pick) const {
+    if (mode_ == ViewMode::exploration && !live_) {
+        const auto point = explored_ ? explored_->view.pointAt(pick.position) : std::nullopt;
+        if (!point) return {};
+        const SurfaceShadow& shadow = explored_->view.shadow;
+        return formatMinutes(shadow.grossMin[*point], shadow.continuousMin[*point],
+                             makeLegend(explored_->view, ShadowMeasure::gross).instant);
+    }
+    const glm::dvec2 place{pick.position.x, pick.position.y};
+    if (!ground() || (pick.building && !isOnRoof(*ground(), place))) return {};
+    return textAt(*ground(), place);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+
+#include "app/window/exploration/view_refinement.h"
+#include "app/window/results/ground_answer.h"
+#include "app/window/view/view_mode.h"
+#include "app/window/widgets/legend_strip.h"
+#include "render/view/city_view.h"
+#include "render/view/scene_picker.h"
+
+namespace noonmark {
+
+/// The result on the surfaces of the view, with its legend: the explored view, a study, another result
+/// displayed instead of it, or the partial result of a running study, which is marked as such. Results stay
+/// stored while another mode is shown.
+class ResultLayer {
+public:
+    ResultLayer(CityView& view, LegendStrip& legend);  ///< both must outlive it
+
+    void forget();  ///< another city
+    void setMode(ViewMode mode);
+    void setStudy(std::shared_ptr<const Study> study);  ///< null: none; removes a partial result
+    /// Displayed instead of the study: a comparison, a score or a saved result. None: shows the study again.
+    void setInFront(std::optional<GroundAnswer> answer);
+    /// Partial result of a running study, displayed instead of the one before; null: none, shows the one
+    /// before again.
+    void setPartial(std::shared_ptr<const PartialField> partial);
+    /// A day or moment of the study, displayed instead of it; null: none, shows the study again.
+    void setTime(const std::shared_ptr<const TimeAnswer>& answer);
+    void setExplored(std::shared_ptr<const ViewAnswer> answer);  ///< null: none
+
+    /// The live shadow, displayed in any mode until it is none.
+    void setLive(std::optional<GroundAnswer> answer);
+    /// Replaces the live shadow's note, as a warning. Does nothing without a live shadow.
+    void noteLive(const QString& note);
+
+    void show();  ///< again, for instance after the measure has changed
+
+    [[nodiscard]] QString minutesAt(const Pick& pick) const;  ///< text; empty if not known
+
+private:
+    void showExplored();
+    void showGround();
+    [[nodiscard]] const GroundAnswer* ground() const;
+    void showNothing();
+
+    CityView& view_;
+    LegendStrip& strip_;
+    ViewMode mode_ = ViewMode::exploration;
+    std::optional<GroundAnswer> study_;
+    std::optional<GroundAnswer> inFront_;
+    std::optional<GroundAnswer> partial_;
+    std::optional<GroundAnswer> time_;
+    std::optional<GroundAnswer> live_;
+    std::shared_ptr<const ViewAnswer> explored_;
+};
+
+}  // namespace noonmark

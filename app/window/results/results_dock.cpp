@@ -1,0 +1,86 @@
+#include "app/window/results/results_dock.h"
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+#include "app/window/results/month_chart.h"
+#include "app/window/widgets/push_button.h"
+
+namespace noonmark {
+
+ResultsDock::ResultsDock(QWidget* parent)
+    : QWidget(parent),
+      note_(new QLabel),
+      back_(pushButton(tr("Show the study again"), "wayBack",
+                       tr("Replaces this result by the current study or comparison"))),
+      months_(new MonthChart),
+      form_(new QFormLayout(this)),
+      hint_(tr("No study yet.")) {
+    note_->setObjectName(QStringLiteral("resultNote"));
+    note_->setWordWrap(true);
+    // A single layout: in a nested one, wrapped text gets too little height.
+    for (QWidget* whole : std::initializer_list<QWidget*>{note_, back_, months_}) form_->addRow(whole);
+    fixedRows_ = form_->rowCount();
+    connect(back_, &QPushButton::clicked, this, &ResultsDock::studyWanted);
+    show({});
+}
+
+void ResultsDock::show(const std::vector<ResultRow>& rows, const std::vector<MonthFigures>& months) {
+    while (form_->rowCount() > fixedRows_) form_->removeRow(fixedRows_);
+    filled_ = !rows.empty();
+    setNote({});
+    offerWayBack(false);
+    months_->show(months);
+    for (const ResultRow& row : rows) {
+        auto* value = new QLabel(row.value);
+        value->setWordWrap(true);
+        value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        value->setToolTip(row.meaning);
+        form_->addRow(row.name, value);
+        form_->labelForField(value)->setToolTip(row.meaning);
+    }
+}
+
+void ResultsDock::setNote(const QString& note, bool warns) {
+    const bool amber = filled_ && warns;
+    note_->setStyleSheet(amber ? QStringLiteral("background: #ffd58a; color: #1d2027; padding: 4px;")
+                               : QString());
+    if (filled_) hint_ = tr("No study yet.");
+    note_->setText(filled_ ? note : hint_);
+    setFaded(amber && !note.isEmpty());
+    note_->setVisible(!note_->text().isEmpty());
+    fitNote();
+}
+
+// Sets the note's height, since the layout gives a wrapped label no height when it returns after a score was
+// shown.
+void ResultsDock::fitNote() {
+    const QMargins margins = form_->contentsMargins();
+    const int width = std::max(1, this->width() - margins.left() - margins.right());
+    note_->setMinimumHeight(note_->text().isEmpty() ? 0 : note_->heightForWidth(width));
+}
+
+void ResultsDock::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitNote();
+}
+
+void ResultsDock::setHint(const QString& hint) {
+    hint_ = hint;
+    if (!filled_) setNote({});
+}
+
+// Greys out figures that do not belong to what is displayed.
+void ResultsDock::setFaded(bool faded) {
+    faded_ = faded;
+    for (int row = fixedRows_; row < form_->rowCount(); ++row)
+        for (const auto role : {QFormLayout::LabelRole, QFormLayout::FieldRole})
+            if (QLayoutItem* item = form_->itemAt(row, role))
+                item->widget()->setStyleSheet(faded ? QStringLiteral("color: #9a9ea6;") : QString());
+}
+
+void ResultsDock::offerWayBack(bool offered) { back_->setVisible(offered); }
+
+}  // namespace noonmark

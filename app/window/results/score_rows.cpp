@@ -1,0 +1,70 @@
+#include "app/window/results/score_rows.h"
+
+#include <QLocale>
+#include <QObject>
+#include <algorithm>
+
+#include "app/report/sheets/study_words.h"
+
+namespace noonmark {
+
+namespace {
+
+QString signedArea(double areaM2) {
+    return (areaM2 > 0 ? QStringLiteral("+") : QString()) + describeAmount(areaM2, 0) + QStringLiteral(" m²");
+}
+
+QString areaAndScore(double areaM2, double scoreM2) {
+    return QObject::tr("%1 m² shadow, score %2").arg(describeAmount(areaM2, 0), signedArea(scoreM2));
+}
+
+void addMonths(std::vector<ResultRow>& rows, const Score& score) {
+    for (const MonthFigures& month : score.months)
+        rows.push_back(
+            {describeMonth(month.month), areaAndScore(month.shadowAreaM2, month.scoreM2),
+             QObject::tr("Shadow area over %1 sunlit minutes, and the month's contribution to the score")
+                 .arg(describeAmount(month.sunlitMinutes, 0))});
+}
+
+// Intervals without steps of the sun have neither shadow area nor score.
+void addIntervals(std::vector<ResultRow>& rows, const Score& score) {
+    for (const IntervalFigures& interval : score.intervals)
+        if (interval.shadowAreaM2 > 0)
+            rows.push_back(
+                {QObject::tr("%1 × %2").arg(QString::fromStdString(interval.name)).arg(interval.weight),
+                 areaAndScore(interval.shadowAreaM2, interval.scoreM2),
+                 QObject::tr("Interval of the table and its weight: shadow area in its sunlit time, and "
+                             "weight times shadow area")});
+}
+
+}  // namespace
+
+QString describeMonth(std::chrono::year_month month) {
+    const QString name =
+        QLocale(QLocale::English).standaloneMonthName(int(unsigned(month.month())), QLocale::ShortFormat);
+    return QStringLiteral("%1 %2").arg(name).arg(int(month.year()));
+}
+
+std::vector<ResultRow> makeScoreRows(const Score& score, const std::string& scenario,
+                                     const std::string& weights, const std::string& period) {
+    const double perArea = score.scoreM2 / std::max(1.0, score.receiverAreaM2);
+    std::vector<ResultRow> rows{{QObject::tr("Shadow score"), signedArea(score.scoreM2),
+                                 QObject::tr("Sum over intervals of weight × share of the interval's sunlit "
+                                             "time in shadow × cell area. Above "
+                                             "0, wanted shade outweighs unwanted shadow")},
+                                {QObject::tr("per m² of ground"), QString::number(perArea, 'f', 3),
+                                 QObject::tr("Score divided by the area of all receivers")},
+                                {QObject::tr("Scored"),
+                                 QObject::tr("%1\nwith the weights %2")
+                                     .arg(QString::fromStdString(scenario), QString::fromStdString(weights)),
+                                 {}}};
+    addMonths(rows, score);
+    addIntervals(rows, score);
+    rows.push_back({QObject::tr("Receivers"), describeAmount(score.receiverAreaM2, 0) + QStringLiteral(" m²"),
+                    QObject::tr("Open ground of the region")});
+    rows.push_back({QObject::tr("Period"), QString::fromStdString(period), {}});
+    rows.push_back({QObject::tr("Engine"), QString::fromStdString(score.engine), {}});
+    return rows;
+}
+
+}  // namespace noonmark

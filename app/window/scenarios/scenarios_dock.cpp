@@ -1,0 +1,34 @@
+#include "app/window/scenarios/scenarios_dock.h"
+
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/window/project/project_session.h"
+#include "app/window/scenarios/scenario_table.h"
+
+namespace noonmark {
+
+ScenariosDock::ScenariosDock(ProjectSession& session, QWidget* parent)
+    : QWidget(parent), table_(new ScenarioTable(session, this)) {
+    auto* view = new QTableView;
+    view->setObjectName(QStringLiteral("scenarioTable"));
+    view->setModel(table_);
+    view->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view->setShowGrid(false);
+    view->verticalHeader()->hide();
+    view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    view->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    auto* measure = new QPushButton(tr("Measure all"));
+    measure->setToolTip(
+        tr("Runs the study for scenarios without figures, with the current period and region"));
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(view);
+    column->addWidget(measure);
+    connect(measure, &QPushButton::clicked, this, &ScenariosDock::measureAllRequested);
+    connect(view, &QTableView::doubleClicked, this,
+            [this, &session](const QModelIndex& index) { session.goTo(table_->scenarioAt(index.row())); });
+}
+
+}  // namespace noonmark

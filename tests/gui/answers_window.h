@@ -1,0 +1,74 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "app/window/frame/main_window.h"
+#include "app/window/project/project_dock.h"
+#include "app/window/project/project_model.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/view/view_panel.h"
+#include "tests/gui/small_project.h"
+#include "tests/gui/wait_for.h"
+
+namespace noonmark::test {
+
+/// The window with a small project, a scenario in it, and a quick study.
+struct AnswersWindow : ::testing::Test {
+    QTemporaryDir folder;
+    QSettings settings{folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat};
+    std::unique_ptr<MainWindow> window;
+
+    void SetUp() override {
+        settings.setValue(QStringLiteral("unsavedFolder"), folder.filePath(QStringLiteral("unsaved")));
+        const QString file = folder.filePath(QStringLiteral("small.noonmark.gpkg"));
+        Project project = smallProject();
+        project.scenarios.push_back({"Tower", "", {newTower("New", 70)}});
+        ASSERT_TRUE(ProjectFile::create(file.toStdString(), project));
+        window = std::make_unique<MainWindow>(settings);
+        window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::discard; });
+        window->resize(900, 600);
+        window->show();
+        window->open({file});
+        ASSERT_TRUE(waitFor([&] { return workbench().city() != nullptr; }));
+        StudySettings question = workbench().document().settings();
+        question.receivers.cellM = 4;
+        question.period.stepMinutes = 10;
+        question.period.days = 40;
+        question.region = session().project().regions[0];
+        workbench().document().change(question, QStringLiteral("test"));
+    }
+
+    Workbench& workbench() { return window->workbench(); }
+    ProjectSession& session() { return workbench().session(); }
+    QString note() { return window->findChild<QLabel*>(QStringLiteral("resultNote"))->text(); }
+    QStringList figures() {
+        QStringList texts;
+        for (const QLabel* label : window->findChild<ResultsDock*>()->findChildren<QLabel*>())
+            texts << label->text();
+        return texts;
+    }
+    void study() {
+        workbench().run();
+        ASSERT_TRUE(waitFor([this] { return workbench().study() != nullptr; }));
+    }
+    void keep(const char* name) {
+        const auto before = session().project().results.size();
+        workbench().keepAnswer(QString::fromLatin1(name));
+        EXPECT_EQ(session().project().results.size(), before) << "the city is hashed in a job";
+        ASSERT_TRUE(waitFor([&] { return session().project().results.size() == before + 1; }));
+    }
+    void enter(ProjectPart part, const std::string& name) {
+        auto* dock = window->findChild<ProjectDock*>();
+        dock->use(dock->model().indexOf(part, name));
+    }
+    void showSaved(const std::string& name) {
+        enter(ProjectPart::result, name);
+        ASSERT_TRUE(waitFor([this] { return workbench().saved() && !workbench().following().busy(); }));
+    }
+};
+
+}  // namespace noonmark::test

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "app/window/view/view_panel.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::ProjectWindow;
+using test::waitFor;
+
+TEST_F(ProjectWindow, ComparesTwoScenariosAndKeepsTheResult) {
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    question.period.zone = "America/New_York";
+    workbench().document().change(question, QStringLiteral("test"));
+    build();
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    // Keeps the object alive, so that no other comparison gets its address.
+    const auto held = workbench().comparison();
+    const ImpactAnswer& answer = *held;
+    EXPECT_EQ(answer.from, existingCity);
+    EXPECT_EQ(answer.to, "Proposal A");
+    EXPECT_GT(computeFigures(answer.study.total, 0).gross.touchedM2, 0);
+    EXPECT_EQ(window->mode().mode(), ViewMode::analysis);
+    const auto legend = window->panel().legend().legend();
+    ASSERT_TRUE(legend);
+    EXPECT_TRUE(legend->change);
+    EXPECT_EQ(legend->patches.size(), 1U) << "the tower stands on what was ground";
+    workbench().keepAnswer(QStringLiteral("Impact"));
+    ASSERT_TRUE(waitFor([this] { return session().project().results.size() == 1; }));
+    EXPECT_EQ(session().project().results[0]->kind, "impact");
+    session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height"));
+    ASSERT_TRUE(waitFor([&] {
+        return workbench().comparison() && workbench().comparison().get() != &answer;
+    })) << "a quick result is recomputed after the change";
+    session().compareWith({});
+    EXPECT_EQ(workbench().comparison(), nullptr);
+}
+
+TEST_F(ProjectWindow, AllScenariosAreMeasuredForTheTable) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    workbench().measureAll();
+    ASSERT_TRUE(waitFor([this] { return workbench().studies().size() == 2; }));
+    const auto studies = workbench().studies();
+    EXPECT_GT(studies.at("Proposal A")->statistics.shadowAreaM2,
+              studies.at(existingCity)->statistics.shadowAreaM2);
+    EXPECT_EQ(workbench().study(), studies.at("Proposal A"));
+    session().goTo(existingCity);
+    ASSERT_TRUE(waitFor([&] { return workbench().study() == studies.at(existingCity); }))
+        << "saved and shown again";
+}
+
+TEST_F(ProjectWindow, ARunRightAfterAnEditAnswersForTheEditedCity) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("height")));
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy() && !workbench().running().busy(); }));
+    EXPECT_TRUE(workbench().study());
+    EXPECT_EQ(workbench().studies().count("Proposal A"), 1U);
+}
+
+TEST_F(ProjectWindow, ARunningComparisonOutlivesAnotherNameOfEitherSide) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    ASSERT_TRUE(session().change(withScenario(session().project(), "Other", {}), QStringLiteral("new")));
+    session().compareWith("Other");
+    ASSERT_TRUE(workbench().running().busy());
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, "Other", "Base"));
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, "Proposal A", "Tall"));
+    EXPECT_TRUE(workbench().running().busy());
+    EXPECT_EQ(session().baseline(), "Base");
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(workbench().comparison()->from, "Base");
+    EXPECT_EQ(workbench().comparison()->to, "Tall");
+    workbench().document().undoStack().undo();
+    workbench().document().undoStack().undo();
+    ASSERT_TRUE(workbench().comparison()) << "undoing the renaming does not end it either";
+    EXPECT_EQ(session().baseline(), "Other");
+    EXPECT_EQ(workbench().comparison()->from, "Other");
+    EXPECT_EQ(workbench().comparison()->to, "Proposal A");
+}
+
+TEST_F(ProjectWindow, AStudyOutlivesAnotherNameOfItsScenario) {
+    build();
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    workbench().document().change(question, QStringLiteral("test"));
+    workbench().run();
+    ASSERT_TRUE(session().rename(ProjectPart::scenario, "Proposal A", "Tall"));
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    EXPECT_TRUE(workbench().study());
+    EXPECT_EQ(workbench().studies().count("Tall"), 1U);
+}
+
+TEST_F(ProjectWindow, AQuickComparisonIsThereAgainWhenTheProjectIsReopenedAndASlowOneIsNamed) {
+    StudySettings question = workbench().document().settings();
+    question.receivers.cellM = 4;
+    question.period.stepMinutes = 10;
+    question.period.zone = "America/New_York";
+    workbench().document().change(question, QStringLiteral("test"));
+    build();
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    save();
+    makeWindow();
+    open(file);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(workbench().comparison()->to, "Proposal A");
+    auto saved = ProjectFile::open(file.toStdString()).value();
+    Project slow = saved.project();
+    slow.view["answer_seconds"] = "4000";
+    ASSERT_TRUE(saved.save(slow));
+    makeWindow();
+    open(file);
+    EXPECT_FALSE(workbench().running().busy());
+    const QString note = window->findChild<QLabel*>(QStringLiteral("resultNote"))->text();
+    EXPECT_TRUE(note.startsWith(QStringLiteral("Proposal A was compared with Existing when")))
+        << note.toStdString();
+    EXPECT_TRUE(note.contains(QStringLiteral("about 67 min"))) << note.toStdString();
+}
+
+}  // namespace
+}  // namespace noonmark

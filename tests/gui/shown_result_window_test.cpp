@@ -1,0 +1,254 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
+#include <cmath>
+
+#include "app/window/project/project_dock.h"
+#include "app/window/project/project_model.h"
+#include "app/window/results/results_dock.h"
+#include "app/window/view/view_panel.h"
+#include "tests/gui/answers_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::AnswersWindow;
+using test::waitFor;
+
+TEST_F(AnswersWindow, GrossShadowAloneStandsForContinuousAndSaysSo) {
+    StudySettings question = workbench().document().settings();
+    question.engine = "horizon";
+    question.engineSettings["runs"] = 0;
+    workbench().document().change(question, QStringLiteral("runs"));
+    EXPECT_FALSE(window->findChild<QCheckBox*>(QStringLiteral("option_runs"))->isChecked());
+    study();
+    LegendStrip& legend = window->panel().legend();
+    EXPECT_EQ(legend.note(), QString());
+    legend.setMeasure(ShadowMeasure::continuous);
+    EXPECT_EQ(legend.note(), QStringLiteral("Continuous shadow was not counted"));
+    EXPECT_EQ(legend.legend()->title, QStringLiteral("Gross shadow"));
+    EXPECT_EQ(figures().at(figures().indexOf(QStringLiteral("Continuous")) + 1),
+              QStringLiteral("not counted"));
+    EXPECT_FALSE(figures().join(QLatin1Char(' ')).contains(QStringLiteral("nan")));
+    keep("Gross");
+    showSaved("Gross");
+    EXPECT_TRUE(legend.note().endsWith(QStringLiteral("Gross. Continuous shadow was not counted")))
+        << legend.note().toStdString();
+    EXPECT_TRUE(figures().contains(QStringLiteral("not counted")));
+    legend.setMeasure(ShadowMeasure::gross);
+    EXPECT_FALSE(legend.note().contains(QStringLiteral("not counted"))) << legend.note().toStdString();
+}
+
+/// The names of exported files, sorted.
+QStringList exported(MainWindow& window, const QString& folder) {
+    window.workbench().exportShown(folder.toStdString(), window.panel().legend().changeScale());
+    EXPECT_TRUE(waitFor([&] { return !window.workbench().writing().busy(); }));
+    return QDir(folder).entryList(QDir::Files, QDir::Name);
+}
+
+TEST_F(AnswersWindow, WhatIsShownIsExported) {
+    const QAction* action = nullptr;
+    for (const QAction* one : window->findChildren<QAction*>())
+        if (one->shortcut() == QKeySequence(QStringLiteral("Ctrl+E"))) action = one;
+    ASSERT_NE(action, nullptr);
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(action->text(),
+              QStringLiteral("&Export Tower compared with %1...").arg(QString::fromStdString(existingCity)));
+    EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("impact"))),
+              QStringList({QStringLiteral("impact.csv"), QStringLiteral("impact.json"),
+                           QStringLiteral("impact.pdf"), QStringLiteral("impact.png"),
+                           QStringLiteral("impact.tif")}))
+        << window->panel().messages().text().toStdString();
+    session().compareWith({});
+    study();
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    EXPECT_EQ(action->text(), QStringLiteral("&Export the score of Tower..."));
+    EXPECT_EQ(
+        exported(*window, folder.filePath(QStringLiteral("score"))),
+        QStringList({QStringLiteral("score.csv"), QStringLiteral("score.json"), QStringLiteral("score.pdf"),
+                     QStringLiteral("score.png"), QStringLiteral("score.tif")}));
+    workbench().showStudyAgain();
+    EXPECT_EQ(action->text(), QStringLiteral("&Export study..."));
+    EXPECT_TRUE(
+        exported(*window, folder.filePath(QStringLiteral("study"))).contains(QStringLiteral("report.pdf")));
+    keep("June");
+    showSaved("June");
+    EXPECT_EQ(exported(*window, folder.filePath(QStringLiteral("saved"))), QStringList());
+    EXPECT_TRUE(
+        window->panel().messages().text().contains(QStringLiteral("A saved result cannot be exported")));
+}
+
+TEST_F(AnswersWindow, FiguresThatAreNotOfWhatIsShownAreMarked) {
+    study();
+    auto* dock = window->findChild<ResultsDock*>();
+    EXPECT_FALSE(dock->faded());
+    window->tools().tower().begin(session().project().lots[0], {});
+    EXPECT_TRUE(note().contains(QStringLiteral("do not include the building being designed")))
+        << note().toStdString();
+    EXPECT_TRUE(dock->faded());
+    window->tools().tower().cancel();
+    EXPECT_EQ(note(), QString());
+    EXPECT_FALSE(dock->faded());
+}
+
+TEST_F(AnswersWindow, AnAnswerOfTheBuildingsBeforeStaysWithItsMark) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    window->mode().setMode(ViewMode::exploration);  // nothing is computed automatically
+    const QStringList before = figures();
+    ASSERT_TRUE(session().addEdits({ChangeHeight{"New", 20}}, QStringLiteral("lower")));
+    EXPECT_EQ(workbench().comparison(), nullptr);
+    ASSERT_TRUE(waitFor([this] { return !workbench().following().busy(); }));
+    EXPECT_TRUE(note().contains(QStringLiteral("buildings have changed"))) << note().toStdString();
+    EXPECT_TRUE(window->findChild<ResultsDock*>()->faded());
+    EXPECT_EQ(figures().mid(1), before.mid(1)) << "all but the warning";
+    window->mode().setMode(ViewMode::analysis);
+    EXPECT_TRUE(window->panel().legend().note().endsWith(QStringLiteral("buildings have changed")))
+        << window->panel().legend().note().toStdString();
+    EXPECT_EQ(workbench().shown(), Workbench::Shown::nothing) << "an outdated result is not exported";
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    EXPECT_EQ(note(), QString());
+    EXPECT_FALSE(window->findChild<ResultsDock*>()->faded());
+    EXPECT_FALSE(window->panel().legend().note().contains(QStringLiteral("Outdated")));
+}
+
+TEST_F(AnswersWindow, ACopyOfAScenarioBearsItsOwnNameInLegendAndFigures) {
+    session().goTo("Tower");
+    session().compareWith(existingCity);
+    ASSERT_TRUE(waitFor([this] { return workbench().comparison() != nullptr; }));
+    auto* tree = window->findChild<ProjectDock*>();
+    tree->duplicate(tree->model().indexOf(ProjectPart::scenario, "Tower"));
+    ASSERT_NE(session().scenario(), "Tower");
+    ASSERT_TRUE(workbench().comparison()) << "the same buildings, the same difference";
+    EXPECT_EQ(workbench().comparison()->to, session().scenario());
+    const QString name = QString::fromStdString(session().scenario());
+    EXPECT_TRUE(window->panel().legend().note().startsWith(name))
+        << window->panel().legend().note().toStdString();
+    EXPECT_TRUE(figures().join(QLatin1Char('\n')).contains(name));
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    session().goTo("Tower");
+    EXPECT_EQ(workbench().score()->scenario, "Tower");
+    EXPECT_TRUE(window->panel().legend().note().startsWith(QStringLiteral("Tower with")))
+        << window->panel().legend().note().toStdString();
+}
+
+TEST_F(AnswersWindow, AllWordsOfTheResultsAreSeenWhateverWasShownBefore) {
+    auto* dock = window->findChild<ResultsDock*>();
+    const auto expectWhole = [&](const char* when) {
+        for (int i = 0; i < 20; ++i) QCoreApplication::processEvents();
+        int seen = 0;
+        for (const QLabel* label : dock->findChildren<QLabel*>()) {
+            if (label->text().isEmpty() || !label->isVisible()) continue;
+            ++seen;
+            const int needed =
+                label->wordWrap() ? label->heightForWidth(label->width()) : label->fontMetrics().height();
+            EXPECT_GE(label->height(), needed) << when << ": " << label->text().toStdString();
+            EXPECT_TRUE(dock->rect().contains(label->geometry()))
+                << when << ": " << label->text().toStdString();
+        }
+        EXPECT_GE(seen, 1) << when;
+    };
+    expectWhole("before");
+    study();
+    expectWhole("study");
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return workbench().score() != nullptr; }));
+    expectWhole("score");
+    const auto before = workbench().city();
+    window->open({QStringLiteral("sample:grid")});
+    ASSERT_TRUE(waitFor([&] { return workbench().city() != before; }));
+    EXPECT_EQ(note(), QStringLiteral("No study yet."));
+    expectWhole("another city");
+}
+
+TEST_F(AnswersWindow, ALongRunByRaysIsAnnouncedBeforeItStarts) {
+    StudySettings question = workbench().document().settings();
+    question.engine = "ray";
+    question.receivers.cellM = 1;
+    question.period.days = 365;
+    question.period.from = std::chrono::hours(6);
+    question.period.hours = 12;
+    question.period.stepMinutes = 1;
+    workbench().document().change(question, QStringLiteral("test"));
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    const QString words = window->panel().messages().text();
+    EXPECT_TRUE(words.startsWith(QStringLiteral("The ray reference takes about "))) << words.toStdString();
+    EXPECT_FALSE(workbench().running().busy());
+    window->panel().messages().findChild<QPushButton*>(QStringLiteral("otherRemedy"))->click();
+    EXPECT_TRUE(workbench().running().busy()) << "by the ray reference";
+    workbench().running().cancel();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    window->panel().messages().hide();
+    workbench().run();
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    window->panel().messages().findChild<QPushButton*>(QStringLiteral("remedy"))->click();
+    EXPECT_EQ(workbench().document().settings().engine, "auto");
+    EXPECT_TRUE(workbench().running().busy());
+    workbench().running().cancel();
+    ASSERT_TRUE(waitFor([this] { return !workbench().running().busy(); }));
+    question.period.days = 1;
+    question.period.stepMinutes = 30;
+    workbench().document().change(question, QStringLiteral("short"));
+    window->panel().messages().hide();
+    study();
+    EXPECT_EQ(window->panel().messages().text(), QString()) << "a short run starts without a message";
+}
+
+TEST(RunEstimates, AreWrittenInTheUnitThatSuits) {
+    EXPECT_EQ(describeAbout(1), QStringLiteral("about a second"));
+    EXPECT_EQ(describeAbout(90), QStringLiteral("about 90 s"));
+    EXPECT_EQ(describeAbout(600), QStringLiteral("about 10 min"));
+    EXPECT_EQ(describeAbout(3 * 3600), QStringLiteral("about 3 h"));
+    EXPECT_EQ(describeAbout(40 * 86400.0), QStringLiteral("about 40 days"));
+}
+
+TEST_F(AnswersWindow, RoofsAreChosenMeasuredAndRefusedWhereTheyCannotBe) {
+    auto* places = window->findChild<QComboBox*>(QStringLiteral("places"));
+    places->setCurrentIndex(2);
+    Q_EMIT places->activated(2);
+    EXPECT_EQ(workbench().document().settings().receivers.places, ReceiverPlaces::both);
+    study();
+    const Study& study = *workbench().study();
+    const auto roof = std::ranges::find(study.receivers.kind, CellKind::roof);
+    ASSERT_NE(roof, study.receivers.kind.end());
+    const auto cell = int(roof - study.receivers.kind.begin());
+    const Grid& grid = study.receivers.grid;
+    const glm::dvec2 centre = grid.centre(cell % grid.columns, cell / grid.columns);
+    const Pick onRoof{.position = {centre, 10}, .building = 0};
+    EXPECT_TRUE(window->panel().results().minutesAt(onRoof).startsWith(QStringLiteral("gross")));
+    for (const auto measure : {ShadowMeasure::continuous, ShadowMeasure::gross}) {
+        window->panel().legend().setMeasure(measure);
+        QImage image;
+        window->panel().view().capture([&image](const QImage& made) { image = made; });
+        ASSERT_TRUE(waitFor([&image] { return !image.isNull(); }, 20000)) << "pictures of both are drawn";
+    }
+    workbench().runScore("default");
+    ASSERT_TRUE(waitFor([this] { return !window->panel().messages().text().isEmpty(); }));
+    EXPECT_TRUE(window->panel().messages().text().contains(QStringLiteral("ground only")));
+    auto* refusal = window->findChild<QLabel*>(QStringLiteral("engineRefusal"));
+    EXPECT_TRUE(refusal->isHidden()) << "the automatic engine is one that can";
+    StudySettings polygons = workbench().document().settings();
+    polygons.engine = "projected";
+    workbench().document().change(polygons, QStringLiteral("engine"));
+    EXPECT_FALSE(refusal->isHidden()) << "before Run is pressed";
+    EXPECT_TRUE(refusal->text().contains(QStringLiteral("roofs"))) << refusal->text().toStdString();
+    workbench().document().undoStack().undo();
+    EXPECT_TRUE(refusal->isHidden());
+    workbench().document().undoStack().undo();
+    EXPECT_EQ(places->currentIndex(), 0);
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include "app/window/view/view_panel.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::ProjectWindow;
+using test::waitFor;
+
+TEST_F(ProjectWindow, UnsavedWorkIsAskedAboutBeforeAnotherIsOpenedOrTheWindowClosed) {
+    build();
+    int asked = 0;
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::cancel; });
+    window->open({QStringLiteral("sample:central-park-south")});
+    EXPECT_FALSE(workbench().opening().busy());
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(asked, 2);
+    window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::save; });
+    window->close();
+    ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
+    EXPECT_EQ(ProjectFile::open(file.toStdString()).value().project().scenarios.size(), 1U);
+}
+
+TEST_F(ProjectWindow, QuitAndDiscardClosesAtOnceAndForgetsTheWork) {
+    build();
+    keepUnsaved();
+    int asked = 0;
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::discard; });
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(window->isVisible());
+    EXPECT_EQ(asked, 1);
+    EXPECT_FALSE(std::filesystem::exists(recovery()));
+}
+
+TEST_F(ProjectWindow, AQuitThatIsCancelledIsAskedAboutAgainAndLosesNothing) {
+    build();
+    int asked = 0;
+    SavingActions::Unsaved answer = SavingActions::Unsaved::cancel;
+    window->saving().setUnsavedQuestion([&] { return ++asked, answer; });
+    for (int quit = 1; quit <= 3; ++quit) {
+        EXPECT_FALSE(window->close());
+        EXPECT_TRUE(window->isVisible());
+        EXPECT_EQ(asked, quit);
+        ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)})) << "work after the quit";
+        keepUnsaved();
+        EXPECT_TRUE(std::filesystem::exists(recovery()));
+    }
+    answer = SavingActions::Unsaved::discard;
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(ProjectWindow, AQuitWhoseSaveFailsStaysOpenAndAsksAgain) {
+    build();
+    keepUnsaved();
+    auto other = ProjectFile::open(file.toStdString()).value();
+    ASSERT_TRUE(other.save(other.project()));  // saved by another program: this window's save is refused
+    int asked = 0;
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::save; });
+    for (int quit = 1; quit <= 2; ++quit) {
+        window->panel().messages().hide();
+        EXPECT_FALSE(window->close());
+        ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+        EXPECT_TRUE(window->isVisible());
+        EXPECT_EQ(asked, quit);
+        EXPECT_TRUE(std::filesystem::exists(recovery()));
+    }
+    ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
+    keepUnsaved();
+    window->saving().setUnsavedQuestion([&] { return ++asked, SavingActions::Unsaved::cancel; });
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(asked, 3) << "the failed quit has no later effect";
+    EXPECT_TRUE(std::filesystem::exists(recovery()));
+}
+
+TEST_F(ProjectWindow, AQuitWhoseSaveAsIsCancelledStaysOpenAndALaterSaveDoesNotClose) {
+    open(QStringLiteral("sample:central-park-south"));
+    ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
+    window->saving().setUnsavedQuestion([] { return SavingActions::Unsaved::save; });
+    const QString name = folder.filePath(QStringLiteral("mine.noonmark.gpkg"));
+    QString chosen;
+    window->saving().setSaveAsQuestion([&](const QString&) { return chosen; });
+    EXPECT_FALSE(window->close());
+    EXPECT_FALSE(window->saving().writing().busy());
+    EXPECT_TRUE(window->isVisible());
+    window->saving().saveTo(name.toStdString());
+    ASSERT_TRUE(waitFor([this] { return session().file().has_value(); }));
+    EXPECT_TRUE(window->isVisible()) << "cancelling the dialog cancelled the quit";
+    ASSERT_TRUE(session().addLot({"Mine too", test::square({0, 0}, 10)}));
+    const std::size_t lots = session().project().lots.size();
+    EXPECT_FALSE(window->close()) << "it is being saved";
+    ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
+    EXPECT_EQ(ProjectFile::open(name.toStdString()).value().project().lots.size(), lots);
+}
+
+TEST_F(ProjectWindow, WorkDoneWhileAQuitSavesIsAskedAboutAndACancelledSecondQuitEndsTheFirst) {
+    build();
+    int asked = 0;
+    window->saving().setUnsavedQuestion(
+        [&] { return ++asked == 1 ? SavingActions::Unsaved::save : SavingActions::Unsaved::cancel; });
+    EXPECT_FALSE(window->close());
+    ASSERT_TRUE(session().addLot({"Lot", test::square({0, 0}, 10)}));
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(window->isVisible());
+    asked = 0;
+    EXPECT_FALSE(window->close());
+    EXPECT_FALSE(window->close()) << "asked and cancelled while the first one saves";
+    ASSERT_TRUE(waitFor([this] { return !window->saving().writing().busy(); }));
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(window->isVisible());
+    EXPECT_TRUE(window->close()) << "all is saved";
+}
+
+TEST_F(ProjectWindow, WhatIsChangedWhileAnotherOpensIsNotLost) {
+    window->open({QStringLiteral("sample:grid")});
+    ASSERT_TRUE(session().addLot({"Mine", test::square({0, 0}, 10)}));
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    EXPECT_TRUE(message().contains(QStringLiteral("while it was read"))) << message().toStdString();
+    EXPECT_EQ(session().file()->path(), file.toStdString());
+    EXPECT_EQ(session().project().lots.back().name, "Mine");
+}
+
+TEST_F(ProjectWindow, ADrawnRegionOfACityWithoutAFileIsUnsavedWork) {
+    open(QStringLiteral("sample:grid"));
+    PolygonTool& tool = window->panel().regionTool();
+    tool.begin();
+    for (const glm::dvec3 corner : {glm::dvec3{0, 0, 0}, {100, 0, 0}, {100, 80, 0}}) tool.addPoint(corner);
+    tool.finish();
+    EXPECT_TRUE(session().hasUnsavedWork());
+    workbench().document().undoStack().undo();
+    EXPECT_FALSE(session().hasUnsavedWork());
+}
+
+}  // namespace
+}  // namespace noonmark

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSettings>
+
+#include "app/window/study/warning_place.h"
+#include "app/window/study/warnings_dock.h"
+#include "app/window/view/view_panel.h"
+#include "tests/gui/project_window.h"
+
+namespace noonmark {
+namespace {
+
+using test::ProjectWindow;
+
+TEST_F(ProjectWindow, IsNoLargerThanTheScreenAlsoWhereThatShowsHalfAsMuchAgain) {
+    QSettings fresh(folder.filePath(QStringLiteral("fresh.ini")), QSettings::IniFormat);
+    fresh.setValue(QStringLiteral("unsavedFolder"), folder.filePath(QStringLiteral("other")));
+    const MainWindow first(fresh);
+    const QSize screen = first.screen()->availableGeometry().size();
+    EXPECT_LE(first.width(), screen.width());
+    EXPECT_LE(first.height(), screen.height());
+    // 1280 x 1024 at 150 %.
+    EXPECT_LE(first.minimumSizeHint().width(), 853);
+    EXPECT_LE(first.minimumSizeHint().height(), 682);
+}
+
+TEST_F(ProjectWindow, ATipOfTheStatusBarNeverLiesOverTheCoordinates) {
+    const auto* hover = window->findChild<QLabel*>(QStringLiteral("hover"));
+    EXPECT_TRUE(hover->isVisible());
+    window->hide();
+    window->statusBar()->showMessage(QStringLiteral("a tip"));
+    window->show();
+    EXPECT_FALSE(hover->isVisible());
+    window->statusBar()->clearMessage();
+    EXPECT_TRUE(hover->isVisible());
+}
+
+TEST_F(ProjectWindow, AWarningLeadsToItsBuilding) {
+    auto* dock = window->findChild<WarningsDock*>();
+    const std::string id = test::idOf(session().project(), 2);
+    dock->show({{WarningKind::assumed, "no height in the data", "small.geojson: " + id + ", height"},
+                {WarningKind::dropped, "no area", "way 7"}});
+    Q_EMIT dock->itemActivated(dock->topLevelItem(0)->child(0), 0);
+    EXPECT_EQ(window->tools().building().selected(), 2U);
+    const glm::dvec3 target = window->panel().view().pose().target;
+    EXPECT_NEAR(target.x, -87.5, 30);
+    EXPECT_NEAR(target.y, 42.5, 30);
+    Q_EMIT dock->itemActivated(dock->topLevelItem(1)->child(0), 0);
+    EXPECT_TRUE(message().contains(QStringLiteral("way 7 is not a building"))) << message().toStdString();
+}
+
+TEST(WarningPlaces, NameABuildingByItsWholeIdOrAPartsAndTheLongestWins) {
+    City city;
+    for (const char* id : {"way 12", "way 123", "relation 5", ""}) {
+        Building building;
+        building.sourceId = id;
+        building.parts.push_back({.sourceId = std::string(id).empty() ? "way 77" : ""});
+        city.buildings.push_back(std::make_shared<const Building>(building));
+    }
+    EXPECT_EQ(buildingNamed(city, "way 123"), 1U);
+    EXPECT_EQ(buildingNamed(city, "x.osm: way 12, height"), 0U);
+    EXPECT_EQ(buildingNamed(city, "way 12 of relation 5"), 2U);
+    EXPECT_EQ(buildingNamed(city, "way 77"), 3U);
+    EXPECT_EQ(buildingNamed(city, "way 1234"), std::nullopt);
+    EXPECT_EQ(buildingNamed(city, ""), std::nullopt);
+}
+
+}  // namespace
+}  // namespace noonmark
