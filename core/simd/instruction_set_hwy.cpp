@@ -31,7 +31,14 @@ constexpr BuiltSet builtSets[] = {
 #endif
 };
 
-bool hasSet(const BuiltSet& built) { return (hwy::SupportedTargets() & built.target) != 0; }
+// Every 64-bit processor by ARM has NEON.
+bool hasSet([[maybe_unused]] const BuiltSet& built) {
+#if HWY_ARCH_X86
+    return (hwy::SupportedTargets() & built.target) != 0;
+#else
+    return true;
+#endif
+}
 
 unsigned widestIndex() {
     unsigned widest = 0;
