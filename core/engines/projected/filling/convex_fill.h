@@ -32,8 +32,9 @@ inline int atOrBeyond(double position, int low, int high) {
 
 inline Extent extentOf(const StepShape& shape, const BitLayout& layout, const RowBand& band) {
     return {atOrBeyond(shape.lowest.y, band.first, band.end),
-            atOrBeyond(shape.highest.y, band.first, band.end), atOrBeyond(shape.lowest.x, 0, layout.columns),
-            atOrBeyond(shape.highest.x, 0, layout.columns)};
+            atOrBeyond(shape.highest.y, band.first, band.end),
+            atOrBeyond(shape.lowest.x, layout.firstColumn(), layout.columns),
+            atOrBeyond(shape.highest.x, layout.firstColumn(), layout.columns)};
 }
 
 /// The span of a row at each step.
@@ -113,11 +114,12 @@ private:
                  eastStep_ = 0;
 };
 
-/// The cells [west, east) of a row as words; `words` points to the row's first word.
+/// The cells [west, east) of a row as words; `words` points to the row's first word, of which `origin` is the
+/// number in the grid.
 struct RowCells {
-    int west, east;
-    [[nodiscard]] int firstWord() const { return west >> 6; }
-    [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
+    int west, east, origin;
+    [[nodiscard]] int firstWord() const { return (west >> 6) - origin; }
+    [[nodiscard]] int lastWord() const { return ((east - 1) >> 6) - origin; }
 
     // Whether all cells are set at all steps.
     template <class Register>
@@ -192,8 +194,8 @@ template <class Register>
         const FirstCells<Register> first(spans.west.part[i], columns), end(spans.east.part[i], columns);
         for (int word = cells.firstWord(); word <= cells.lastWord(); ++word) {
             Part from, beyond;
-            first.bitsFrom(word, from);
-            end.bitsFrom(word, beyond);
+            first.bitsFrom(cells.origin + word, from);
+            end.bitsFrom(cells.origin + word, beyond);
             reinterpret_cast<Part&>(words[word * stride].words[i * stepsAPart<Register>]) |= from & ~beyond;
         }
     }
@@ -216,14 +218,14 @@ template <class Register>
     const Extent extent = extentOf(shape, layout, band);
     if (extent.empty()) return 0;
     auto* words =
-        reinterpret_cast<StepWords*>(&rasters[layout.word(0, extent.bottom - band.first) * stepsTogether]);
-    const Doubles none(0), all(layout.columns);
+        reinterpret_cast<StepWords*>(&rasters[std::size_t(extent.bottom - band.first) * stepsTogether]);
+    const Doubles none(layout.firstColumn()), all(layout.columns);
     const SteadyRows steady(shape);
     ChainWalk farWest(shape.western[0]), nearWest(shape.western[1]), farEast(shape.eastern[0]),
         nearEast(shape.eastern[1]);
     Reach reach(shape, extent, Register{});
     for (int row = extent.bottom; row < extent.top; ++row, ++words, reach.moveUp()) {
-        const RowCells cells{reach.west(), reach.east()};
+        const RowCells cells{reach.west(), reach.east(), layout.firstWord};
         if (cells.west >= cells.east || cells.template allSet<Register>(words, layout.rows)) continue;
         const double y = row;
         StepSpans<Register> spans{none, all};
