@@ -13,7 +13,7 @@ bool anyBit(const BitRows& rows) {
 
 // Row r of the result is row r of `a` and row r + by of `b`.
 BitRows both(const BitRows& a, const BitRows& b, std::size_t by) {
-    const std::size_t rows = a.rows() > by ? std::min(a.rows(), b.rows() > by ? b.rows() - by : 0) : 0;
+    const std::size_t rows = b.rows() > by ? std::min(a.rows(), b.rows() - by) : 0;
     BitRows result{a.words, std::vector<std::uint64_t>(rows * a.words)};
     const std::uint64_t* other = b.bits.data() + by * b.words;
     for (std::size_t i = 0; i < result.bits.size(); ++i) result.bits[i] = a.bits[i] & other[i];

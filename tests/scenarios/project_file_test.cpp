@@ -189,17 +189,6 @@ TEST_F(ProjectFileTest, AFileOfVersion2IsOpenedAndSaved) {
     expectSame(opened(), project);
 }
 
-// The file contains everything that version 3 can store.
-TEST_F(ProjectFileTest, AFileOfVersion3IsOpenedAndSaved) {
-    fs::copy_file(testFile("scenarios/files/version-3.noonmark.gpkg"), file());
-    ProjectFile disk = ProjectFile::open(file()).value();
-    expectSame(disk.project(), sampleProject());
-    Project project = disk.project();
-    project.places.pop_back();
-    ASSERT_TRUE(disk.save(project));
-    expectSame(opened(), project);
-}
-
 TEST_F(ProjectFileTest, ATableOfPlacesThatIsNotOursIsNotOverwritten) {
     fs::copy_file(testFile("scenarios/files/version-2.noonmark.gpkg"), file());
     Database(file(), Database::Access::write).execute("CREATE TABLE Places (x INTEGER)");

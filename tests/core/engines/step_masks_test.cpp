@@ -48,7 +48,7 @@ std::size_t countDifferent(const MasksOfDays& a, const MasksOfDays& b) {
 // Receivers in three squares far from each other.
 Receivers receiversInSquares(const City& city, double cellM) {
     Region region{"squares", {}};
-    for (const glm::vec2 at : {glm::vec2(-300, -200), glm::vec2(100, 50), glm::vec2(220, 300)})
+    for (const glm::vec2 at : {glm::vec2(-300, -200), glm::vec2(10, 30), glm::vec2(220, 300)})
         region.polygons.push_back({rectangle(at.x, at.y, at.x + 71, at.y + 53), {}});
     return placeReceiversOnGround(city, region, {.cellM = cellM}).value();
 }
@@ -59,6 +59,7 @@ SunSteps sunOver(const City& city, CivilDate start, int days, double stepMinutes
     return computeSunSteps(period, placeObserver(city, {0, 0})).value();
 }
 
+constexpr CivilDate summer{std::chrono::year{2026}, std::chrono::June, std::chrono::day{20}};
 constexpr CivilDate winter{std::chrono::year{2026}, std::chrono::December, std::chrono::day{20}};
 
 TEST(ReceiverWindows, HoldEveryReceiverOnceAndAreDense) {
@@ -108,11 +109,11 @@ TEST(StepMasks, OfSeveralCitiesAreThoseOfEachAlone) {
     const City before = makeGridSample({.buildings = 300}).value();
     City after = before;
     after.buildings.erase(after.buildings.begin() + 17);
-    after.buildings.push_back(buildingOf({{60, 20, 0}, {95, 45, 180}}));
+    after.buildings.push_back(buildingOf({{30, -20, 0}, {60, 10, 150}}));
     Receivers receivers = receiversInSquares(before, 2);
     const Receivers later = receiversInSquares(after, 2);
     std::erase_if(receivers.cells, [&](std::uint32_t cell) { return !isReceiver(later.kind[cell]); });
-    const SunSteps sun = sunOver(before, winter, 3, 7);
+    const SunSteps sun = sunOver(before, summer, 3, 7);
     const ProjectedShadows projected;
     const RayReference rays;
     for (const Engine* engine : {static_cast<const Engine*>(&projected), static_cast<const Engine*>(&rays)}) {

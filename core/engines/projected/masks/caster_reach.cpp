@@ -53,14 +53,23 @@ void CasterReach::aimAt(glm::dvec2 low, glm::dvec2 high) {
     highAcross_ = range.high;
 }
 
+// Inlined into the loop over casters, which runs some thousand times for each window and eight steps.
 bool CasterReach::touches(const ShadowCaster& caster) const {
-    const SweptBox box = computeSweptBox(caster, throws_);
-    if (box.low.x > high_.x || box.high.x < low_.x || box.low.y > high_.y || box.high.y < low_.y)
-        return false;
-    const Range range = extentAlong(caster.low, caster.high, across_);
     const double top = caster.topM;
-    return range.low + std::min(leastAcross_ * top, -mostAcross_ * behindWallM) <= highAcross_ &&
-           range.high + std::max(mostAcross_ * top, -leastAcross_ * behindWallM) >= lowAcross_;
+    const glm::dvec2 first(across_.x > 0 ? caster.low.x : caster.high.x,
+                           across_.y > 0 ? caster.low.y : caster.high.y),
+        last(across_.x > 0 ? caster.high.x : caster.low.x, across_.y > 0 ? caster.high.y : caster.low.y);
+    if (glm::dot(first, across_) + std::min(leastAcross_ * top, -mostAcross_ * behindWallM) > highAcross_ ||
+        glm::dot(last, across_) + std::max(mostAcross_ * top, -leastAcross_ * behindWallM) < lowAcross_)
+        return false;
+    // The bounds of computeSweptBox().
+    const double bottom = caster.bottomM > 0 ? double(caster.bottomM) : -behindWallM;
+    const auto meets = [&](double low, double high, double least, double most, double from, double to) {
+        return low + std::min({least * bottom, most * bottom, least * top}) <= to &&
+               high + std::max({least * bottom, most * bottom, most * top}) >= from;
+    };
+    return meets(caster.low.x, caster.high.x, throws_.low.x, throws_.high.x, low_.x, high_.x) &&
+           meets(caster.low.y, caster.high.y, throws_.low.y, throws_.high.y, low_.y, high_.y);
 }
 
 }  // namespace noonmark

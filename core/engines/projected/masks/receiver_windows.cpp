@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t cellsAReceiver = 3;  // in a dense window at most
 constexpr int smallSide = 96;              // not worth dividing further, cells
-constexpr int mostSide = 512;              // so that the rasters of a window stay in the second-level cache
+constexpr int mostSide = 192;              // so that eight rasters of a window take some 50 kB at most
 
 struct Cell {
     int column, row;

@@ -82,6 +82,16 @@ WindowPlan::Groups groupsInReach(const CasterGroups& groups, const CellBox& box,
     return inReach;
 }
 
+bool mayReach(const CasterGroups& groups, const WindowPlan::Groups& some, const ReceiverWindow& window,
+              const CasterReach& steps) {
+    if (some.empty()) return false;
+    const CellBox box = boxOf(window);
+    CasterReach reach = steps;
+    reach.aimAt(box.low, box.high);
+    return std::ranges::any_of(some,
+                               [&](std::uint32_t group) { return reach.touches(groups.enclosing(group)); });
+}
+
 }  // namespace
 
 WindowPlan::WindowPlan(ReceiverWindow where, const CityCasters& casters, const CasterReach& period)
@@ -131,6 +141,10 @@ void WindowFiller::fill(const WindowPlan& plan, const CasterReach& reach, std::s
         std::ranges::fill(shared_[word].words, plan.empty[word]);
     const bool common = fillLayer(common_, plan, plan.common, reach, shared_);
     for (std::size_t city = 0; city < masks.size(); ++city) {
+        if (!mayReach(*own_[city].groups, plan.own[city], plan.window, reach)) {
+            if (common) write(shared_, plan.window, first, masks[city]);
+            continue;
+        }
         rasters_ = shared_;
         const bool own = fillLayer(own_[city], plan, plan.own[city], reach, rasters_);
         if (common || own) write(rasters_, plan.window, first, masks[city]);
