@@ -93,6 +93,9 @@ int runCommandLine(int argc, const char* const* argv, const Console& console) {
         addProjectCommand(app, run);
         addImpactCommand(app, run);
         addScoreCommand(app, run);
+        addPlacesCommand(app, run);
+        addScreenCommand(app, run);
+        addTimelineCommand(app, run);
         addEnginesCommand(app, run);
         addDevicesCommand(app, run);
         return checkWritten(console, parseAndRun(app, run, argc, argv, console));

@@ -1,12 +1,16 @@
 #include "app/cli/study_request.h"
 
+#include <filesystem>
+
 #include "app/cli/load_city.h"
 #include "app/cli/project/project_question.h"
 #include "app/input/all_engines.h"
+#include "app/input/load_places.h"
 #include "app/input/load_project.h"
 #include "app/report/files/output_folder.h"
 #include "core/base/stopwatch.h"
 #include "core/io/read_region.h"
+#include "core/receivers/place_names.h"
 #include "core/study/text/region_text.h"
 #include "scenarios/project/project_provenance.h"
 
@@ -14,8 +18,25 @@ namespace noonmark::cli {
 
 namespace {
 
-Result<Region> regionFrom(const std::string& text, const City& city) {
-    return text == "city" ? cityRegion(city) : readRegion(text, city.frame);
+// A place of an OpenStreetMap file by its name, where the text is no box, polygon or file. The error names
+// places that are spelled alike.
+Result<Region> regionOfPlace(const std::string& name, const std::vector<std::string>& files, const City& city,
+                             Error drawn, Progress& progress, const std::stop_token& stop) {
+    const auto read = loadCityPlaces(files, {.streets = true, .unnamed = false}, city.frame, progress, stop);
+    if (!read) return tl::make_unexpected(read.error());
+    if (read->places.empty()) return tl::make_unexpected(std::move(drawn));
+    return findPlace(read->places, name).map([](const Place& place) { return regionOf(place); });
+}
+
+Result<Region> regionFrom(const StudyOptions& options, const City& city, Progress& progress,
+                          const std::stop_token& stop) {
+    const std::string& text = options.region;
+    if (text == "city") return cityRegion(city);
+    auto drawn = readRegion(text, city.frame);
+    std::error_code ignored;
+    const bool mayBeName = text.find_first_of(",(") == text.npos && !std::filesystem::exists(text, ignored);
+    if (drawn || !mayBeName) return drawn;
+    return regionOfPlace(text, options.read.files, city, drawn.error(), progress, stop);
 }
 
 Result<Period> periodOfFiles(const StudyOptions& options) {
@@ -37,7 +58,7 @@ Result<StudyRequest> requestOfFiles(const StudyOptions& options, Progress& progr
     settings.period = *period;
     auto loaded = noonmark::loadCity(options.read.files, options.read.settings, progress, stop);
     if (!loaded) return tl::make_unexpected(loaded.error());
-    auto region = regionFrom(options.region, loaded->read.city);
+    auto region = regionFrom(options, loaded->read.city, progress, stop);
     if (!region) return tl::make_unexpected(region.error());
     settings.region = *std::move(region);
     return StudyRequest{*std::move(loaded), std::move(settings), std::nullopt};

@@ -117,4 +117,15 @@ Result<ShadowBreakdown> AutoEngine::computeBreakdown(const City& city, const Rec
     return HorizonSweep(sweep_).breakDown(city, receivers, sun, sets, byBuilding, progress, stop);
 }
 
+// An exact engine always: the sweep rounds azimuths, and what enters a place at which minute shows it.
+Result<void> AutoEngine::computeStepMasks(std::span<const City* const> cities, const Receivers& receivers,
+                                          const SunSteps& sun, const TakeDay& take, Progress& progress,
+                                          std::stop_token stop) const {
+    const bool level = receivers.flat() && std::ranges::none_of(cities, [](const City* city) {
+                           return city->terrain != nullptr;
+                       });
+    if (level) return ProjectedShadows().shadeSteps(cities, receivers, sun, take, progress, std::move(stop));
+    return RayReference().shadeSteps(cities, receivers, sun, take, progress, std::move(stop));
+}
+
 }  // namespace noonmark

@@ -67,6 +67,10 @@ protected:
                                                            const SunSteps& sun, const StepSets& sets,
                                                            bool byBuilding, Progress& progress,
                                                            std::stop_token stop) const override;
+    [[nodiscard]] Result<void> computeStepMasks(std::span<const City* const> cities,
+                                                const Receivers& receivers, const SunSteps& sun,
+                                                const TakeDay& take, Progress& progress,
+                                                std::stop_token stop) const override;
 
 private:
     HorizonSweepSettings sweep_;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/receivers/place_names.h"
+
 namespace noonmark {
 
 namespace {
@@ -44,6 +46,12 @@ Result<NamedLot> findLot(const Project& project, const std::string& name) {
 Result<Region> findRegion(const Project& project, const std::string& name) {
     return findNamed(project.regions, ownName, name, "region");
 }
+Result<Place> findPlace(const Project& project, const std::string& name) {
+    if (project.places.empty())
+        return failure("The project has no places", "place '" + name + "'",
+                       "Read them from a map: noonmark-cli project place read PROJECT FILE");
+    return findPlace(project.places, name);
+}
 Result<TimeWeights> findWeights(const Project& project, const std::string& name) {
     return findNamed(project.weights, ownName, name, "weight table");
 }
@@ -65,6 +73,7 @@ Result<void> validate(const Project& project) {
     Result<void> sound = validate(project.scenarios);
     if (sound) sound = checkNames(project.lots, ownName, "lot");
     if (sound) sound = checkNames(project.regions, ownName, "region");
+    if (sound) sound = checkNames(project.places, ownName, "place");
     if (sound) sound = checkNames(project.weights, ownName, "weight table");
     if (sound) sound = checkNames(project.periods, ownName, "period");
     if (sound) sound = checkNames(project.results, sharedName, "result");

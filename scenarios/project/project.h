@@ -15,6 +15,7 @@
 #include "core/city/city.h"
 #include "core/geo/grid.h"
 #include "core/io/heights/height_facts.h"
+#include "core/receivers/place.h"
 #include "core/receivers/region.h"
 #include "core/study/provenance/provenance.h"
 #include "core/sun/period.h"
@@ -75,6 +76,7 @@ struct Project {
     std::shared_ptr<const CityReading> reading = std::make_shared<const CityReading>();
     std::vector<NamedLot> lots;
     std::vector<Region> regions;
+    std::vector<Place> places;  ///< areas whose sunlight matters
     std::vector<Scenario> scenarios;
     std::vector<TimeWeights> weights{makeMonthlyWeights()};
     std::vector<NamedPeriod> periods;
@@ -85,6 +87,8 @@ struct Project {
 /// Finds an entry by name. Error: there is none; the Error lists the existing names.
 Result<NamedLot> findLot(const Project& project, const std::string& name);
 Result<Region> findRegion(const Project& project, const std::string& name);
+/// In any case of letters; the Error suggests names that are spelled alike.
+Result<Place> findPlace(const Project& project, const std::string& name);
 Result<TimeWeights> findWeights(const Project& project, const std::string& name);
 Result<NamedPeriod> findPeriod(const Project& project, const std::string& name);
 Result<std::shared_ptr<const SavedResult>> findResult(const Project& project, const std::string& name);

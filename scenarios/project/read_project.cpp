@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/receivers/place_names.h"
 #include "scenarios/project/edit_json.h"
 #include "scenarios/project/tables/checked_row.h"
 #include "scenarios/project/tables/geometry_blob.h"
@@ -47,6 +48,21 @@ std::vector<Region> readRegions(Database& database) {
         regions.push_back({name, *std::move(polygons)});
     }
     return regions;
+}
+
+// A place drawn in a GIS program may lack a name or a kind.
+std::vector<Place> readPlaces(Database& database) {
+    std::vector<Place> places;
+    Statement row = database.prepare("SELECT fid, geom, name, kind, source FROM places ORDER BY fid");
+    while (row.step()) {
+        auto polygons = toPolygons(row.blob(1));
+        if (!polygons || polygons->empty()) throwDamaged("a place has an invalid outline");
+        places.push_back({cleanName(row.text(2)), parsePlaceKind(row.text(3)).value_or(PlaceKind::other),
+                          *std::move(polygons), row.text(4)});
+        if (places.back().source.empty()) places.back().source = fmt::format("place {}", row.integer(0));
+    }
+    nameApart(places);
+    return places;
 }
 
 std::vector<Edit> readEdits(Database& database, std::int64_t scenario) {
@@ -192,6 +208,7 @@ Project readProject(Database& database) {
     project.reading = readReading(database);
     project.lots = readLots(database);
     project.regions = readRegions(database);
+    project.places = readPlaces(database);
     project.scenarios = readScenarios(database);
     project.weights = readWeights(database);
     project.periods = readPeriods(database);

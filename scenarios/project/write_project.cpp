@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/receivers/place_names.h"
 #include "scenarios/project/tables/geometry_blob.h"
 #include "scenarios/project/tables/geopackage.h"
 
@@ -50,6 +51,19 @@ void writeRegions(Database& database, const std::vector<Region>& regions) {
         box.add(bounds(region));
     }
     touch(database, "regions", box);
+}
+
+void writePlaces(Database& database, const std::vector<Place>& places) {
+    database.execute("DELETE FROM places");
+    Statement add =
+        database.prepare("INSERT INTO places (geom, name, kind, source, area_m2) VALUES (?, ?, ?, ?, ?)");
+    Box2 box;
+    for (const Place& place : places) {
+        add.run(AsBlob{multiPolygonBlob(place.polygons)}, place.name, nameOf(place.kind), place.source,
+                area(place));
+        box.add(bounds(place));
+    }
+    touch(database, "places", box);
 }
 
 void writeWeights(Database& database, const std::vector<TimeWeights>& tables) {
@@ -133,6 +147,7 @@ void writeChanges(Database& database, const Project* before, const Project& afte
     if (changed(&Project::reading)) writeReading(database, *after.reading);
     if (changed(&Project::lots)) writeLots(database, after.lots);
     if (changed(&Project::regions)) writeRegions(database, after.regions);
+    if (changed(&Project::places)) writePlaces(database, after.places);
     if (changed(&Project::scenarios))
         writeScenarios(database, before ? before->scenarios : std::vector<Scenario>{}, after.scenarios);
     if (changed(&Project::weights)) writeWeights(database, after.weights);

@@ -54,6 +54,9 @@ inline Project sampleProject() {
     project.reading = std::make_shared<const CityReading>(reading);
     project.lots = {{"corner", box(200, 0, 240, 30)}, {"court", court.parts[0].footprint}};
     project.regions = {{"Park", {box(0, 60, 100, 90), box(0, 100, 50, 120)}}};
+    project.places = {
+        {"Church \"yard\"", PlaceKind::cemetery, {court.parts[0].footprint}, "OSM way 12"},
+        {"Cour d'Été", PlaceKind::stainedGlass, {box(0, 60, 100, 90), box(0, 100, 50, 120)}, "drawn"}};
     Building imported = solid;
     imported.sourceId = "imported";
     project.scenarios = {

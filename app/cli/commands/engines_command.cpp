@@ -24,6 +24,7 @@ std::string describe(const EngineCapabilities& able) {
     if (able.roofs) words += ", roofs";
     if (able.sets) words += ", months and weights in one run";
     if (able.attribution) words += ", contributions of buildings";
+    if (able.stepMasks) words += ", timelines of places";
     if (able.cache) words += ", live edits";
     return words;
 }

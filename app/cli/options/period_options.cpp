@@ -37,7 +37,7 @@ Result<void> readTexts(const PeriodOptions& options, Period& period) {
 CLI::Option* addPeriodOptions(CLI::App& command, PeriodOptions& options) {
     Period& period = options.period;
     CLI::Option* start =
-        command.add_option("--start", options.start, "First day: 2026-03-21")->type_name("DATE");
+        command.add_option(options.startOption, options.start, "First day: 2026-03-21")->type_name("DATE");
     command.add_option("--days", period.days, "Number of days")
         ->capture_default_str()
         ->check(CLI::Range(1, 3660))

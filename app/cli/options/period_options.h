@@ -9,7 +9,8 @@ namespace noonmark::cli {
 
 /// The days and hours of a command, as given by the user.
 struct PeriodOptions {
-    std::string hourOption = "--from";  ///< option for the time of day of the first step
+    std::string hourOption = "--from";    ///< option for the time of day of the first step
+    std::string startOption = "--start";  ///< option for the first day
     std::string start;
     std::string from;
     std::string window;

@@ -4,7 +4,7 @@ namespace noonmark::cli {
 
 void addProjectCommand(CLI::App& app, Run& run) {
     CLI::App* project = app.add_subcommand(
-        "project", "Create and change a project: a city with its scenarios, lots and regions in one file");
+        "project", "Create and change a project: a city with its scenarios, lots, regions and places in one file");
     project->require_subcommand(1);
     addProjectNew(*project, run);
     addProjectInfo(*project, run);
@@ -19,6 +19,7 @@ void addProjectCommand(CLI::App& app, Run& run) {
     addProjectVariant(*project, run);
     addProjectLot(*project, run);
     addProjectRegion(*project, run);
+    addProjectPlace(*project, run);
     addProjectPeriod(*project, run);
     addProjectWeights(*project, run);
     addProjectResult(*project, run);

@@ -22,6 +22,7 @@ void addProjectExtrude(CLI::App& project, Run& run);
 void addProjectVariant(CLI::App& project, Run& run);
 void addProjectLot(CLI::App& project, Run& run);
 void addProjectRegion(CLI::App& project, Run& run);
+void addProjectPlace(CLI::App& project, Run& run);
 void addProjectWeights(CLI::App& project, Run& run);
 void addProjectPeriod(CLI::App& project, Run& run);
 void addProjectResult(CLI::App& project, Run& run);

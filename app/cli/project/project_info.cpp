@@ -52,6 +52,7 @@ Json infoJson(const ProjectFile& disk) {
             {"attribution", project.attribution},
             {"warnings", warningsJson(project.reading->warnings)},
             {"regions", namesOf(project.regions, ownName)},
+            {"places", namesOf(project.places, ownName)},
             {"lots", namesOf(project.lots, ownName)},
             {"scenarios", scenarios},
             {"weights", namesOf(project.weights, ownName)},
@@ -71,6 +72,7 @@ void print(const Json& info, std::ostream& out) {
     table.add("buildings", withCommas(info["buildings"].get<std::size_t>()));
     table.add("terrain", info["terrain"].get<bool>() ? info["terrain_source"]["text"].get<std::string>()
                                                      : "none: flat ground");
+    table.add("places", withCommas(info["places"].size()));
     for (const char* key : {"regions", "lots", "weights", "periods", "results"})
         table.add(key, joined(info[key]));
     if (info["unsaved_work"].get<bool>()) table.add("recovery", "there is a recovery file with unsaved work");

@@ -3,9 +3,12 @@
 #include <memory>
 #include <ostream>
 
+#include "app/cli/interrupt.h"
 #include "app/cli/load_city.h"
+#include "app/cli/progress_line.h"
 #include "app/cli/project/project_commands.h"
 #include "app/cli/table.h"
+#include "app/input/load_places.h"
 #include "app/input/output_rules.h"
 #include "app/input/project_of.h"
 #include "core/io/read_region.h"
@@ -20,6 +23,8 @@ struct NewOptions {
     ReadOptions read;
     std::vector<std::string> regions;  // NAME=W,S,E,N or NAME=FILE
     std::vector<std::string> lots;
+    bool noPlaces = false;
+    bool streets = false;
     bool overwrite = false;
 };
 
@@ -62,6 +67,15 @@ Result<Project> projectFrom(const NewOptions& options, const LoadedCity& loaded)
         .map([&] { return std::move(project); });
 }
 
+// The places of OpenStreetMap's files.
+Result<PlacesRead> placesOf(const NewOptions& options, const Frame& frame, const Console& console) {
+    if (options.noPlaces) return PlacesRead{};
+    const Interrupt interrupt;
+    ProgressLine progress(console);
+    return loadCityPlaces(options.read.files, {.streets = options.streets}, frame, progress,
+                          interrupt.token());
+}
+
 // Protects the city's files and those of the places: "Park=park.geojson".
 OutputRules rulesOf(const NewOptions& options) {
     OutputRules rules = outputRules(options.read.files, {}, options.overwrite);
@@ -75,16 +89,21 @@ int runNew(const NewOptions& options, const Console& console) {
         return fail(console, may.error(), exitUsage);
     const auto loaded = loadCity(options.read, console);
     if (!loaded) return fail(console, loaded.error(), exitUsage);
-    const auto project = projectFrom(options, *loaded);
+    auto project = projectFrom(options, *loaded);
     if (!project) return fail(console, project.error(), exitUsage);
+    auto places = placesOf(options, project->city->frame, console);
+    if (!places) return fail(console, places.error(), exitUsage);
+    project->places = std::move(places->places);
     const auto made =
         ProjectFile::create(options.file, *project,
                             options.overwrite ? ProjectFile::IfThere::replace : ProjectFile::IfThere::refuse);
     if (!made) return fail(console, made.error(), exitFailed);
-    console.out << fmt::format("{}: {} buildings, {} regions, {} lots\n", options.file,
-                               withCommas(project->city->buildings.size()), project->regions.size(),
+    console.out << fmt::format("{}: {} buildings, {} places, {} regions, {} lots\n", options.file,
+                               withCommas(project->city->buildings.size()),
+                               withCommas(project->places.size()), project->regions.size(),
                                project->lots.size());
     printWarnings(console.out, loaded->read.warnings);
+    printWarnings(console.out, places->warnings);
     return exitOk;
 }
 
@@ -101,6 +120,9 @@ void addProjectNew(CLI::App& project, Run& run) {
         ->type_name("NAME=W,S,E,N|FILE");
     command->add_option("--lot", options->lots, "Lot to build on; may be repeated")
         ->type_name("NAME=W,S,E,N|FILE");
+    CLI::Option* without =
+        command->add_flag("--no-places", options->noPlaces, "Do not read the places of OpenStreetMap files");
+    command->add_flag("--streets", options->streets, "Read streets as places too")->excludes(without);
     command->add_flag(
         "--overwrite,--replace", options->overwrite,
         "Replace the project of this name with all its scenarios; never an input or another file");

@@ -5,6 +5,7 @@
 
 #include "app/input/load_city.h"
 #include "core/io/read_region.h"
+#include "core/receivers/place_names.h"
 
 namespace noonmark::cli {
 
@@ -21,10 +22,15 @@ Result<Region> regionIn(const Project& project, const City& city, const std::str
     auto region = findRegion(project, text);
     if (region) return region;
     if (text == "city") return cityRegion(city);
-    auto place = readRegion(text, project.city->frame);
-    if (place || looksLikePlace(text)) return place;
-    return failure(region.error().what, region.error().where,
-                   region.error().advice + "; or give a box, a polygon or a file");
+    if (auto place = findPlace(project.places, text)) return regionOf(*place);
+    auto drawn = readRegion(text, project.city->frame);
+    if (drawn || looksLikePlace(text)) return drawn;
+    const auto close = findPlace(project.places, text);
+    const std::string advice = project.places.empty() || !close.error().advice.starts_with("Did you mean")
+                                   ? region.error().advice
+                                   : close.error().advice;
+    return failure("There is no such region or place", region.error().where,
+                   advice + "; or give a box, a polygon or a file");
 }
 
 void addNamedPeriod(CLI::App& command, const std::vector<CLI::Option*>& before, std::string& name) {

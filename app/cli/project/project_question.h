@@ -7,7 +7,7 @@
 
 namespace noonmark::cli {
 
-/// Parses `--region` of a command on a project: a region of the project by name, "city" for the box around
+/// Parses `--region` of a command on a project: a region or place of the project by name, "city" for the box around
 /// all buildings of `city`, or the forms of readRegion().
 Result<Region> regionIn(const Project& project, const City& city, const std::string& text);
 

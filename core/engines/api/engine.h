@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,12 +14,17 @@
 #include "core/engines/api/engine_capabilities.h"
 #include "core/engines/api/shadow_breakdown.h"
 #include "core/engines/api/shadow_field.h"
+#include "core/engines/api/step_masks.h"
 #include "core/receivers/receivers.h"
 #include "core/sun/sun_steps.h"
 
 namespace noonmark {
 
 struct EngineChoice;
+
+/// Takes the masks of one day, one entry a city, which it may move away. `day`: index in SunSteps::days. An
+/// error ends the computation and is returned from it.
+using TakeDay = std::function<Result<void>(std::size_t day, std::span<StepMasks> ofCities)>;
 
 /// An engine: city, receivers and sun in, minutes of shadow out. Const and without state: one engine may run
 /// on several threads at a time. Uses all cores. Reports progress; stops within 0.2 s of a stop request with
@@ -46,6 +52,15 @@ public:
                                                     bool byBuilding, Progress& progress,
                                                     std::stop_token stop) const;
 
+    /// Which receivers are in shadow at each step, one day after the other, in time order and never two at a
+    /// time: a year of masks is not held in memory. Several cities (a baseline and scenarios) are measured in
+    /// one run, and what they share is computed once; the receivers must be receivers in each. Days without
+    /// steps have masks without steps. Error of kind unsupported from engines without
+    /// EngineCapabilities::stepMasks; the error of `take`.
+    [[nodiscard]] Result<void> shadeSteps(std::span<const City* const> cities, const Receivers& receivers,
+                                          const SunSteps& sun, const TakeDay& take, Progress& progress,
+                                          std::stop_token stop) const;
+
     /// Engines that choose others (EngineCapabilities::choosesEngine): one engine for fields that are to be
     /// compared with each other, by the city that costs most. None from all others.
     [[nodiscard]] virtual std::optional<EngineChoice> choose(std::span<const City* const> cities,
@@ -64,6 +79,10 @@ protected:
                                                                    const SunSteps& sun, const StepSets& sets,
                                                                    bool byBuilding, Progress& progress,
                                                                    std::stop_token stop) const;
+    [[nodiscard]] virtual Result<void> computeStepMasks(std::span<const City* const> cities,
+                                                        const Receivers& receivers, const SunSteps& sun,
+                                                        const TakeDay& take, Progress& progress,
+                                                        std::stop_token stop) const;
 };
 
 /// An engine that was chosen, and why.

@@ -20,6 +20,7 @@ struct EngineCapabilities {
     bool continuous = true;      ///< finds the longest unbroken run, too
     bool sets = false;           ///< sums minutes by sets of steps (months, weights) in one run
     bool attribution = false;    ///< and by building
+    bool stepMasks = false;      ///< states which receivers are in shadow at each step (timelines of places)
     bool cache = false;          ///< has a cache for edits (HorizonCache, ShadowCache)
     bool choosesEngine = false;  ///< computes nothing itself, but chooses another engine for each case
     Independence independence = Independence::none;

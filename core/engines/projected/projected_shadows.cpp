@@ -12,6 +12,7 @@
 #include "core/engines/common/shadow_reach.h"
 #include "core/engines/projected/casters/projection.h"
 #include "core/engines/projected/filling/step_filler.h"
+#include "core/engines/projected/masks/projected_masks.h"
 #include "core/engines/projected/projected_breakdown.h"
 #include "core/sun/chosen_days.h"
 
@@ -86,6 +87,13 @@ Result<ShadowBreakdown> ProjectedShadows::computeBreakdown(const City& city, con
                                                            bool /*byBuilding*/, Progress& progress,
                                                            std::stop_token stop) const {
     return computeProjectedBreakdown(city, receivers, sun, sets, progress, stop);
+}
+
+Result<void> ProjectedShadows::computeStepMasks(std::span<const City* const> cities,
+                                                const Receivers& receivers, const SunSteps& sun,
+                                                const TakeDay& take, Progress& progress,
+                                                std::stop_token stop) const {
+    return computeProjectedMasks(cities, receivers, sun, take, progress, stop);
 }
 
 Result<std::vector<std::uint64_t>> computeShadowRasters(const City& city, const Receivers& receivers,

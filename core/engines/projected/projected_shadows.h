@@ -2,8 +2,9 @@
 
 // Projected shadows, the exact engine for flat ground, and its cache. casters/ turns buildings into convex
 // casters and projects them at the steps of a period; filling/ fills their shadows, eight steps at a time,
-// into bit rasters; counting/ turns rasters into gross and continuous shadow. projected_breakdown.h counts by
-// sets of steps. shadow_cache.h updates a day's result after an edit.
+// into bit rasters; counting/ turns rasters into gross and continuous shadow; masks/ states which receivers
+// of places are in shadow at each step. projected_breakdown.h counts by sets of steps. shadow_cache.h updates
+// a day's result after an edit.
 
 #include <vector>
 
@@ -24,7 +25,7 @@ public:
     [[nodiscard]] std::string_view name() const override { return "Projected shadows"; }
     [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
     static constexpr EngineCapabilities able{
-        .sets = true, .cache = true, .independence = Independence::always};
+        .sets = true, .stepMasks = true, .cache = true, .independence = Independence::always};
 
 protected:
     [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
@@ -34,6 +35,10 @@ protected:
                                                            const SunSteps& sun, const StepSets& sets,
                                                            bool byBuilding, Progress& progress,
                                                            std::stop_token stop) const override;
+    [[nodiscard]] Result<void> computeStepMasks(std::span<const City* const> cities,
+                                                const Receivers& receivers, const SunSteps& sun,
+                                                const TakeDay& take, Progress& progress,
+                                                std::stop_token stop) const override;
 };
 
 /// The rasters themselves, step by step (core/engines/projected/filling/bit_raster.h), for comparisons and

@@ -18,6 +18,7 @@
 #include "core/engines/common/receiver_tiles.h"
 #include "core/engines/common/run_counter.h"
 #include "core/engines/common/shadow_reach.h"
+#include "core/engines/ray/ray_masks.h"
 #include "core/engines/ray/ray_scene.h"
 #include "core/simd/flush_denormals.h"
 
@@ -162,6 +163,14 @@ RayReference::RayReference(RayReferenceSettings settings) : settings_(settings) 
 Result<ShadowField> RayReference::compute(const City& city, const Receivers& receivers, const SunSteps& sun,
                                           Progress& progress, std::stop_token stop) const {
     return traceRays(city, receivers, sun, settings_.threads, progress, stop);
+}
+
+Result<void> RayReference::computeStepMasks(std::span<const City* const> cities, const Receivers& receivers,
+                                            const SunSteps& sun, const TakeDay& take, Progress& progress,
+                                            std::stop_token stop) const {
+    const int cores = tbb::info::default_concurrency();
+    tbb::task_arena arena(settings_.threads > 0 ? std::min(settings_.threads, cores) : cores);
+    return arena.execute([&] { return computeRayMasks(cities, receivers, sun, take, progress, stop); });
 }
 
 }  // namespace noonmark

@@ -30,12 +30,16 @@ public:
     [[nodiscard]] std::string_view name() const override { return "Ray reference"; }
     [[nodiscard]] EngineCapabilities capabilities() const override { return able; }
     static constexpr EngineCapabilities able{
-        .terrain = true, .roofs = true, .independence = Independence::always};
+        .terrain = true, .roofs = true, .stepMasks = true, .independence = Independence::always};
 
 protected:
     [[nodiscard]] Result<ShadowField> compute(const City& city, const Receivers& receivers,
                                               const SunSteps& sun, Progress& progress,
                                               std::stop_token stop) const override;
+    [[nodiscard]] Result<void> computeStepMasks(std::span<const City* const> cities,
+                                                const Receivers& receivers, const SunSteps& sun,
+                                                const TakeDay& take, Progress& progress,
+                                                std::stop_token stop) const override;
 
 private:
     RayReferenceSettings settings_;

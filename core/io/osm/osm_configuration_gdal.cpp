@@ -33,6 +33,29 @@ osm_id=yes
 other_tags=no
 )";
 
+// The driver understands the key "area" by itself; named here, it would turn that off for all.
+constexpr const char* placeConfiguration =
+    R"(closed_ways_are_polygons=leisure,landuse,amenity,historic,natural,place,tourism,building
+attribute_name_laundering=no
+[points]
+osm_id=yes
+other_tags=no
+[lines]
+osm_id=yes
+attributes=name,highway,width,lanes,area,tunnel,layer,location
+other_tags=no
+[multipolygons]
+osm_id=yes
+attributes=name,leisure,landuse,amenity,historic,natural,place,highway,tourism,building,location,layer,tunnel
+other_tags=no
+[multilinestrings]
+osm_id=yes
+other_tags=no
+[other_relations]
+osm_id=yes
+other_tags=no
+)";
+
 // A separate path for every reader, so that two can read at the same time.
 std::string freshPath() {
     static std::atomic<unsigned> count = 0;
@@ -50,9 +73,12 @@ constexpr const char* temporaryFolder = "CPL_TMPDIR";
 }  // namespace
 
 OsmConfiguration::OsmConfiguration(const std::string& heightTag, const std::string& levelsTag)
-    : path_(freshPath()) {
+    : OsmConfiguration(fmt::format(configuration, columnFor(heightTag), columnFor(levelsTag))) {}
+
+OsmConfiguration OsmConfiguration::forPlaces() { return OsmConfiguration(std::string(placeConfiguration)); }
+
+OsmConfiguration::OsmConfiguration(const std::string& text) : path_(freshPath()) {
     if (VSILFILE* file = VSIFOpenL(path_.c_str(), "wb")) {
-        const std::string text = fmt::format(configuration, columnFor(heightTag), columnFor(levelsTag));
         VSIFWriteL(text.data(), 1, text.size(), file);
         VSIFCloseL(file);
     }

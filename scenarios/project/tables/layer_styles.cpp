@@ -107,6 +107,12 @@ void addLayerStyles(Database& database) {
     add(database, "lots", {"Lots", single({"255,255,255,0", "33,102,172,255", 0.4}), "Outlines"});
     add(database, "regions",
         {"Regions", single({"77,175,74,40", "35,120,40,255", 0.5}), "Where shadow is measured"});
+    addPlaceStyle(database);
+}
+
+void addPlaceStyle(Database& database) {
+    add(database, "places",
+        {"Places", single({"146,197,122,110", "70,120,60,255", 0.3}), "Areas whose sunlight matters"});
 }
 
 void addBandStyle(Database& database, const std::string& table, const std::vector<ValueBand>& bands) {

@@ -59,6 +59,11 @@ CREATE TABLE warnings (id INTEGER PRIMARY KEY NOT NULL, text INTEGER NOT NULL, p
 )sql";
 constexpr std::array readingTableNames{"warning_texts", "warnings"};
 
+// Since version 3.
+constexpr const char* placeTable = R"sql(
+CREATE TABLE places (fid INTEGER PRIMARY KEY NOT NULL, geom BLOB, name TEXT, kind TEXT, source TEXT, area_m2 REAL);
+)sql";
+
 struct FeatureTable {
     const char* table;
     const char* type;
@@ -73,6 +78,7 @@ constexpr std::array featureTables{
     FeatureTable{"lots", "POLYGON", "Lots", "Ground that may be built on"},
     FeatureTable{"regions", "MULTIPOLYGON", "Regions", "Where shadow is measured"},
 };
+constexpr FeatureTable placeLayer{"places", "MULTIPOLYGON", "Places", "Areas whose sunlight matters"};
 constexpr std::array attributeTables{
     "noonmark",           "inputs",       "meshes",  "terrain", "scenarios",     "edits",
     "time_weight_tables", "time_weights", "periods", "results", "result_layers", "view_state"};
@@ -90,13 +96,20 @@ void addReadingTables(Database& database) {
         contents.run(table, "attributes", table, "", std::optional<int>{});
 }
 
+void registerLayer(Database& database, const FeatureTable& layer) {
+    contentsOf(database).run(layer.table, "features", layer.identifier, layer.description, localSrsId);
+    database.prepare("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)")
+        .run(layer.table, layer.type, localSrsId);
+}
+
+void addPlaceTable(Database& database) {
+    database.execute(placeTable);
+    registerLayer(database, placeLayer);
+}
+
 void registerTables(Database& database) {
     Statement contents = contentsOf(database);
-    Statement geometry = database.prepare("INSERT INTO gpkg_geometry_columns VALUES (?, 'geom', ?, ?, 0, 0)");
-    for (const FeatureTable& layer : featureTables) {
-        contents.run(layer.table, "features", layer.identifier, layer.description, localSrsId);
-        geometry.run(layer.table, layer.type, localSrsId);
-    }
+    for (const FeatureTable& layer : featureTables) registerLayer(database, layer);
     for (const char* table : attributeTables)
         contents.run(table, "attributes", table, "", std::optional<int>{});
 }
@@ -108,6 +121,7 @@ const std::map<std::string, std::vector<std::string>>& ourTables() {
         Database memory(":memory:", Database::Access::create);
         memory.execute(projectTables);
         memory.execute(readingTables);
+        memory.execute(placeTable);
         Statement table = memory.prepare(
             "SELECT t.name, c.name FROM sqlite_master t, pragma_table_info(t.name) c WHERE t.type = 'table'");
         while (table.step()) made[table.text(0)].push_back(table.text(1));
@@ -124,9 +138,18 @@ void toVersion2(Database& database) {
     database.prepare("INSERT INTO warnings (text, place) VALUES (1, ?)").run("project file");
 }
 
+// A table of that name can only be one that a GIS program added; it is not overwritten.
+void toVersion3(Database& database) {
+    const auto there = database.value("SELECT 1 FROM sqlite_master WHERE name = 'places' COLLATE NOCASE");
+    if (there) throwDamaged("it has a table 'places' that is not the program's; rename it in a GIS program");
+    addPlaceTable(database);
+    if (database.value("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles' AND type = 'table'"))
+        addPlaceStyle(database);
+}
+
 // Element i migrates from version 1 + i to the next. The tests contain an old file of every version.
 const std::vector<std::function<void(Database&)>>& migrations() {
-    static const std::vector<std::function<void(Database&)>> steps{toVersion2};
+    static const std::vector<std::function<void(Database&)>> steps{toVersion2, toVersion3};
     return steps;
 }
 
@@ -137,6 +160,7 @@ void createSchema(Database& database, const std::string& localWkt) {
     database.execute(projectTables);
     registerTables(database);
     addReadingTables(database);
+    addPlaceTable(database);
     addLayerStyles(database);
     database.prepare("INSERT INTO noonmark (key, value) VALUES ('schema_version', ?)")
         .run(std::to_string(schemaVersion));
@@ -160,7 +184,9 @@ void checkTables(Database& database) {
 }
 
 void removeSpatialIndexes(Database& database) {
-    for (const FeatureTable& layer : featureTables) {
+    std::vector<FeatureTable> layers(featureTables.begin(), featureTables.end());
+    layers.push_back(placeLayer);
+    for (const FeatureTable& layer : layers) {
         const std::string index = fmt::format("rtree_{}_geom", layer.table);
         std::vector<std::string> statements;
         Statement found = database.prepare(

@@ -37,8 +37,9 @@ HWY_INLINE int atOrBeyond(double position, int low, int high) {
 
 HWY_INLINE Extent extentOf(const StepShape& shape, const BitLayout& layout, const RowBand& band) {
     return {atOrBeyond(shape.lowest.y, band.first, band.end),
-            atOrBeyond(shape.highest.y, band.first, band.end), atOrBeyond(shape.lowest.x, 0, layout.columns),
-            atOrBeyond(shape.highest.x, 0, layout.columns)};
+            atOrBeyond(shape.highest.y, band.first, band.end),
+            atOrBeyond(shape.lowest.x, layout.firstColumn(), layout.columns),
+            atOrBeyond(shape.highest.x, layout.firstColumn(), layout.columns)};
 }
 
 /// The span of a row at each step.
@@ -114,11 +115,12 @@ private:
                  eastStep_ = 0;
 };
 
-/// The cells [west, east) of a row as words; `words` points to the row's first word.
+/// The cells [west, east) of a row as words; `words` points to the row's first word, of which `origin` is the
+/// number in the grid.
 struct RowCells {
-    int west, east;
-    [[nodiscard]] int firstWord() const { return west >> 6; }
-    [[nodiscard]] int lastWord() const { return (east - 1) >> 6; }
+    int west, east, origin;
+    [[nodiscard]] int firstWord() const { return (west >> 6) - origin; }
+    [[nodiscard]] int lastWord() const { return ((east - 1) >> 6) - origin; }
 
     // Whether all cells are set at all steps.
     HWY_INLINE bool allSet(const StepWords* words, std::ptrdiff_t stride) const {
@@ -190,7 +192,8 @@ HWY_INLINE void setSpans(const StepSpans& spans, const RowCells& cells, int colu
         const FirstCells first(spans.west.part[i], columns), end(spans.east.part[i], columns);
         for (int word = cells.firstWord(); word <= cells.lastWord(); ++word) {
             std::uint64_t* const at = words[word * stride].words + i * stepsAPart;
-            const auto inside = hn::AndNot(end.from(word), first.from(word));
+            const int column = cells.origin + word;  // of the grid, in words
+            const auto inside = hn::AndNot(end.from(column), first.from(column));
             hn::Store(hn::Or(hn::Load(stepBits, at), inside), stepBits, at);
         }
     }
@@ -211,14 +214,14 @@ HWY_INLINE int fillShape(const StepShape& shape, const BitLayout& layout, const 
     const Extent extent = extentOf(shape, layout, band);
     if (extent.empty()) return 0;
     auto* words =
-        reinterpret_cast<StepWords*>(&rasters[layout.word(0, extent.bottom - band.first) * stepsTogether]);
-    const EightDoubles none(0), all(layout.columns);
+        reinterpret_cast<StepWords*>(&rasters[std::size_t(extent.bottom - band.first) * stepsTogether]);
+    const EightDoubles none(layout.firstColumn()), all(layout.columns);
     const SteadyRows steady(shape);
     ChainWalk farWest(shape.western[0]), nearWest(shape.western[1]), farEast(shape.eastern[0]),
         nearEast(shape.eastern[1]);
     Reach reach(shape, extent);
     for (int row = extent.bottom; row < extent.top; ++row, ++words, reach.moveUp()) {
-        const RowCells cells{reach.west(), reach.east()};
+        const RowCells cells{reach.west(), reach.east(), layout.firstWord};
         if (cells.west >= cells.east || cells.allSet(words, layout.rows)) continue;
         const double y = row;
         StepSpans spans{none, all};

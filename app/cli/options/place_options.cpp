@@ -1,0 +1,69 @@
+#include "app/cli/options/place_options.h"
+
+#include "app/cli/options/number_range.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark::cli {
+
+namespace {
+
+// As typed: "stained-glass" is one word for a shell.
+std::optional<PlaceKind> kindFrom(std::string text) {
+    for (char& c : text)
+        if (c == '-' || c == '_') c = ' ';
+    return parsePlaceKind(text);
+}
+
+std::string checkKind(const std::string& text) {
+    if (kindFrom(text)) return {};
+    std::string names;
+    for (const PlaceKind kind : placeKinds) names += (names.empty() ? "" : ", ") + std::string(nameOf(kind));
+    return "'" + text + "' is not a kind of place: " + names;
+}
+
+}  // namespace
+
+bool PlaceOptions::admits(const Place& place) const {
+    return (settings.kinds.empty() || settings.kinds.contains(place.kind)) &&
+           area(place) >= settings.leastAreaM2;
+}
+
+void addPlaceOptions(CLI::App& command, PlaceOptions& options) {
+    command
+        .add_option("--kind", options.kinds,
+                    "Only places of this kind: park, playground, ...; may be repeated")
+        ->allow_extra_args(false)
+        ->check(checkKind)
+        ->each([&options](const std::string& text) {
+            if (const auto kind = kindFrom(text)) options.settings.kinds.insert(*kind);
+        })
+        ->type_name("KIND");
+    command.add_flag("--streets", options.settings.streets,
+                     "OpenStreetMap: streets too, as wide as tagged or as is usual for their class");
+    command.add_flag_function(
+        "--named", [&options](auto) { options.settings.unnamed = false; }, "Only places with a name");
+    command.add_option("--least-area", options.settings.leastAreaM2, "Only places of at least this area, m2")
+        ->check(within(0, 1e9))
+        ->type_name("M2");
+    command
+        .add_option("--name-field", options.settings.nameField,
+                    "Field that holds the names (default: name, or another usual one)")
+        ->type_name("FIELD");
+    command
+        .add_option_function<std::string>(
+            "--as",
+            [&options](const std::string& text) {
+                options.settings.kind = kindFrom(text).value_or(PlaceKind::park);
+            },
+            "Kind of places whose file does not state one (default: park)")
+        ->check(checkKind)
+        ->type_name("KIND");
+    command.add_option("--place-layer", options.settings.layer, "Layer of the file that holds the places")
+        ->type_name("LAYER");
+    command
+        .add_option("--place-crs", options.settings.crs,
+                    "Reference system of places whose file states none: EPSG:2263")
+        ->type_name("CRS");
+}
+
+}  // namespace noonmark::cli

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/engines/api/step_masks.h"
+#include "core/engines/projected/filling/caster_fill.h"
+#include "core/engines/projected/masks/caster_groups.h"
+#include "core/engines/projected/masks/caster_reach.h"
+#include "core/engines/projected/masks/receiver_windows.h"
+
+namespace noonmark {
+
+/// The casters of several cities.
+struct CityCasters {
+    CasterGroups common;            ///< of buildings that all cities share
+    std::vector<CasterGroups> own;  ///< of the others, one entry a city
+};
+
+/// A window and the groups of casters whose shadow can reach it in a period, the nearest first.
+struct WindowPlan {
+    using Groups = std::vector<std::uint32_t>;
+
+    WindowPlan(ReceiverWindow window, const CityCasters& casters, const CasterReach& period);
+
+    ReceiverWindow window;
+    std::vector<std::uint64_t> empty;  ///< raster: all but the receivers set
+    Groups common;
+    std::vector<Groups> own;  ///< one entry a city
+};
+
+/// Fills windows' shadows in several cities, eight steps at a time. Casters that the cities share are filled
+/// once. Casters are taken from near to far, and filling ends as soon as all receivers are in shadow at all
+/// eight steps, as most are while the sun is low and most casters reach. One per thread.
+class WindowFiller {
+public:
+    /// `casters` must outlive the filler.
+    explicit WindowFiller(const CityCasters& casters);
+
+    /// Sets the bits of the window's receivers in shadow at steps [first, first + 8) of a day; one entry of
+    /// `masks` a city. `reach`: of these steps.
+    void fill(const WindowPlan& plan, const CasterReach& reach, std::size_t first,
+              std::span<StepMasks> masks);
+
+private:
+    using Rasters = std::vector<StepWords>;
+    /// Casters, and what is remembered about them from call to call.
+    struct Layer {
+        explicit Layer(const CasterGroups& all) : groups(&all), fill(all.casters()) {}
+        const CasterGroups* groups;
+        CasterFill fill;
+    };
+    /// Returns whether anything may have been set.
+    bool fillLayer(Layer& layer, const WindowPlan& plan, const WindowPlan::Groups& groups,
+                   const CasterReach& steps, Rasters& rasters);
+
+    Layer common_;
+    std::vector<Layer> own_;
+    Rasters shared_, rasters_;
+    std::vector<std::uint32_t> chosen_;
+};
+
+}  // namespace noonmark

@@ -1,0 +1,108 @@
+#include "core/io/places/place_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+
+#include "core/city/footprints/plan_overlay.h"
+#include "core/city/footprints/tangled_rings.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+std::string sourceOf(const std::string& first, std::size_t count) {
+    return count == 1 ? first : fmt::format("{} and {} more", first, count - 1);
+}
+
+std::size_t rootOf(Indices& parents, std::size_t i) {
+    while (parents[i] != i) i = parents[i] = parents[parents[i]];
+    return i;
+}
+
+// Sets the parents of areas that lie near each other to the first of them.
+void groupNear(const std::vector<Place>& areas, const Indices& alike, double nearM, Indices& parents) {
+    std::vector<Box2> boxes, wide;
+    const glm::vec2 margin{float(nearM)};
+    for (const std::size_t i : alike) {
+        boxes.push_back(bounds(areas[i]));
+        wide.push_back({boxes.back().low - margin, boxes.back().high + margin});
+    }
+    for (const auto& [a, b] : findMeetingBoxes(wide, boxes)) {
+        const std::size_t one = rootOf(parents, alike[a]), other = rootOf(parents, alike[b]);
+        parents[std::max(one, other)] = std::min(one, other);
+    }
+}
+
+Place joined(std::vector<Place>& areas, const Indices& group) {
+    Place place = std::move(areas[group.front()]);
+    for (std::size_t i = 1; i < group.size(); ++i)
+        std::ranges::move(areas[group[i]].polygons, std::back_inserter(place.polygons));
+    if (group.size() > 1) place.polygons = uniteOverlapping(std::move(place.polygons));
+    place.source = sourceOf(place.source, group.size());
+    return place;
+}
+
+bool isUsable(const StreetPiece& piece, Warnings& warnings) {
+    const auto finite = [](glm::dvec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+    const bool whole = piece.line.points.size() > 1 && std::ranges::all_of(piece.line.points, finite);
+    if (!whole)
+        warnings.push_back({WarningKind::dropped, "the street's line has no length", piece.id});
+    else if (areTangled({piece.line.points}))
+        warnings.push_back({WarningKind::dropped, "the street's line crosses itself too often", piece.id});
+    else
+        return true;
+    return false;
+}
+
+}  // namespace
+
+std::vector<Place> joinAreas(std::vector<Place> areas, double nearM) {
+    Indices parents(areas.size());
+    std::iota(parents.begin(), parents.end(), std::size_t{0});
+    std::map<std::pair<std::string, PlaceKind>, Indices> alike;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        if (!areas[i].name.empty()) alike[{areas[i].name, areas[i].kind}].push_back(i);
+    for (const auto& [name, some] : alike)
+        if (some.size() > 1) groupNear(areas, some, nearM, parents);
+    std::map<std::size_t, Indices> groups;
+    for (std::size_t i = 0; i < areas.size(); ++i) groups[rootOf(parents, i)].push_back(i);
+    std::vector<Place> places;
+    for (const auto& [first, group] : groups) places.push_back(joined(areas, group));
+    return places;
+}
+
+std::vector<Place> makeStreets(const std::vector<StreetPiece>& pieces, const std::string& sourceStart,
+                               Warnings& warnings) {
+    struct Street {
+        std::string name, id;
+        std::vector<StreetLine> lines;
+    };
+    std::map<std::string, Street> streets;
+    for (const StreetPiece& piece : pieces) {
+        if (!isUsable(piece, warnings)) continue;
+        // A name cannot begin with a line break, so that lines without one stay apart.
+        Street& street = streets[piece.name.empty() ? "\n" + piece.id : piece.name];
+        if (street.lines.empty()) street = {piece.name, piece.id, {}};
+        street.lines.push_back(piece.line);
+    }
+    std::vector<Place> places;
+    for (auto& [key, street] : streets) {
+        auto polygons = widenStreet(street.lines);
+        if (polygons.empty())
+            warnings.push_back({WarningKind::dropped, "the street could not be widened", street.id});
+        else
+            places.push_back({street.name, PlaceKind::street, std::move(polygons),
+                              sourceStart + sourceOf(street.id, street.lines.size())});
+    }
+    return places;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+#include "core/base/gdal_calls.h"
+#include "core/io/files/file_kind.h"
+#include "core/io/files/open_dataset.h"
+#include "core/io/osm/osm_configuration.h"
+#include "core/io/places/place_layer.h"
+#include "core/io/places/read_places.h"
+#include "core/receivers/place_names.h"
+
+namespace noonmark {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr const char* credit = "(c) OpenStreetMap contributors, ODbL";
+
+bool isFromOsm(GDALDataset& dataset) { return std::string_view(dataset.GetDriverName()) == "OSM"; }
+
+// The layer of places in a project file, or in a GeoPackage that was made from one.
+bool isOurPlaces(OGRLayer& layer) {
+    const OGRFeatureDefn& fields = *layer.GetLayerDefn();
+    return std::string_view(layer.GetName()) == "places" && fields.GetFieldIndex("kind") >= 0 &&
+           fields.GetFieldIndex("source") >= 0;
+}
+
+bool mayHoldPolygons(OGRLayer& layer) {
+    const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+    return type == wkbUnknown || OGR_GT_IsSurface(type) || OGR_GT_IsSubClassOf(type, wkbMultiSurface) ||
+           type == wkbGeometryCollection;
+}
+
+bool isWantedLayer(OGRLayer& layer, bool fromOsm, const PlaceSettings& settings) {
+    const std::string_view name = layer.GetName();
+    if (fromOsm) return name == "multipolygons" || (settings.streets && name == "lines");
+    return settings.layer.empty() ? mayHoldPolygons(layer) : name == settings.layer;
+}
+
+Result<std::vector<OGRLayer*>> layersToRead(GDALDataset& dataset, const PlaceSettings& settings,
+                                            const std::string& file) {
+    std::vector<OGRLayer*> layers;
+    std::vector<std::string> names;
+    for (OGRLayer* layer : dataset.GetLayers()) {
+        if (settings.layer.empty() && isOurPlaces(*layer)) return std::vector{layer};
+        names.emplace_back(layer->GetName());
+        if (isWantedLayer(*layer, isFromOsm(dataset), settings)) layers.push_back(layer);
+    }
+    if (!layers.empty()) return layers;
+    if (settings.layer.empty()) return failure("It holds no polygons", file, "Export the places as polygons");
+    return failure(fmt::format("There is no layer \"{}\"", settings.layer), file,
+                   fmt::format("Its layers are: {}", fmt::join(names, ", ")));
+}
+
+// GDAL calls this between blocks of the file, which may contain no usable feature.
+int CPL_STDCALL goOnReading(double, const char*, void* stop) {
+    return static_cast<const std::stop_token*>(stop)->stop_requested() ? FALSE : TRUE;
+}
+
+class PlaceFile {
+public:
+    PlaceFile(GDALDataset& dataset, const Path& file, const PlaceSettings& settings, Progress& progress,
+              const std::stop_token& stop)
+        : dataset_(dataset),
+          file_(file.filename().string()),
+          settings_(settings),
+          progress_(progress),
+          stop_(stop) {}
+
+    Result<void> read(const GdalCalls& calls) {
+        auto layers = layersToRead(dataset_, settings_, file_);
+        if (!layers) return tl::make_unexpected(layers.error());
+        for (OGRLayer* layer : *layers) {
+            auto reader = PlaceLayer::of(*layer, settings_, file_, isFromOsm(dataset_));
+            if (!reader) return tl::make_unexpected(reader.error());
+            layers_.push_back(layer);
+            readers_.push_back(*std::move(reader));
+        }
+        return isFromOsm(dataset_) ? readTogether(calls) : readApart(calls);
+    }
+
+    Result<PlacesRead> place(const Frame& frame) {
+        PlacesRead read{.features = features_, .attribution = isFromOsm(dataset_) ? credit : ""};
+        std::vector<Place> areas;
+        std::vector<StreetPiece> streets;
+        std::size_t polygons = 0;
+        for (const PlaceLayer& reader : readers_) {
+            progress_.report(0.8, "repairing outlines");
+            std::ranges::move(reader.placeAreas(frame, read, stop_), std::back_inserter(areas));
+            std::ranges::move(reader.placeStreets(frame, read), std::back_inserter(streets));
+            polygons += reader.polygonFeatures();
+        }
+        if (polygons == 0 && !isFromOsm(dataset_))
+            return failure("It holds no polygons", file_, "Export the places as polygons");
+        read.places = joinAreas(std::move(areas));
+        if (stop_.stop_requested()) return cancelled();
+        std::ranges::move(makeStreets(streets, "OSM ", read.warnings), std::back_inserter(read.places));
+        std::erase_if(read.places, [&](const Place& place) { return area(place) < settings_.leastAreaM2; });
+        nameApart(read.places);
+        if (stop_.stop_requested()) return cancelled();
+        progress_.report(1, "reading places");
+        return read;
+    }
+
+private:
+    Result<void> readApart(const GdalCalls& calls) {
+        for (std::size_t i = 0; i < layers_.size(); ++i) {
+            layers_[i]->ResetReading();
+            if (auto done = readAll(calls,
+                                    [&](double&) {
+                                        return std::pair(OGRFeatureUniquePtr(layers_[i]->GetNextFeature()),
+                                                         &readers_[i]);
+                                    });
+                !done)
+                return done;
+        }
+        return {};
+    }
+
+    // OpenStreetMap's layers are filled side by side, in the order of the file.
+    Result<void> readTogether(const GdalCalls& calls) {
+        return readAll(calls, [&](double& share) -> std::pair<OGRFeatureUniquePtr, PlaceLayer*> {
+            while (true) {
+                OGRLayer* from = nullptr;
+                OGRFeatureUniquePtr feature(dataset_.GetNextFeature(&from, &share, goOnReading,
+                                                                    const_cast<std::stop_token*>(&stop_)));
+                if (!feature) return {nullptr, nullptr};
+                const auto layer = std::ranges::find(layers_, from);
+                if (layer != layers_.end())
+                    return {std::move(feature), &readers_[std::size_t(layer - layers_.begin())]};
+            }
+        });
+    }
+
+    Result<void> readAll(const GdalCalls& calls, const auto& next) {
+        double share = 0;
+        for (std::size_t failures = calls.failures();; failures = calls.failures()) {
+            const auto [feature, reader] = next(share);
+            if (!feature && stop_.stop_requested()) return cancelled();
+            if (!feature && calls.failures() > failures)
+                return failure("It is incomplete or damaged (" + calls.complaints().back() + ")", file_,
+                               "Download or export it again");
+            if (!feature) return {};
+            reader->read(*feature);
+            if (reader->kept() > PlaceSettings::mostPlaces)
+                return limitReached(fmt::format("It holds more than {} places", PlaceSettings::mostPlaces),
+                                    file_, "Cut out the part around the city");
+            if (++features_ % 256 != 0) continue;
+            if (stop_.stop_requested()) return cancelled();
+            progress_.report(0.8 * share, "reading places of " + file_);
+        }
+    }
+
+    GDALDataset& dataset_;
+    std::string file_;
+    const PlaceSettings& settings_;
+    Progress& progress_;
+    const std::stop_token& stop_;
+    std::vector<OGRLayer*> layers_;
+    std::vector<PlaceLayer> readers_;
+    std::size_t features_ = 0;
+};
+
+}  // namespace
+
+Result<PlacesRead> readPlaces(const Path& file, const PlaceSettings& settings, const Frame& frame,
+                              Progress& progress, const std::stop_token& stop) try {
+    const GdalCalls calls;
+    const OsmConfiguration configuration = OsmConfiguration::forPlaces();
+    const auto dataset = openDataset(file, DatasetContent::vectors, {"CONFIG_FILE=" + configuration.path()});
+    if (!dataset) return tl::make_unexpected(dataset.error());
+    if (isFromOsm(**dataset)) {
+        const char* layers = settings.streets ? "SET interest_layers = multipolygons,lines"
+                                              : "SET interest_layers = multipolygons";
+        (*dataset)->ExecuteSQL(layers, nullptr, nullptr);
+    }
+    PlaceFile reader(**dataset, file, settings, progress, stop);
+    if (auto read = reader.read(calls); !read) return tl::make_unexpected(read.error());
+    return reader.place(frame);
+} catch (const std::exception& exception) {
+    return failure(fmt::format("The places cannot be read ({})", exception.what()), file.string(),
+                   "Check that the file is complete, or export it again");
+}
+
+bool isOsmFile(const Path& file) {
+    const GdalCalls calls;
+    const auto kind = detectFileKind(file);
+    if (!kind || *kind != FileKind::footprints) return false;
+    const auto dataset = openDataset(file, DatasetContent::vectors);
+    return dataset && isFromOsm(**dataset);
+}
+
+}  // namespace noonmark

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/city/city.h"
+#include "core/engines/api/step_masks.h"
+#include "core/receivers/place.h"
+#include "core/receivers/receivers.h"
+
+namespace noonmark {
+
+/// Receivers [first, first + count) of Receivers::cells.
+struct CellSpan {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    bool operator==(const CellSpan&) const = default;
+};
+
+/// The cells of several places, as receivers of one run. A cell that lies in two places (a playground in a
+/// park) is one receiver and counts in both.
+struct PlaceReceivers {
+    Receivers receivers;
+    std::vector<std::vector<CellSpan>> cellsOf;  ///< one list a place, ascending; empty: no cell of its own
+
+    [[nodiscard]] std::size_t cellCount(std::size_t place) const;
+    /// Index in Receivers::cells of the cell that has bit `cell` in the place's own masks.
+    [[nodiscard]] std::uint32_t receiverOf(std::size_t place, std::size_t cell) const;
+};
+
+/// The cells of the places that are receivers on the ground in every city: what a building of any of them
+/// covers is left out. Errors as of placeReceiversOnGround(), of which the grid covers all places. Cost: that
+/// of placing receivers for each city, plus O(cells of the places).
+Result<PlaceReceivers> placeReceiversOnPlaces(std::span<const City* const> cities,
+                                              std::span<const Place> places, const ReceiverSettings& settings,
+                                              const std::stop_token& stop = {});
+
+/// The masks of some receivers alone, in their order.
+StepMasks chooseReceivers(const StepMasks& all, std::span<const CellSpan> spans);
+
+}  // namespace noonmark

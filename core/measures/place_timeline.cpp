@@ -1,0 +1,153 @@
+#include "core/measures/place_timeline.h"
+
+#include <bit>
+#include <cmath>
+
+#include "core/measures/mask_runs.h"
+
+namespace noonmark {
+
+namespace {
+
+using Words = std::span<const std::uint64_t>;
+
+/// The end of each step, and which steps begin a new span.
+class StepTimes {
+public:
+    explicit StepTimes(const PlaceShadow& shadow) : shadow_(shadow) {}
+
+    // The beginning of the next step where it follows at once, else one step length later.
+    [[nodiscard]] Instant endOf(std::size_t step) const {
+        const auto steps = shadow_.steps;
+        if (step + 1 < steps.size() && !breaks(step + 1)) return steps[step + 1].at;
+        return steps[step].at + std::chrono::milliseconds(std::llround(shadow_.stepMinutes * 60000));
+    }
+    [[nodiscard]] bool breaks(std::size_t step) const {
+        return step == 0 || shadow_.steps[step].slot != shadow_.steps[step - 1].slot + 1;
+    }
+
+private:
+    const PlaceShadow& shadow_;
+};
+
+std::size_t countBits(std::size_t words, const auto& at) {
+    std::size_t bits = 0;
+    for (std::size_t i = 0; i < words; ++i) bits += std::size_t(std::popcount(at(i)));
+    return bits;
+}
+
+struct StepCounts {
+    std::size_t baseline = 0, scenario = 0, incremental = 0, gained = 0;
+};
+
+StepCounts countStep(Words baseline, Words scenario) {
+    StepCounts counts;
+    counts.baseline = countBits(baseline.size(), [&](std::size_t i) { return baseline[i]; });
+    counts.scenario = countBits(scenario.size(), [&](std::size_t i) { return scenario[i]; });
+    counts.incremental =
+        countBits(scenario.size(), [&](std::size_t i) { return scenario[i] & ~baseline[i]; });
+    counts.gained = counts.baseline + counts.incremental - counts.scenario;
+    return counts;
+}
+
+/// Adds up one kind of shadow step by step.
+class ShadowSum {
+public:
+    ShadowSum(const PlaceShadow& shadow, ShadowOnPlace& to) : shadow_(shadow), times_(shadow), to_(to) {}
+
+    void add(std::size_t step, double areaM2) {
+        const Instant at = shadow_.steps[step].at;
+        to_.areaHoursM2 += areaM2 * shadow_.stepMinutes / 60;
+        if (areaM2 > to_.largestM2) {
+            to_.largestM2 = areaM2;
+            to_.largestAt = at;
+        }
+        const bool shaded = areaM2 > 0;
+        if (shaded && (!before_ || times_.breaks(step)))
+            to_.intervals.push_back({at, times_.endOf(step)});
+        else if (shaded)
+            to_.intervals.back().to = times_.endOf(step);
+        if (shaded) to_.minutes += shadow_.stepMinutes;
+        before_ = shaded;
+    }
+
+private:
+    const PlaceShadow& shadow_;
+    StepTimes times_;
+    ShadowOnPlace& to_;
+    bool before_ = false;
+};
+
+// Rows of the steps with any such shadow, with an empty row where steps do not follow each other.
+std::optional<LongestStay> findLongestStay(const PlaceShadow& shadow, const auto& wordAt) {
+    const StepTimes times(shadow);
+    const std::size_t words = shadow.baseline.wordsPerStep();
+    BitRows rows{words, {}};
+    std::vector<std::size_t> stepOfRow;
+    for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
+        if (step > 0 && times.breaks(step)) {
+            rows.bits.insert(rows.bits.end(), words, 0);
+            stepOfRow.push_back(step);
+        }
+        for (std::size_t word = 0; word < words; ++word) rows.bits.push_back(wordAt(step, word));
+        stepOfRow.push_back(step);
+    }
+    const auto run = findLongestColumnRun(std::move(rows));
+    if (!run) return std::nullopt;
+    const std::size_t first = stepOfRow[run->row], last = first + run->length - 1;
+    return LongestStay{
+        double(run->length) * shadow.stepMinutes, run->column, {shadow.steps[first].at, times.endOf(last)}};
+}
+
+void addLongestStays(const PlaceShadow& shadow, DayTimeline& day) {
+    const auto baseline = [&](std::size_t step, std::size_t i) { return shadow.baseline.at(step)[i]; };
+    const auto scenario = [&](std::size_t step, std::size_t i) { return shadow.scenario.at(step)[i]; };
+    if (day.baseline.minutes > 0) day.baseline.longest = findLongestStay(shadow, baseline);
+    if (day.scenario.minutes > 0) day.scenario.longest = findLongestStay(shadow, scenario);
+    if (day.incremental.minutes > 0)
+        day.incremental.longest = findLongestStay(
+            shadow, [&](std::size_t step, std::size_t i) { return scenario(step, i) & ~baseline(step, i); });
+    if (day.gained.minutes > 0)
+        day.gained.longest = findLongestStay(
+            shadow, [&](std::size_t step, std::size_t i) { return baseline(step, i) & ~scenario(step, i); });
+}
+
+}  // namespace
+
+std::optional<Instant> ShadowOnPlace::enters() const {
+    if (intervals.empty()) return std::nullopt;
+    return intervals.front().from;
+}
+
+std::optional<Instant> ShadowOnPlace::exits() const {
+    if (intervals.empty()) return std::nullopt;
+    return intervals.back().to;
+}
+
+DayTimeline computeTimeline(const PlaceShadow& shadow, const TimelineSettings& settings) {
+    DayTimeline day{.day = shadow.day, .areaM2 = shadow.areaM2()};
+    day.sunlitMinutes = double(shadow.steps.size()) * shadow.stepMinutes;
+    ShadowSum baseline(shadow, day.baseline), scenario(shadow, day.scenario),
+        incremental(shadow, day.incremental), gained(shadow, day.gained);
+    const std::size_t cells = shadow.baseline.receivers;
+    for (std::size_t step = 0; step < shadow.steps.size(); ++step) {
+        const StepCounts counts = countStep(shadow.baseline.at(step), shadow.scenario.at(step));
+        const PlaceStep areas{shadow.steps[step].at, double(counts.baseline) * shadow.cellAreaM2,
+                              double(counts.scenario) * shadow.cellAreaM2,
+                              double(counts.incremental) * shadow.cellAreaM2,
+                              double(counts.gained) * shadow.cellAreaM2};
+        baseline.add(step, areas.baselineM2);
+        scenario.add(step, areas.scenarioM2);
+        incremental.add(step, areas.incrementalM2);
+        gained.add(step, areas.gainedM2);
+        if (cells > 0 && counts.scenario == cells) {
+            day.fullCoverMin += shadow.stepMinutes;
+            if (counts.baseline < cells) day.allSunTakenMin += shadow.stepMinutes;
+        }
+        if (settings.steps) day.steps.push_back(areas);
+    }
+    if (settings.longestStays) addLongestStays(shadow, day);
+    return day;
+}
+
+}  // namespace noonmark

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/receivers/place.h"
+#include "core/receivers/region.h"
+
+namespace noonmark {
+
+/// A name as it may be shown and stored: control characters and line breaks become blanks, bytes that are not
+/// UTF-8 become '?', blanks at both ends go, and what exceeds 120 characters is cut off.
+std::string cleanName(std::string_view text);
+
+/// Gives every place a name of its own: an empty one becomes "park (way 123)" by kind and source, and a name
+/// used before gets a number: "Community Garden (2)".
+void nameApart(std::vector<Place>& places);
+
+/// The place with this name, in any case. Error: there is none; the advice names those spelled alike, or
+/// those that contain the text.
+Result<Place> findPlace(const std::vector<Place>& places, std::string_view name);
+
+Region regionOf(const Place& place);
+
+/// Square metres of its polygons.
+double area(const Place& place);
+Box2 bounds(const Place& place);
+
+}  // namespace noonmark

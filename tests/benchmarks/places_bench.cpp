@@ -1,0 +1,164 @@
+// Step masks and timelines of the 20 largest parks of a city, with a tower of 300 m beside the third one, in
+// wall and processor time: a day's masks against the day's field on the same receivers, four days of minutes,
+// and a year of them.
+//
+//     places_bench FILE.osm.pbf [day|four|year|screen]...
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/engines/projected/projected_shadows.h"
+#include "core/io/places/read_places.h"
+#include "core/measures/place_run.h"
+#include "core/measures/place_screening.h"
+#include "core/measures/place_sums.h"
+#include "core/receivers/place_names.h"
+#include "core/sun/chosen_days.h"
+#include "tests/benchmarks/bench_scene.h"
+
+using namespace noonmark;
+using namespace noonmark::bench;
+
+namespace {
+
+constexpr std::size_t placeCount = 20;
+
+void must(const Result<void>& done) {
+    if (done) return;
+    fmt::print(stderr, "{}\n", done.error().text());
+    std::exit(EXIT_FAILURE);
+}
+
+std::vector<Place> largestParks(const std::string& file, const Frame& frame) {
+    NoProgress quiet;
+    auto places =
+        readPlaces(file,
+                   {.kinds = {PlaceKind::park, PlaceKind::playground, PlaceKind::plaza}, .unnamed = false},
+                   frame, quiet, {})
+            .value()
+            .places;
+    std::ranges::sort(places, std::greater{}, [](const Place& place) { return area(place); });
+    places.resize(std::min(places.size(), placeCount));
+    return places;
+}
+
+City withTower(const City& city, const Place& beside) {
+    City made = city;
+    const Box2 box = bounds(beside);
+    Part part{.footprint = {{{box.high.x + 20, box.low.y},
+                             {box.high.x + 60, box.low.y},
+                             {box.high.x + 60, box.low.y + 40},
+                             {box.high.x + 20, box.low.y + 40}},
+                            {}},
+              .topM = 300};
+    made.buildings.push_back(std::make_shared<const Building>(Building{.name = "tower", .parts = {part}}));
+    return made;
+}
+
+SunSteps sunOf(const City& city, CivilDate start, int days) {
+    Period period{.start = start, .days = days, .window = SolarWindow{}, .zone = "America/New_York"};
+    return computeSunSteps(period, observerOfPlaces(city)).value();
+}
+
+SunSteps fourDays(const City& city) {
+    const SunSteps year =
+        sunOf(city, CivilDate{std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}}, 365);
+    const std::array<std::size_t, 4> days{79, 125, 171, 354};  // 21 Mar, 6 May, 21 Jun, 21 Dec
+    return chooseDays(year, days);
+}
+
+void print(const char* what, const Seconds& seconds) {
+    fmt::print("{:<44} {:7.2f} s wall, {:7.2f} s processor\n", what, seconds.wall, seconds.processor);
+}
+
+struct Bench {
+    City before, after;
+    std::vector<Place> places;
+    PlaceReceivers cells;
+
+    void runDays(const char* name, const SunSteps& sun) const {
+        std::vector<PlaceSums> sums(places.size());
+        const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {
+            for (std::size_t i = 0; i < shadows.size(); ++i)
+                sums[i].add(computeTimeline(shadows[i], {.steps = false}));
+            return {};
+        };
+        NoProgress quiet;
+        const auto none = [](std::size_t, std::span<StepMasks>) -> Result<void> { return {}; };
+        const City* const cities[]{&before, &after};
+        print(fmt::format("{}: masks of both cities", name).c_str(), secondsOf([&] {
+                  must(ProjectedShadows().shadeSteps(cities, cells.receivers, sun, none, quiet, {}));
+              }));
+        print(fmt::format("{}: timelines", name).c_str(), secondsOf([&] {
+                  must(shadePlaces(ProjectedShadows(), before, &after, cells, sun, take, quiet, {}));
+              }));
+        for (std::size_t i = 0; i < places.size(); ++i)
+            fmt::print("  {:<34} {:8.0f} m2 {:5.1f} % shaded, {:9.0f} m2h incremental\n", places[i].name,
+                       area(places[i]), 100 * sums[i].all().shareOf(sums[i].all().scenarioM2h),
+                       sums[i].all().incrementalM2h);
+    }
+
+    // The field and the masks of one day over the same receivers: an 800 m square, and the places.
+    void compareDay() const {
+        const SunSteps sun =
+            sunOf(before, CivilDate{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}}, 1);
+        const Receivers square = placeReceiversOnGround(before, findMiddle(before), {.cellM = 1}).value();
+        NoProgress quiet;
+        const auto none = [](std::size_t, std::span<StepMasks>) -> Result<void> { return {}; };
+        const City* const cities[]{&before};
+        for (const auto& [name, receivers] :
+             {std::pair{"square of 800 m", &square}, std::pair{"places", &cells.receivers}}) {
+            Seconds field, masks;
+            for (int round = 0; round < 3; ++round) {
+                field.keepBest(secondsOf([&, r = receivers] {
+                    (void)ProjectedShadows().accumulate(before, *r, sun, quiet, {}).value();
+                }));
+                masks.keepBest(secondsOf([&, r = receivers] {
+                    must(ProjectedShadows().shadeSteps(cities, *r, sun, none, quiet, {}));
+                }));
+            }
+            print(fmt::format("day, {}: field", name).c_str(), field);
+            print(fmt::format("day, {}: masks", name).c_str(), masks);
+        }
+    }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) return 1;
+    Bench bench;
+    Seconds reading = secondsOf([&] { bench.before = cityFrom(argv[1]); });
+    print("reading the city", reading);
+    print("reading the places", secondsOf([&] { bench.places = largestParks(argv[1], bench.before.frame); }));
+    bench.after = withTower(bench.before, bench.places.at(2));
+    print("placing receivers", secondsOf([&] {
+              const City* const cities[]{&bench.before, &bench.after};
+              bench.cells = placeReceiversOnPlaces(cities, bench.places, {.cellM = 1}).value();
+          }));
+    fmt::print("{} cells of {} x {}\n", bench.cells.receivers.cells.size(),
+               bench.cells.receivers.grid.columns, bench.cells.receivers.grid.rows);
+    const auto asked = [&](std::string_view what) {
+        return argc == 2 || std::ranges::find(argv + 2, argv + argc, what) != argv + argc;
+    };
+    if (asked("day")) bench.compareDay();
+    if (asked("four")) bench.runDays("four days", fourDays(bench.before));
+    if (asked("screen"))
+        print("screening, four days", secondsOf([&] {
+                  NoProgress quiet;
+                  const auto screened =
+                      screenPlaces(bench.before, bench.after, bench.places, fourDays(bench.before), {},
+                                   ProjectedShadows(), quiet, {})
+                          .value();
+                  for (const ScreenedPlace& place : screened)
+                      fmt::print("  {:<34} {}: {}\n", bench.places[place.place].name, nameOf(place.result),
+                                 place.reason);
+              }));
+    if (asked("year"))
+        bench.runDays(
+            "year",
+            sunOf(bench.before, CivilDate{std::chrono::year{2026}, std::chrono::January, std::chrono::day{1}},
+                  365));
+    return 0;
+}

@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "tests/cli/project_command.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark::cli::tests {
+namespace {
+
+using noonmark::tests::sharedData;
+using testing::AllOf;
+using testing::HasSubstr;
+
+// Squares of about 84 x 111 m in the park, side by side.
+std::string parksFile() {
+    std::string features;
+    for (int i = 0; i < 2; ++i)
+        features += fmt::format(
+            R"({}{{"type":"Feature","properties":{{"name":"{}","kind":"{}"}},"geometry":{{"type":"Polygon",)"
+            R"("coordinates":[[[{:.3f},40.766],[{:.3f},40.766],[{:.3f},40.767],[{:.3f},40.767],[{:.3f},40.766]]]}}}})",
+            i == 0 ? "" : ",", i == 0 ? "Pond Lawn" : "Heckscher", i == 0 ? "park" : "playground",
+            -73.977 + 0.001 * i, -73.976 + 0.001 * i, -73.976 + 0.001 * i, -73.977 + 0.001 * i,
+            -73.977 + 0.001 * i);
+    return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+
+class PlacesCommand : public ProjectCommand {
+protected:
+    void SetUp() override {
+        ProjectCommand::SetUp();
+        EXPECT_THAT(done("place read", {parks_}), HasSubstr("2 places read"));
+        done("add-scenario", {"Without One57"});
+        done("demolish", {"One57", "--scenario", "Without One57"});
+    }
+    std::string parks_ = folder_.file("parks.geojson", parksFile()).string();
+};
+
+TEST_F(PlacesCommand, OfAProjectAreReadDrawnListedAndRemoved) {
+    EXPECT_THAT(done("place read", {parks_}), HasSubstr("2 of them replace"));
+    EXPECT_THAT(done("place add", {"Yard", "-73.98,40.765,-73.979,40.766", "--as", "schoolyard"}),
+                HasSubstr("Yard: schoolyard"));
+    EXPECT_THAT(refused("place add", {"Yard", "-73.98,40.765,-73.979,40.766"}), HasSubstr("place remove"));
+    EXPECT_THAT(refused("place add", {"x", "1,2,3", "--as", "park"}), HasSubstr("x"));
+    const auto listed = noonmarkCli({"places", file_, "--json"}).json();
+    ASSERT_EQ(listed["places"].size(), 3U);
+    EXPECT_EQ(listed["places"][1]["name"], "Heckscher");
+    EXPECT_EQ(listed["places"][1]["kind"], "playground");
+    EXPECT_NEAR(listed["places"][1]["area_m2"].get<double>(), 9370, 30);
+    EXPECT_EQ(noonmarkCli({"places", file_, "--kind", "schoolyard", "--json"}).json()["places"].size(), 1U);
+    EXPECT_THAT(noonmarkCli({"places", file_, "--kind", "lawn"}).err, HasSubstr("not a kind of place"));
+    done("place remove", {"pond lawn"});
+    EXPECT_EQ(opened().places.size(), 2U);
+    EXPECT_EQ(noonmarkCli({"places", file_, "--from", parks_, "--json"}).json()["places"].size(), 4U);
+}
+
+TEST_F(PlacesCommand, TheTimelineOfADayHasTheKeysThatScriptsRelyOn) {
+    const auto spoken =
+        noonmarkCli({"timeline", file_, "--place", "pond lawn", "--day", "2026-12-21", "--from",
+                     "Without One57", "--to", "Existing", "--step", "10", "--json"});
+    ASSERT_EQ(spoken.code, 0) << spoken.err;
+    const auto json = spoken.json();
+    EXPECT_EQ(json["place"], "Pond Lawn");
+    EXPECT_EQ(json["from"], "Without One57");
+    ASSERT_GT(json["steps"].size(), 40U);
+    double most = 0, hours = 0;
+    for (const auto& step : json["steps"]) {
+        EXPECT_THAT(step["at"].get<std::string>(), HasSubstr("2026-12-21T"));
+        const double baseline = step["baseline_m2"], scenario = step["scenario_m2"],
+                     incremental = step["incremental_m2"];
+        EXPECT_EQ(baseline + incremental, scenario);  // One57 is only added
+        most = std::max(most, incremental);
+        hours += incremental * json["step_min"].get<double>() / 60;
+    }
+    EXPECT_EQ(json["incremental"]["largest_m2"], most);
+    EXPECT_NEAR(json["incremental"]["area_hours_m2h"].get<double>(), hours, 0.01);
+    EXPECT_GT(most, 0);
+}
+
+TEST_F(PlacesCommand, TimelinesAreStatedInWordsAndAsCsv) {
+    const std::vector<std::string> asked{
+        "timeline", file_,   "--place", "all", "--day",  "2026-12-21", "--to",   "Without One57",
+        "--at",     "11:00", "--hours", "1",   "--step", "20",         "--zone", "America/New_York"};
+    const auto words = noonmarkCli(asked);
+    EXPECT_THAT(words.out, AllOf(HasSubstr("Pond Lawn (park)"), HasSubstr("Heckscher (playground)"),
+                                 HasSubstr("60 min of sun")));
+    auto csv = asked;
+    csv.emplace_back("--csv");
+    const std::string rows = noonmarkCli(csv).out;
+    EXPECT_EQ(std::ranges::count(rows, '\n'), 1 + 2 * 3);
+    EXPECT_THAT(rows, HasSubstr("\"Pond Lawn\",2026-12-21,2026-12-21T11:20:00-05:00,"));
+    EXPECT_THAT(noonmarkCli({"timeline", file_, "--place", "Pond Lane", "--day", "2026-12-21"}).err,
+                HasSubstr("Did you mean Pond Lawn?"));
+    EXPECT_EQ(noonmarkCli({"timeline", file_, "--place", "all"}).code, 2);
+}
+
+TEST_F(PlacesCommand, SeveralDaysHaveSumsByMonthAndQuarter) {
+    const auto json = noonmarkCli({"timeline", file_, "--place", "Pond Lawn", "--day", "2026-12-20", "--days",
+                                   "3", "--to", "Without One57", "--step", "60", "--json"})
+                          .json();
+    EXPECT_EQ(json["days"].size(), 3U);
+    EXPECT_EQ(json["sums"]["days"], 3);
+    EXPECT_EQ(json["months"]["2026-12"]["days"], 3);
+    EXPECT_EQ(json["quarters"]["21 Dec to 20 Mar"]["days"], 2);
+    EXPECT_FALSE(json.contains("steps"));
+}
+
+TEST_F(PlacesCommand, ScreeningNamesTheReasons) {
+    done("place add", {"Far", "-73.99,40.80,-73.989,40.801"});
+    done("place add", {"South", "-73.98,40.76,-73.979,40.761"});
+    const auto json = noonmarkCli({"screen", file_, "--from", "Without One57", "--to", "Existing", "--step",
+                                   "15", "--json"})
+                          .json();
+    std::map<std::string, std::string> results;
+    for (const auto& place : json["places"]) results[place["name"]] = place["result"];
+    EXPECT_EQ(results["Pond Lawn"], "reached");
+    EXPECT_EQ(results["Far"], "beyond the longest shadow");
+    EXPECT_EQ(results["South"], "in the no-shadow sector");
+    EXPECT_THAT(noonmarkCli({"screen", file_, "--to", "Without One57"}).err, HasSubstr("adds no building"));
+    EXPECT_THAT(noonmarkCli({"screen", file_, "--to", "Existing", "--no-shadow", "x..y"}).err,
+                HasSubstr("108..252"));
+}
+
+TEST_F(PlacesCommand, ARegionMayBeAPlaceByItsName) {
+    const auto study =
+        noonmarkCli({"study", file_, "--region", "pond lawn", "--start", "2026-12-21", "--from", "12:00",
+                     "--hours", "1", "--step", "30", "--zone", "America/New_York", "--cell", "4", "--out",
+                     folder_.path("out").string(), "--json"});
+    ASSERT_EQ(study.code, 0) << study.err;
+    EXPECT_THAT(noonmarkCli({"study", file_, "--region", "Pond Lane", "--start", "2026-12-21", "--from",
+                             "12:00", "--zone", "America/New_York", "--out", folder_.path("other").string()})
+                    .err,
+                HasSubstr("Pond Lawn"));
+}
+
+TEST(PlacesOfFiles, MidtownsParksAndARegionByName) {
+    const auto file = sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";
+    const auto listed = noonmarkCli({"places", file->string(), "--named", "--kind", "park", "--json"});
+    ASSERT_EQ(listed.code, 0) << listed.err;
+    EXPECT_THAT(listed.out, HasSubstr("Bryant Park"));
+    noonmark::tests::TemporaryFolder folder;
+    EXPECT_THAT(
+        noonmarkCli({"study", file->string(), "--region", "Briant Park", "--start", "2026-03-21", "--from",
+                     "12:00", "--zone", "America/New_York", "--out", folder.path("out").string()})
+            .err,
+        HasSubstr("Bryant Park"));
+}
+
+}  // namespace
+}  // namespace noonmark::cli::tests

@@ -1,0 +1,211 @@
+#include "core/io/places/read_places.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/places/place_tags.h"
+#include "core/receivers/place_names.h"
+#include "tests/core/io/osm_text.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/shared/shared_data.h"
+
+namespace noonmark {
+namespace {
+
+using testing::HasSubstr;
+
+const Frame manhattan({-73.98, 40.75});
+
+Result<PlacesRead> readFrom(const std::filesystem::path& file, const PlaceSettings& settings = {}) {
+    NoProgress quiet;
+    return readPlaces(file, settings, manhattan, quiet, {});
+}
+
+const Place* placeNamed(const PlacesRead& read, std::string_view name) {
+    const auto found = std::ranges::find(read.places, name, &Place::name);
+    return found == read.places.end() ? nullptr : &*found;
+}
+
+std::string osmLine(int firstNode, const std::vector<glm::dvec2>& points, const tests::Tags& tags, int id) {
+    std::string nodes, refs, tagTexts;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const LonLat at = manhattan.lonLatFromLocal(points[i]);
+        const int node = firstNode + int(i);
+        nodes += fmt::format(R"(<node id="{}" version="1" lat="{:.9f}" lon="{:.9f}"/>)", node, at.latDeg,
+                             at.lonDeg);
+        refs += fmt::format(R"(<nd ref="{}"/>)", node);
+    }
+    for (const auto& [key, value] : tags) tagTexts += fmt::format(R"(<tag k="{}" v="{}"/>)", key, value);
+    return fmt::format(R"({}<way id="{}" version="1">{}{}</way>)", nodes, id, refs, tagTexts);
+}
+
+std::string osmOf(const std::string& content) {
+    return R"(<?xml version="1.0" encoding="UTF-8"?><osm version="0.6" generator="test">)" + content +
+           "</osm>";
+}
+
+TEST(PlaceTags, SayWhatKindAnAreaIs) {
+    const auto kindOf = [](PlaceTags tags) { return classifyArea(tags); };
+    EXPECT_EQ(kindOf({{"leisure", "park"}}), PlaceKind::park);
+    EXPECT_EQ(kindOf({{"leisure", "pitch"}, {"landuse", "grass"}}), PlaceKind::playground);
+    EXPECT_EQ(kindOf({{"leisure", "garden"}}), PlaceKind::greenstreet);
+    EXPECT_EQ(kindOf({{"leisure", "garden"}, {"name", "Rose Garden"}}), PlaceKind::park);
+    EXPECT_EQ(kindOf({{"amenity", "school"}}), PlaceKind::schoolyard);
+    EXPECT_EQ(kindOf({{"landuse", "cemetery"}}), PlaceKind::cemetery);
+    EXPECT_EQ(kindOf({{"landuse", "village_green"}}), PlaceKind::park);
+    EXPECT_EQ(kindOf({{"place", "square"}}), PlaceKind::plaza);
+    EXPECT_EQ(kindOf({{"historic", "memorial"}}), PlaceKind::other);
+    EXPECT_FALSE(kindOf({{"natural", "water"}}));
+    EXPECT_FALSE(kindOf({{"amenity", "parking"}}));
+    EXPECT_FALSE(kindOf({{"amenity", "school"}, {"building", "yes"}}));
+    EXPECT_FALSE(kindOf({{"leisure", "park"}, {"layer", "-1"}}));
+}
+
+TEST(PlaceTags, GiveAStreetItsWidth) {
+    const auto widthOf = [](PlaceTags tags) { return readStreetWidth(tags); };
+    EXPECT_EQ(widthOf({{"highway", "primary"}, {"width", "18.5"}, {"lanes", "4"}})->widthM, 18.5);
+    EXPECT_NEAR(widthOf({{"highway", "primary"}, {"width", "30'"}})->widthM, 9.144, 1e-9);
+    const auto byLanes = widthOf({{"highway", "residential"}, {"lanes", "3"}});
+    EXPECT_NEAR(byLanes->widthM, 9.6, 1e-9);
+    EXPECT_FALSE(byLanes->assumed);
+    const auto byClass = widthOf({{"highway", "residential"}, {"width", "wide"}, {"lanes", "0"}});
+    EXPECT_EQ(byClass->widthM, 8);
+    EXPECT_TRUE(byClass->assumed);
+    EXPECT_EQ(widthOf({{"highway", "tertiary"}, {"width", "1e9"}})->widthM, 10);
+    EXPECT_FALSE(widthOf({{"highway", "footway"}}));
+    EXPECT_FALSE(widthOf({{"highway", "primary"}, {"tunnel", "yes"}}));
+}
+
+class ReadPlaces : public testing::Test {
+protected:
+    tests::TemporaryFolder folder_;
+};
+
+TEST_F(ReadPlaces, AreasOfOpenStreetMapWithTheirHolesNamesAndSources) {
+    tests::OsmText osm;
+    osm.way(tests::sizedRectangle(0, 0, 100, 50), {{"leisure", "park"}, {"name", "Green"}});
+    const std::string ring =
+        osm.relation(tests::sizedRectangle(200, 0, 100, 100), {tests::sizedRectangle(240, 40, 20, 20)},
+                     {{"landuse", "cemetery"}, {"name", "Yard"}});
+    const std::string bare = osm.way(tests::sizedRectangle(400, 0, 10, 10), {{"leisure", "playground"}});
+    osm.way(tests::sizedRectangle(500, 0, 10, 10), {{"building", "yes"}, {"leisure", "park"}});
+    osm.way(tests::sizedRectangle(600, 0, 10, 10), {{"natural", "water"}});
+    const auto read = readFrom(folder_.file("a.osm", osm.xml())).value();
+    ASSERT_EQ(read.places.size(), 3U);
+    const Place* yard = placeNamed(read, "Yard");
+    ASSERT_NE(yard, nullptr);
+    EXPECT_EQ(yard->kind, PlaceKind::cemetery);
+    EXPECT_EQ(yard->source, "OSM " + ring);
+    EXPECT_NEAR(area(*yard), 100 * 100 - 20 * 20, 0.5);
+    EXPECT_NEAR(area(*placeNamed(read, "Green")), 5000, 0.5);
+    EXPECT_NE(placeNamed(read, fmt::format("playground (OSM {})", bare)), nullptr);
+    EXPECT_THAT(read.attribution, HasSubstr("OpenStreetMap"));
+}
+
+TEST_F(ReadPlaces, PiecesOfOneNameJoinWhereTheyLieNearEachOther) {
+    tests::OsmText osm;
+    for (const float west : {0.0F, 120.0F, 2000.0F})
+        osm.way(tests::sizedRectangle(west, 0, 100, 10), {{"leisure", "park"}, {"name", "Malls"}});
+    osm.way(tests::sizedRectangle(90, 0, 20, 10), {{"leisure", "park"}, {"name", "Malls"}});
+    const auto read = readFrom(folder_.file("a.osm", osm.xml())).value();
+    ASSERT_EQ(read.places.size(), 2U);
+    EXPECT_NEAR(area(*placeNamed(read, "Malls")), 2100, 1);  // 10 m of the fourth lie in the first
+    EXPECT_EQ(placeNamed(read, "Malls")->source, "OSM way 1 and 2 more");
+    EXPECT_NE(placeNamed(read, "Malls (2)"), nullptr);
+}
+
+// Two ways of 100 m that meet at a right angle, 12 m wide: 2 x 100 x 12, less the square where they overlap,
+// plus the quarter of a circle around the bend (a 16-gon's quarter).
+TEST_F(ReadPlaces, StreetsAreAsWideAsTaggedAndJoinedByName) {
+    const tests::Tags tagged{{"highway", "primary"}, {"name", "Main Street"}, {"width", "12"}};
+    const std::string text =
+        osmLine(1, {{0, 0}, {100, 0}}, tagged, 1) + osmLine(10, {{100, 0}, {100, 100}}, tagged, 2) +
+        osmLine(20, {{500, 0}, {600, 0}}, {{"highway", "residential"}, {"name", "Side Street"}}, 3) +
+        osmLine(30, {{700, 0}, {800, 0}}, {{"highway", "steps"}, {"name", "Steps"}}, 4);
+    const auto file = folder_.file("a.osm", osmOf(text));
+    EXPECT_TRUE(readFrom(file).value().places.empty());
+    const auto read = readFrom(file, {.streets = true}).value();
+    ASSERT_EQ(read.places.size(), 2U);
+    const double quarter = 4 * 36 * std::sin(3.14159265358979 / 8) / 2;
+    EXPECT_NEAR(area(*placeNamed(read, "Main Street")), 2 * 1200 - 36 + quarter, 1);
+    EXPECT_NEAR(area(*placeNamed(read, "Side Street")), 800, 0.5);
+    EXPECT_EQ(read.streetsOfAssumedWidth, 1U);
+    EXPECT_EQ(placeNamed(read, "Side Street")->kind, PlaceKind::street);
+}
+
+constexpr const char* parksGeoJson = R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"signname":"Bryant Park"},"geometry":{"type":"Polygon","coordinates":[[[-73.98,40.75],[-73.979,40.75],[-73.979,40.751],[-73.98,40.751],[-73.98,40.75]]]}},
+{"type":"Feature","properties":{"signname":"Yard","kind":"schoolyard"},"geometry":{"type":"Polygon","coordinates":[[[-73.97,40.75],[-73.969,40.751],[-73.969,40.75],[-73.97,40.751],[-73.97,40.75]]]}},
+{"type":"Feature","properties":{"signname":"Far"},"geometry":{"type":"Polygon","coordinates":[[[10,50],[10.1,50],[10.1,50.1],[10,50]]]}},
+{"type":"Feature","properties":{"signname":"Point"},"geometry":{"type":"Point","coordinates":[-73.98,40.75]}}]})";
+
+TEST_F(ReadPlaces, PolygonsOfAnyFileWithANameField) {
+    const auto file = folder_.file("parks.geojson", parksGeoJson);
+    const auto read = readFrom(file, {.kind = PlaceKind::plaza}).value();
+    ASSERT_EQ(read.places.size(), 2U);
+    EXPECT_EQ(placeNamed(read, "Bryant Park")->kind, PlaceKind::plaza);
+    EXPECT_EQ(placeNamed(read, "Bryant Park")->source, "parks.geojson, feature 0");
+    EXPECT_EQ(placeNamed(read, "Yard")->kind, PlaceKind::schoolyard);
+    ASSERT_EQ(read.warnings.size(), 2U);  // the bow tie is mended, the one in Germany left out
+    EXPECT_EQ(readFrom(file, {.kinds = {PlaceKind::schoolyard}}).value().places.size(), 1U);
+    EXPECT_TRUE(readFrom(file, {.leastAreaM2 = 1e6}).value().places.empty());
+}
+
+TEST_F(ReadPlaces, WhatIsWrongWithAFileIsReported) {
+    EXPECT_THAT(readFrom(folder_.path("none.gpkg")).error().text(), HasSubstr("none.gpkg"));
+    EXPECT_THAT(readFrom(folder_.file("a.geojson", parksGeoJson), {.nameField = "title"}).error().text(),
+                HasSubstr("signname"));
+    EXPECT_THAT(readFrom(folder_.file("b.geojson", parksGeoJson), {.layer = "lots"}).error().text(),
+                HasSubstr("There is no layer"));
+    EXPECT_FALSE(readFrom(folder_.file("c.geojson", "{}")));
+    EXPECT_FALSE(
+        readFrom(folder_.file("d.osm", "<?xml version=\"1.0\"?><osm version=\"0.6\"><way id=\"1\">")));
+    EXPECT_FALSE(readFrom(folder_.file(
+        "e.vrt", R"(<OGRVRTDataSource><OGRVRTLayer name="a"><SrcDataSource>/etc/passwd</SrcDataSource>)")));
+}
+
+TEST_F(ReadPlaces, AFileCutOffAnywhereGivesAnErrorOrFewerPlaces) {
+    tests::OsmText osm;
+    for (int i = 0; i < 5; ++i)
+        osm.way(tests::sizedRectangle(float(i) * 50, 0, 40, 40), {{"leisure", "park"}});
+    const std::string whole = osm.xml();
+    for (std::size_t bytes = 0; bytes < whole.size(); bytes += 97) {
+        const auto read = readFrom(folder_.file("cut.osm", whole.substr(0, bytes)), {.streets = true});
+        EXPECT_LE(read ? read->places.size() : 0U, 5U);
+    }
+}
+
+TEST_F(ReadPlaces, StopsWhenAsked) {
+    tests::OsmText osm;
+    for (int i = 0; i < 600; ++i)
+        osm.way(tests::sizedRectangle(float(i) * 50, 0, 40, 40), {{"leisure", "park"}});
+    NoProgress quiet;
+    std::stop_source source;
+    source.request_stop();
+    const auto read = readPlaces(folder_.file("a.osm", osm.xml()), {}, manhattan, quiet, source.get_token());
+    ASSERT_FALSE(read);
+    EXPECT_TRUE(isCancelled(read.error()));
+}
+
+// Bryant Park's lot is 39,000 m2 with the library's terrace; the park as mapped has 30,000 to 40,000.
+TEST(ReadMidtownPlaces, KnownParksAndStreets) {
+    const auto file = tests::sharedData("midtown_manhattan/midtown_manhattan.osm.pbf");
+    if (!file) GTEST_SKIP() << "the shared Midtown extract is missing";
+    const auto read = readFrom(*file, {.streets = true}).value();
+    const Place bryant = findPlace(read.places, "Bryant Park").value();
+    EXPECT_EQ(bryant.kind, PlaceKind::park);
+    EXPECT_GT(area(bryant), 15000);
+    EXPECT_LT(area(bryant), 42000);
+    EXPECT_EQ(findPlace(read.places, "Madison Square Park").value().kind, PlaceKind::park);
+    EXPECT_EQ(findPlace(read.places, "West 42nd Street").value().kind, PlaceKind::street);
+    EXPECT_GT(std::ranges::count(read.places, PlaceKind::park, &Place::kind), 40);
+    EXPECT_GT(std::ranges::count(read.places, PlaceKind::street, &Place::kind), 60);
+    EXPECT_GT(read.streetsOfAssumedWidth, 0U);
+}
+
+}  // namespace
+}  // namespace noonmark

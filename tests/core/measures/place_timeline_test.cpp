@@ -1,0 +1,227 @@
+#include "core/measures/place_timeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/engines/projected/projected_shadows.h"
+#include "core/engines/ray/ray_reference.h"
+#include "core/measures/mask_runs.h"
+#include "core/measures/place_run.h"
+#include "core/measures/place_sums.h"
+#include "core/samples/sample_city.h"
+#include "core/study/place_study.h"
+#include "tests/core/engines/scenes.h"
+
+namespace noonmark {
+namespace {
+
+using namespace tests;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+constexpr Instant noon{std::chrono::sys_days{std::chrono::March / 21 / 2026} + 12h};
+constexpr CivilDate equinox{std::chrono::year{2026}, std::chrono::March, std::chrono::day{21}};
+
+// Steps of two minutes from noon on, in the slots given.
+std::vector<SunStep> stepsIn(const std::vector<int>& slots) {
+    std::vector<SunStep> steps;
+    for (const int slot : slots) {
+        SunStep& step = steps.emplace_back();
+        step.slot = slot;
+        step.at = noon + slot * 2min;
+    }
+    return steps;
+}
+
+// Masks from rows of text, one character a cell: '#' in shadow.
+StepMasks masksFrom(const std::vector<std::string>& rows) {
+    StepMasks masks(rows.front().size(), rows.size());
+    for (std::size_t step = 0; step < rows.size(); ++step)
+        for (std::size_t cell = 0; cell < rows[step].size(); ++cell)
+            if (rows[step][cell] == '#') masks.shade(step, cell);
+    return masks;
+}
+
+PlaceShadow shadowOf(const std::vector<SunStep>& steps, const std::vector<std::string>& baseline,
+                     const std::vector<std::string>& scenario) {
+    return {equinox, steps, 4, 2, masksFrom(baseline), masksFrom(scenario)};
+}
+
+// Four cells of 4 m2, steps of 2 min. Incremental, step by step: -, b, bc, (gap) c, -, cd.
+TEST(PlaceTimeline, OfADayWorkedOutByHand) {
+    const std::vector<SunStep> steps = stepsIn({0, 1, 2, 5, 6, 7});
+    const DayTimeline day = computeTimeline(shadowOf(steps, {"#...", "#...", "#...", "##..", "##..", "##.."},
+                                                     {"....", ".#..", "###.", "###.", "##..", "####"}));
+    EXPECT_EQ(day.areaM2, 16);
+    EXPECT_EQ(day.sunlitMinutes, 12);
+    ASSERT_EQ(day.steps.size(), 6U);
+    EXPECT_EQ(day.steps[1].baselineM2, 4);
+    EXPECT_EQ(day.steps[1].scenarioM2, 4);
+    EXPECT_EQ(day.steps[1].incrementalM2, 4);
+    EXPECT_EQ(day.steps[1].gainedM2, 4);
+    EXPECT_EQ(day.steps[2].incrementalM2, 8);
+    const ShadowOnPlace& more = day.incremental;
+    const std::vector<TimeSpan> spans{
+        {noon + 2min, noon + 6min}, {noon + 10min, noon + 12min}, {noon + 14min, noon + 16min}};
+    EXPECT_EQ(more.intervals, spans);
+    EXPECT_EQ(more.enters(), noon + 2min);
+    EXPECT_EQ(more.exits(), noon + 16min);
+    EXPECT_EQ(more.minutes, 8);
+    EXPECT_EQ(more.largestM2, 8);
+    EXPECT_EQ(more.largestAt, noon + 4min);
+    EXPECT_DOUBLE_EQ(more.areaHoursM2, (4 + 8 + 4 + 8) * 2 / 60.0);
+    ASSERT_TRUE(more.longest);  // the second cell in steps 1 and 2; the third one's time has a gap
+    EXPECT_EQ(more.longest->minutes, 4);
+    EXPECT_EQ(more.longest->cell, 1U);
+    EXPECT_EQ(more.longest->when, (TimeSpan{noon + 2min, noon + 6min}));
+    EXPECT_EQ(day.gained.minutes, 4);
+    EXPECT_EQ(day.fullCoverMin, 2);
+    EXPECT_EQ(day.allSunTakenMin, 2);
+    EXPECT_DOUBLE_EQ(day.theoreticalM2h(), 16 * 12 / 60.0);
+}
+
+TEST(PlaceTimeline, APlaceWithoutShadowOrWithoutCellsHasNone) {
+    const std::vector<SunStep> steps = stepsIn({0, 1});
+    const DayTimeline lit = computeTimeline(shadowOf(steps, {"..", ".."}, {"..", ".."}));
+    EXPECT_FALSE(lit.scenario.enters());
+    EXPECT_FALSE(lit.scenario.longest);
+    EXPECT_FALSE(lit.scenario.largestAt);
+    const DayTimeline none = computeTimeline({equinox, steps, 1, 2, StepMasks(0, 2), StepMasks(0, 2)});
+    EXPECT_EQ(none.fullCoverMin, 0);
+    EXPECT_EQ(none.theoreticalM2h(), 0);
+    const DayTimeline night = computeTimeline({equinox, {}, 1, 2, StepMasks(3, 0), StepMasks(3, 0)});
+    EXPECT_EQ(night.sunlitMinutes, 0);
+}
+
+TEST(MaskRuns, TheLongestRunOfAColumnIsThatOfCountingOneByOne) {
+    std::mt19937 random(4);
+    for (int round = 0; round < 200; ++round) {
+        const std::size_t rows = 1 + random() % 70, words = 1 + random() % 3;
+        BitRows bits{words, std::vector<std::uint64_t>(rows * words)};
+        const int kind = round % 3;
+        for (std::uint64_t& word : bits.bits) {
+            word = std::uint64_t(random()) << 32U | random();
+            if (kind > 0) word |= std::uint64_t(random()) << 32U | random();
+            if (kind > 1) word |= ~(std::uint64_t(random()) << 32U & random());
+        }
+        std::size_t longest = 0;
+        for (std::size_t column = 0; column < words * 64; ++column)
+            for (std::size_t row = 0, run = 0; row < rows; ++row) {
+                run = (bits.bits[row * words + column / 64] >> (column % 64) & 1) != 0 ? run + 1 : 0;
+                longest = std::max(longest, run);
+            }
+        const auto found = findLongestColumnRun(bits);
+        ASSERT_EQ(found ? found->length : 0, longest);
+        if (!found) continue;
+        for (std::size_t row = found->row; row < found->row + longest; ++row)
+            EXPECT_TRUE(bits.bits[row * words + found->column / 64] >> (found->column % 64) & 1);
+    }
+    EXPECT_FALSE(findLongestColumnRun({2, std::vector<std::uint64_t>(6)}));
+    EXPECT_FALSE(findLongestColumnRun({0, {}}));
+}
+
+TEST(PlaceSums, AddUpByMonthAndQuarterAndNameTheDayOfMost) {
+    PlaceSums sums;
+    for (const unsigned day : {20U, 21U, 22U}) {
+        DayTimeline one{.day = std::chrono::year{2026} / std::chrono::March / day, .areaM2 = 100};
+        one.sunlitMinutes = 600;
+        one.scenario.areaHoursM2 = day == 21 ? 50 : 20;
+        one.incremental.areaHoursM2 = day == 22 ? 7 : 5;
+        one.incremental.largestM2 = double(day);
+        one.incremental.largestAt = noon;
+        sums.add(one);
+    }
+    EXPECT_DOUBLE_EQ(sums.all().theoreticalM2h, 3000);
+    EXPECT_DOUBLE_EQ(sums.all().shareOf(sums.all().scenarioM2h), 90 / 3000.0);
+    EXPECT_EQ(sums.months().at("2026-03").days, 3);
+    EXPECT_EQ(sums.quarters()[std::size_t(Quarter::fromDecember)].days, 1);
+    EXPECT_EQ(sums.quarters()[std::size_t(Quarter::fromMarch)].days, 2);
+    EXPECT_EQ(unsigned(sums.mostScenario()->day.day()), 21U);
+    EXPECT_EQ(unsigned(sums.mostIncremental()->day.day()), 22U);
+    EXPECT_EQ(sums.largestIncrementalM2(), 22);
+}
+
+Place squareAt(std::string name, float west, float south, float side) {
+    return {
+        std::move(name), PlaceKind::park, {{rectangle(west, south, west + side, south + side), {}}}, "drawn"};
+}
+
+// A tower of 20 m x 20 m and 100 m, and the sun due south at 45 deg: its shadow reaches 100 m north of
+// its northern wall, 20 m wide. The park of 40 m begins 80 m north of that wall: 20 m x 20 m of it are
+// shaded.
+TEST(PlaceStudy, OfATowerUnderASunThatStandsStill) {
+    const City empty = cityOf({{{500, 500, 0}, {501, 501, 1}}});
+    City built = empty;
+    built.buildings.push_back(buildingOf({{0, 0, 0}, {20, 20, 100}}));
+    const std::vector<Place> places{squareAt("park", 0, 100, 40), squareAt("lot", 0, 0, 20)};
+    const City* const cities[]{&empty, &built};
+    const auto cells = placeReceiversOnPlaces(cities, places, {.cellM = 1}).value();
+    EXPECT_EQ(cells.cellCount(0), 1600U);
+    EXPECT_EQ(cells.cellCount(1), 0U);  // the tower covers it
+    SunSteps sun = oneDay({{180, 45}, {180, 45}, {180, 45}});
+    for (std::size_t i = 0; i < 3; ++i) sun.steps[i].at = noon + i * 1min;
+    NoProgress quiet;
+    std::vector<DayTimeline> days;
+    const auto take = [&](std::size_t, std::span<const PlaceShadow> shadows) -> Result<void> {
+        for (const PlaceShadow& shadow : shadows) days.push_back(computeTimeline(shadow));
+        return {};
+    };
+    ASSERT_TRUE(shadePlaces(ProjectedShadows(), empty, &built, cells, sun, take, quiet, {}));
+    ASSERT_EQ(days.size(), 2U);
+    EXPECT_NEAR(days[0].incremental.largestM2, 400, 21);  // a row or column at the edges
+    EXPECT_EQ(days[0].incremental.minutes, 3);
+    EXPECT_EQ(days[0].baseline.minutes, 0);
+    EXPECT_EQ(days[0].incremental.longest->minutes, 3);
+    EXPECT_EQ(days[1].areaM2, 0);
+}
+
+// Enters and exits to the step and areas to the cell, on parks among the blocks of the grid sample.
+TEST(PlaceStudy, AgreesWithRaysOnEveryCellAndStep) {
+    const City before = makeGridSample({.buildings = 400}).value();
+    City after = before;
+    after.buildings.push_back(buildingOf({{30, -20, 0}, {60, 10, 150}}));
+    const std::vector<Place> places{squareAt("a", -150, 60, 60), squareAt("b", 10, 30, 90),
+                                    squareAt("inside b", 30, 40, 20), squareAt("c", 150, 120, 50)};
+    PlaceStudySettings settings{.period = {.start = equinox, .stepMinutes = 5, .window = SolarWindow{}}};
+    NoProgress quiet;
+    const auto fast = runPlaceStudy(before, &after, places, settings, ProjectedShadows(), quiet, {}).value();
+    const auto rays = runPlaceStudy(before, &after, places, settings, RayReference(), quiet, {}).value();
+    std::size_t steps = 0, different = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const DayTimeline &a = fast.places[i].days.front(), &b = rays.places[i].days.front();
+        ASSERT_EQ(a.steps.size(), b.steps.size());
+        EXPECT_EQ(a.incremental.intervals, b.incremental.intervals) << places[i].name;
+        EXPECT_EQ(a.scenario.intervals, b.scenario.intervals) << places[i].name;
+        EXPECT_EQ(a.fullCoverMin, b.fullCoverMin);
+        for (std::size_t step = 0; step < a.steps.size(); ++step, ++steps) {
+            EXPECT_NEAR(a.steps[step].scenarioM2, b.steps[step].scenarioM2, 1) << step;
+            EXPECT_NEAR(a.steps[step].incrementalM2, b.steps[step].incrementalM2, 1) << step;
+            different += a.steps[step].scenarioM2 != b.steps[step].scenarioM2 ? 1 : 0;
+        }
+    }
+    EXPECT_LE(different, steps / 100);
+    EXPECT_GT(fast.places[1].sums.all().incrementalM2h, 0);
+    // A place inside another has the same shadow there as alone.
+    const auto alone =
+        runPlaceStudy(before, &after, {places[2]}, settings, ProjectedShadows(), quiet, {}).value();
+    EXPECT_EQ(alone.places[0].days[0].scenario.areaHoursM2, fast.places[2].days[0].scenario.areaHoursM2);
+}
+
+TEST(PlaceStudy, WhatIsWrongIsReported) {
+    const City city = cityOf({{{0, 0, 0}, {20, 20, 10}}});
+    PlaceStudySettings settings{.period = {.start = equinox, .stepMinutes = 30, .window = SolarWindow{}}};
+    NoProgress quiet;
+    EXPECT_THAT(runPlaceStudy(city, nullptr, {}, settings, ProjectedShadows(), quiet, {}).error().text(),
+                HasSubstr("no place"));
+    const auto covered =
+        runPlaceStudy(city, nullptr, {squareAt("covered", 5, 5, 5)}, settings, ProjectedShadows(), quiet, {});
+    EXPECT_EQ(covered.value().warnings.size(), 1U);
+    settings.period.stepMinutes = 1000;
+    EXPECT_FALSE(
+        runPlaceStudy(city, nullptr, {squareAt("a", 50, 5, 5)}, settings, ProjectedShadows(), quiet, {}));
+}
+
+}  // namespace
+}  // namespace noonmark
