@@ -21,7 +21,7 @@ std::string limitText(const Criterion& criterion, const Limit& limit) {
 std::string limitsText(const Criterion& criterion) {
     std::string text;
     for (const Limit& limit : criterion.limits)
-        text += (text.empty() ? "" : " or ") + limitText(criterion, limit);
+        text += fmt::format("{}{}", text.empty() ? "" : " or ", limitText(criterion, limit));
     return text;
 }
 
@@ -31,7 +31,7 @@ std::string reasonFor(const Criterion& criterion, const CriterionResult& result)
         fmt::format("{}: {}", criterion.name, formatMeasured(criterion.measure, result.value->value));
     if (result.former)
         text += fmt::format(" (former {})", formatMeasured(criterion.measure, result.former->value));
-    if (result.day) text += " on " + formatText(*result.day);
+    if (result.day) text += fmt::format(" on {}", formatText(*result.day));
     return text + ", wanted " + limitsText(criterion);
 }
 

@@ -27,7 +27,7 @@ std::string joinBounds(const std::vector<WindowBound>& bounds, std::string_view 
     if (bounds.size() == 1) return formatText(bounds.front());
     std::string text{which};
     for (const WindowBound& bound : bounds)
-        text += (&bound == &bounds.front() ? " " : ", ") + formatText(bound);
+        text += fmt::format("{}{}", &bound == &bounds.front() ? " " : ", ", formatText(bound));
     return text;
 }
 

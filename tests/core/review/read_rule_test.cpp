@@ -44,7 +44,8 @@ TEST(RuleLibrary, EveryShippedRuleIsValidWithEveryChoice) {
 }
 
 TEST(RuleLibrary, EveryShippedRuleSaysWhatItDoesNotCheck) {
-    for (const Rule& rule : RuleLibrary::load().value().rules()) {
+    const auto library = RuleLibrary::load();
+    for (const Rule& rule : library->rules()) {
         EXPECT_FALSE(rule.notChecked.empty()) << rule.key;
         EXPECT_FALSE(rule.deliverables.columns.empty()) << rule.key;
         EXPECT_FALSE(rule.window.evidence.source.empty()) << rule.key;
@@ -126,9 +127,9 @@ TEST(ReadRule, RefusesHostileFiles) {
     for (int i = 0; i < 20'000; ++i) deep += "{\"a\":";
     EXPECT_THAT(errorOf(deep), HasSubstr("nested"));
     EXPECT_THAT(errorOf(changed("\"schema\": 1", "\"schema\": 1, \"schema\": 1")), HasSubstr("twice"));
-    std::string many = "\"days\": {\"on\": [";
+    std::string many = "\"on\": [";
     for (int i = 0; i < 500; ++i) many += "\"03-21\", ";
-    EXPECT_THAT(errorOf(changed("\"days\": {\"on\": [", many)), HasSubstr("days.on"));
+    EXPECT_THAT(errorOf(changed("\"on\": [", many)), HasSubstr("days.on"));
     EXPECT_THAT(errorOf(changed("\"key\"", "\"a\\u0007b\": 1, \"key\"")), HasSubstr("a?b"));
 }
 

@@ -43,10 +43,10 @@ TEST(RuleDays, CeqrTakesItsExplicitHoursInStandardTime) {
     // In time order: 21 March 7:36 to 16:29 is 533 minutes; standard time is UTC-5, also in summer.
     EXPECT_EQ(sun.sun.days[0].date, on(2026, 3, 21));
     EXPECT_EQ(sun.sun.days[0].count, 533);
-    EXPECT_EQ(utcOf(sun, 0), "2026-03-21T12:36:00Z");
+    EXPECT_EQ(utcOf(sun, 0), "2026-03-21T12:36:00+00:00");
     EXPECT_EQ(sun.sun.days[1].count, 651);  // 6:27 to 17:18
     EXPECT_EQ(sun.sun.days[2].count, 724);  // 5:57 to 18:01
-    EXPECT_EQ(utcOf(sun, sun.sun.days[2].first), "2026-06-21T10:57:00Z");
+    EXPECT_EQ(utcOf(sun, sun.sun.days[2].first), "2026-06-21T10:57:00+00:00");
     EXPECT_EQ(sun.sun.days[3].count, 362);  // 8:51 to 14:53
     EXPECT_EQ(sun.clock.timeText(on(2026, 6, 21), sun.sun.steps[sun.sun.days[2].first].at), "05:57");
     EXPECT_EQ(sun.sun.stepMinutes, 1);
@@ -147,7 +147,7 @@ TEST(RuleDays, TorontoBeginsAt918AndIsTiedToMeanNoon) {
     const RuleSite toronto = siteAt(-79.38, 43.65, "America/Toronto");
     const RuleSun sun = sunOf("toronto", toronto);
     ASSERT_EQ(sun.sun.days.size(), 4);
-    EXPECT_EQ(utcOf(sun, 0), "2026-03-21T13:18:00Z");
+    EXPECT_EQ(utcOf(sun, 0), "2026-03-21T13:18:00+00:00");
     EXPECT_EQ(sun.sun.days[0].count, 540);
     // On 21 December the last hours lie after sunset.
     EXPECT_GT(sun.sun.days[3].belowHorizon, 60);
@@ -156,7 +156,7 @@ TEST(RuleDays, TorontoBeginsAt918AndIsTiedToMeanNoon) {
 TEST(RuleDays, VancouverCountsDaylightTime) {
     const RuleSun sun = sunOf("vancouver", siteAt(-123.12, 49.28, "America/Vancouver"));
     EXPECT_EQ(sun.sun.days.size(), 185);  // 21 March to 21 September
-    EXPECT_EQ(utcOf(sun, 0), "2026-03-21T17:00:00Z");
+    EXPECT_EQ(utcOf(sun, 0), "2026-03-21T17:00:00+00:00");
     EXPECT_EQ(sun.sun.days[0].count, 72);
 }
 
