@@ -1,5 +1,6 @@
 #include "core/review/rule_days.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "tests/core/review/paper_days.h"
