@@ -8,6 +8,7 @@ void addReviewCommand(CLI::App& app, Run& run) {
     review->require_subcommand(1);
     addReviewList(*review, run);
     addReviewShow(*review, run);
+    addReviewRun(*review, run);
 }
 
 }  // namespace noonmark::cli
