@@ -14,12 +14,12 @@ class ReviewCommand : public ProjectCommand {
 protected:
     void SetUp() override {
         ProjectCommand::SetUp();
+        done("add-scenario", {"Without One57"});
+        done("demolish", {"One57", "--scenario", "Without One57"});
         auto disk = ProjectFile::open(file_).value();
         Project project = disk.project();
         project.places.push_back({"Central Park", PlaceKind::park, project.regions.at(0).polygons, "test"});
         ASSERT_TRUE(disk.save(project));
-        done("add-scenario", {"Without One57"});
-        done("demolish", {"One57", "--scenario", "Without One57"});
     }
 
     Spoken review(const std::string& rule, std::vector<std::string> more) {
